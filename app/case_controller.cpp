@@ -1,7 +1,7 @@
 #include "app/case_controller.h"
 
 #include "app/preferences/window_layout.h"
-#include "ui/words/spoken.h"
+#include "ui/words/retranslation.h"
 
 namespace angiopose::app {
 
@@ -32,7 +32,7 @@ CaseController::CaseController(ui::MainWindow& window, QObject* parent)
                 {window.slices(), window.slicesPage(), window.corner()}}),
       marks_(document_, sync_, preview_,
              {window.actions(), window.marks(), window.angiogramView(), window.treeView(), window.slices()}),
-      start_(document_, window.actions()),
+      initialPose_(document_, window.actions()),
       geometry_(document_, window.geometryPanel()),
       angiogram_({document_, target_, sync_, notifications_, window.actions(), window.angiogramPanel(),
                   window.angiogramView(), window.strip(), window}),
@@ -46,12 +46,14 @@ CaseController::CaseController(ui::MainWindow& window, QObject* parent)
       review_(document_, sync_, preview_,
               {window.actions(), window.angiogramView(), window.treeView(), window.strip()}),
       cine_(document_, sync_, review_, window.actions(), window.strip()),
-      look_(document_, sync_, {window.actions(), window.angiogramPanel(), window.angiogramView(), window.strip()}),
+      overlayStyle_(document_, sync_,
+                    {window.actions(), window.angiogramPanel(), window.angiogramView(), window.strip()}),
       replay_(document_, preview_, window.actions(), window.strip()),
-      judgement_({document_, target_, pose_, registration_, sync_, look_, replay_, window.result(), window.pose()}),
-      gestures_({document_, pose_, review_, judgement_, preview_, notifications_, window.actions(), window.pose(),
+      evaluation_(
+          {document_, target_, pose_, registration_, sync_, overlayStyle_, replay_, window.result(), window.pose()}),
+      gestures_({document_, pose_, review_, evaluation_, preview_, notifications_, window.actions(), window.pose(),
                  window.registration(), window.angiogramView()}),
-      run_({document_, registration_, session_, review_, judgement_, sync_, preview_, notifications_, window.actions(),
+      run_({document_, registration_, session_, review_, evaluation_, sync_, preview_, notifications_, window.actions(),
             window.registration(), window.result(), window.pose(), window.geometryPanel(), window.treeView(),
             window.strip()}),
       slices_(document_, branches_,
@@ -64,22 +66,22 @@ CaseController::CaseController(ui::MainWindow& window, QObject* parent)
                    {window.actions(), window.branches(), window.treeView(), window.corner(), window.slices(),
                     window.slicesPage(), window}),
       steps_({document_, target_, pose_, registration_, treeActions_, session_, window}),
-      poses_({document_, target_, branches_, session_, review_, replay_, judgement_, preview_, notifications_,
+      poses_({document_, target_, branches_, session_, review_, replay_, evaluation_, preview_, notifications_,
               window.actions(), window.angiogramView(), window.result(), window.snapshots(), window.landmarks(),
               window.trialBar(), window.strip(), window}),
-      places_(window),
+      viewPlacement_(window),
       layout_(registration_, window),
       views_(document_, target_, {window.actions(), window.views(), window.registration(), window}),
-      sideBySide_({document_, preview_, branches_, look_, views_},
+      sideBySide_({document_, preview_, branches_, overlayStyle_, views_},
                   {window.actions(), window.views(), window.sideBySide()}),
       crosshair_(document_, preview_,
                  {window.actions(), window.views(), window.sideBySide(), window.treeView(), window.slices()}),
       angles_(document_, branches_, window.actions(), window),
-      follow_({document_, review_, sync_, preview_, session_.exporting(), notifications_, window.actions(),
-               window.result(), window.strip()}),
-      movie_({document_, target_, session_.exporting(), follow_, cine_, notifications_, window.actions(),
+      trackingController_({document_, review_, sync_, preview_, session_.exporting(), notifications_, window.actions(),
+                           window.result(), window.strip()}),
+      movie_({document_, target_, session_.exporting(), trackingController_, cine_, notifications_, window.actions(),
               window.strip(), window}),
-      drr_({document_, target_, sync_, look_, window.angiogramView(), window.strip()}),
+      drr_({document_, target_, sync_, overlayStyle_, window.angiogramView(), window.strip()}),
       scan_(document_, {window.actions(), window.treeView(), window.corner(), window.slices(), window.strip()}),
       detectorDrr_(document_, sync_, {window.actions(), window.treeView()}),
       preferences_(branches_, {window.actions(), window.angiogramView(), window.treeView(), window.strip(), window}),
@@ -90,25 +92,25 @@ CaseController::CaseController(ui::MainWindow& window, QObject* parent)
     connectNotes();
     connectTracing();
     connectReview();
-    connect(&document_, &CaseDocument::changed, this, &CaseController::followDocument);
-    connect(&target_, &TargetProvider::changed, this, &CaseController::followTarget);
-    connect(&session_, &SessionController::restarted, &help_, &HelpController::offerTour);
+    connect(&document_, &CaseDocument::changed, this, &CaseController::updateFromDocument);
+    connect(&target_, &TargetProvider::changed, this, &CaseController::updateFromTarget);
+    connect(&session_, &SessionController::firstStarted, &help_, &HelpController::offerTour);
     restoreWindowLayout(window_);
     layout_.begin();
-    ui::speak(this, [this] { followDocument(); });
+    ui::keepTranslated(this, [this] { updateFromDocument(); });
 }
 
 void CaseController::begin(const QStringList& paths)
 {
-    support_.tellOfFault();
+    support_.reportCrash();
     session_.begin(paths);
 }
 
 bool CaseController::isBusy() const
 {
     return registration_.isRunning() || session_.isLoading() || tracing_.isRunning() || mask_.isRunning() ||
-           follow_.isRunning() || movie_.isRunning() || session_.isWriting() || poses_.isBusy() || views_.isLooking() ||
-           document_.isInTrial();
+           trackingController_.isRunning() || movie_.isRunning() || session_.isWriting() || poses_.isBusy() ||
+           views_.isSummarizing() || document_.isInTrial();
 }
 
 /// Connects the events of the main window: files, clicks, keys and closing.
@@ -121,44 +123,44 @@ void CaseController::connectWindow()
         storeWindowLayout(window_);
         window_.closeNow();
     });
-    connect(&window_, &ui::MainWindow::pointPicked, &pivot_, &PivotController::pickIfWanted);
+    connect(&window_, &ui::MainWindow::pointPicked, &pivot_, &PivotController::pickIfActive);
     connect(&window_, &ui::MainWindow::pointPicked, &landmarks_, &LandmarkController::pickPoint);
     connect(&window_, &ui::MainWindow::pointPicked, &marks_, &MarkController::pickPoint);
-    connect(&window_, &ui::MainWindow::pointPicked, &treeActions_.tree(), &TreeController::setPlace);
-    connect(&window_, &ui::MainWindow::escapePressed, &tracing_, &TracingController::dropPick);
+    connect(&window_, &ui::MainWindow::pointPicked, &treeActions_.tree(), &TreeController::setClickedPoint);
+    connect(&window_, &ui::MainWindow::escapePressed, &tracing_, &TracingController::endPicking);
     connect(&window_, &ui::MainWindow::escapePressed, &review_, &ReviewController::stopMotion);
-    connect(&window_, &ui::MainWindow::escapePressed, &replay_, &ReplayController::showItself);
-    connect(&window_, &ui::MainWindow::escapePressed, &poses_.snapshots(), &SnapshotController::showItself);
-    connect(&window_, &ui::MainWindow::hideKeyHeld, &look_, &LookController::holdHidden);
-    connect(&steps_, &StepController::wentTo, &layout_, &StepLayoutController::goTo);
-    connect(&slices_, &SliceController::largeShown, &window_, &ui::MainWindow::setSlicesLarge);
+    connect(&window_, &ui::MainWindow::escapePressed, &replay_, &ReplayController::showCurrentPose);
+    connect(&window_, &ui::MainWindow::escapePressed, &poses_.snapshots(), &SnapshotController::showCurrentPose);
+    connect(&window_, &ui::MainWindow::hideKeyToggled, &overlayStyle_, &OverlayStyleController::setHiddenWhileHeld);
+    connect(&steps_, &StepController::stepSelected, &layout_, &StepLayoutController::goTo);
+    connect(&slices_, &SliceController::largeChanged, &window_, &ui::MainWindow::setSlicesEnlarged);
 }
 
 /// Shows the reason for a failed edit in the status strip.
 void CaseController::connectNotes()
 {
     connect(&document_, &CaseDocument::editRefused, this,
-            [this] { notifications_.showNote(tr("A registration is running. Stop it to edit.")); });
+            [this] { notifications_.showNote(tr("A registration is running. Stop it before editing.")); });
     connect(&branches_, &BranchController::refused, &notifications_, &Notifications::showNote);
     connect(&treeActions_, &TreeActions::refused, &notifications_, &Notifications::showNote);
     connect(&views_, &ViewController::refused, &notifications_, &Notifications::showNote);
     connect(&sideBySide_, &SideBySideController::reported, &notifications_, &Notifications::showNote);
     connect(&crosshair_, &LinkedCrosshair::reported, &notifications_, &Notifications::showNote);
     connect(&pivot_, &PivotController::reported, &notifications_, &Notifications::showNote);
-    connect(&treeActions_, &TreeActions::pivotWanted, &pivot_, &PivotController::pick);
+    connect(&treeActions_, &TreeActions::pivotRequested, &pivot_, &PivotController::pick);
     connect(&landmarks_, &LandmarkController::refused, &notifications_, &Notifications::showNote);
     connect(&landmarks_, &LandmarkController::placed, &notifications_, &Notifications::showNote);
     connect(&profile_, &ProfileController::refused, &notifications_, &Notifications::showNote);
     connect(&marks_, &MarkController::refused, &notifications_, &Notifications::showNote);
     connect(&measure_, &MeasureController::refused, &notifications_, &Notifications::showNote);
-    connect(&start_, &InitialPoseController::refused, &notifications_, &Notifications::showNote);
-    connect(&start_, &InitialPoseController::done, &notifications_, &Notifications::showNote);
+    connect(&initialPose_, &InitialPoseController::refused, &notifications_, &Notifications::showNote);
+    connect(&initialPose_, &InitialPoseController::done, &notifications_, &Notifications::showNote);
 }
 
 void CaseController::connectTracing()
 {
     connect(&tracing_, &TracingController::traced, &notifications_, &Notifications::showNote);
-    connect(&session_.opening(), &OpenController::tookIn, &tracing_, &TracingController::knowWarnings);
+    connect(&session_.opening(), &OpenController::inputsAdded, &tracing_, &TracingController::setWarnings);
     connect(&tracing_, &TracingController::failed, this,
             [this](const QString& reason) { notifications_.showProblem(tr("Could not trace the vessels"), reason); });
     connect(&mask_, &MaskController::reported, &notifications_, &Notifications::showNote);
@@ -178,22 +180,23 @@ void CaseController::connectReview()
     connect(&support_, &SupportController::failed, &notifications_, [this](const QString& reason) {
         notifications_.showProblem(tr("Could not save the support bundle"), reason);
     });
-    connect(&look_, &LookController::branchWanted, &branches_, [this](int branchId) { branches_.select({branchId}); });
+    connect(&overlayStyle_, &OverlayStyleController::branchRequested, &branches_,
+            [this](int branchId) { branches_.select({branchId}); });
     connect(&window_.registration(), &ui::RegistrationPanel::allViewsToggled, &preview_,
             &PosePreview::setMovesAllViews);
     connect(&replay_, &ReplayController::solutionShown, &review_, &ReviewController::stopMotion);
 }
 
-void CaseController::followDocument()
+void CaseController::updateFromDocument()
 {
     sync_.refresh();
     showPage();
-    branches_.followDocument();
-    target_.want(document_.current());
+    branches_.updateFromDocument();
+    target_.setCase(document_.current());
     gestures_.show();
     run_.show();
-    judgement_.judge(document_.current().shown().cameraFromPatient);
-    judgement_.show();
+    evaluation_.evaluate(document_.current().shown().cameraFromPatient);
+    evaluation_.show();
     geometry_.show();
     steps_.show();
 }
@@ -207,11 +210,11 @@ void CaseController::showPage()
     }
 }
 
-void CaseController::followTarget()
+void CaseController::updateFromTarget()
 {
     sync_.showTarget(target_.current());
-    judgement_.judge(document_.current().shown().cameraFromPatient);
-    judgement_.show();   // shows the reason if the fit cannot be assessed
+    evaluation_.evaluate(document_.current().shown().cameraFromPatient);
+    evaluation_.show();   // shows the reason if the fit cannot be assessed
     steps_.show();
 }
 

@@ -25,10 +25,9 @@
 #include "app/registration/target_provider.h"
 #include "app/review/detector_drr_controller.h"
 #include "app/review/drr_controller.h"
-#include "app/review/follow_controller.h"
-#include "app/review/judgement_controller.h"
-#include "app/review/look_controller.h"
+#include "app/review/evaluation_controller.h"
 #include "app/review/movie_controller.h"
+#include "app/review/overlay_style_controller.h"
 #include "app/review/pose_gestures.h"
 #include "app/review/pose_tools.h"
 #include "app/review/profile_controller.h"
@@ -36,7 +35,8 @@
 #include "app/review/scan_controller.h"
 #include "app/review/slice_controller.h"
 #include "app/review/step_layout_controller.h"
-#include "app/review/view_places_controller.h"
+#include "app/review/tracking_controller.h"
+#include "app/review/view_placement_controller.h"
 #include "app/run_controller.h"
 #include "app/showing/cine_controller.h"
 #include "app/showing/notifications.h"
@@ -78,20 +78,20 @@ public:
     MaskController& mask() { return mask_; }
     PoseTools& poses() { return poses_; }
     const PosePreview& preview() const { return preview_; }
-    FollowController& following() { return follow_; }
+    TrackingController& following() { return trackingController_; }
     const MovieController& movies() const { return movie_; }
     UserPreferences& preferences() { return preferences_; }
     const ScanController& scan() const { return scan_; }
-    const SharedJudgement& judgement() const { return judgement_.current(); }
+    const SharedEvaluation& evaluation() const { return evaluation_.current(); }
 
 private:
     void connectWindow();
     void connectNotes();
     void connectTracing();
     void connectReview();
-    void followDocument();
+    void updateFromDocument();
     void showPage();
-    void followTarget();
+    void updateFromTarget();
 
     ui::MainWindow& window_;
     Notifications notifications_;
@@ -107,7 +107,7 @@ private:
     LandmarkController landmarks_;
     MeasureController measure_;
     MarkController marks_;
-    InitialPoseController start_;
+    InitialPoseController initialPose_;
     GeometryController geometry_;
     AngiogramController angiogram_;
     RegistrationController registration_;
@@ -117,9 +117,9 @@ private:
     PatientController patient_;
     ReviewController review_;
     CineController cine_;
-    LookController look_;
+    OverlayStyleController overlayStyle_;
     ReplayController replay_;
-    JudgementController judgement_;
+    EvaluationController evaluation_;
     PoseGestures gestures_;
     RunController run_;
     SliceController slices_;
@@ -129,13 +129,13 @@ private:
     TreeActions treeActions_;
     StepController steps_;
     PoseTools poses_;
-    ViewPlacesController places_;
+    ViewPlacementController viewPlacement_;
     StepLayoutController layout_;
     ViewController views_;
     SideBySideController sideBySide_;
     LinkedCrosshair crosshair_;
     AngleController angles_;
-    FollowController follow_;
+    TrackingController trackingController_;
     MovieController movie_;
     DrrController drr_;
     ScanController scan_;

@@ -1,5 +1,5 @@
-#include "app/preferences/applied_choices.h"
-#include "app/start/start_words.h"
+#include "app/preferences/apply_settings.h"
+#include "app/start/start_options.h"
 #include "app/start/write_report.h"
 #include "app/window_host.h"
 #include "io/support/crash_dumps.h"
@@ -15,8 +15,8 @@ using namespace angiopose;
 int main(int argc, char** argv)
 {
     io::reportFileSizeLimit();
-    io::beginCrashDumps("angiopose");
-    const app::StartWords words = app::readStartWords(argc, argv);
+    io::enableCrashDumps("angiopose");
+    const app::StartOptions words = app::parseStartOptions(argc, argv);
     if (words.exitCode) {
         return *words.exitCode;
     }
@@ -28,9 +28,9 @@ int main(int argc, char** argv)
     QApplication::setWindowIcon(QIcon(QStringLiteral(":/icons/angiopose.svg")));
     QGuiApplication::setDesktopFileName(QStringLiteral("org.angiopose.AngioPose"));
 
-    app::applyChosenLanguage();
-    app::applyChosenKeys();
-    app::applyChosenTheme(application);
+    app::applyLanguageSetting();
+    app::applyShortcutSettings();
+    app::applyThemeSetting(application);
     app::WindowHost host;
     host.controller().begin(words.files);
     return QApplication::exec();

@@ -2,7 +2,7 @@
 
 #include "app/document/edit_case.h"
 #include "core/registration/deformation_check.h"
-#include "core/registration/judging/unfilled_branches.h"
+#include "core/registration/judging/unopacified_branches.h"
 #include "ui/actions/window_actions.h"
 #include "ui/panels/bottom_strip.h"
 #include "ui/panels/geometry_panel.h"
@@ -18,7 +18,7 @@
 
 namespace angiopose::app {
 
-RunController::RunController(const Parts& parts, QObject* parent) : QObject(parent), on_(parts)
+RunController::RunController(const Parts& parts, QObject* parent) : QObject(parent), parts_(parts)
 {
     connectCommands();
     connectRun();
@@ -26,101 +26,103 @@ RunController::RunController(const Parts& parts, QObject* parent) : QObject(pare
 
 void RunController::show()
 {
-    on_.panel.showOptions(on_.document.current().options);
-    on_.panel.showReady(on_.registration.whyNotReady());
+    parts_.panel.showOptions(parts_.document.current().options);
+    parts_.panel.showBlockingReason(parts_.registration.notReadyReason());
 }
 
 void RunController::connectCommands()
 {
-    const ui::RegistrationPanel& panel = on_.panel;
-    const ui::WindowActions& actions = on_.actions;
-    connect(&panel, &ui::RegistrationPanel::registerRequested, &on_.registration, &RegistrationController::start);
-    connect(&panel, &ui::RegistrationPanel::stopRequested, &on_.registration, &RegistrationController::stop);
+    const ui::RegistrationPanel& panel = parts_.panel;
+    const ui::WindowActions& actions = parts_.actions;
+    connect(&panel, &ui::RegistrationPanel::registerRequested, &parts_.registration, &RegistrationController::start);
+    connect(&panel, &ui::RegistrationPanel::stopRequested, &parts_.registration, &RegistrationController::stop);
     connect(&panel, &ui::RegistrationPanel::optionsEdited, this, &RunController::changeOptions);
-    connect(&panel, &ui::RegistrationPanel::allViewsToggled, &on_.registration, &RegistrationController::setAllViews);
+    connect(&panel, &ui::RegistrationPanel::allViewsToggled, &parts_.registration,
+            &RegistrationController::setAllViews);
     connect(actions[ui::Command::Register], &QAction::triggered, this, &RunController::start);
-    connect(actions[ui::Command::Stop], &QAction::triggered, &on_.registration, &RegistrationController::stop);
-    connect(&on_.strip, &ui::BottomStrip::stopRequested, this, &RunController::stop);
+    connect(actions[ui::Command::Stop], &QAction::triggered, &parts_.registration, &RegistrationController::stop);
+    connect(&parts_.strip, &ui::BottomStrip::stopRequested, this, &RunController::stop);
 }
 
 void RunController::connectRun()
 {
-    const RegistrationController& run = on_.registration;
+    const RegistrationController& run = parts_.registration;
     connect(&run, &RegistrationController::runningChanged, this, &RunController::showRunning);
     connect(&run, &RegistrationController::tracingStarted, this,
-            [this] { on_.strip.showBusy(tr("Tracing the vessels of this frame…")); });
+            [this] { parts_.strip.showBusy(tr("Tracing the vessels of this frame…")); });
     connect(&run, &RegistrationController::advanced, this, &RunController::showProgress);
     connect(&run, &RegistrationController::finished, this, &RunController::showFinished);
-    connect(&on_.preview, &PosePreview::changed, this,
-            [this] { on_.result.setDimmed(on_.preview.shown() && on_.preview.colors() == ResidualColors::Hidden); });
+    connect(&parts_.preview, &PosePreview::changed, this, [this] {
+        parts_.result.setDimmed(parts_.preview.shown() && parts_.preview.colors() == ResidualColors::Hidden);
+    });
     connect(&run, &RegistrationController::failed, this, [this](const QString& reason) {
-        on_.notifications.showProblem(tr("Could not start the registration"), reason);
+        parts_.notifications.showProblem(tr("Could not start the registration"), reason);
     });
 }
 
 void RunController::start()
 {
-    if (!on_.registration.isRunning()) {
-        on_.review.stopMotion();
-        on_.registration.start();
+    if (!parts_.registration.isRunning()) {
+        parts_.review.stopMotion();
+        parts_.registration.start();
     }
 }
 
 /// Stops the task shown in the strip: a registration or the loading of files.
 void RunController::stop()
 {
-    on_.registration.stop();
-    on_.session.abandonLoading();
+    parts_.registration.stop();
+    parts_.session.abandonLoading();
 }
 
-void RunController::changeOptions(const core::RegistrationOptions& options, const ui::Words& label)
+void RunController::changeOptions(const core::RegistrationOptions& options, const ui::LocalizedText& label)
 {
-    on_.document.push(std::make_unique<ChangeOptions>(on_.document, ChangeOptions::Values{options},
-                                                      [label] { return tr("Change option “%1”").arg(label()); }));
+    parts_.document.push(std::make_unique<ChangeOptions>(parts_.document, ChangeOptions::Values{options},
+                                                         [label] { return tr("Change option “%1”").arg(label()); }));
 }
 
 void RunController::showRunning(bool running)
 {
-    on_.review.stopMotion();
-    on_.panel.setRunning(running);
-    on_.posePanel.setEnabled(!running);
-    on_.geometryPanel.setEnabled(!running);
+    parts_.review.stopMotion();
+    parts_.panel.setRunning(running);
+    parts_.posePanel.setEnabled(!running);
+    parts_.geometryPanel.setEnabled(!running);
     if (running) {
-        on_.result.startRun();
-        on_.sync.showJudgement(nullptr);
+        parts_.result.startRun();
+        parts_.sync.showAssessment(nullptr);
     } else {
-        on_.preview.end(PreviewOf::Run);
-        on_.strip.showIdle(tr("Ready"));
-        on_.judgement.show();
+        parts_.preview.end(PreviewSource::Run);
+        parts_.strip.showIdle(tr("Ready"));
+        parts_.evaluation.show();
     }
 }
 
 void RunController::showProgress(const RunReport& report)
 {
-    if (!on_.registration.isRunning()) {
+    if (!parts_.registration.isRunning()) {
         return;   // late report of a registration that has already ended
     }
     const core::IterationReport& step = report.iteration;
     if (report.isOfShownView) {
-        on_.preview.show(PreviewOf::Run, step.cameraFromPatient, ResidualColors::Kept);
-        on_.result.showProgress(step);
+        parts_.preview.show(PreviewSource::Run, step.cameraFromPatient, ResidualColors::Kept);
+        parts_.result.showProgress(step);
     }
-    on_.strip.showProgress(tr("Registering: %1 · %2 % · %3 px")
-                               .arg(ui::termText(step.stage))
-                               .arg(ui::numberText(100.0 * step.progress, 0))
-                               .arg(ui::numberText(step.medianDistancePx, 1)),
-                           step.progress);
+    parts_.strip.showProgress(tr("Registering: %1 · %2 % · %3 px")
+                                  .arg(ui::termText(step.stage))
+                                  .arg(ui::numberText(100.0 * step.progress, 0))
+                                  .arg(ui::numberText(step.medianDistancePx, 1)),
+                              step.progress);
 }
 
 void RunController::showFinished(const core::RegistrationResult& result)
 {
-    on_.treeView.scene().frameAgain();
-    on_.treeView.requestRender();
+    parts_.treeView.scene().reframe();
+    parts_.treeView.requestRender();
     const QString reported = finishedText(result);
     if (result.trustworthy || result.stopReason == core::StopReason::StoppedByUser) {
-        on_.notifications.showNote(reported);
+        parts_.notifications.showNote(reported);
     } else {
-        on_.notifications.showWarnings(reported);
+        parts_.notifications.showWarnings(reported);
     }
 }
 
@@ -128,15 +130,15 @@ QString RunController::finishedText(const core::RegistrationResult& result)
 {
     const QString median = ui::numberText(result.metrics.medianMm, 2);
     if (result.stopReason == core::StopReason::StoppedByUser) {
-        return tr("Stopped, NOT RELIABLE: the best pose so far is kept; Undo restores the previous one");
+        return tr("Stopped, NOT RELIABLE: best pose so far kept; Undo restores the previous pose");
     }
     if (result.trustworthy) {
         return tr("Registered: median %1 mm").arg(median);
     }
-    const auto reason = std::ranges::find_if(result.warnings, core::speaksAgainstTrust);
+    const auto reason = std::ranges::find_if(result.warnings, core::lowersConfidence);
     const auto reported = reason == result.warnings.end() ? result.warnings.begin() : reason;
     return tr("NOT RELIABLE · median %1 mm over %2 % of the tree")
-               .arg(median, ui::numberText(100.0 * core::judgedShare(result), 0)) +
+               .arg(median, ui::numberText(100.0 * core::assessedShare(result), 0)) +
            (reported == result.warnings.end() ? QString() : QStringLiteral(": ") + ui::messageText(*reported));
 }
 

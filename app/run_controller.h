@@ -3,7 +3,7 @@
 #include "app/document/case_document.h"
 #include "app/files/session_controller.h"
 #include "app/registration/registration_controller.h"
-#include "app/review/judgement_controller.h"
+#include "app/review/evaluation_controller.h"
 #include "app/showing/notifications.h"
 #include "app/showing/review_controller.h"
 #include "app/showing/view_sync.h"
@@ -32,7 +32,7 @@ public:
         RegistrationController& registration;
         SessionController& session;
         ReviewController& review;
-        JudgementController& judgement;
+        EvaluationController& evaluation;
         ViewSync& sync;
         PosePreview& preview;
         Notifications& notifications;
@@ -56,12 +56,12 @@ private:
     void connectRun();
     void start();
     void stop();
-    void changeOptions(const core::RegistrationOptions& options, const ui::Words& label);
+    void changeOptions(const core::RegistrationOptions& options, const ui::LocalizedText& label);
     void showRunning(bool running);
     void showProgress(const RunReport& report);
     void showFinished(const core::RegistrationResult& result);
 
-    Parts on_;
+    Parts parts_;
 };
 
 }   // namespace angiopose::app

@@ -9,50 +9,50 @@
 
 namespace angiopose::app {
 
-StepController::StepController(const Parts& parts, QObject* parent) : QObject(parent), on_(parts)
+StepController::StepController(const Parts& parts, QObject* parent) : QObject(parent), parts_(parts)
 {
-    connect(&on_.document, &CaseDocument::changed, this, [this] { exported_ = false; });
-    connect(&on_.session, &SessionController::exported, this, [this] {
-        exported_ = true;
+    connect(&parts_.document, &CaseDocument::changed, this, [this] { isExported_ = false; });
+    connect(&parts_.session, &SessionController::exported, this, [this] {
+        isExported_ = true;
         show();
     });
-    connect(&on_.tree, &TreeActions::adviceChanged, this, &StepController::show);
-    connect(&on_.registration, &RegistrationController::runningChanged, this, &StepController::show);
-    connect(&on_.registration, &RegistrationController::finished, this, [this] {
-        on_.window.steps().showCurrent(ui::Step::Review);
-        if (!on_.window.isOneAlone() && !on_.window.column(ui::ColumnSide::Right).isFolded()) {
-            QTimer::singleShot(0, &on_.window, [this] { on_.window.focusStep(ui::Step::Review); });
+    connect(&parts_.tree, &TreeActions::gapsChanged, this, &StepController::show);
+    connect(&parts_.registration, &RegistrationController::runningChanged, this, &StepController::show);
+    connect(&parts_.registration, &RegistrationController::finished, this, [this] {
+        parts_.window.steps().showCurrent(ui::Step::Review);
+        if (!parts_.window.isViewMaximized() && !parts_.window.column(ui::ColumnSide::Right).isFolded()) {
+            QTimer::singleShot(0, &parts_.window, [this] { parts_.window.focusStep(ui::Step::Review); });
         }
     });
-    connect(&on_.window.steps(), &ui::StepBar::stepClicked, this, &StepController::goTo);
+    connect(&parts_.window.steps(), &ui::StepBar::stepClicked, this, &StepController::goTo);
 }
 
 void StepController::show()
 {
-    StepFacts facts;
-    facts.targetProblem = ui::messageText(on_.target.problem());
-    facts.targetWarning = on_.target.trace() ? ui::messagesText(on_.target.trace()->warnings) : QString();
-    facts.isTracing = on_.target.isTracing();
-    facts.isRunning = on_.registration.isRunning();
-    facts.poseEdited = on_.pose.isMovedFromStart();
-    facts.exported = exported_;
-    facts.treePieces = on_.tree.advice().pieceCount();
-    on_.window.steps().showStates(stepStates(on_.document.current(), facts));
+    StepInputs facts;
+    facts.targetProblem = ui::messageText(parts_.target.problem());
+    facts.targetWarning = parts_.target.trace() ? ui::messagesText(parts_.target.trace()->warnings) : QString();
+    facts.isTracing = parts_.target.isTracing();
+    facts.isRunning = parts_.registration.isRunning();
+    facts.poseEdited = parts_.pose.differsFromInitialPose();
+    facts.exported = isExported_;
+    facts.treePieces = parts_.tree.gapFinder().pieceCount();
+    parts_.window.steps().showStates(stepStates(parts_.document.current(), facts));
 }
 
 /// Goes to a step, or opens the file dialog if the input of the step is missing.
 void StepController::goTo(ui::Step step)
 {
-    const core::Case& current = on_.document.current();
+    const core::Case& current = parts_.document.current();
     const bool asks = (step == ui::Step::Vessels && !current.vessels.tree) ||
                       (step == ui::Step::Angiogram && !current.shown().angiogram);
-    if (asks && !on_.session.isLoading()) {
-        on_.window.actions()[ui::Command::Open]->trigger();
+    if (asks && !parts_.session.isLoading()) {
+        parts_.window.actions()[ui::Command::Open]->trigger();
     } else {
-        emit wentTo(step);
+        emit stepSelected(step);
         QTimer::singleShot(
-            0, &on_.window,   // deferred until the layout has changed, to split one long event into two short ones
-            [this, step] { on_.window.focusStep(step); });
+            0, &parts_.window,   // deferred until the layout has changed, to split one long event into two short ones
+            [this, step] { parts_.window.focusStep(step); });
     }
 }
 

@@ -36,13 +36,13 @@ public:
     void show();
 
 signals:
-    void wentTo(ui::Step step);   ///< emitted on selection by the user, before its part of the window is shown
+    void stepSelected(ui::Step step);   ///< emitted on selection by the user, before its part of the window is shown
 
 private:
     void goTo(ui::Step step);
 
-    Parts on_;
-    bool exported_ = false;   ///< the current state of the case has been exported
+    Parts parts_;
+    bool isExported_ = false;   ///< the current state of the case has been exported
 };
 
 }   // namespace angiopose::app

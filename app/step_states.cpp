@@ -1,8 +1,8 @@
 #include "app/step_states.h"
 
-#include "app/review/followed_pose.h"
+#include "app/review/tracked_pose.h"
 #include "core/case/case_patients.h"
-#include "core/registration/judging/unfilled_branches.h"
+#include "core/registration/judging/unopacified_branches.h"
 #include "ui/words/message_text.h"
 #include "ui/words/number.h"
 
@@ -18,47 +18,47 @@ struct StepWords {
     Q_DECLARE_TR_FUNCTIONS(angiopose::app::StepStates)
 };
 
-StepState vessels(const core::Case& current, const StepFacts& facts)
+StepState vessels(const core::Case& current, const StepInputs& facts)
 {
     if (!current.vessels.tree && current.vessels.scan) {
-        return {
-            StepMark::Look, StepWords::tr("not traced"),
-            StepWords::tr("No vessels were traced in the scan. Place a seed or set the threshold next to the slices.")};
+        return {StepMark::Attention, StepWords::tr("not traced"),
+                StepWords::tr("No vessels were traced in the scan. Place a seed or set the threshold in the panel next "
+                              "to the slices.")};
     }
     if (!current.vessels.tree) {
         return {StepMark::Open, {}, StepWords::tr("Open a CT angiogram, a segmentation, a surface or a centerline.")};
     }
     if (facts.treePieces > 1) {
-        return {
-            StepMark::Look, StepWords::tr("%1 pieces").arg(facts.treePieces),
-            StepWords::tr("The vessel tree is in pieces. The note below the branch list explains how to join them.")};
+        return {StepMark::Attention, StepWords::tr("%1 components").arg(facts.treePieces),
+                StepWords::tr("The vessel tree is not connected. The note below the branch list explains how to join "
+                              "its components.")};
     }
     const auto count = static_cast<int>(current.vessels.tree->branches.size());
     return {StepMark::Done, count == 1 ? StepWords::tr("1 branch") : StepWords::tr("%1 branches").arg(count), {}};
 }
 
-StepState angiogram(const core::Case& current, const StepFacts& facts)
+StepState angiogram(const core::Case& current, const StepInputs& facts)
 {
     if (!current.shown().angiogram) {
         return {StepMark::Open, {}, StepWords::tr("Open an angiogram: DICOM XA, PNG or TIFF.")};
     }
     if (!facts.targetProblem.isEmpty()) {
-        return {StepMark::Look, StepWords::tr("no vessels traced"), facts.targetProblem};
+        return {StepMark::Attention, StepWords::tr("no vessels traced"), facts.targetProblem};
     }
     if (facts.isTracing) {
         return {StepMark::Open, StepWords::tr("tracing…"), {}};
     }
     if (const auto mismatch = core::findMismatch(current); !mismatch.empty()) {
-        return {StepMark::Look, StepWords::tr("different patient?"), ui::messagesText(mismatch)};
+        return {StepMark::Attention, StepWords::tr("different patient?"), ui::messagesText(mismatch)};
     }
     if (core::givenTargetOf(current.shown())) {
         return {StepMark::Done,
                 current.shown().target.editedFrame ? StepWords::tr("frame %1, edited").arg(current.shown().frame + 1)
-                                                   : StepWords::tr("given centerline"),
+                                                   : StepWords::tr("imported centerline"),
                 {}};
     }
     if (!facts.targetWarning.isEmpty()) {
-        return {StepMark::Look, StepWords::tr("no contrast?"), facts.targetWarning};
+        return {StepMark::Attention, StepWords::tr("no contrast?"), facts.targetWarning};
     }
     return {StepMark::Done, StepWords::tr("frame %1").arg(current.shown().frame + 1), {}};
 }
@@ -80,27 +80,26 @@ StepState geometry(const core::Case& current)
         return {};
     }
     if (const auto camera = core::cameraOf(current.shown()); !camera) {
-        return {StepMark::Look, StepWords::tr("incomplete"), ui::messageText(camera.error().message)};
+        return {StepMark::Attention, StepWords::tr("incomplete"), ui::messageText(camera.error().message)};
     }
     if (current.shown().geometry.cameraOverride) {
         return {StepMark::Done, StepWords::tr("from the case"), {}};
     }
     if (const auto contradictions = core::contradictionsOf(current.shown()); !contradictions.empty()) {
-        return {StepMark::Look, StepWords::tr("inconsistent"), ui::messageText(contradictions.front())};
+        return {StepMark::Attention, StepWords::tr("inconsistent"), ui::messageText(contradictions.front())};
     }
     if (isAssumed(current.shown().geometry.cArm)) {
-        return {StepMark::Look, StepWords::tr("partly assumed"),
-                StepWords::tr("Some values are assumed. Enter them if you know them.")};
+        return {StepMark::Attention, StepWords::tr("partly assumed"),
+                StepWords::tr("Some values are assumed. Enter the actual values if you know them.")};
     }
     switch (current.shown().geometry.cArm.columnSpacingMm.origin) {
         case core::Origin::User:
             return {StepMark::Done, StepWords::tr("pixel spacing entered"), {}};
         case core::Origin::Derived:
-            return {
-                StepMark::Look, StepWords::tr("pixel spacing derived"),
-                StepWords::tr(
-                    "The header contains no pixel spacing: %1. Enter it, or press Enter in the field to confirm it.")
-                    .arg(QString::fromStdString(current.shown().geometry.cArm.columnSpacingMm.basis))};
+            return {StepMark::Attention, StepWords::tr("pixel spacing derived"),
+                    StepWords::tr("The header contains no pixel spacing: %1. Enter it, or press Enter in the field to "
+                                  "confirm the value.")
+                        .arg(QString::fromStdString(current.shown().geometry.cArm.columnSpacingMm.basis))};
         default:
             return {StepMark::Done, StepWords::tr("from the header"), {}};
     }
@@ -112,7 +111,7 @@ StepState initialPose(const core::Case& current)
         return {};
     }
     if (const auto start = core::initialPoseOf(current); !start) {
-        return {StepMark::Look, StepWords::tr("missing"), ui::messageText(start.error().message)};
+        return {StepMark::Attention, StepWords::tr("missing"), ui::messageText(start.error().message)};
     }
     return {StepMark::Done,
             current.shown().initialCameraFromPatient
@@ -121,14 +120,14 @@ StepState initialPose(const core::Case& current)
             {}};
 }
 
-StepState registration(const core::Case& current, const StepFacts& facts)
+StepState registration(const core::Case& current, const StepInputs& facts)
 {
     if (facts.isRunning) {
         return {StepMark::Open, StepWords::tr("running…"), {}};
     }
     if (!current.shown().result) {
-        if (const core::FollowedFrame* frame = followedPoseShown(current.shown())) {
-            return {frame->tracked.isTrustworthy ? StepMark::Done : StepMark::Look, StepWords::tr("followed"), {}};
+        if (const core::TrackedRunFrame* frame = shownTrackedPose(current.shown())) {
+            return {frame->tracked.isTrustworthy ? StepMark::Done : StepMark::Attention, StepWords::tr("tracked"), {}};
         }
         return {StepMark::Open, facts.poseEdited ? StepWords::tr("moved manually") : QString(), {}};
     }
@@ -138,7 +137,7 @@ StepState registration(const core::Case& current, const StepFacts& facts)
                                      : StepWords::tr("%1 s").arg(ui::numberText(ms / 1000.0, 1));
     return result.trustworthy
                ? StepState{StepMark::Done, time, {}}
-               : StepState{StepMark::Look, time,
+               : StepState{StepMark::Attention, time,
                            result.warnings.empty() ? QString() : ui::messageText(result.warnings.front())};
 }
 
@@ -150,17 +149,17 @@ StepState review(const core::Case& current)
     }
     const core::RegistrationResult* const result = core::resultOfShownFrame(current.shown());
     if (!result) {
-        return {StepMark::Look, StepWords::tr("different frame"),
+        return {StepMark::Attention, StepWords::tr("different frame"),
                 StepWords::tr("This pose was registered in frame %1. Press R to register in the displayed frame.")
                     .arg(last->provenance.frame.value_or(0) + 1)};
     }
     if (!result->trustworthy) {
         const auto& warnings = result->warnings;
-        return {StepMark::Look, StepWords::tr("NOT RELIABLE"),
+        return {StepMark::Attention, StepWords::tr("NOT RELIABLE"),
                 warnings.empty() ? QString() : ui::messageText(warnings.front())};
     }
     const QString median = ui::numberText(result->metrics.medianMm, 2);
-    const double share = core::judgedShare(*result);
+    const double share = core::assessedShare(*result);
     return {StepMark::Done,
             share < 1.0 ? StepWords::tr("%1 mm median over %2 %").arg(median, ui::numberText(100.0 * share, 0))
                         : StepWords::tr("%1 mm median").arg(median),
@@ -169,9 +168,9 @@ StepState review(const core::Case& current)
 
 }   // namespace
 
-std::array<ui::StepState, ui::stepCount> stepStates(const core::Case& current, const StepFacts& facts)
+std::array<ui::StepState, ui::stepCount> stepStates(const core::Case& current, const StepInputs& facts)
 {
-    const StepState exported = facts.exported ? StepState{StepMark::Done, StepWords::tr("written"), {}} : StepState{};
+    const StepState exported = facts.exported ? StepState{StepMark::Done, StepWords::tr("exported"), {}} : StepState{};
     return {vessels(current, facts),      angiogram(current, facts), geometry(current), initialPose(current),
             registration(current, facts), review(current),           exported};
 }

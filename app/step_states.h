@@ -6,7 +6,7 @@
 namespace angiopose::app {
 
 /// State on which the steps depend in addition to the case.
-struct StepFacts {
+struct StepInputs {
     QString targetProblem;   ///< reason why the frame could not be traced; empty if there is none
     QString targetWarning;   ///< warning that the traced curves may not be vessels; empty if there is none
     bool isTracing = false;
@@ -17,6 +17,6 @@ struct StepFacts {
 };
 
 /// Returns the marks and short hints of the step bar for the current state.
-std::array<ui::StepState, ui::stepCount> stepStates(const core::Case& current, const StepFacts& facts);
+std::array<ui::StepState, ui::stepCount> stepStates(const core::Case& current, const StepInputs& facts);
 
 }   // namespace angiopose::app

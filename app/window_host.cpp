@@ -6,7 +6,7 @@ namespace angiopose::app {
 
 WindowHost::WindowHost() : controller_(window_)
 {
-    undressed_.reset();
+    styleSheetSuspension_.reset();
     window_.treeView().warmUp();
     window_.show();
 }

@@ -17,7 +17,7 @@ public:
     CaseController& controller() { return controller_; }
 
 private:
-    std::optional<ui::WithoutStyleSheet> undressed_{
+    std::optional<ui::WithoutStyleSheet> styleSheetSuspension_{
         std::in_place};   ///< suspends the style sheet during the construction of the window
     ui::MainWindow window_;
     CaseController controller_;

@@ -34,7 +34,7 @@ core::Result<core::Angiogram> rasterAngiogram(std::string_view content, const st
     if (raster.value().orientation != 1) {
         angiogram.warnings.push_back(messages::pictureTurned(raster.value().orientation));
     }
-    if (raster.value().isFlawed) {
+    if (raster.value().isPartlyDamaged) {
         angiogram.warnings.push_back(messages::imageFlawed());
     }
     angiogram.warnings.push_back(messages::plainImage());
@@ -61,10 +61,10 @@ core::Result<core::Angiogram> angiogramFrom(std::string_view content, const std:
 
 core::Result<core::Angiogram> readAngiogram(const std::string& path)
 {
-    return readAngiogram(path, PeakFrame::Sought);
+    return readAngiogram(path, PeakFrameSearch::Enabled);
 }
 
-core::Result<core::Angiogram> readAngiogram(const std::string& path, PeakFrame peak)
+core::Result<core::Angiogram> readAngiogram(const std::string& path, PeakFrameSearch peak)
 {
     const auto input = openInput(path);
     if (!input) {
@@ -73,8 +73,9 @@ core::Result<core::Angiogram> readAngiogram(const std::string& path, PeakFrame p
     std::string_view content = input.value().view();
     std::string unpacked;
     if (content.starts_with("\x1f\x8b")) {   // gzip: PACS often export compressed DICOM files
-        auto inflatedContent =
-            holdsPackedDicom(content) ? inflated(content, Packing::Gzip, maxUnpackedAngiogramBytes) : std::nullopt;
+        auto inflatedContent = isGzippedDicom(content)
+                                   ? decompress(content, CompressionFormat::Gzip, maxUnpackedAngiogramBytes)
+                                   : std::nullopt;
         if (!inflatedContent) {
             return fileError(path, messages::imageGzipWithoutDicom());
         }
@@ -86,10 +87,10 @@ core::Result<core::Angiogram> readAngiogram(const std::string& path, PeakFrame p
         return angiogram;
     }
     core::Angiogram result = std::move(angiogram).value();
-    if (result.frames.size() == 1 && core::drawnMask(result.frames.front())) {
+    if (result.frames.size() == 1 && core::vesselMaskFromDrawing(result.frames.front())) {
         result.warnings.push_back(messages::pictureIsMask());
     }
-    if (result.frames.size() > 1 && peak == PeakFrame::Sought) {
+    if (result.frames.size() > 1 && peak == PeakFrameSearch::Enabled) {
         result.suggestedFrame = core::suggestFrame(result.frames, result.polarity, result.shutter);
     }
     return result;
@@ -103,7 +104,7 @@ bool looksLikeImageFile(const std::string& path)
 
 core::Status writeAngiogram(const core::Angiogram& angiogram, const std::string& path)
 {
-    const auto content = dicomText(angiogram);
+    const auto content = encodeDicomAngiogram(angiogram);
     return content ? writeAtomically(path, content.value()) : fileError(path, content.error());
 }
 

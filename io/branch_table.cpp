@@ -33,10 +33,10 @@ std::string stenosisCells(const std::optional<core::StenosisMeasure>& stenosis)
                     : ",,,,,,";
 }
 
-std::string doubtsCell(const core::Messages& doubts)
+std::string doubtsCell(const core::Messages& warnings)
 {
     std::string text;
-    for (const core::Message& doubt : doubts) {
+    for (const core::Message& doubt : warnings) {
         text += (text.empty() ? "" : " ") + doubt.text();
     }
     return "," + csvCell(text);
@@ -51,9 +51,9 @@ std::string branchTable(const core::VesselTree& tree)
         table += std::to_string(branch.id) + "," + csvCell(branch.name);
         if (const auto measured = core::profileOf(branch)) {
             const core::BranchProfile& profile = measured.value();
-            table += cellsOf({profile.lengthMm, profile.tortuosity, profile.greatestCurvaturePerMm,
-                              profile.meanDiameterMm, profile.minDiameterMm, profile.greatestDiameterMm}) +
-                     stenosisCells(profile.stenosis) + doubtsCell(profile.doubts);
+            table += cellsOf({profile.lengthMm, profile.tortuosity, profile.maxCurvaturePerMm, profile.meanDiameterMm,
+                              profile.minDiameterMm, profile.maxDiameterMm}) +
+                     stenosisCells(profile.stenosis) + doubtsCell(profile.warnings);
         } else {
             table += ",,,,,," + stenosisCells({}) + doubtsCell({measured.error().message});
         }

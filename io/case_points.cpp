@@ -2,7 +2,7 @@
 
 namespace angiopose::io {
 
-std::vector<Fiducial> pointsOf(const core::Case& session)
+std::vector<Fiducial> caseFiducials(const core::Case& session)
 {
     std::vector<Fiducial> points;
     for (const core::VesselMark& mark : session.vessels.marks) {

@@ -46,15 +46,15 @@ core::Result<CurveColumns> curveColumnsOf(const CsvTable& table)
 /// Adds one row to the curve of its branch; consecutive rows of one branch form a curve.
 core::Status appendRow(const CsvTable& table, std::size_t row, const CurveColumns& columns, Centerline2d& centerline)
 {
-    const auto u = numberAt(table, row, columns.x);
-    const auto v = numberAt(table, row, columns.y);
+    const auto u = numberInCell(table, row, columns.x);
+    const auto v = numberInCell(table, row, columns.y);
     if (!u || !v) {
         return u ? v.error() : u.error();
     }
     if (std::max(std::abs(u.value()), std::abs(v.value())) > maxCoordinatePx) {
         return fileError(table.path, messages::centerlineOutside(table.lineOfRow[row]));
     }
-    const auto id = columns.branch ? branchAt(table, row, *columns.branch) : core::Result<int>(1);
+    const auto id = columns.branch ? branchIdInCell(table, row, *columns.branch) : core::Result<int>(1);
     if (!id) {
         return id.error();
     }

@@ -1,7 +1,7 @@
 #include "io/deidentify_file.h"
 
 #include "io/deidentify/output_folder.h"
-#include "io/deidentify/strip_picture.h"
+#include "io/deidentify/remove_image_metadata.h"
 #include "io/dicom/dicom_file.h"
 #include "io/messages/messages.h"
 #include "io/support/atomic_file.h"
@@ -23,29 +23,29 @@ void addNew(const core::Messages& from, core::Messages& to)
     }
 }
 
-core::Result<NamelessDicom> namelessOf(const std::string& path, const Deidentification& requested,
-                                       const Pseudonyms& pseudonyms)
+core::Result<DeidentifiedDicom> deidentifyContent(const std::string& path, const DeidentificationOptions& requested,
+                                                  const Pseudonyms& pseudonyms)
 {
     const auto input = openDicom(path);
     if (!input) {
         return input.error();
     }
     const auto file = parseDicom(input.value().view(), path);
-    return file ? withoutIdentity(file.value(), path, requested, pseudonyms) : file.error();
+    return file ? deidentifyDicom(file.value(), path, requested, pseudonyms) : file.error();
 }
 
 }   // namespace
 
 core::Result<core::Messages> deidentifyFile(const std::string& path, const std::string& output,
-                                            const Deidentification& requested, const Pseudonyms& pseudonyms)
+                                            const DeidentificationOptions& requested, const Pseudonyms& pseudonyms)
 {
     if (!isDicomFile(path)) {
         const auto input = openInput(path);
-        const auto stripped = input ? strippedPicture(input.value().view(), path) : input.error();
+        const auto stripped = input ? removeImageMetadata(input.value().view(), path) : input.error();
         const core::Status written = stripped ? writeAtomically(output, stripped.value()) : stripped.error();
         return written ? core::Result<core::Messages>(core::Messages{}) : written.error();
     }
-    const auto nameless = namelessOf(path, requested, pseudonyms);
+    const auto nameless = deidentifyContent(path, requested, pseudonyms);
     if (!nameless) {
         return nameless.error();
     }
@@ -54,10 +54,10 @@ core::Result<core::Messages> deidentifyFile(const std::string& path, const std::
 }
 
 core::Result<core::Messages> deidentifyFolder(const std::string& path, const std::string& output,
-                                              const Deidentification& requested, const Pseudonyms& pseudonyms,
+                                              const DeidentificationOptions& requested, const Pseudonyms& pseudonyms,
                                               const ReadObserver& observe)
 {
-    const auto files = filesInFolder(path, Reach::Below);
+    const auto files = filesInFolder(path, FolderDepth::Recursive);
     if (!files) {
         return files.error();
     }
@@ -69,7 +69,7 @@ core::Result<core::Messages> deidentifyFolder(const std::string& path, const std
     std::size_t leftOut = 0;
     for (std::size_t n = 0; n < files.value().size(); ++n) {
         const std::string& file = files.value()[n];
-        const auto image = namelessOf(file, requested, pseudonyms);
+        const auto image = deidentifyContent(file, requested, pseudonyms);
         if (!image) {
             if (++leftOut == 1) {
                 warnings.push_back(image.error().message);
@@ -82,7 +82,7 @@ core::Result<core::Messages> deidentifyFolder(const std::string& path, const std
         addNew(image.value().warnings, warnings);
         const double done = static_cast<double>(n + 1) / static_cast<double>(files.value().size());
         if (isStopRequested(observe, done)) {
-            return stoppedReading(path);
+            return readingCanceled(path);
         }
     }
     if (folder.isEmpty()) {

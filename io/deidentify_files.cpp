@@ -1,8 +1,8 @@
 #include "io/deidentify_files.h"
 
 #include "io/deidentify/output_folder.h"
-#include "io/deidentify/strip_picture.h"
-#include "io/deidentify/strip_tiff.h"
+#include "io/deidentify/remove_image_metadata.h"
+#include "io/deidentify/remove_tiff_metadata.h"
 #include "io/dicom/dicom_file.h"
 #include "io/messages/messages.h"
 #include "io/support/file_error.h"
@@ -24,7 +24,7 @@ core::Result<std::vector<std::string>> filesOfAll(const std::vector<std::string>
             files.push_back(path);
             continue;
         }
-        auto inside = filesInFolder(path, Reach::Below);
+        auto inside = filesInFolder(path, FolderDepth::Recursive);
         if (!inside) {
             return inside.error();
         }
@@ -42,7 +42,7 @@ std::string pictureEnding(std::string_view picture)
 
 class FileCleaner {
 public:
-    FileCleaner(const std::string& output, const Deidentification& requested, const Pseudonyms& pseudonyms)
+    FileCleaner(const std::string& output, const DeidentificationOptions& requested, const Pseudonyms& pseudonyms)
         : folder_(output), requested_(requested), pseudonyms_(pseudonyms)
     {
     }
@@ -58,15 +58,15 @@ public:
         folder_.keep();
         return std::move(done_);
     }
-    const core::Messages& refused() const { return done_.refused; }
+    const core::Messages& skipped() const { return done_.skipped; }
 
 private:
     core::Status takeDicom(const std::string& path)
     {
         const auto input = openDicom(path);
         const auto file = input ? parseDicom(input.value().view(), path) : core::Result<DicomFile>(input.error());
-        const auto image = file ? withoutIdentity(file.value(), path, requested_, pseudonyms_)
-                                : core::Result<NamelessDicom>(file.error());
+        const auto image = file ? deidentifyDicom(file.value(), path, requested_, pseudonyms_)
+                                : core::Result<DeidentifiedDicom>(file.error());
         if (!image) {
             return refuse(image.error());
         }
@@ -82,14 +82,14 @@ private:
     {
         const auto input = openInput(path);
         const auto stripped =
-            input ? strippedPicture(input.value().view(), path) : core::Result<std::string>(input.error());
-        return stripped ? count(folder_.writePicture(stripped.value(), pictureEnding(stripped.value())))
+            input ? removeImageMetadata(input.value().view(), path) : core::Result<std::string>(input.error());
+        return stripped ? count(folder_.writeImage(stripped.value(), pictureEnding(stripped.value())))
                         : refuse(stripped.error());
     }
 
     core::Status refuse(const core::Error& error)
     {
-        done_.refused.push_back(error.message);
+        done_.skipped.push_back(error.message);
         return core::Done{};
     }
 
@@ -100,7 +100,7 @@ private:
     }
 
     OutputFolder folder_;
-    const Deidentification& requested_;
+    const DeidentificationOptions& requested_;
     const Pseudonyms& pseudonyms_;
     DeidentifiedFiles done_;
 };
@@ -108,7 +108,7 @@ private:
 }   // namespace
 
 core::Result<DeidentifiedFiles> deidentifyFiles(const std::vector<std::string>& paths, const std::string& output,
-                                                const Deidentification& requested, const Pseudonyms& pseudonyms,
+                                                const DeidentificationOptions& requested, const Pseudonyms& pseudonyms,
                                                 const ReadObserver& observe)
 {
     const auto files = filesOfAll(paths);
@@ -121,15 +121,15 @@ core::Result<DeidentifiedFiles> deidentifyFiles(const std::vector<std::string>& 
     }
     for (std::size_t n = 0; n < files.value().size(); ++n) {
         if (isStopRequested(observe, static_cast<double>(n) / static_cast<double>(files.value().size()))) {
-            return stoppedReading(output);
+            return readingCanceled(output);
         }
         if (const auto taken = cleaner.take(files.value()[n]); !taken) {
             return taken.error();
         }
     }
     if (cleaner.isEmpty()) {
-        const auto& refused = cleaner.refused();
-        return refused.size() == 1 ? core::Error(refused.front())
+        const auto& skipped = cleaner.skipped();
+        return skipped.size() == 1 ? core::Error(skipped.front())
                                    : fileError(paths.empty() ? output : paths.front(), messages::nothingToDeidentify());
     }
     return cleaner.keep();

@@ -11,7 +11,7 @@ namespace angiopose::io {
 
 struct DeidentifiedFiles {
     std::size_t written = 0;
-    core::Messages refused;   ///< one message per skipped file, with the reason
+    core::Messages skipped;   ///< one message per skipped file, with the reason
     core::Messages warnings;   ///< warnings about the written files, without duplicates
 };
 
@@ -19,7 +19,7 @@ struct DeidentifiedFiles {
 /// `series-1/00001.dcm`, PNG, JPEG and TIFF as `picture-1.png`. Skips other files and lists them. If no file can be
 /// written, or on cancellation, fails and leaves no files behind.
 core::Result<DeidentifiedFiles> deidentifyFiles(const std::vector<std::string>& paths, const std::string& output,
-                                                const Deidentification& requested, const Pseudonyms& pseudonyms,
+                                                const DeidentificationOptions& requested, const Pseudonyms& pseudonyms,
                                                 const ReadObserver& observe = {});
 
 }   // namespace angiopose::io

@@ -14,7 +14,7 @@ core::Status writeDerivedAngiogram(const core::Angiogram& angiogram, const std::
     if (!source) {
         return source.error();
     }
-    const auto content = dicomText(angiogram, &source.value());
+    const auto content = encodeDicomAngiogram(angiogram, &source.value());
     return content ? writeAtomically(path, content.value()) : fileError(path, content.error());
 }
 

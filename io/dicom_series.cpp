@@ -14,7 +14,7 @@
 namespace angiopose::io {
 namespace {
 
-core::Result<std::vector<DicomSeries>> scan(const std::string& folder, Reach reach, const ReadObserver& observe)
+core::Result<std::vector<DicomSeries>> scan(const std::string& folder, FolderDepth reach, const ReadObserver& observe)
 {
     const auto files = filesInFolder(folder, reach);
     if (!files) {
@@ -24,7 +24,7 @@ core::Result<std::vector<DicomSeries>> scan(const std::string& folder, Reach rea
     const auto total = static_cast<double>(files.value().size());
     for (std::size_t i = 0; i < files.value().size(); ++i) {
         if (i % 16 == 0 && isStopRequested(observe, static_cast<double>(i) / total)) {
-            return stoppedReading(folder);
+            return readingCanceled(folder);
         }
         if (auto image = readSliceRecords(files.value()[i])) {
             images.push_back(std::move(image).value());
@@ -37,7 +37,7 @@ core::Result<std::vector<DicomSeries>> scan(const std::string& folder, Reach rea
 
 core::Result<std::vector<DicomSeries>> listSeries(const std::string& folder, const ReadObserver& observe)
 {
-    auto series = scan(folder, Reach::Below, observe);
+    auto series = scan(folder, FolderDepth::Recursive, observe);
     if (series && series.value().empty()) {
         return fileError(folder, messages::seriesNone());
     }
@@ -52,7 +52,7 @@ core::Result<DicomSeries> seriesOfFile(const std::string& path, const ReadObserv
     }
     std::string folder = std::filesystem::path(path).parent_path().string();
     auto found = own.value().slices.size() > 1 ? core::Result<std::vector<DicomSeries>>(groupSlices({own.value()}))
-                                               : scan(folder.empty() ? "." : folder, Reach::FolderOnly, observe);
+                                               : scan(folder.empty() ? "." : folder, FolderDepth::TopLevel, observe);
     if (!found) {
         return found.error();
     }

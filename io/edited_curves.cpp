@@ -2,8 +2,8 @@
 
 #include "io/centerline2d_file.h"
 #include "io/file_hash.h"
+#include "io/support/companion_path.h"
 #include "io/support/input_bytes.h"
-#include "io/support/path_beside.h"
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -45,7 +45,7 @@ fs::path ownCurves(const Owner& owner)
 
 }   // namespace
 
-core::Result<core::InputFile> keepEditedCurves(const core::GivenTarget& target, const std::string& casePath,
+core::Result<core::InputFile> saveEditedCurves(const core::GivenTarget& target, const std::string& casePath,
                                                std::optional<std::size_t> otherView)
 {
     const Owner owner{fs::absolute(casePath), otherView};
@@ -53,20 +53,20 @@ core::Result<core::InputFile> keepEditedCurves(const core::GivenTarget& target, 
     if (!former.path.empty() && former.path == ownCurves(owner).string()) {
         return former;
     }
-    const std::string path = pathBeside(owner.casePath, {otherView, "curves", "csv"}, ownCurves(owner)).string();
-    if (const auto written = writeCenterline2d(core::together(core::curvesOf(target)), path); !written) {
+    const std::string path = companionPath(owner.casePath, {otherView, "curves", "csv"}, ownCurves(owner)).string();
+    if (const auto written = writeCenterline2d(core::allCurves(core::curvesOf(target)), path); !written) {
         return written.error();
     }
     auto hash = sha256OfFile(path);
     return hash ? core::Result<core::InputFile>(core::InputFile{path, std::move(hash).value()}) : hash.error();
 }
 
-core::InputFile exportedFileOf(const core::GivenTarget& target)
+core::InputFile exportedFile(const core::GivenTarget& target)
 {
     if (!target.editedFrame || !target.centerline) {
         return target.file;
     }
-    const auto hash = sha256OfText(centerline2dText(core::together(core::curvesOf(target))));
+    const auto hash = sha256OfText(centerline2dText(core::allCurves(core::curvesOf(target))));
     return {{}, hash ? hash.value() : std::string()};
 }
 

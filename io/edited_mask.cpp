@@ -2,8 +2,8 @@
 
 #include "io/file_hash.h"
 #include "io/support/atomic_file.h"
+#include "io/support/companion_path.h"
 #include "io/support/input_bytes.h"
-#include "io/support/path_beside.h"
 #include "io/volume_file.h"
 
 #include <algorithm>
@@ -30,7 +30,7 @@ fs::path ownMask(const fs::path& casePath)
 }
 
 /// Whether the case's own file still contains this mask; after an undo, a later save may have overwritten it.
-bool isThere(const core::InputFile& mask, const fs::path& own)
+bool isUpToDate(const core::InputFile& mask, const fs::path& own)
 {
     if (mask.path.empty() || mask.path != own.string()) {
         return false;
@@ -56,18 +56,18 @@ core::Status writeMask(const core::VoxelMask& mask, const std::string& path)
     return writeLabels(labels, path);
 }
 
-core::Result<core::InputFile> keepEditedMask(const core::Vessels& vessels, const std::string& casePath)
+core::Result<core::InputFile> saveEditedMask(const core::Vessels& vessels, const std::string& casePath)
 {
     const fs::path whole = fs::absolute(casePath);
     const fs::path own = ownMask(whole);
-    if (isThere(vessels.file, own)) {
+    if (isUpToDate(vessels.file, own)) {
         return vessels.file;
     }
     std::error_code absent;
     if (!vessels.lumen && !fs::exists(vessels.file.path, absent)) {
         return vessels.file;   // the file no longer exists: keep its former path in the case
     }
-    const std::string path = pathBeside(whole, {{}, "mask", "nrrd"}, vessels.lumen ? own : fs::path()).string();
+    const std::string path = companionPath(whole, {{}, "mask", "nrrd"}, vessels.lumen ? own : fs::path()).string();
     if (const auto written = vessels.lumen ? writeMask(*vessels.lumen, path) : copied(vessels.file.path, path);
         !written) {
         return written.error();

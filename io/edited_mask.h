@@ -13,6 +13,6 @@ core::Status writeMask(const core::VoxelMask& mask, const std::string& path);
 /// Writes a case's edited lumen mask to `<case>.mask.nrrd` next to the case, unless the file is up to date, and returns
 /// the file with its hash. Overwrites the file that an earlier save of the same case created; if another file of that
 /// name exists, appends a number to the name.
-core::Result<core::InputFile> keepEditedMask(const core::Vessels& vessels, const std::string& casePath);
+core::Result<core::InputFile> saveEditedMask(const core::Vessels& vessels, const std::string& casePath);
 
 }   // namespace angiopose::io

@@ -24,7 +24,7 @@ core::Status writePixels(const PngPixels& pixels, const std::string& path,
         return fileError(path, messages::pictureMissing());
     }
     try {
-        return writeAtomically(path, encodedPng(pixels, texts));
+        return writeAtomically(path, encodePng(pixels, texts));
     } catch (const std::exception&) {
         return fileError(path, messages::imageSize());
     }

@@ -4,7 +4,7 @@
 #include "io/messages/messages.h"
 #include "io/series/dicom_segmentation.h"
 #include "io/support/numbers.h"
-#include "io/volume/open_stored.h"
+#include "io/volume/open_stored_volume.h"
 #include "io/volume_file.h"
 
 #include <algorithm>
@@ -39,10 +39,10 @@ bool isVeinName(const std::string& name)
 }
 
 template <class IsMeant>
-std::vector<int> labelsWhere(const std::vector<ListedLabel>& labels, const IsMeant& isMeant)
+std::vector<int> labelsWhere(const std::vector<LabelInfo>& labels, const IsMeant& isMeant)
 {
     std::vector<int> found;
-    for (const ListedLabel& each : labels) {
+    for (const LabelInfo& each : labels) {
         if (isMeant(lowered(each.name))) {
             found.push_back(each.label);
         }
@@ -55,7 +55,7 @@ std::vector<int> labelsWhere(const std::vector<ListedLabel>& labels, const IsMea
 LabelNames readLabelNames(const std::string& path)
 {
     if (!isDicomFile(path)) {
-        const auto stored = openStored(path);
+        const auto stored = openStoredVolume(path);
         return stored ? stored.value().labelNames : LabelNames();
     }
     LabelNames names;
@@ -66,14 +66,14 @@ LabelNames readLabelNames(const std::string& path)
     return names;
 }
 
-std::vector<ListedLabel> listedLabels(const core::LabelVolume& image, const LabelNames& names)
+std::vector<LabelInfo> listLabels(const core::LabelVolume& image, const LabelNames& names)
 {
     std::vector<std::size_t> counts(65536, 0);
     for (const std::uint16_t voxel : image.voxels) {
         ++counts[voxel];
     }
     const double voxelMl = image.geometry.spacingMm.prod() / 1000.0;
-    std::vector<ListedLabel> labels;
+    std::vector<LabelInfo> labels;
     for (int label = 1; label < static_cast<int>(counts.size()); ++label) {
         if (const std::size_t voxels = counts[static_cast<std::size_t>(label)]; voxels > 0) {
             const auto name = names.find(label);
@@ -84,14 +84,14 @@ std::vector<ListedLabel> listedLabels(const core::LabelVolume& image, const Labe
     return labels;
 }
 
-std::optional<std::vector<ListedLabel>> labelsIn(const std::string& path, const ReadObserver& observe)
+std::optional<std::vector<LabelInfo>> listLabelsOfFile(const std::string& path, const ReadObserver& observe)
 {
     const bool isSegmentation = isDicomFile(path) && isDicomSegmentation(path);
     if (!isSegmentation && !isVolumeFile(path)) {
         return std::nullopt;
     }
     const auto summary = isSegmentation ? core::Result<VolumeSummary>(VolumeSummary{}) : describeVolume(path);
-    const bool isSure = isSegmentation || (summary && summary.value().isDeclaredLabels);
+    const bool isSure = isSegmentation || (summary && summary.value().isDeclaredLabelMap);
     if (!isSure && !summary) {
         return std::nullopt;
     }
@@ -99,7 +99,7 @@ std::optional<std::vector<ListedLabel>> labelsIn(const std::string& path, const 
     if (!image || !(isSure || looksLikeLabels(image.value()))) {
         return std::nullopt;
     }
-    return listedLabels(image.value(), readLabelNames(path));
+    return listLabels(image.value(), readLabelNames(path));
 }
 
 core::Result<LabelOverview> readLabelOverview(const std::string& path, const ReadObserver& observe)
@@ -108,16 +108,16 @@ core::Result<LabelOverview> readLabelOverview(const std::string& path, const Rea
     if (!image) {
         return image.error();
     }
-    LabelOverview overview{listedLabels(image.value(), readLabelNames(path)), {}};
+    LabelOverview overview{listLabels(image.value(), readLabelNames(path)), {}};
     std::vector<int> numbers;
-    for (const ListedLabel& each : overview.labels) {
+    for (const LabelInfo& each : overview.labels) {
         numbers.push_back(each.label);
     }
-    overview.rows = core::labelRows(image.value(), numbers);
+    overview.rows = core::compactLabels(image.value(), numbers);
     return overview;
 }
 
-std::vector<int> vesselsByName(const std::vector<ListedLabel>& labels)
+std::vector<int> vesselLabelsByName(const std::vector<LabelInfo>& labels)
 {
     std::vector<int> found =
         labelsWhere(labels, [](const std::string& name) { return isArteryName(name) && !isVeinName(name); });
@@ -127,7 +127,7 @@ std::vector<int> vesselsByName(const std::vector<ListedLabel>& labels)
     return found.size() == labels.size() ? std::vector<int>() : found;
 }
 
-std::vector<std::string> labelTexts(const std::vector<ListedLabel>& labels)
+std::vector<std::string> formatLabels(const std::vector<LabelInfo>& labels)
 {
     std::vector<std::string> texts;
     for (std::size_t i = 0; i < std::min(labels.size(), maxMentioned); ++i) {
@@ -139,19 +139,18 @@ std::vector<std::string> labelTexts(const std::vector<ListedLabel>& labels)
     return texts;
 }
 
-core::Result<std::vector<int>> labelsCalled(const std::vector<std::string>& wanted,
-                                            const std::vector<ListedLabel>& labels)
+core::Result<std::vector<int>> findLabels(const std::vector<std::string>& wanted, const std::vector<LabelInfo>& labels)
 {
     std::vector<int> numbers;
     for (const std::string& each : wanted) {
         const auto number = parseInteger(each);
-        const auto found = std::find_if(labels.begin(), labels.end(), [&](const ListedLabel& label) {
+        const auto found = std::find_if(labels.begin(), labels.end(), [&](const LabelInfo& label) {
             return number ? label.label == *number : lowered(label.name) == lowered(each);
         });
         if (found == labels.end()) {
             const std::string asked = each.substr(0, 40);
             return core::Error(labels.empty() ? messages::labelsNoSuchName(asked, messages::labelsNone())
-                                              : messages::labelsNoSuchName(asked, labelTexts(labels)));
+                                              : messages::labelsNoSuchName(asked, formatLabels(labels)));
         }
         numbers.push_back(found->label);
     }

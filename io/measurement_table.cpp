@@ -72,7 +72,7 @@ void addMeasurementRow(std::string& table, std::size_t place, const core::Measur
     table += std::to_string(place + 1) + "," + std::to_string(measurement.frame) + "," +
              measurementKinds[static_cast<std::size_t>(measurement.kind)] + "," + csvCell(measurement.name) + ",";
     if (const auto measured = core::measureImage(measurement, seen)) {
-        const core::MeasuredImage& found = measured.value();
+        const core::ImageMeasurementResult& found = measured.value();
         table += toText(found.value.value) + "," + std::string(unitInTable(found.value.unit)) + "," + plane + "," +
                  scaleCells(found.scale) + "," + csvCell(notesOf(core::basisOf(found, measurement.kind, seen)));
     } else {

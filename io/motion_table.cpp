@@ -32,9 +32,9 @@ core::Status writeMotion(const core::VesselTree& tree, const core::DeformableRes
 {
     std::string table = "x,y,z,radius,branch,dx,dy,dz,inPlaneSigma,depthSigma\n";
     const std::vector<core::VesselBranch> none;
-    for (const core::VesselBranch& branch : core::isOf(tree, deformed) ? tree.branches : none) {
+    for (const core::VesselBranch& branch : core::isCompatible(tree, deformed) ? tree.branches : none) {
         for (std::size_t i = 0; i < branch.pointsInPatient.size(); ++i) {
-            addRow(branch, *core::motionOf(deformed, branch.id), i, table);
+            addRow(branch, *core::findMotion(deformed, branch.id), i, table);
         }
     }
     return writeAtomically(path, table);

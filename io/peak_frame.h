@@ -9,9 +9,9 @@ namespace angiopose::io {
 
 /// Whether to search for the peak-opacification frame, which takes as long as tracing one frame. A caller that knows
 /// the frame can skip the search; the suggested frame is then the first.
-enum class PeakFrame { Sought, NotNeeded };
+enum class PeakFrameSearch { Enabled, Skipped };
 
 /// Reads an angiogram like readAngiogram (angiogram_file.h), which always searches for the peak-opacification frame.
-core::Result<core::Angiogram> readAngiogram(const std::string& path, PeakFrame peak);
+core::Result<core::Angiogram> readAngiogram(const std::string& path, PeakFrameSearch peak);
 
 }   // namespace angiopose::io

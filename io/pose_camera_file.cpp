@@ -28,14 +28,14 @@ core::Result<PoseWithCamera> poseAlone(const core::Result<core::RigidTransform>&
                 : fileError(path, pose.error());
 }
 
-core::Result<PoseWithCamera> withCamera(const core::Result<core::Sight>& sight, const std::string& path)
+core::Result<PoseWithCamera> withCamera(const core::Result<core::PosedCamera>& sight, const std::string& path)
 {
     return sight ? core::Result<PoseWithCamera>(PoseWithCamera{sight.value().cameraFromPatient, sight.value().camera})
                  : fileError(path, sight.error());
 }
 
 /// Reads the camera of a case or pose file; a key of the same name in a result file has another meaning.
-std::optional<core::ProjectionCamera> cameraBeside(const PoseJson& root)
+std::optional<core::ProjectionCamera> readCaseCamera(const PoseJson& root)
 {
     const auto found = root.find("camera");
     if (found == root.end() || !found->is_object() || !found->contains("fx")) {
@@ -66,14 +66,14 @@ core::Result<PoseWithCamera> ofJson(std::string_view text, const std::string& pa
     if (const auto valid = checkJson(text, path); !valid) {
         return valid.error();
     }
-    if (const NamedMatrices matrices = matricesOfJson(text); reportSight(matrices)) {
+    if (const NamedMatrices matrices = parseJsonMatrices(text); describesCamera(matrices)) {
         return withCamera(sightOf(matrices), path);
     }
     try {
         const PoseJson root = PoseJson::parse(text);
         const PoseJson& holder = root.contains("pose") ? root.at("pose") : root;
         const auto pose = poseFromRows(holder.at("cameraFromPatient").get<MatrixRows>());
-        const auto camera = cameraBeside(root);
+        const auto camera = readCaseCamera(root);
         if (const auto problem = camera ? findProblemApartFromSize(*camera) : std::nullopt) {
             return fileError(path, *problem);
         }
@@ -86,7 +86,7 @@ core::Result<PoseWithCamera> ofJson(std::string_view text, const std::string& pa
 }
 
 /// Interprets twelve numbers as P and sixteen as a 4 × 4 pose matrix.
-core::Result<PoseWithCamera> ofNumbers(const std::vector<double>& numbers, const std::string& path)
+core::Result<PoseWithCamera> poseFromNumbers(const std::vector<double>& numbers, const std::string& path)
 {
     if (numbers.size() == 12) {
         return withCamera(sightOf({{"P", numbers}}), path);
@@ -109,13 +109,13 @@ bool isXml(std::string_view content)
 core::Result<PoseWithCamera> ofText(std::string_view content, const std::string& extension, const std::string& path)
 {
     if (content.starts_with("%YAML") || extension == ".yml" || extension == ".yaml") {
-        return withCamera(sightOf(matricesOfYaml(content)), path);
+        return withCamera(sightOf(parseYamlMatrices(content)), path);
     }
     if (isXml(content) || extension == ".xml") {
-        return withCamera(sightOf(matricesOfXml(content)), path);
+        return withCamera(sightOf(parseXmlMatrices(content)), path);
     }
-    if (const auto numbers = numbersOfText(content); !numbers.empty()) {
-        return ofNumbers(numbers, path);
+    if (const auto numbers = parseNumbers(content); !numbers.empty()) {
+        return poseFromNumbers(numbers, path);
     }
     return extension == ".tfm" || extension == ".txt" ? poseAlone(poseFromItkText(content), path)
                                                       : fileError(path, messages::poseUnknown());
@@ -173,7 +173,7 @@ bool fitsImage(const core::ProjectionCamera& camera, int width, int height)
     return camera.width == 0 || (camera.width == width && camera.height == height);
 }
 
-core::Status writeSight(const core::Sight& sight, const std::string& path)
+core::Status writeSight(const core::PosedCamera& sight, const std::string& path)
 {
     if (!core::isRigid(sight.cameraFromPatient)) {
         return fileError(path, messages::poseNotSaved());

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/geometry/sight.h"
+#include "core/geometry/posed_camera.h"
 #include "core/support/result.h"
 
 #include <optional>
@@ -30,6 +30,6 @@ bool isSameCamera(const core::ProjectionCamera& a, const core::ProjectionCamera&
 bool fitsImage(const core::ProjectionCamera& camera, int width, int height);
 
 /// Writes K, R and t (`.json`, `.yml`, `.yaml`, `.xml`) or P (`.txt`), depending on the extension.
-core::Status writeSight(const core::Sight& sight, const std::string& path);
+core::Status writeSight(const core::PosedCamera& sight, const std::string& path);
 
 }   // namespace angiopose::io

@@ -17,10 +17,11 @@ core::Result<DiffDrrParts> readDiffDrr(const std::string& path)
     if (!input) {
         return input.error();
     }
-    return extension == ".csv" ? diffDrrOfTable(input.value().view(), path) : diffDrrOfJson(input.value().view(), path);
+    return extension == ".csv" ? parseDiffDrrTable(input.value().view(), path)
+                               : parseDiffDrrJson(input.value().view(), path);
 }
 
-core::Result<core::Sight> sightOf(const DiffDrrParts& parts)
+core::Result<core::PosedCamera> sightOf(const DiffDrrParts& parts)
 {
     if (!parts.detector) {
         return core::Error(messages::diffDrrKeys("sdd"));
@@ -28,7 +29,7 @@ core::Result<core::Sight> sightOf(const DiffDrrParts& parts)
     if (!parts.pose) {
         return core::Error(messages::diffDrrKeys("pose"));
     }
-    return core::sightFromDiffDrr(
+    return core::posedCameraFromDiffDrr(
         {*parts.detector, *parts.pose, parts.volumeCenterInPatient.value_or(Eigen::Vector3d::Zero())});
 }
 

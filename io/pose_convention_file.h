@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/exchange/diffdrr_view.h"
-#include "core/geometry/sight.h"
+#include "core/geometry/posed_camera.h"
 #include "core/support/result.h"
 #include "io/pose/diffdrr_text.h"
 
@@ -14,7 +14,7 @@ core::Result<DiffDrrParts> readDiffDrr(const std::string& path);
 
 /// Returns the view with its detector; if a part is missing, fails and names the part. Without a volume center, assumes
 /// the patient origin.
-core::Result<core::Sight> sightOf(const DiffDrrParts& parts);
+core::Result<core::PosedCamera> sightOf(const DiffDrrParts& parts);
 
 core::Status writeDiffDrr(const core::DiffDrrView& view, const std::string& path);
 

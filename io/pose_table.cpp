@@ -5,11 +5,11 @@
 
 namespace angiopose::io {
 
-core::Status writePoseTable(std::span<const core::FollowedFrame> frames, const std::string& path)
+core::Status writePoseTable(std::span<const core::TrackedRunFrame> frames, const std::string& path)
 {
     std::string table =
         "frame,trustworthy,searched,score,r11,r12,r13,tx,r21,r22,r23,ty,r31,r32,r33,tz,bentMeanMm,bentLargestMm\n";
-    for (const core::FollowedFrame& frame : frames) {
+    for (const core::TrackedRunFrame& frame : frames) {
         const core::TrackedFrame& tracked = frame.tracked;
         table += std::to_string(frame.frame) + (tracked.isTrustworthy ? ",1" : ",0") +
                  (tracked.searched ? ",1," : ",0,") + toText(tracked.score);
@@ -19,7 +19,7 @@ core::Status writePoseTable(std::span<const core::FollowedFrame> frames, const s
                 table += "," + toText(matrix(row, column));
             }
         }
-        table += frame.deformed && !frame.deformedAsInFrame
+        table += frame.deformed && !frame.deformationSourceFrame
                      ? "," + toText(frame.deformed->meanMotionMm) + "," + toText(frame.deformed->largestMotionMm)
                      : ",,";
         table += "\n";

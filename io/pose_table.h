@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/support/result.h"
-#include "core/workflow/follow_frames.h"
+#include "core/workflow/track_frames.h"
 
 #include <span>
 #include <string>
@@ -11,6 +11,6 @@ namespace angiopose::io {
 /// Atomically writes a CSV with one pose per frame: frame, `trustworthy` (1 or 0), searched, score, and
 /// cameraFromPatient as r11 … r33, tx, ty, tz (mm), row-major, with full double precision; then the mean and maximum
 /// deformation of the vessels relative to that pose (mm), empty if there is no deformation.
-core::Status writePoseTable(std::span<const core::FollowedFrame> frames, const std::string& path);
+core::Status writePoseTable(std::span<const core::TrackedRunFrame> frames, const std::string& path);
 
 }   // namespace angiopose::io

@@ -56,21 +56,21 @@ core::SubtractionPlan planOf(const DicomDataset& data)
 
 }   // namespace
 
-core::Result<core::RunTreatment> readTreatment(const std::string& path)
+core::Result<core::RunProcessing> readTreatment(const std::string& path)
 {
     const auto input = openInput(path);
     if (!input) {
         return input.error();
     }
     if (!looksLikeDicom(input.value().view())) {
-        return core::RunTreatment{};
+        return core::RunProcessing{};
     }
     const auto file = parseDicom(input.value().view(), path);
     if (!file) {
         return file.error();
     }
     const DicomDataset& data = file.value().dataset;
-    core::RunTreatment treatment{.plan = planOf(data)};
+    core::RunProcessing treatment{.plan = planOf(data)};
     treatment.isSubtracted =
         (!treatment.plan.maskFrames.empty() || treatment.plan.interval) && data.text(recommendedViewingMode) != "NAT";
     return treatment;

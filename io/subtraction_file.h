@@ -9,7 +9,7 @@ namespace angiopose::io {
 
 /// Returns how to display a DICOM run: subtracted if the header specifies mask frames or an interval to them, unless
 /// the header recommends native viewing (0028,1090). Includes the plan from `readSubtractionPlan`.
-core::Result<core::RunTreatment> readTreatment(const std::string& path);
+core::Result<core::RunProcessing> readTreatment(const std::string& path);
 
 /// Reads the subtraction attributes of a DICOM run: the mask frames or the interval to them, their sub-pixel shift
 /// (Mask Module, PS3.3 C.7.6.10: the first item with AVG_SUB, TID or REV_TID) and the pixel intensity relationship

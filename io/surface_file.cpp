@@ -20,8 +20,8 @@ namespace angiopose::io {
 namespace {
 
 constexpr std::size_t maxTriangles = 50'000'000;
-constexpr double smallestUsualMm = 60.0;   // plausible minimum extent of a whole vessel surface
-constexpr double largestUsualMm = 2000.0;
+constexpr double minPlausibleMm = 60.0;   // plausible minimum extent of a whole vessel surface
+constexpr double maxPlausibleMm = 2000.0;
 
 core::Result<VtkLines> parse(std::string_view content, const std::string& path, const ReadObserver& observe)
 {
@@ -63,7 +63,7 @@ std::optional<core::Message> findProblem(const VtkLines& surface)
 }
 
 /// Builds the surface; adds a warning if points were omitted.
-core::Result<LoadedSurface> surfaceOf(VtkLines surface, const CoordinateRule& rule, const std::string& path,
+core::Result<LoadedSurface> surfaceOf(VtkLines surface, const CoordinateConversion& rule, const std::string& path,
                                       const ReadObserver& observe)
 {
     LoadedSurface loaded;
@@ -76,9 +76,9 @@ core::Result<LoadedSurface> surfaceOf(VtkLines surface, const CoordinateRule& ru
         return fileError(path, *problem);
     }
     mesh.triangles = std::move(surface.triangles);
-    if (const std::size_t stray = core::dropStrayPoints(mesh); stray > 0) {
+    if (const std::size_t stray = core::removeStrayPoints(mesh); stray > 0) {
         loaded.warnings.push_back(
-            messages::surfaceStrayPoints(stray, core::Quantity{core::largestReachMm / 1000.0, 1, "m"}));
+            messages::surfaceStrayPoints(stray, core::Quantity{core::maxBodySizeMm / 1000.0, 1, "m"}));
     }
     const bool isPlausible = std::ranges::all_of(mesh.pointsInPatient, [](const Eigen::Vector3d& point) {
         return point.allFinite() && point.cwiseAbs().maxCoeff() <= 1e6;
@@ -87,8 +87,8 @@ core::Result<LoadedSurface> surfaceOf(VtkLines surface, const CoordinateRule& ru
         return fileError(path, messages::surfaceCoordinate());
     }
     bool isStopped = false;
-    mesh = core::welded(mesh, [&] { return !(isStopped = isStopped || isStopRequested(observe, 1.0)); });
-    return isStopped ? core::Result<LoadedSurface>(stoppedReading(path)) : loaded;
+    mesh = core::weldPoints(mesh, [&] { return !(isStopped = isStopped || isStopRequested(observe, 1.0)); });
+    return isStopped ? core::Result<LoadedSurface>(readingCanceled(path)) : loaded;
 }
 
 double acrossMmOf(const core::SurfaceMesh& mesh)
@@ -101,16 +101,16 @@ double acrossMmOf(const core::SurfaceMesh& mesh)
     return (high - low).norm();
 }
 
-core::Messages doubtsAbout(const core::SurfaceMesh& mesh, double acrossMm)
+core::Messages checkSurface(const core::SurfaceMesh& mesh, double acrossMm)
 {
     core::Messages warnings;
     const core::MeshCheck check = core::checkMesh(mesh);
     if (!check.isClosed()) {
-        warnings.push_back(messages::surfaceOpen(check.openEdges, check.crowdedEdges));
+        warnings.push_back(messages::surfaceOpen(check.boundaryEdges, check.nonManifoldEdges));
     } else if (!check.isOriented) {
         warnings.push_back(messages::surfaceDisoriented());
     }
-    if (!isUsualSize(acrossMm)) {
+    if (!isPlausibleSize(acrossMm)) {
         warnings.push_back(messages::surfaceUnusualSize(core::Quantity{acrossMm, 1, "mm"}));
     }
     return warnings;
@@ -118,9 +118,9 @@ core::Messages doubtsAbout(const core::SurfaceMesh& mesh, double acrossMm)
 
 }   // namespace
 
-bool isUsualSize(double acrossMm)
+bool isPlausibleSize(double acrossMm)
 {
-    return acrossMm >= smallestUsualMm && acrossMm <= largestUsualMm;
+    return acrossMm >= minPlausibleMm && acrossMm <= maxPlausibleMm;
 }
 
 core::Result<LoadedSurface> readSurface(const std::string& path, double unitMm, const ReadObserver& observe)
@@ -133,7 +133,7 @@ core::Result<LoadedSurface> readSurface(const std::string& path, double unitMm, 
     if (!parsed) {
         return parsed.error();
     }
-    const auto rule = coordinateRule(headerText(input.value().view()) + parsed.value().header, unitMm, path);
+    const auto rule = coordinateConversion(headerText(input.value().view()) + parsed.value().header, unitMm, path);
     if (!rule) {
         return rule.error();
     }
@@ -146,7 +146,7 @@ core::Result<LoadedSurface> readSurface(const std::string& path, double unitMm, 
         return fileError(path, messages::surfaceNoArea());
     }
     loaded.acrossMm = acrossMmOf(loaded.mesh);
-    const core::Messages doubts = doubtsAbout(loaded.mesh, loaded.acrossMm);
+    const core::Messages doubts = checkSurface(loaded.mesh, loaded.acrossMm);
     loaded.warnings.insert(loaded.warnings.end(), doubts.begin(), doubts.end());
     return loaded;
 }

@@ -17,7 +17,7 @@ struct LoadedSurface {
 };
 
 /// Whether the size is plausible for vessels; if not, the file may use another unit.
-bool isUsualSize(double acrossMm);
+bool isPlausibleSize(double acrossMm);
 
 /// Reads a triangle surface from VTP, legacy VTK (PolyData, UnstructuredGrid), STL, PLY or OBJ. `unitMm` is the length
 /// of one unit; if 0, uses the unit that the file states, otherwise mm. Converts files that state RAS. Fails if the

@@ -16,7 +16,7 @@ namespace {
 
 using OrderedJson = nlohmann::ordered_json;
 
-constexpr std::string_view checkPointHeader =
+constexpr std::string_view targetPointHeader =
     "mark,kind,name,x_mm,y_mm,z_mm,radius_mm,view,frame,seen_u_px,seen_v_px,expected_u_px,expected_v_px,error_px,"
     "error_mm,claimed_mm,bent_error_mm,depth_mm,notes\n";
 
@@ -52,7 +52,7 @@ std::string pixelCells(const Eigen::Vector2d& pixel)
     return toText(pixel.x()) + "," + toText(pixel.y());
 }
 
-std::string viewCells(const core::CheckedView& checked)
+std::string viewCells(const core::TargetPointViewResult& checked)
 {
     const std::string where = std::to_string(checked.view + 1) + "," + std::to_string(checked.frame) + ",";
     const std::string notes = noteCell(core::sentencesOf(checked));
@@ -60,28 +60,28 @@ std::string viewCells(const core::CheckedView& checked)
         return where + ",,,,,,,,," + notes;
     }
     const core::ImageError& error = checked.error.value();
-    const auto claimed = checked.claimed ? std::optional(checked.claimed->inPlaneMm) : std::nullopt;
-    return where + pixelCells(error.seenPx) + "," + pixelCells(error.expectedPx) + "," + toText(error.px) + "," +
-           toText(error.mm) + "," + known(claimed) + "," + known(checked.deformedMm) + "," + toText(error.depthMm) +
+    const auto predicted = checked.predicted ? std::optional(checked.predicted->inPlaneMm) : std::nullopt;
+    return where + pixelCells(error.markedPx) + "," + pixelCells(error.projectedPx) + "," + toText(error.px) + "," +
+           toText(error.mm) + "," + known(predicted) + "," + known(checked.deformedMm) + "," + toText(error.depthMm) +
            "," + notes;
 }
 
-std::string spaceCells(const core::CheckedPoint& checked)
+std::string spaceCells(const core::TargetPointResult& checked)
 {
-    return "space,,,,,,," + toText(checked.spaceMm()) + "," + known(checked.claimedSpaceMm) + ",,," +
-           noteCell(core::spaceSentences(checked));
+    return "space,,,,,,," + toText(checked.spaceMm()) + "," + known(checked.predictedSpaceMm) + ",,," +
+           noteCell(core::spaceErrorMessages(checked));
 }
 
-OrderedJson viewJson(const core::CheckedView& checked)
+OrderedJson viewJson(const core::TargetPointViewResult& checked)
 {
     OrderedJson json{{"view", checked.view + 1}, {"frame", checked.frame}};
     if (checked.error) {
         const core::ImageError& error = checked.error.value();
-        json["seenPx"] = {error.seenPx.x(), error.seenPx.y()};
-        json["expectedPx"] = {error.expectedPx.x(), error.expectedPx.y()};
+        json["seenPx"] = {error.markedPx.x(), error.markedPx.y()};
+        json["expectedPx"] = {error.projectedPx.x(), error.projectedPx.y()};
         json["errorPx"] = error.px;
         json["errorMm"] = error.mm;
-        json["claimedMm"] = checked.claimed ? OrderedJson(checked.claimed->inPlaneMm) : OrderedJson();
+        json["claimedMm"] = checked.predicted ? OrderedJson(checked.predicted->inPlaneMm) : OrderedJson();
         json["depthMm"] = error.depthMm;
     }
     if (checked.deformedMm) {
@@ -102,21 +102,22 @@ OrderedJson pointJson(const core::VesselMark& mark)
     return json;
 }
 
-OrderedJson checkedJson(const core::CheckedPoint& checked)
+OrderedJson checkedJson(const core::TargetPointResult& checked)
 {
     OrderedJson json = pointJson(checked.mark);
     json["views"] = OrderedJson::array();
-    for (const core::CheckedView& view : checked.views) {
+    for (const core::TargetPointViewResult& view : checked.views) {
         json["views"].push_back(viewJson(view));
     }
-    if (checked.meeting) {
-        const core::MeetingPoint& meeting = checked.meeting.value();
-        const Eigen::Vector3d& point = meeting.pointInPatient;
-        json["space"] = {{"pointInPatientMm", {point.x(), point.y(), point.z()}},
-                         {"errorMm", checked.spaceMm()},
-                         {"claimedMm", checked.claimedSpaceMm ? OrderedJson(*checked.claimedSpaceMm) : OrderedJson()},
-                         {"angleDeg", meeting.angleDeg},
-                         {"raysApartMm", meeting.raysApartMm}};
+    if (checked.triangulated) {
+        const core::TriangulatedPoint& triangulated = checked.triangulated.value();
+        const Eigen::Vector3d& point = triangulated.pointInPatient;
+        json["space"] = {
+            {"pointInPatientMm", {point.x(), point.y(), point.z()}},
+            {"errorMm", checked.spaceMm()},
+            {"claimedMm", checked.predictedSpaceMm ? OrderedJson(*checked.predictedSpaceMm) : OrderedJson()},
+            {"angleDeg", triangulated.angleDeg},
+            {"raysApartMm", triangulated.maxRayDistanceMm}};
     }
     return json;
 }
@@ -128,18 +129,18 @@ bool isRing(const core::VesselMark& mark)
 
 }   // namespace
 
-std::string checkPointTable(const core::Case& session)
+std::string targetPointTable(const core::Case& session)
 {
-    std::string table(checkPointHeader);
-    for (const core::CheckedPoint& checked : core::checkedPoints(session)) {
+    std::string table(targetPointHeader);
+    for (const core::TargetPointResult& checked : core::evaluateTargetPoints(session)) {
         const std::string place = placeCells(checked.mark) + ",";
-        for (const core::CheckedView& view : checked.views) {
+        for (const core::TargetPointViewResult& view : checked.views) {
             table += place + viewCells(view) + "\n";
         }
-        if (checked.meeting) {
+        if (checked.triangulated) {
             table += place + spaceCells(checked) + "\n";
         } else if (checked.views.empty()) {
-            table += place + ",,,,,,,,,,," + noteCell(core::spaceSentences(checked)) + "\n";
+            table += place + ",,,,,,,,,,," + noteCell(core::spaceErrorMessages(checked)) + "\n";
         }
     }
     for (const core::VesselMark& mark : session.vessels.marks) {
@@ -148,15 +149,15 @@ std::string checkPointTable(const core::Case& session)
     return table;
 }
 
-core::Status writeCheckPoints(const core::Case& session, const std::string& path)
+core::Status writeTargetPoints(const core::Case& session, const std::string& path)
 {
-    return writeAtomically(path, checkPointTable(session));
+    return writeAtomically(path, targetPointTable(session));
 }
 
-std::string checkPointJson(const core::Case& session)
+std::string targetPointJson(const core::Case& session)
 {
     OrderedJson list = OrderedJson::array();
-    for (const core::CheckedPoint& checked : core::checkedPoints(session)) {
+    for (const core::TargetPointResult& checked : core::evaluateTargetPoints(session)) {
         list.push_back(checkedJson(checked));
     }
     for (const core::VesselMark& mark : session.vessels.marks) {

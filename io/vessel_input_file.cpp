@@ -78,9 +78,9 @@ core::Result<LoadedVessels> readCenterlines(const std::string& path, const core:
     loaded.input = input;
     loaded.warnings = read.value().warnings;
     loaded.tree = std::move(read).value().tree;
-    if (!core::isUsualSize(loaded.tree)) {
-        loaded.warnings.push_back(messages::vesselsUnusualSize(
-            core::Quantity{std::round(100.0 * core::acrossMm(loaded.tree)) / 100.0, core::Quantity::asNeeded, "mm"}));
+    if (!core::isPlausibleSize(loaded.tree)) {
+        loaded.warnings.push_back(messages::vesselsUnusualSize(core::Quantity{
+            std::round(100.0 * core::acrossMm(loaded.tree)) / 100.0, core::Quantity::significantDigits, "mm"}));
     }
     return loaded;
 }
@@ -88,22 +88,23 @@ core::Result<LoadedVessels> readCenterlines(const std::string& path, const core:
 core::Result<LoadedVessels> traceSurface(const std::string& path, const core::VesselInput& input,
                                          const ReadObserver& observe)
 {
-    const auto surface = readSurface(path, input.unitMm, partOf(observe, 0.0, surfaceShare));
+    const auto surface = readSurface(path, input.unitMm, progressPart(observe, 0.0, surfaceShare));
     if (!surface) {
         return surface.error();
     }
     if (surface.value().acrossMm > largestBodyMm) {   // voxels would be as large as vessels, or too many
-        return fileError(path, messages::surfaceLargerThanBody(core::Quantity{
-                                   std::round(surface.value().acrossMm / 1000.0), core::Quantity::asNeeded, "m"}));
+        return fileError(path,
+                         messages::surfaceLargerThanBody(core::Quantity{std::round(surface.value().acrossMm / 1000.0),
+                                                                        core::Quantity::significantDigits, "m"}));
     }
     const core::SurfaceMesh& mesh = surface.value().mesh;
     if (isStopRequested(observe, surfaceShare)) {
-        return stoppedReading(path);
+        return readingCanceled(path);
     }
     const auto shouldContinue = [&] { return !isStopRequested(observe, surfaceShare); };
-    const auto mask = core::fillSurface(mesh, core::usualSpacingMm(mesh), shouldContinue);
+    const auto mask = core::fillSurface(mesh, core::defaultSpacingMm(mesh), shouldContinue);
     if (mask.isStopped()) {
-        return stoppedReading(path);
+        return readingCanceled(path);
     }
     if (!mask) {
         return fileError(path, mask.error());
@@ -116,31 +117,31 @@ core::Result<LoadedVessels> traceSurface(const std::string& path, const core::Ve
 /// selection if there are several labels.
 core::Status chooseLabels(LoadedVessels& loaded, const core::LabelVolume& image, const std::string& path)
 {
-    const std::vector<ListedLabel> all = listedLabels(image, readLabelNames(path));
+    const std::vector<LabelInfo> all = listLabels(image, readLabelNames(path));
     if (all.empty()) {
         return fileError(path, messages::labelsNothingMarked());
     }
     std::vector<int>& chosen = loaded.input.labels;
     for (const int label : chosen) {
-        if (std::ranges::none_of(all, [label](const ListedLabel& each) { return each.label == label; })) {
-            return fileError(path, messages::labelsNoSuchNumber(label, labelTexts(all)));
+        if (std::ranges::none_of(all, [label](const LabelInfo& each) { return each.label == label; })) {
+            return fileError(path, messages::labelsNoSuchNumber(label, formatLabels(all)));
         }
     }
     const bool isByName = chosen.empty();
     if (isByName) {
-        chosen = vesselsByName(all);
+        chosen = vesselLabelsByName(all);
     }
-    std::vector<ListedLabel> traced;
-    std::vector<ListedLabel> leftOut;
-    for (const ListedLabel& each : all) {
+    std::vector<LabelInfo> traced;
+    std::vector<LabelInfo> leftOut;
+    for (const LabelInfo& each : all) {
         const bool isChosen = chosen.empty() || std::ranges::find(chosen, each.label) != chosen.end();
         (isChosen ? traced : leftOut).push_back(each);
     }
     if (all.size() > 1) {
-        loaded.warnings.push_back(messages::labelsTraced(labelTexts(traced)));
+        loaded.warnings.push_back(messages::labelsTraced(formatLabels(traced)));
     }
     if (isByName && !leftOut.empty()) {
-        loaded.warnings.push_back(messages::labelsLeftOut(labelTexts(leftOut)));
+        loaded.warnings.push_back(messages::labelsLeftOut(formatLabels(leftOut)));
     }
     return core::Done{};
 }
@@ -158,7 +159,7 @@ core::Result<LoadedVessels> traceLabelImage(LoadedVessels loaded, const core::La
 core::Result<LoadedVessels> traceSegmentation(const std::string& path, const core::VesselInput& input,
                                               const ReadObserver& observe)
 {
-    const auto labels = readLabels(path, partOf(observe, 0.0, readShare));
+    const auto labels = readLabels(path, progressPart(observe, 0.0, readShare));
     if (!labels) {
         return labels.error();
     }
@@ -170,7 +171,7 @@ core::Result<LoadedVessels> traceSegmentation(const std::string& path, const cor
 
 core::Result<LoadedVessels> traceVolume(const std::string& path, core::VesselInput input, const ReadObserver& observe)
 {
-    auto read = readVolume(path, input.seriesId, partOf(observe, 0.0, readShare));
+    auto read = readVolume(path, input.seriesId, progressPart(observe, 0.0, readShare));
     if (!read) {
         return read.error();
     }
@@ -201,7 +202,7 @@ VesselInputKind kindOfVtk(const std::string& path)
 
 }   // namespace
 
-std::shared_ptr<const core::VoxelMask> sharedLumen(LoadedVessels& vessels)
+std::shared_ptr<const core::VoxelMask> takeSharedLumen(LoadedVessels& vessels)
 {
     return vessels.lumen.voxels.empty() ? nullptr : std::make_shared<const core::VoxelMask>(std::move(vessels.lumen));
 }
@@ -219,7 +220,7 @@ core::Result<VesselInputKind> vesselInputKindOf(const std::string& path)
     const std::string extension = extensionOf(path);
     const bool isVolume = isVolumeFile(path);
     if (const auto summary = isVolume ? std::optional(describeVolume(path)) : std::nullopt; summary && *summary) {
-        return summary->value().isDeclaredLabels ? VesselInputKind::Segmentation : VesselInputKind::Volume;
+        return summary->value().isDeclaredLabelMap ? VesselInputKind::Segmentation : VesselInputKind::Volume;
     }
     if (isVolumeFile(path) || isDicomFile(path)) {
         return isDicomSegmentation(path) ? VesselInputKind::Segmentation : VesselInputKind::Volume;

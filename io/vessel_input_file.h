@@ -4,7 +4,7 @@
 #include "core/imaging/volume.h"
 #include "core/support/result.h"
 #include "core/tracing/volume/vessel_input.h"
-#include "core/tracing/volume/voxels/traced_piece.h"
+#include "core/tracing/volume/voxels/traced_component.h"
 #include "core/vessel/vessel_tree.h"
 #include "io/support/read_observer.h"
 
@@ -22,12 +22,12 @@ struct LoadedVessels {
     core::StudyIdentity identity;   ///< identity of a DICOM scan
     core::VoxelMask lumen;   ///< traced voxels; empty for centerlines
     double threshold = 0.0;   ///< lumen threshold, if a scan was traced
-    std::vector<core::TracedPiece> pieces;   ///< connected components available for tracing, largest first
+    std::vector<core::TracedComponent> pieces;   ///< connected components available for tracing, largest first
     core::Messages warnings;
 };
 
 /// Moves the lumen out of `vessels` into a shared pointer; null if there is no lumen.
-std::shared_ptr<const core::VoxelMask> sharedLumen(LoadedVessels& vessels);
+std::shared_ptr<const core::VoxelMask> takeSharedLumen(LoadedVessels& vessels);
 
 /// Returns the kind of vessel input in a file or folder, based on its content. Does not read voxels: a volume counts as
 /// `Volume` unless its header declares labels, even if its values later turn out to be labels.

@@ -53,8 +53,8 @@ core::Result<LineSet> parseLines(std::string_view content, const std::string& pa
 
 }   // namespace
 
-core::Result<ReadTree> readTree(const std::string& path, const VesselTreeReadOptions& options,
-                                const ReadObserver& observe)
+core::Result<LoadedTree> readTree(const std::string& path, const VesselTreeReadOptions& options,
+                                  const ReadObserver& observe)
 {
     const auto input = openInput(path);
     if (!input) {
@@ -63,7 +63,7 @@ core::Result<ReadTree> readTree(const std::string& path, const VesselTreeReadOpt
     std::string header = headerText(input.value().view());
     auto lines = parseLines(input.value().view(), path, header, observe);
     // Slicer curves state their unit and are already converted to mm.
-    const auto rule = coordinateRule(header, extensionOf(path) == ".json" ? 1.0 : options.unitMm, path);
+    const auto rule = coordinateConversion(header, extensionOf(path) == ".json" ? 1.0 : options.unitMm, path);
     if (!lines || !rule) {
         return lines ? rule.error() : lines.error();
     }
@@ -77,7 +77,7 @@ core::Result<ReadTree> readTree(const std::string& path, const VesselTreeReadOpt
     if (!tree) {
         return tree;
     }
-    ReadTree read = std::move(tree).value();
+    LoadedTree read = std::move(tree).value();
     read.isUnitStated = rule.value().isUnitStated;
     return read;
 }

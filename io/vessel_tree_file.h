@@ -16,8 +16,8 @@ struct VesselTreeReadOptions {
 /// §4), in patient LPS mm. Converts RAS files. Keeps sections shared by several lines (VMTK) once, cut at bifurcations.
 /// Branch IDs are those of the file if unique, otherwise 1…n in file order. The error of a failure names file, problem
 /// and remedy.
-core::Result<ReadTree> readTree(const std::string& path, const VesselTreeReadOptions& options = {},
-                                const ReadObserver& observe = {});
+core::Result<LoadedTree> readTree(const std::string& path, const VesselTreeReadOptions& options = {},
+                                  const ReadObserver& observe = {});
 
 /// Reads a centerline tree like readTree and returns only the tree.
 core::Result<core::VesselTree> readVesselTree(const std::string& path, const VesselTreeReadOptions& options = {},

@@ -6,7 +6,7 @@
 #include "io/series/dicom_segmentation.h"
 #include "io/support/file_error.h"
 #include "io/support/input_bytes.h"
-#include "io/volume/open_stored.h"
+#include "io/volume/open_stored_volume.h"
 #include "io/volume/read_voxels.h"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace angiopose::io {
 namespace {
 
 /// Returns the series with this ID, or the only volume if no ID is given.
-core::Result<DicomSeries> chosenSeries(std::vector<DicomSeries> all, const std::string& seriesId,
+core::Result<DicomSeries> selectSeries(std::vector<DicomSeries> all, const std::string& seriesId,
                                        const std::string& folder)
 {
     std::erase_if(all, [&](const DicomSeries& series) {
@@ -44,13 +44,13 @@ core::Result<DicomSeries> seriesInFolder(const std::string& folder, const std::s
                                          const ReadObserver& observe)
 {
     auto all = listSeries(folder, observe);
-    return all ? chosenSeries(std::move(all).value(), seriesId, folder) : all.error();
+    return all ? selectSeries(std::move(all).value(), seriesId, folder) : all.error();
 }
 
 core::Result<LoadedVolume> readDicomVolume(const std::string& path, const std::string& seriesId,
                                            const ReadObserver& observe)
 {
-    const ReadObserver observeListing = partOf(observe, 0.0, 0.1);
+    const ReadObserver observeListing = progressPart(observe, 0.0, 0.1);
     const auto series =
         isFolder(path) ? seriesInFolder(path, seriesId, observeListing) : seriesOfFile(path, observeListing);
     if (!series) {
@@ -64,7 +64,7 @@ core::Result<LoadedVolume> readDicomVolume(const std::string& path, const std::s
     loaded.identity = series.value().identity;
     loaded.seriesId = series.value().id;
     loaded.warnings = series.value().warnings;
-    auto volume = readSeries(series.value(), partOf(observe, 0.1, 1.0), loaded.warnings);
+    auto volume = readSeries(series.value(), progressPart(observe, 0.1, 1.0), loaded.warnings);
     if (!volume) {
         return volume.error();
     }
@@ -102,7 +102,7 @@ bool isVolumeFile(const std::string& path)
 
 core::Result<VolumeSummary> describeVolume(const std::string& path)
 {
-    const auto stored = openStored(path);
+    const auto stored = openStoredVolume(path);
     if (!stored) {
         return stored.error();
     }
@@ -111,7 +111,7 @@ core::Result<VolumeSummary> describeVolume(const std::string& path)
         return plausible.error();
     }
     return VolumeSummary{head.format,    std::string(nameOf(head.type)), head.geometry, head.slope,
-                         head.intercept, head.isDeclaredLabels,          head.warnings};
+                         head.intercept, head.isDeclaredLabelMap,        head.warnings};
 }
 
 core::Result<LoadedVolume> readVolume(const std::string& path, const std::string& seriesId, const ReadObserver& observe)
@@ -120,14 +120,14 @@ core::Result<LoadedVolume> readVolume(const std::string& path, const std::string
     if (std::filesystem::is_directory(path, failed) || isDicomFile(path)) {
         return readDicomVolume(path, seriesId, observe);
     }
-    auto opened = openStored(path);
+    auto opened = openStoredVolume(path);
     if (!opened) {
         return opened.error();
     }
     StoredVolume stored = std::move(opened).value();
     LoadedVolume loaded;
     loaded.format = stored.format;
-    loaded.isDeclaredLabels = stored.isDeclaredLabels;
+    loaded.isDeclaredLabelMap = stored.isDeclaredLabelMap;
     loaded.warnings = stored.warnings;
     auto volume = readVoxels(stored, observe, loaded.warnings);
     if (!volume) {
@@ -144,7 +144,7 @@ core::Result<core::LabelVolume> readLabels(const std::string& path, const ReadOb
         const bool isSlice = labels && (labels.value().geometry.size.array() < 2).any();
         return isSlice ? fileError(path, messages::labelsOnePlane()) : std::move(labels);
     }
-    const auto stored = openStored(path);
+    const auto stored = openStoredVolume(path);
     return stored ? readLabelVoxels(stored.value(), observe) : stored.error();
 }
 

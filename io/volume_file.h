@@ -16,7 +16,7 @@ struct LoadedVolume {
     std::string format;   ///< format name: "NIfTI-1", "NRRD", "MetaImage", …, "DICOM series"
     core::StudyIdentity identity;   ///< identity of a DICOM series
     std::string seriesId;   ///< ID of a DICOM series, see `DicomSeries::id`
-    bool isDeclaredLabels = false;   ///< whether the header declares the values to be labels
+    bool isDeclaredLabelMap = false;   ///< whether the header declares the values to be labels
     core::Messages warnings;
 };
 
@@ -27,7 +27,7 @@ struct VolumeSummary {
     core::VolumeGeometry geometry;
     double slope = 1.0;
     double intercept = 0.0;
-    bool isDeclaredLabels = false;
+    bool isDeclaredLabelMap = false;
     core::Messages warnings;
 };
 

@@ -128,16 +128,16 @@ using Sink = std::function<core::Status(Bytes)>;
 using Producer = std::function<core::Status(const Sink&)>;
 
 /// Compresses its input (deflate) and passes the result to a sink.
-class Packer {
+class Deflater {
 public:
     /// `windowBits` as in zlib: 15 for zlib format, +16 for gzip.
-    Packer(int windowBits, Sink sink) : sink_(std::move(sink)), block_(std::size_t{256} << 10, '\0')
+    Deflater(int windowBits, Sink sink) : sink_(std::move(sink)), block_(std::size_t{256} << 10, '\0')
     {
         isReady_ = deflateInit2(&stream_, 4, Z_DEFLATED, windowBits, 8, Z_DEFAULT_STRATEGY) == Z_OK;
     }
-    Packer(const Packer&) = delete;
-    Packer& operator=(const Packer&) = delete;
-    ~Packer() { deflateEnd(&stream_); }
+    Deflater(const Deflater&) = delete;
+    Deflater& operator=(const Deflater&) = delete;
+    ~Deflater() { deflateEnd(&stream_); }
 
     core::Status add(Bytes bytes) { return run(bytes, Z_NO_FLUSH); }
     core::Status finish() { return run({}, Z_FINISH); }
@@ -169,7 +169,7 @@ private:
 
 core::Status packInto(const Producer& produce, int windowBits, const Sink& sink)
 {
-    Packer packer(windowBits, sink);
+    Deflater packer(windowBits, sink);
     if (auto packed = produce([&](Bytes bytes) { return packer.add(bytes); }); !packed) {
         return packed;
     }
@@ -212,7 +212,7 @@ Producer valuesOf(const core::Volume& volume)
 }
 
 /// Whether every value is a whole number that fits into 16 bits.
-bool fitsShort(const core::Volume& volume)
+bool fitsInt16(const core::Volume& volume)
 {
     if (volume.slope != std::floor(volume.slope) || volume.intercept != std::floor(volume.intercept)) {
         return false;
@@ -307,7 +307,7 @@ core::Status writeVolume(const core::Volume& volume, const std::string& path)
     if (const auto problem = findUnwritable(volume.geometry, volume.voxels.size(), extensionOf(path))) {
         return fileError(path, *problem);
     }
-    const Encoding encoding = fitsShort(volume) ? Encoding{"short", "MET_SHORT", valuesOf<std::int16_t>(volume)}
+    const Encoding encoding = fitsInt16(volume) ? Encoding{"short", "MET_SHORT", valuesOf<std::int16_t>(volume)}
                                                 : Encoding{"float", "MET_FLOAT", valuesOf<float>(volume)};
     return write(volume.geometry, encoding, niftiHeader(volume.geometry, volume.slope, volume.intercept, false),
                  bytesOf(volume.voxels), path);

@@ -1,7 +1,7 @@
 #include "ui/main_window.h"
 
 #include "ui/controls/number_field.h"
-#include "ui/controls/screen_room.h"
+#include "ui/controls/screen_fit.h"
 #include "ui/places/folding_column.h"
 #include "ui/places/side_by_side.h"
 #include "ui/places/view_frame.h"
@@ -95,7 +95,7 @@ MainWindow::MainWindow(QWidget* parent)
         showWith(mode, measure_);
     }
     for (const Command mode :
-         {Command::TargetPoint, Command::OstiumRing, Command::SeenHere, Command::DrawArrow, Command::WriteText}) {
+         {Command::TargetPoint, Command::OstiumRing, Command::TargetInImage, Command::DrawArrow, Command::WriteText}) {
         showWith(mode, marks_);
     }
     connect(geometry_, &Section::foldedChanged, this, [this](bool folded) {
@@ -134,7 +134,7 @@ void MainWindow::layOut()
     layout->addWidget(strip_);
     setCentralWidget(central);
     setMinimumSize(900, 560);
-    resizeOnScreen(*this, {1440, 900});
+    resizeWithinScreen(*this, {1440, 900});
     setColumns({});
 }
 
@@ -203,7 +203,7 @@ QWidget* MainWindow::makeRightColumn()
 }
 
 /// Widens the column if an unfolded section needs more width, since the column has no horizontal scroll bar.
-void MainWindow::giveRightColumnRoom()
+void MainWindow::widenRightColumn()
 {
     const int scrollBar = rightPanels_->verticalScrollBar()->sizeHint().width();
     rightPanels_->setMinimumWidth(
@@ -213,17 +213,17 @@ void MainWindow::giveRightColumnRoom()
 void MainWindow::connectColumns()
 {
     for (const ColumnSide side : {ColumnSide::Left, ColumnSide::Right}) {
-        connect(&column(side), &FoldingColumn::foldedChanged, this, [this, side] { keepWidthOf(side); });
+        connect(&column(side), &FoldingColumn::foldedChanged, this, [this, side] { saveWidthOf(side); });
     }
     for (const Command command : {Command::FindBranch, Command::RenameBranch, Command::NextCornerView,
-                                  Command::ResetTreeView, Command::ScanIn3d, Command::NextScanLook}) {
+                                  Command::ResetTreeView, Command::ScanIn3d, Command::NextScanRendering}) {
         connect(actions()[command], &QAction::triggered, leftColumn_, [this] { leftColumn_->setFolded(false); });
     }
 }
 
 /// Sets a folded column to the width of its rail and an unfolded one to its previous width; the center column absorbs
 /// the difference.
-void MainWindow::keepWidthOf(ColumnSide side)
+void MainWindow::saveWidthOf(ColumnSide side)
 {
     QList<int> widths = columns_->sizes();
     const FoldingColumn& folding = column(side);
@@ -231,7 +231,7 @@ void MainWindow::keepWidthOf(ColumnSide side)
     const int width = folding.isFolded() ? folding.minimumWidth() : folding.openWidth();
     widths[1] = std::max(1, widths[1] + widths[place] - width);
     widths[place] = width;
-    if (!alone_) {
+    if (!maximizedView_) {
         columns_->setSizes(widths);
     }
 }
@@ -248,14 +248,14 @@ void MainWindow::showInRightColumn(QWidget* panel)
 
 void MainWindow::showImagePage()
 {
-    center_->setCurrentWidget(slicesLarge_ && !slicesFrame_->isOut() ? slicesFrame_ : imageFrame_);
+    center_->setCurrentWidget(slicesEnlarged_ && !slicesFrame_->isPoppedOut() ? slicesFrame_ : imageFrame_);
 }
 
-void MainWindow::setSlicesLarge(bool large)
+void MainWindow::setSlicesEnlarged(bool large)
 {
-    slicesLarge_ = large;
+    slicesEnlarged_ = large;
     if (!large) {
-        slicesFrame_->setOut(false);
+        slicesFrame_->setPoppedOut(false);
     }
     if (center_->currentWidget() != welcome_) {
         showImagePage();
@@ -279,7 +279,7 @@ void MainWindow::connectSlices()
 void MainWindow::connectFrames()
 {
     for (ViewFrame* frame : {imageFrame_, cornerFrame_, slicesFrame_}) {
-        connect(frame, &ViewFrame::outChanged, this, [this] {
+        connect(frame, &ViewFrame::poppedOutChanged, this, [this] {
             placeViews();
             if (center_->currentWidget() != welcome_) {
                 showImagePage();
@@ -293,31 +293,31 @@ ViewFrame& MainWindow::frameOf(MovableView view)
     return view == MovableView::Image ? *imageFrame_ : view == MovableView::Corner ? *cornerFrame_ : *slicesFrame_;
 }
 
-void MainWindow::showAlone(std::optional<MovableView> view)
+void MainWindow::maximizeView(std::optional<MovableView> view)
 {
-    if (!alone_ && view) {
+    if (!maximizedView_ && view) {
         layoutBefore_ = columns();
-        columnsBefore_ = columns_->saveState();
-        leftBefore_ = leftSplitter_->saveState();
+        savedColumns_ = columns_->saveState();
+        savedLeft_ = leftSplitter_->saveState();
     }
-    const bool comesBack = alone_ && !view;
-    alone_ = view;
-    if (comesBack) {   // restores sizes before showing the columns, which avoids a layout at a temporary width
-        columns_->restoreState(columnsBefore_);
-        leftSplitter_->restoreState(leftBefore_);
+    const bool isRestored = maximizedView_ && !view;
+    maximizedView_ = view;
+    if (isRestored) {   // restores sizes before showing the columns, which avoids a layout at a temporary width
+        columns_->restoreState(savedColumns_);
+        leftSplitter_->restoreState(savedLeft_);
     }
     placeViews();
 }
 
 void MainWindow::placeViews()
 {
-    const bool cornerAlone = alone_ == MovableView::Corner;
-    branches_->setVisible(!alone_);
-    cornerFrame_->setVisible(!cornerFrame_->isOut());
-    leftColumn_->holdOpen(cornerAlone);
-    leftColumn_->setVisible(!alone_ || cornerAlone);
+    const bool cornerAlone = maximizedView_ == MovableView::Corner;
+    branches_->setVisible(!maximizedView_);
+    cornerFrame_->setVisible(!cornerFrame_->isPoppedOut());
+    leftColumn_->setHeldOpen(cornerAlone);
+    leftColumn_->setVisible(!maximizedView_ || cornerAlone);
     center_->setVisible(!cornerAlone);
-    rightColumn_->setVisible(!alone_);
+    rightColumn_->setVisible(!maximizedView_);
 }
 
 void MainWindow::showWelcomePage()

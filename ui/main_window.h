@@ -81,15 +81,15 @@ public:
     WindowActions& actions() { return *actions_; }
 
     void showImagePage();   ///< shows the angiogram, or the CT slices if they are enlarged
-    void setSlicesLarge(bool large);
+    void setSlicesEnlarged(bool large);
     void showWelcomePage();
     void focusStep(Step step);   ///< shows and focuses the panel of a step
 
     ViewFrame& frameOf(MovableView view);
     /// Maximizes one view between header and strip; without a value, restores the layout. The slices replace the
     /// angiogram.
-    void showAlone(std::optional<MovableView> view);
-    bool isOneAlone() const { return alone_.has_value(); }
+    void maximizeView(std::optional<MovableView> view);
+    bool isViewMaximized() const { return maximizedView_.has_value(); }
 
     FoldingColumn& column(ColumnSide side) { return side == ColumnSide::Left ? *leftColumn_ : *rightColumn_; }
     ColumnLayout columns() const;   ///< current layout, or the one saved before a view was maximized
@@ -102,7 +102,7 @@ public:
 signals:
     void filesDropped(const QStringList& paths);
     void closeRequested();
-    void hideKeyHeld(bool held);   ///< emitted when H is pressed and released
+    void hideKeyToggled(bool held);   ///< emitted when H is pressed and released
     void escapePressed();
     void welcomeShown();
     /// Emitted on a left click or Enter in a slice, or a left click on a branch in the 3-D view.
@@ -124,12 +124,12 @@ private:
     void placeViews();
     QWidget* makeRightColumn();
     void connectColumns();
-    void keepWidthOf(ColumnSide side);
+    void saveWidthOf(ColumnSide side);
     void restoreFolding(QDataStream& stream);
     void showInRightColumn(QWidget* panel);
-    void giveRightColumnRoom();
+    void widenRightColumn();
     bool takesKey(QObject* watched) const;
-    static bool isOfSlices(QObject* watched, const QEvent& event);
+    static bool isSliceEvent(QObject* watched, const QEvent& event);
     bool filterKey(QEvent* event);
 
     WindowActions* actions_;
@@ -169,11 +169,11 @@ private:
     FoldingColumn* leftColumn_;
     FoldingColumn* rightColumn_;
     ColumnLayout layoutBefore_;   ///< column layout before a view was maximized
-    QByteArray columnsBefore_;   ///< splitter state before a view was maximized
-    QByteArray leftBefore_;
-    std::optional<MovableView> alone_;
-    bool slicesLarge_ = false;
-    bool hideHeld_ = false;
+    QByteArray savedColumns_;   ///< splitter state before a view was maximized
+    QByteArray savedLeft_;
+    std::optional<MovableView> maximizedView_;
+    bool slicesEnlarged_ = false;
+    bool isHideKeyDown_ = false;
     bool closeAllowed_ = false;
 };
 

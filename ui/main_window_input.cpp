@@ -29,7 +29,7 @@ QStringList localFiles(const QMimeData* data)
     return paths;
 }
 
-bool takesText(const QWidget* widget)
+bool acceptsText(const QWidget* widget)
 {
     return qobject_cast<const QLineEdit*>(widget) || qobject_cast<const QPlainTextEdit*>(widget) ||
            qobject_cast<const QComboBox*>(widget);
@@ -69,7 +69,7 @@ bool MainWindow::takesKey(QObject* watched) const
 {
     const auto* widget = qobject_cast<QWidget*>(watched);
     const bool isOurs = widget && (widget->window() == this || isViewWindow(widget->window()));
-    return isOurs && !takesText(QApplication::focusWidget());
+    return isOurs && !acceptsText(QApplication::focusWidget());
 }
 
 bool MainWindow::eventFilter(QObject* watched, QEvent* event)
@@ -78,19 +78,19 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event)
         case QEvent::ShortcutOverride:
         case QEvent::KeyPress:
         case QEvent::KeyRelease:
-            if (takesKey(watched) && !isOfSlices(watched, *event) && filterKey(event)) {
+            if (takesKey(watched) && !isSliceEvent(watched, *event) && filterKey(event)) {
                 return true;
             }
             break;
         case QEvent::LayoutRequest:
             if (watched == rightPanels_->widget()) {
-                giveRightColumnRoom();
+                widenRightColumn();
             }
             break;
         case QEvent::WindowDeactivate:
-            if (hideHeld_ && (watched == this || isViewWindow(watched))) {
-                hideHeld_ = false;
-                emit hideKeyHeld(false);
+            if (isHideKeyDown_ && (watched == this || isViewWindow(watched))) {
+                isHideKeyDown_ = false;
+                emit hideKeyToggled(false);
             }
             break;
         default:
@@ -100,7 +100,7 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event)
 }
 
 /// True for key events that the tool of a slice view handles; it has priority over the image tool of the same mode.
-bool MainWindow::isOfSlices(QObject* watched, const QEvent& event)
+bool MainWindow::isSliceEvent(QObject* watched, const QEvent& event)
 {
     const auto* slice = qobject_cast<const SliceView*>(watched);
     return slice && event.type() != QEvent::KeyRelease && slice->wantsToolKey(static_cast<const QKeyEvent&>(event));
@@ -114,9 +114,9 @@ bool MainWindow::filterKey(QEvent* event)
     }
     if (key->key() == Qt::Key_H && key->modifiers() == Qt::NoModifier) {
         const bool pressed = event->type() == QEvent::KeyPress;
-        if (!key->isAutoRepeat() && pressed != hideHeld_) {
-            hideHeld_ = pressed;
-            emit hideKeyHeld(pressed);
+        if (!key->isAutoRepeat() && pressed != isHideKeyDown_) {
+            isHideKeyDown_ = pressed;
+            emit hideKeyToggled(pressed);
         }
         return true;
     }

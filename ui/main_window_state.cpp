@@ -1,5 +1,5 @@
 // Saving and restoring the layout of MainWindow: geometry, widths, folded sections, popped-out views.
-#include "ui/controls/screen_room.h"
+#include "ui/controls/screen_fit.h"
 #include "ui/main_window.h"
 #include "ui/places/folding_column.h"
 #include "ui/places/view_frame.h"
@@ -38,7 +38,7 @@ QList<int> heightsOf(double lowerShare, int height)
 
 ColumnLayout MainWindow::columns() const
 {
-    if (alone_) {
+    if (maximizedView_) {
         return layoutBefore_;
     }
     const QList<int> heights = leftSplitter_->sizes();
@@ -63,13 +63,14 @@ QByteArray MainWindow::layoutState() const
 {
     QByteArray state;
     QDataStream stream(&state, QIODevice::WriteOnly);
-    stream << saveGeometry() << (alone_ ? columnsBefore_ : columns_->saveState())
-           << (alone_ ? leftBefore_ : leftSplitter_->saveState()) << foldedSections(*this);
+    stream << saveGeometry() << (maximizedView_ ? savedColumns_ : columns_->saveState())
+           << (maximizedView_ ? savedLeft_ : leftSplitter_->saveState()) << foldedSections(*this);
     for (const ViewFrame* frame : {imageFrame_, cornerFrame_, slicesFrame_}) {
-        stream << frame->windowPlace() << (frame->isOut() && frame != slicesFrame_);   // slices require a scan
+        stream << frame->savedGeometry() << (frame->isPoppedOut() && frame != slicesFrame_);   // slices require a scan
     }
-    const ColumnLayout now = columns();
-    stream << now.isLeftFolded << now.isRightFolded << now.leftWidth << now.rightWidth;
+    const ColumnLayout columnLayout = columns();
+    stream << columnLayout.isLeftFolded << columnLayout.isRightFolded << columnLayout.leftWidth
+           << columnLayout.rightWidth;
     return state;
 }
 
@@ -82,7 +83,7 @@ void MainWindow::restoreLayout(const QByteArray& state)
     QStringList folded;
     stream >> windowGeometry >> columnState >> leftState >> folded;
     restoreGeometry(windowGeometry);
-    fitInto(screen()->availableGeometry(), *this);
+    fitToScreen(screen()->availableGeometry(), *this);
     columns_->restoreState(columnState);
     columns_->setHandleWidth(columnBorderWidth);   // overrides the handle width saved by older versions
     columns_->setChildrenCollapsible(false);
@@ -97,10 +98,10 @@ void MainWindow::restoreLayout(const QByteArray& state)
     }
     for (ViewFrame* frame : {imageFrame_, cornerFrame_, slicesFrame_}) {
         QByteArray place;
-        bool isOut = false;
-        stream >> place >> isOut;   // not saved by older versions: the defaults remain
-        frame->setWindowPlace(place);
-        frame->setOut(isOut);
+        bool isPoppedOut = false;
+        stream >> place >> isPoppedOut;   // not saved by older versions: the defaults remain
+        frame->setSavedGeometry(place);
+        frame->setPoppedOut(isPoppedOut);
     }
     restoreFolding(stream);
 }

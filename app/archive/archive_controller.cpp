@@ -1,9 +1,9 @@
 #include "app/archive/archive_controller.h"
 
 #include "app/archive/archive_nodes.h"
-#include "app/archive/archive_port.h"
 #include "app/archive/archive_retrieval.h"
 #include "app/archive/archive_settings.h"
+#include "app/archive/storage_scp_service.h"
 #include "ui/archive/archive_dialog.h"
 #include "ui/archive/receive_line.h"
 #include "ui/archive/search_fields.h"
@@ -17,9 +17,9 @@ namespace angiopose::app {
 
 ArchiveController::ArchiveController(const Ui& ui, QObject* parent) : QObject(parent), ui_(ui)
 {
-    connect(&port_, &ArchivePort::changed, this, &ArchiveController::showPort);
-    connect(&port_, &ArchivePort::unaudited, this, &ArchiveController::unaudited);
-    connect(&port_, &ArchivePort::closed, this, [this](const QString& problem) {
+    connect(&port_, &StorageScpService::changed, this, &ArchiveController::showPort);
+    connect(&port_, &StorageScpService::unaudited, this, &ArchiveController::unaudited);
+    connect(&port_, &StorageScpService::closed, this, [this](const QString& problem) {
         showPort();
         if (dialog_ && !problem.isEmpty()) {
             dialog_->line().showProblem(problem);
@@ -49,16 +49,16 @@ void ArchiveController::connectParts()
 {
     ui::ArchiveDialog& dialog = *dialog_;
     nodes_ = new ArchiveNodes(list_, {dialog.nodes(), dialog.line(), dialog}, dialog_);
-    finder_ = new ArchiveFinder(dialog, findings_, ui_.hideIdentity, dialog_);
+    finder_ = new ArchiveFinder(dialog, searchResults_, ui_.hideIdentity, dialog_);
     retrieval_ = new ArchiveRetrieval(dialog, dialog_);
     auto* cache = new ArchiveCache(list_, {dialog.cache(), dialog.line(), dialog}, dialog_);
-    connect(nodes_, &ArchiveNodes::chosen, finder_, [this] { finder_->follow(nodes_->node()); });
+    connect(nodes_, &ArchiveNodes::chosen, finder_, [this] { finder_->selectArchive(nodes_->node()); });
     connect(dialog_, &ui::ArchiveDialog::retrieveRequested, this, &ArchiveController::retrieve);
     connect(retrieval_, &ArchiveRetrieval::ended, cache, &ArchiveCache::measure);
-    const auto offerRetrieved = [this] { offer(retrieval_->folders(), dialog_->nodes().node()); };
+    const auto offerRetrieved = [this] { offerToOpen(retrieval_->folders(), dialog_->nodes().node()); };
     connect(retrieval_, &ArchiveRetrieval::retrieved, this, offerRetrieved);
     connect(retrieval_, &ArchiveRetrieval::unaudited, this, &ArchiveController::unaudited);
-    connect(dialog_, &ui::ArchiveDialog::partRequested, this, offerRetrieved);
+    connect(dialog_, &ui::ArchiveDialog::partialSeriesRequested, this, offerRetrieved);
 }
 
 void ArchiveController::connectPort()
@@ -66,10 +66,11 @@ void ArchiveController::connectPort()
     ui::ReceiveLine& line = dialog_->receive();
     line.showPort(settings::receivePort.read(), settings::receiveTitle.read());
     showPort();
-    connect(&line, &ui::ReceiveLine::switched, this, &ArchiveController::switchPort);
-    connect(&line, &ui::ReceiveLine::securityRequested, new PortSecurity(*dialog_, dialog_), &PortSecurity::ask);
+    connect(&line, &ui::ReceiveLine::toggled, this, &ArchiveController::switchPort);
+    connect(&line, &ui::ReceiveLine::securityRequested, new StorageScpSecurity(*dialog_, dialog_),
+            &StorageScpSecurity::openDialog);
     connect(&line, &ui::ReceiveLine::openRequested, this,
-            [this] { offer(port_.folders(), tr("objects received on port %1").arg(port_.port())); });
+            [this] { offerToOpen(port_.folders(), tr("objects received on port %1").arg(port_.port())); });
 }
 
 void ArchiveController::retrieve()
@@ -82,7 +83,7 @@ void ArchiveController::retrieve()
 }
 
 /// Closes the archive dialog and then offers the received images, which may open another dialog.
-void ArchiveController::offer(const QStringList& folders, const QString& name)
+void ArchiveController::offerToOpen(const QStringList& folders, const QString& name)
 {
     dialog_->accept();
     QMetaObject::invokeMethod(
@@ -102,17 +103,17 @@ void ArchiveController::switchPort(bool isOn)
     showPort();
 }
 
-QString ArchiveController::portWords() const
+QString ArchiveController::scpStatusText() const
 {
-    const ArchivePort::Arrived& arrived = port_.arrived();
+    const StorageScpService::ReceivedObjects& received = port_.received();
     QStringList words;
-    if (arrived.objects > 0) {
-        words << tr("Objects received: %1").arg(arrived.objects);
+    if (received.objects > 0) {
+        words << tr("Objects received: %1").arg(received.objects);
     } else if (port_.isOpen()) {
         words << tr("Nothing received yet");
     }
-    if (arrived.problem) {
-        words << ui::messageText(*arrived.problem);
+    if (received.problem) {
+        words << ui::messageText(*received.problem);
     }
     return words.join(u'\n');
 }
@@ -120,13 +121,13 @@ QString ArchiveController::portWords() const
 void ArchiveController::showPort()
 {
     if (!dialog_) {
-        if (const QString words = portWords(); !words.isEmpty()) {
+        if (const QString words = scpStatusText(); !words.isEmpty()) {
             emit reported(words);
         }
         return;
     }
     dialog_->receive().showListening(port_.isOpen());
-    dialog_->receive().showArrivals(portWords(), port_.arrived().objects > 0);
+    dialog_->receive().showReceived(scpStatusText(), port_.received().objects > 0);
 }
 
 }   // namespace angiopose::app

@@ -2,7 +2,7 @@
 
 #include "app/archive/archive_finder.h"
 #include "app/archive/archive_list.h"
-#include "app/archive/archive_port.h"
+#include "app/archive/storage_scp_service.h"
 
 #include <QObject>
 #include <QPointer>
@@ -43,15 +43,15 @@ private:
     void connectParts();
     void connectPort();
     void retrieve();
-    void offer(const QStringList& folders, const QString& name);
+    void offerToOpen(const QStringList& folders, const QString& name);
     void switchPort(bool isOn);
     void showPort();
-    QString portWords() const;
+    QString scpStatusText() const;
 
     Ui ui_;
     ArchiveList list_;
-    ArchivePort port_;
-    ArchiveFindings findings_;
+    StorageScpService port_;
+    ArchiveSearchResults searchResults_;
     QPointer<ui::ArchiveDialog> dialog_;
     ArchiveNodes* nodes_ = nullptr;   ///< owned by the dialog
     ArchiveFinder* finder_ = nullptr;

@@ -22,33 +22,33 @@ Job<io::ArchiveMatches>::Work findWork(const io::ArchiveNode& node, const io::Ar
 {
     return [node, query](JobLink<double>& link) {
         const NetworkWait waiting;
-        return io::findInArchive(node, io::ArchiveWay::Usual, query,
-                                 [&link](const io::ArchiveProgress&) { return link.verdict(); });
+        return io::queryArchive(node, io::ArchiveProtocol::Default, query,
+                                [&link](const io::ArchiveProgress&) { return link.verdict(); });
     };
 }
 
 }   // namespace
 
-ArchiveFinder::ArchiveFinder(ui::ArchiveDialog& dialog, ArchiveFindings& findings, QAction& hideIdentity,
+ArchiveFinder::ArchiveFinder(ui::ArchiveDialog& dialog, ArchiveSearchResults& findings, QAction& hideIdentity,
                              QObject* parent)
     : QObject(parent),
       dialog_(dialog),
-      findings_(findings),
+      searchResults_(findings),
       hideIdentity_(hideIdentity),
       studies_({[this](const io::ArchiveMatches& found) {
-                    findings_ = {QString::fromStdString(node_->name), found};
+                    searchResults_ = {QString::fromStdString(node_->name), found};
                     show();
-                    tell();
+                    showStatus();
                 },
-                [this](const core::Error& error) { fail(error); }}),
-      series_({[this](const io::ArchiveMatches& found) { takeSeries(found); },
+                [this](const core::Error& error) { showError(error); }}),
+      series_({[this](const io::ArchiveMatches& found) { showSeriesMatches(found); },
                [this](const core::Error& error) {
-                   dialog_.list().showNoSeries(waiting_.front());
-                   waiting_.pop_front();
+                   dialog_.list().markSeriesUnloaded(pendingStudies_.front());
+                   pendingStudies_.pop_front();
                    if (!dialog_.line().isBusy()) {
-                       fail(error);
+                       showError(error);
                    }
-                   askNextSeries();
+                   queryNextSeries();
                }})
 {
     dialog_.fields().showSearch(
@@ -60,22 +60,22 @@ ArchiveFinder::ArchiveFinder(ui::ArchiveDialog& dialog, ArchiveFindings& finding
             dialog_.line().showHint(tr("Stopped."));
         }
     });
-    connect(&dialog_.list(), &ui::MatchList::seriesWanted, this, &ArchiveFinder::askSeries);
+    connect(&dialog_.list(), &ui::MatchList::seriesRequested, this, &ArchiveFinder::querySeries);
     connect(&hideIdentity_, &QAction::toggled, this, &ArchiveFinder::show);
 }
 
-void ArchiveFinder::follow(const std::optional<io::ArchiveNode>& node)
+void ArchiveFinder::selectArchive(const std::optional<io::ArchiveNode>& node)
 {
     const bool isSame = node_ && node && node_->name == node->name;
     node_ = node;
     if (isSame) {
         return;
     }
-    if (!node_ || findings_.node != QString::fromStdString(node_->name)) {
-        findings_ = {};
+    if (!node_ || searchResults_.node != QString::fromStdString(node_->name)) {
+        searchResults_ = {};
     }
     show();
-    if (node_ && !findings_.studies) {
+    if (node_ && !searchResults_.studies) {
         dialog_.line().showHint(tr("Search, select studies or series, then retrieve them."));
     }
 }
@@ -83,7 +83,7 @@ void ArchiveFinder::follow(const std::optional<io::ArchiveNode>& node)
 void ArchiveFinder::find()
 {
     const ui::ArchiveSearch search = dialog_.fields().search();
-    if (const auto wrong = wrongDateOf(search)) {
+    if (const auto wrong = firstInvalidDate(search)) {
         dialog_.line().showProblem(tr("“%1” is not a date. Enter year, month and day: 2024-01-31.").arg(*wrong));
         return;
     }
@@ -94,42 +94,44 @@ void ArchiveFinder::find()
     settings::archiveTo.write(search.to);
     settings::archiveModality.write(search.modality);
     dialog_.line().showBusy(tr("Searching %1…").arg(QString::fromStdString(node_->name)));
-    studies_.start(findWork(*node_, queryOf(search)));
+    studies_.start(findWork(*node_, toArchiveQuery(search)));
 }
 
 void ArchiveFinder::show()
 {
-    waiting_.clear();
+    pendingStudies_.clear();
     series_.drop();
-    showEmptyWords();
-    dialog_.list().showStudies(findings_.studies ? studyMatchRows(findings_.studies->found, hideIdentity_.isChecked()
-                                                                                                ? MatchIdentity::Hidden
-                                                                                                : MatchIdentity::Shown)
-                                                 : std::vector<ui::MatchRow>());
+    showNoMatches();
+    dialog_.list().showStudies(searchResults_.studies
+                                   ? studyMatchRows(searchResults_.studies->found, hideIdentity_.isChecked()
+                                                                                       ? IdentityVisibility::Hidden
+                                                                                       : IdentityVisibility::Shown)
+                                   : std::vector<ui::MatchRow>());
     dialog_.showState();
 }
 
-void ArchiveFinder::showEmptyWords()
+void ArchiveFinder::showNoMatches()
 {
     if (!node_) {
         return;   // the dialog already reports that no archive is selected
     }
     const QString name = QString::fromStdString(node_->name);
-    dialog_.list().setEmptyWords(
-        findings_.studies
-            ? tr("%1 has no matching study. Broaden the search: a shorter name, more days, any modality.").arg(name)
-            : tr("Search to list the studies on %1.").arg(name));
+    dialog_.list().setPlaceholderText(
+        searchResults_.studies
+            ? tr("%1 has no matching study. Broaden the search: use a shorter name, more days or any modality.")
+                  .arg(name)
+            : tr("Search to list the studies in %1.").arg(name));
 }
 
-void ArchiveFinder::tell()
+void ArchiveFinder::showStatus()
 {
-    const std::size_t count = findings_.studies->found.size();
+    const std::size_t count = searchResults_.studies->found.size();
     QStringList words{count == 1 ? tr("1 study found.") : tr("%1 studies found.").arg(count)};
     if (count > 0) {
         words << tr("Select studies, or expand one to select its series; Ctrl selects several.");
     }
-    if (!findings_.studies->warnings.empty()) {
-        words << ui::messagesText(findings_.studies->warnings);
+    if (!searchResults_.studies->warnings.empty()) {
+        words << ui::messagesText(searchResults_.studies->warnings);
     }
     dialog_.line().showDone(ui::joinedSentences(words));
     if (count > 0) {
@@ -137,34 +139,34 @@ void ArchiveFinder::tell()
     }
 }
 
-void ArchiveFinder::fail(const core::Error& error)
+void ArchiveFinder::showError(const core::Error& error)
 {
     dialog_.line().showProblem(ui::messageText(error.message));
 }
 
-void ArchiveFinder::askSeries(const QString& study)
+void ArchiveFinder::querySeries(const QString& study)
 {
-    waiting_.push_back(study);
-    if (waiting_.size() == 1) {
-        askNextSeries();
+    pendingStudies_.push_back(study);
+    if (pendingStudies_.size() == 1) {
+        queryNextSeries();
     }
 }
 
-void ArchiveFinder::askNextSeries()
+void ArchiveFinder::queryNextSeries()
 {
-    if (!waiting_.empty() && node_) {
+    if (!pendingStudies_.empty() && node_) {
         io::ArchiveQuery query;
         query.level = io::ArchiveLevel::Series;
-        query.studyUid = waiting_.front().toStdString();
+        query.studyUid = pendingStudies_.front().toStdString();
         series_.start(findWork(*node_, query));
     }
 }
 
-void ArchiveFinder::takeSeries(const io::ArchiveMatches& series)
+void ArchiveFinder::showSeriesMatches(const io::ArchiveMatches& series)
 {
-    dialog_.list().showSeries(waiting_.front(), seriesMatchRows(series.found));
-    waiting_.pop_front();
-    askNextSeries();
+    dialog_.list().showSeries(pendingStudies_.front(), seriesMatchRows(series.found));
+    pendingStudies_.pop_front();
+    queryNextSeries();
 }
 
 /// Requests a selected study as a whole, even if some of its series are selected too.

@@ -18,7 +18,7 @@ class ArchiveDialog;
 namespace angiopose::app {
 
 /// Matches of the last search, kept so that reopening the dialog shows them again.
-struct ArchiveFindings {
+struct ArchiveSearchResults {
     QString node;
     std::optional<io::ArchiveMatches> studies;   ///< empty before the first search
 };
@@ -27,28 +27,28 @@ struct ArchiveFindings {
 class ArchiveFinder : public QObject {
     Q_OBJECT
 public:
-    ArchiveFinder(ui::ArchiveDialog& dialog, ArchiveFindings& findings, QAction& hideIdentity,
+    ArchiveFinder(ui::ArchiveDialog& dialog, ArchiveSearchResults& findings, QAction& hideIdentity,
                   QObject* parent = nullptr);
 
     /// Selects the archive to search and clears the matches of any other archive.
-    void follow(const std::optional<io::ArchiveNode>& node);
+    void selectArchive(const std::optional<io::ArchiveNode>& node);
     std::vector<io::RetrieveRequest> requests() const;   ///< selected items, one request per study
 
 private:
     void find();
     void show();
-    void tell();
-    void askSeries(const QString& study);
-    void askNextSeries();
-    void takeSeries(const io::ArchiveMatches& series);
-    void fail(const core::Error& error);
-    void showEmptyWords();
+    void showStatus();
+    void querySeries(const QString& study);
+    void queryNextSeries();
+    void showSeriesMatches(const io::ArchiveMatches& series);
+    void showError(const core::Error& error);
+    void showNoMatches();
 
     ui::ArchiveDialog& dialog_;
-    ArchiveFindings& findings_;
+    ArchiveSearchResults& searchResults_;
     QAction& hideIdentity_;
     std::optional<io::ArchiveNode> node_;
-    std::deque<QString> waiting_;   ///< studies whose series are still to be queried, oldest request first
+    std::deque<QString> pendingStudies_;   ///< studies whose series are still to be queried, oldest request first
     Job<io::ArchiveMatches> studies_;
     Job<io::ArchiveMatches> series_;
 };

@@ -12,7 +12,7 @@ void ArchiveList::read()
     const auto found = std::make_shared<io::ArchiveSettings>();
     files_.run(
         [found]() -> core::Result<QString> {
-            const std::string path = io::defaultNodeFile();
+            const std::string path = io::defaultArchiveSettingsFile();
             auto settings = io::readArchiveSettings(path);
             if (!settings) {
                 return settings.error();
@@ -30,12 +30,12 @@ void ArchiveList::read()
         });
 }
 
-void ArchiveList::change(Change change, Answer answer)
+void ArchiveList::change(Change change, Callback answer)
 {
     const auto changedSettings = std::make_shared<io::ArchiveSettings>();
     files_.run(
         [changedSettings, change = std::move(change)]() -> core::Result<QString> {
-            const std::string path = io::defaultNodeFile();
+            const std::string path = io::defaultArchiveSettingsFile();
             auto settings = io::readArchiveSettings(path);
             if (!settings) {
                 return settings.error();

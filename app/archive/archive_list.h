@@ -18,13 +18,13 @@ class ArchiveList : public QObject {
 public:
     using Change = std::function<core::Status(io::ArchiveSettings&)>;
     /// Receives the reason for a failure, or nothing on success.
-    using Answer = std::function<void(const std::optional<core::Message>& problem)>;
+    using Callback = std::function<void(const std::optional<core::Message>& problem)>;
 
     explicit ArchiveList(QObject* parent = nullptr) : QObject(parent) {}
 
     void read();
     /// Applies the change to the file's current content, which another process may have modified in the meantime.
-    void change(Change change, Answer answer = {});
+    void change(Change change, Callback answer = {});
 
     const io::ArchiveSettings& settings() const { return settings_; }
     QStringList names() const;

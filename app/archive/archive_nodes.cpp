@@ -36,7 +36,7 @@ void putNode(std::vector<io::ArchiveNode>& nodes, const io::ArchiveNode& node, c
 ArchiveEcho::ArchiveEcho(ui::TransferLine& line, QObject* parent)
     : QObject(parent),
       line_(line),
-      job_({[this](const core::Messages& notes) { tell(notes); },
+      job_({[this](const core::Messages& notes) { showEchoResult(notes); },
             [this](const core::Error& error) { line_.showProblem(ui::messageText(error.message)); }})
 {
     connect(&line_, &ui::TransferLine::stopRequested, this, [this] {
@@ -53,13 +53,13 @@ void ArchiveEcho::ask(const io::ArchiveNode& node)
     line_.showBusy(tr("Contacting %1…").arg(name_));
     job_.start([node](JobLink<double>& link) -> core::Result<core::Messages> {
         const NetworkWait waiting;
-        const auto answered = io::echoArchive(node, io::ArchiveWay::Usual,
+        const auto answered = io::echoArchive(node, io::ArchiveProtocol::Default,
                                               [&link](const io::ArchiveProgress&) { return link.verdict(); });
-        return answered ? core::Result<core::Messages>(io::connectionNotes(node)) : answered.error();
+        return answered ? core::Result<core::Messages>(io::connectionWarnings(node)) : answered.error();
     });
 }
 
-void ArchiveEcho::tell(const core::Messages& notes)
+void ArchiveEcho::showEchoResult(const core::Messages& notes)
 {
     QStringList words{tr("%1 responded and accepted the connection.").arg(name_)};
     if (!notes.empty()) {
@@ -80,7 +80,7 @@ ArchiveNodes::ArchiveNodes(ArchiveList& list, const Ui& ui, QObject* parent)
     connect(&ui_.bar, &ui::NodeBar::testRequested, this, &ArchiveNodes::test);
     connect(&ui_.bar, &ui::NodeBar::addRequested, this, &ArchiveNodes::add);
     connect(&ui_.bar, &ui::NodeBar::editRequested, this, &ArchiveNodes::edit);
-    connect(&ui_.bar, &ui::NodeBar::removeRequested, this, &ArchiveNodes::askRemoval);
+    connect(&ui_.bar, &ui::NodeBar::removeRequested, this, &ArchiveNodes::confirmRemoval);
 }
 
 std::optional<io::ArchiveNode> ArchiveNodes::node() const
@@ -109,7 +109,7 @@ void ArchiveNodes::add()
 void ArchiveNodes::edit()
 {
     if (const auto edited = node()) {
-        openDialog(entryOf(*edited), ui_.bar.node());
+        openDialog(toArchiveEntry(*edited), ui_.bar.node());
     }
 }
 
@@ -120,7 +120,7 @@ void ArchiveNodes::openDialog(const ui::ArchiveEntry& entry, const QString& form
         new NodeDialog(entry, former.isEmpty() ? NodeDialog::Purpose::Add : NodeDialog::Purpose::Edit, &ui_.dialog);
     auto* echo = new ArchiveEcho(editor_->line(), editor_);
     connect(editor_, &NodeDialog::testRequested, echo, [this, echo](const ui::ArchiveEntry& tested) {
-        const io::ArchiveNode node = nodeOf(tested);
+        const io::ArchiveNode node = toArchiveNode(tested);
         if (const auto checked = io::checkNode(node); checked) {
             echo->ask(node);
         } else {
@@ -134,7 +134,7 @@ void ArchiveNodes::openDialog(const ui::ArchiveEntry& entry, const QString& form
 
 void ArchiveNodes::save(const ui::ArchiveEntry& entry, const QString& former)
 {
-    const io::ArchiveNode node = nodeOf(entry);
+    const io::ArchiveNode node = toArchiveNode(entry);
     if (const auto checked = io::checkNode(node); !checked) {
         editor_->line().showProblem(ui::messageText(checked.error().message));
         return;
@@ -158,11 +158,11 @@ void ArchiveNodes::save(const ui::ArchiveEntry& entry, const QString& former)
         });
 }
 
-void ArchiveNodes::askRemoval()
+void ArchiveNodes::confirmRemoval()
 {
     const QString name = ui_.bar.node();
     auto* question = new ui::QuestionDialog({tr("Remove %1 from the list?").arg(name),
-                                             tr("The PACS itself and the objects retrieved from it are kept."),
+                                             tr("The PACS itself and the objects retrieved from it are not affected."),
                                              {}},
                                             {tr("Remove"), tr("Cancel")}, &ui_.dialog);
     question->setObjectName(QStringLiteral("archiveRemoval"));

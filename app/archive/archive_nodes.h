@@ -25,7 +25,7 @@ public:
     void ask(const io::ArchiveNode& node);
 
 private:
-    void tell(const core::Messages& notes);
+    void showEchoResult(const core::Messages& notes);
 
     ui::TransferLine& line_;
     QString name_;
@@ -54,7 +54,7 @@ private:
     void test();
     void add();
     void edit();
-    void askRemoval();
+    void confirmRemoval();
     void save(const ui::ArchiveEntry& entry, const QString& former);
     void openDialog(const ui::ArchiveEntry& entry, const QString& former);
 

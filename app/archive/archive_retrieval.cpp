@@ -42,7 +42,7 @@ QString numbered(std::size_t number)
 std::uint64_t bytesIn(const std::string& folder)
 {
     std::uint64_t bytes = 0;
-    for (const io::CachedSeries& series : io::cachedSeries(folder)) {
+    for (const io::CachedSeries& series : io::listCachedSeries(folder)) {
         bytes += series.bytes;
     }
     return bytes;
@@ -53,11 +53,11 @@ std::uint64_t bytesIn(const std::string& folder)
 ArchiveRetrieval::ArchiveRetrieval(ui::ArchiveDialog& dialog, QObject* parent)
     : QObject(parent),
       dialog_(dialog),
-      job_({[this](const Came& came) {
+      job_({[this](const RetrievalOutcome& came) {
                 if (came.unaudited) {
                     emit unaudited(ui::messageText(*came.unaudited));
                 }
-                take(came.report);
+                showReport(came.report);
             },
             [this](const core::Error& error) {
                 dialog_.line().showProblem(ui::messageText(error.message));
@@ -68,14 +68,14 @@ ArchiveRetrieval::ArchiveRetrieval(ui::ArchiveDialog& dialog, QObject* parent)
     connect(&dialog_.line(), &ui::TransferLine::stopRequested, this, &ArchiveRetrieval::stop);
 }
 
-ArchiveRetrieval::RetrievalJob::Work ArchiveRetrieval::workOf(const io::ArchiveNode& node,
-                                                              const io::ArchiveSettings& settings,
-                                                              const std::vector<io::RetrieveRequest>& requests)
+ArchiveRetrieval::RetrievalJob::Work ArchiveRetrieval::makeRetrieval(const io::ArchiveNode& node,
+                                                                     const io::ArchiveSettings& settings,
+                                                                     const std::vector<io::RetrieveRequest>& requests)
 {
     const std::string audit = auditPath().toStdString();
-    return [node, settings, requests, audit](JobLink<Progress>& link) -> core::Result<Came> {
+    return [node, settings, requests, audit](JobLink<Progress>& link) -> core::Result<RetrievalOutcome> {
         const NetworkWait waiting;
-        const auto store = io::ObjectStore::open(settings.cache(), io::defaultObjectBytes);
+        const auto store = io::ObjectStore::open(settings.cache(), io::defaultMaxObjectBytes);
         if (!store) {
             return store.error();
         }
@@ -86,7 +86,8 @@ ArchiveRetrieval::RetrievalJob::Work ArchiveRetrieval::workOf(const io::ArchiveN
             const auto observe = [&](const io::ArchiveProgress& progress) {
                 return link.tell({progress, i + 1, requests.size()});
             };
-            add(sum, io::retrieveFromArchive(node, io::ArchiveWay::Usual, requests[i], store.value(), limit, observe));
+            add(sum, io::retrieveFromArchive(node, io::ArchiveProtocol::Default, requests[i], store.value(), limit,
+                                             observe));
         }
         // The worker writes the audit entries, not the receiver of the outcome: the dialog may be closed by then, and
         // the retrieved objects stay in the cache anyway.
@@ -94,18 +95,18 @@ ArchiveRetrieval::RetrievalJob::Work ArchiveRetrieval::workOf(const io::ArchiveN
         for (const std::string& folder : sum.folders) {
             batch.add(folder);
         }
-        batch.noteAll();
-        return Came{std::move(sum), batch.problem()};
+        batch.flush();
+        return RetrievalOutcome{std::move(sum), batch.problem()};
     };
 }
 
 void ArchiveRetrieval::start(const io::ArchiveNode& node, const io::ArchiveSettings& settings,
                              const std::vector<io::RetrieveRequest>& requests)
 {
-    hasBegun_ = false;
-    dialog_.offerPart(false);
+    hasReceived_ = false;
+    dialog_.offerPartialSeries(false);
     dialog_.line().showBusy(tr("Contacting %1…").arg(QString::fromStdString(node.name)));
-    job_.start(workOf(node, settings, requests));
+    job_.start(makeRetrieval(node, settings, requests));
 }
 
 /// Stops the retrieval. If no object has arrived yet, abandons the job instead of waiting for an unresponsive archive.
@@ -114,7 +115,7 @@ void ArchiveRetrieval::stop()
     if (!job_.isRunning()) {
         return;
     }
-    if (hasBegun_) {
+    if (hasReceived_) {
         job_.requestStop();
         dialog_.line().showBusy(tr("Stopping…"));
     } else {
@@ -129,10 +130,10 @@ void ArchiveRetrieval::follow(const Progress& progress)
     if (progress.archive.all == 0) {
         return;
     }
-    hasBegun_ = true;
-    QString words =
-        tr("%1 of %2 objects, %3")
-            .arg(numbered(progress.archive.objects), numbered(progress.archive.all), sizeWords(progress.archive.bytes));
+    hasReceived_ = true;
+    QString words = tr("%1 of %2 objects, %3")
+                        .arg(numbered(progress.archive.objects), numbered(progress.archive.all),
+                             byteSizeText(progress.archive.bytes));
     if (progress.studies > 1) {
         words = tr("Study %1 of %2: %3").arg(numbered(progress.study), numbered(progress.studies), words);
     }
@@ -142,7 +143,7 @@ void ArchiveRetrieval::follow(const Progress& progress)
 
 /// Handles the final report. A canceled retrieval keeps the objects received so far; the next retrieval fetches the
 /// rest.
-void ArchiveRetrieval::take(const io::TransferReport& report)
+void ArchiveRetrieval::showReport(const io::TransferReport& report)
 {
     folders_.clear();
     for (const std::string& folder : report.folders) {
@@ -150,19 +151,19 @@ void ArchiveRetrieval::take(const io::TransferReport& report)
     }
     const std::size_t came = report.transferred + report.duplicates;
     const QString count = tr("%1 of %2 objects were retrieved.").arg(numbered(came), numbered(report.all));
-    if (report.isWhole()) {
+    if (report.isComplete()) {
         dialog_.line().showDone(count);
         emit ended();
         emit retrieved();
         return;
     }
-    if (report.end && report.end->isStop()) {
+    if (report.end && report.end->isCancellation()) {
         dialog_.line().showHint(ui::joinedSentences({tr("Stopped."), count, tr("Retrieve again to get the rest.")}));
     } else {
-        QStringList words{report.end ? ui::messageText(report.end->message) : problemWords(report.problems)};
+        QStringList words{report.end ? ui::messageText(report.end->message) : problemSummary(report.problems)};
         dialog_.line().showProblem(ui::joinedSentences(words << count));
     }
-    dialog_.offerPart(came > 0);
+    dialog_.offerPartialSeries(came > 0);
     emit ended();
 }
 
@@ -170,13 +171,13 @@ ArchiveCache::ArchiveCache(ArchiveList& list, const Ui& ui, QObject* parent)
     : QObject(parent),
       list_(list),
       ui_(ui),
-      measuring_([this](const std::uint64_t& bytes) {
-          held_ = bytes;
-          ui_.line.showCache(bytes == 0 ? tr("empty") : sizeWords(bytes), bytes == 0,
+      measureJob_([this](const std::uint64_t& bytes) {
+          usedBytes_ = bytes;
+          ui_.line.showCache(bytes == 0 ? tr("empty") : byteSizeText(bytes), bytes == 0,
                              static_cast<double>(list_.settings().cacheBytes) / 1e9,
                              QString::fromStdString(list_.settings().cache()));
       }),
-      emptying_({[this](const std::size_t& dropped) {
+      emptyJob_({[this](const std::size_t& dropped) {
                      ui_.words.showDone(tr("Cache emptied. Objects deleted: %1.").arg(dropped));
                      measure();
                  },
@@ -188,12 +189,12 @@ ArchiveCache::ArchiveCache(ArchiveList& list, const Ui& ui, QObject* parent)
     connect(&list_, &ArchiveList::changed, this, &ArchiveCache::measure);
     connect(&ui_.line, &ui::CacheLine::limitChosen, this, &ArchiveCache::limit,
             Qt::QueuedConnection);   // the Return key that commits the limit must not also confirm the next dialog
-    connect(&ui_.line, &ui::CacheLine::emptyRequested, this, &ArchiveCache::askEmptying);
+    connect(&ui_.line, &ui::CacheLine::emptyRequested, this, &ArchiveCache::confirmEmptying);
 }
 
 void ArchiveCache::measure()
 {
-    measuring_.start([folder = list_.settings().cache()](JobLink<double>&) -> core::Result<std::uint64_t> {
+    measureJob_.start([folder = list_.settings().cache()](JobLink<double>&) -> core::Result<std::uint64_t> {
         return bytesIn(folder);
     });
 }
@@ -201,22 +202,22 @@ void ArchiveCache::measure()
 void ArchiveCache::limit(double gigabytes)
 {
     const auto bytes = static_cast<std::uint64_t>(gigabytes * 1e9);
-    if (bytes < held_) {
-        askDropping(bytes);
+    if (bytes < usedBytes_) {
+        confirmLowerLimit(bytes);
     } else {
         setLimit(bytes);
     }
 }
 
 /// Asks for confirmation before setting a limit below the current content, because a typing error would delete objects.
-void ArchiveCache::askDropping(std::uint64_t bytes)
+void ArchiveCache::confirmLowerLimit(std::uint64_t bytes)
 {
-    auto* question =
-        new ui::QuestionDialog({tr("Reduce the cache below its current size?"),
-                                tr("The cache holds %1. The least recently used objects are deleted until %2 remain.")
-                                    .arg(sizeWords(held_), sizeWords(bytes)),
-                                {}},
-                               {tr("Delete"), tr("Cancel")}, &ui_.dialog);
+    auto* question = new ui::QuestionDialog(
+        {tr("Reduce the cache below its current size?"),
+         tr("The cache contains %1. The least recently used objects are deleted until %2 remain.")
+             .arg(byteSizeText(usedBytes_), byteSizeText(bytes)),
+         {}},
+        {tr("Delete"), tr("Cancel")}, &ui_.dialog);
     question->setObjectName(QStringLiteral("cacheDropping"));
     connect(question, &ui::QuestionDialog::answered, this, [this, bytes](int index) {
         if (index == 0) {
@@ -243,14 +244,14 @@ void ArchiveCache::setLimit(std::uint64_t bytes)
         });
 }
 
-void ArchiveCache::askEmptying()
+void ArchiveCache::confirmEmptying()
 {
-    auto* question =
-        new ui::QuestionDialog({tr("Empty the cache?"),
-                                tr("All retrieved objects are deleted. Cases whose images are in the cache ask for "
-                                   "them when opened. “Share case as ZIP” keeps case and images together."),
-                                {}},
-                               {tr("Empty"), tr("Cancel")}, &ui_.dialog);
+    auto* question = new ui::QuestionDialog(
+        {tr("Empty the cache?"),
+         tr("All retrieved objects are deleted. When you open a case whose images were in the cache, AngioPose asks "
+            "for their location. “Share case as ZIP” keeps case and images together."),
+         {}},
+        {tr("Empty"), tr("Cancel")}, &ui_.dialog);
     question->setObjectName(QStringLiteral("cacheEmptying"));
     connect(question, &ui::QuestionDialog::answered, this, [this](int index) {
         if (index == 0) {
@@ -263,7 +264,7 @@ void ArchiveCache::askEmptying()
 void ArchiveCache::empty()
 {
     ui_.words.showBusy(tr("Emptying the cache…"));
-    emptying_.start([folder = list_.settings().cache()](JobLink<double>&) { return io::emptyCache(folder); });
+    emptyJob_.start([folder = list_.settings().cache()](JobLink<double>&) { return io::clearCache(folder); });
 }
 
 }   // namespace angiopose::app

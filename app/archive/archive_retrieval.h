@@ -38,21 +38,21 @@ private:
         io::ArchiveProgress archive;
         std::size_t study = 0, studies = 0;
     };
-    struct Came {
+    struct RetrievalOutcome {
         io::TransferReport report;
         std::optional<core::Message> unaudited;   ///< reason why the audit file is incomplete
     };
-    using RetrievalJob = Job<Came, Progress>;
+    using RetrievalJob = Job<RetrievalOutcome, Progress>;
 
-    static RetrievalJob::Work workOf(const io::ArchiveNode& node, const io::ArchiveSettings& settings,
-                                     const std::vector<io::RetrieveRequest>& requests);
+    static RetrievalJob::Work makeRetrieval(const io::ArchiveNode& node, const io::ArchiveSettings& settings,
+                                            const std::vector<io::RetrieveRequest>& requests);
     void stop();
     void follow(const Progress& progress);
-    void take(const io::TransferReport& report);
+    void showReport(const io::TransferReport& report);
 
     ui::ArchiveDialog& dialog_;
     QStringList folders_;
-    bool hasBegun_ = false;   ///< set once the first object has arrived
+    bool hasReceived_ = false;   ///< set once the first object has arrived
     RetrievalJob job_;
 };
 
@@ -73,15 +73,15 @@ public:
 private:
     void limit(double gigabytes);
     void setLimit(std::uint64_t bytes);
-    void askDropping(std::uint64_t bytes);
-    void askEmptying();
+    void confirmLowerLimit(std::uint64_t bytes);
+    void confirmEmptying();
     void empty();
 
     ArchiveList& list_;
     Ui ui_;
-    std::uint64_t held_ = 0;   ///< current content, bytes
-    Job<std::uint64_t> measuring_;
-    Job<std::size_t> emptying_;
+    std::uint64_t usedBytes_ = 0;   ///< current content, bytes
+    Job<std::uint64_t> measureJob_;
+    Job<std::size_t> emptyJob_;
 };
 
 }   // namespace angiopose::app

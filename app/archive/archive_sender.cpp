@@ -14,8 +14,8 @@
 namespace angiopose::app {
 
 /// Created objects and their folder. Only one worker accesses it at a time; the last owner removes the folder.
-struct ArchiveSender::Made {
-    Maker maker;
+struct ArchiveSender::CreatedObjects {
+    ObjectWriter maker;
     io::ScratchFolder folder{QDir(QDir::tempPath()).filePath(QStringLiteral("objects")).toStdString()};
     core::Messages notes;   ///< messages from creating the objects
     bool isMade = false;
@@ -25,15 +25,16 @@ ArchiveSender::ArchiveSender(ArchiveList& list, QWidget& dialogParent, QObject* 
     : QObject(parent),
       list_(list),
       dialogParent_(dialogParent),
-      job_({[this](const io::TransferReport& report) { take(report); },
-            [this](const core::Error& error) { fail(error); }, [this](const Progress& progress) { follow(progress); }})
+      job_({[this](const io::TransferReport& report) { showReport(report); },
+            [this](const core::Error& error) { showError(error); },
+            [this](const Progress& progress) { follow(progress); }})
 {
 }
 
-void ArchiveSender::ask(const Maker& maker)
+void ArchiveSender::openDialog(const ObjectWriter& maker)
 {
-    made_ = std::make_shared<Made>();
-    made_->maker = maker;
+    created_ = std::make_shared<CreatedObjects>();
+    created_->maker = maker;
     dialog_ = new ui::SendDialog(&dialogParent_);
     nodes_ = new ArchiveNodes(list_, {dialog_->nodes(), dialog_->line(), *dialog_}, dialog_);
     connect(nodes_, &ArchiveNodes::chosen, dialog_, &ui::SendDialog::showNode);
@@ -46,7 +47,7 @@ void ArchiveSender::ask(const Maker& maker)
     });
     connect(dialog_, &QDialog::finished, this, [this] {
         job_.drop();
-        made_.reset();
+        created_.reset();
     });
     list_.read();
     dialog_->open();
@@ -59,10 +60,11 @@ void ArchiveSender::send()
         return;
     }
     dialog_->line().showBusy(tr("Creating the objects…"));
-    job_.start([made = made_, node = *node](JobLink<Progress>& link) { return work(*made, node, link); });
+    job_.start([made = created_, node = *node](JobLink<Progress>& link) { return work(*made, node, link); });
 }
 
-core::Result<io::TransferReport> ArchiveSender::work(Made& made, const io::ArchiveNode& node, JobLink<Progress>& link)
+core::Result<io::TransferReport> ArchiveSender::work(CreatedObjects& made, const io::ArchiveNode& node,
+                                                     JobLink<Progress>& link)
 {
     const std::string folder = made.folder.path().string();
     if (!made.isMade) {
@@ -79,9 +81,10 @@ core::Result<io::TransferReport> ArchiveSender::work(Made& made, const io::Archi
         made.isMade = true;
     }
     const NetworkWait waiting;
-    return io::sendToArchive(node, io::ArchiveWay::Usual, {folder}, [&link](const io::ArchiveProgress& progress) {
-        return link.tell({1.0, progress});
-    });
+    return io::sendToArchive(node, io::ArchiveProtocol::Default, {folder},
+                             [&link](const io::ArchiveProgress& progress) {
+                                 return link.tell({1.0, progress});
+                             });
 }
 
 void ArchiveSender::follow(const Progress& progress)
@@ -96,31 +99,31 @@ void ArchiveSender::follow(const Progress& progress)
     dialog_->line().showProgress(tr("Sent: %1 of %2 objects, %3")
                                      .arg(progress.sending.objects)
                                      .arg(progress.sending.all)
-                                     .arg(sizeWords(progress.sending.bytes)),
+                                     .arg(byteSizeText(progress.sending.bytes)),
                                  static_cast<qsizetype>(progress.sending.objects),
                                  static_cast<qsizetype>(progress.sending.all));
 }
 
-void ArchiveSender::take(const io::TransferReport& report)
+void ArchiveSender::showReport(const io::TransferReport& report)
 {
     if (!dialog_) {
         return;
     }
     const QString name = dialog_->nodes().node();
     const std::size_t there = report.transferred + report.duplicates;
-    if (report.isWhole()) {
+    if (report.isComplete()) {
         const QString words =
-            tr("%1 received all objects: %2 (%3).").arg(name, QString::number(there), sizeWords(report.bytes));
+            tr("%1 received all objects: %2 (%3).").arg(name, QString::number(there), byteSizeText(report.bytes));
         dialog_->showSent(words);
         QStringList notes;
-        for (const core::Message& note : made_->notes) {
+        for (const core::Message& note : created_->notes) {
             notes << ui::messageText(note);
         }
         emit sent(words, notes);
         return;
     }
-    const QString count = tr("%1 of %2 objects arrived.").arg(there).arg(report.all);
-    if (report.end && report.end->isStop()) {
+    const QString count = tr("%1 of %2 objects were delivered.").arg(there).arg(report.all);
+    if (report.end && report.end->isCancellation()) {
         dialog_->line().showHint(ui::joinedSentences({tr("Stopped."), count, tr("Send again to transfer the rest.")}));
         return;
     }
@@ -134,12 +137,12 @@ void ArchiveSender::take(const io::TransferReport& report)
     dialog_->line().showProblem((words << count).join(u'\n'));
 }
 
-void ArchiveSender::fail(const core::Error& error)
+void ArchiveSender::showError(const core::Error& error)
 {
     if (!dialog_) {
         return;
     }
-    if (error.isStop()) {
+    if (error.isCancellation()) {
         dialog_->line().showHint(tr("Stopped. Nothing was sent."));
     } else {
         dialog_->line().showProblem(ui::messageText(error.message));

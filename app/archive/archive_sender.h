@@ -27,18 +27,19 @@ class ArchiveSender : public QObject {
     Q_OBJECT
 public:
     /// Creates the objects in a folder; called once, by a worker.
-    using Maker = std::function<core::Result<DicomFiles>(const std::string& folder, const DicomObserver& observe)>;
+    using ObjectWriter =
+        std::function<core::Result<DicomFiles>(const std::string& folder, const DicomObserver& observe)>;
 
     ArchiveSender(ArchiveList& list, QWidget& dialogParent, QObject* parent = nullptr);
 
-    void ask(const Maker& maker);
+    void openDialog(const ObjectWriter& maker);
 
 signals:
     void sent(const QString& words,
               const QStringList& notes);   ///< emitted when all objects were sent; `notes` lists remarks for the user
 
 private:
-    struct Made;   ///< created objects, kept while the dialog is open
+    struct CreatedObjects;   ///< created objects, kept while the dialog is open
     /// Progress of creating the objects, then of sending them.
     struct Progress {
         double made = 0.0;
@@ -46,16 +47,17 @@ private:
     };
 
     void send();
-    static core::Result<io::TransferReport> work(Made& made, const io::ArchiveNode& node, JobLink<Progress>& link);
+    static core::Result<io::TransferReport> work(CreatedObjects& made, const io::ArchiveNode& node,
+                                                 JobLink<Progress>& link);
     void follow(const Progress& progress);
-    void take(const io::TransferReport& report);
-    void fail(const core::Error& error);
+    void showReport(const io::TransferReport& report);
+    void showError(const core::Error& error);
 
     ArchiveList& list_;
     QWidget& dialogParent_;
     QPointer<ui::SendDialog> dialog_;
     ArchiveNodes* nodes_ = nullptr;   ///< owned by the dialog
-    std::shared_ptr<Made> made_;
+    std::shared_ptr<CreatedObjects> created_;
     Job<io::TransferReport, Progress> job_;
 };
 

@@ -54,47 +54,47 @@ QString modalityWords(const std::string& modalities)
 
 }   // namespace
 
-ui::ArchiveEntry entryOf(const io::ArchiveNode& node)
+ui::ArchiveEntry toArchiveEntry(const io::ArchiveNode& node)
 {
     ui::ArchiveEntry entry;
     entry.name = QString::fromStdString(node.name);
     entry.host = QString::fromStdString(node.host);
     entry.port = node.port;
     entry.title = QString::fromStdString(node.title);
-    entry.ownTitle = QString::fromStdString(node.ownTitle);
+    entry.ownAeTitle = QString::fromStdString(node.ownAeTitle);
     entry.receivePort = node.receivePort;
     entry.isTls = node.isTls;
     entry.caFile = QString::fromStdString(node.caFile);
     entry.certificateFile = QString::fromStdString(node.certificateFile);
     entry.keyFile = QString::fromStdString(node.keyFile);
-    entry.checksHost = node.checksHost;
+    entry.verifiesHost = node.verifiesHost;
     entry.webUrl = QString::fromStdString(node.webUrl);
     entry.authorizationFile = QString::fromStdString(node.authorizationFile);
-    entry.answerSeconds = node.answerSeconds;
+    entry.responseTimeoutSeconds = node.responseTimeoutSeconds;
     return entry;
 }
 
-io::ArchiveNode nodeOf(const ui::ArchiveEntry& entry)
+io::ArchiveNode toArchiveNode(const ui::ArchiveEntry& entry)
 {
     io::ArchiveNode node;
     node.name = entry.name.toStdString();
     node.host = entry.host.toStdString();
     node.port = entry.port;
     node.title = entry.title.toStdString();
-    node.ownTitle = entry.ownTitle.toStdString();
+    node.ownAeTitle = entry.ownAeTitle.toStdString();
     node.receivePort = entry.receivePort;
     node.isTls = entry.isTls;
     node.caFile = entry.caFile.toStdString();
     node.certificateFile = entry.certificateFile.toStdString();
     node.keyFile = entry.keyFile.toStdString();
-    node.checksHost = entry.checksHost;
+    node.verifiesHost = entry.verifiesHost;
     node.webUrl = entry.webUrl.toStdString();
     node.authorizationFile = entry.authorizationFile.toStdString();
-    node.answerSeconds = entry.answerSeconds;
+    node.responseTimeoutSeconds = entry.responseTimeoutSeconds;
     return node;
 }
 
-std::optional<QString> wrongDateOf(const ui::ArchiveSearch& search)
+std::optional<QString> firstInvalidDate(const ui::ArchiveSearch& search)
 {
     for (const QString& typed : {search.from, search.to}) {
         if (!isRightDate(typed)) {
@@ -104,7 +104,7 @@ std::optional<QString> wrongDateOf(const ui::ArchiveSearch& search)
     return {};
 }
 
-io::ArchiveQuery queryOf(const ui::ArchiveSearch& search)
+io::ArchiveQuery toArchiveQuery(const ui::ArchiveSearch& search)
 {
     io::ArchiveQuery query;
     query.patientName = search.patientName.toStdString();
@@ -117,7 +117,7 @@ io::ArchiveQuery queryOf(const ui::ArchiveSearch& search)
     return query;
 }
 
-std::vector<ui::MatchRow> studyMatchRows(const std::vector<io::ArchiveMatch>& studies, MatchIdentity identity)
+std::vector<ui::MatchRow> studyMatchRows(const std::vector<io::ArchiveMatch>& studies, IdentityVisibility identity)
 {
     std::vector<ui::MatchRow> rows;
     QHash<QString, int> numbers;   // running number by patient ID, shown when the identity is hidden
@@ -128,7 +128,7 @@ std::vector<ui::MatchRow> studyMatchRows(const std::vector<io::ArchiveMatch>& st
         row.modality = modalityWords(study.modalities);
         row.description = QString::fromStdString(study.studyDescription);
         row.images = study.objects;
-        if (identity == MatchIdentity::Shown) {
+        if (identity == IdentityVisibility::Shown) {
             row.what = readableName(study.patientName);
             row.patientId = QString::fromStdString(study.patientId);
         } else {
@@ -144,19 +144,19 @@ std::vector<ui::MatchRow> studyMatchRows(const std::vector<io::ArchiveMatch>& st
 std::vector<ui::MatchRow> seriesMatchRows(const std::vector<io::ArchiveMatch>& series)
 {
     std::vector<ui::MatchRow> rows;
-    for (const io::ArchiveMatch& each : series) {
+    for (const io::ArchiveMatch& match : series) {
         ui::MatchRow& row = rows.emplace_back();
-        row.key = QString::fromStdString(each.seriesUid);
-        row.what = ArchiveWords::tr("Series %1").arg(each.seriesNumber);
-        row.date = readableDate(each.studyDate);
-        row.modality = modalityWords(each.modalities);
-        row.description = QString::fromStdString(each.seriesDescription);
-        row.images = each.objects;
+        row.key = QString::fromStdString(match.seriesUid);
+        row.what = ArchiveWords::tr("Series %1").arg(match.seriesNumber);
+        row.date = readableDate(match.studyDate);
+        row.modality = modalityWords(match.modalities);
+        row.description = QString::fromStdString(match.seriesDescription);
+        row.images = match.objects;
     }
     return rows;
 }
 
-QString sizeWords(std::uint64_t bytes)
+QString byteSizeText(std::uint64_t bytes)
 {
     static constexpr std::array units{"kB", "MB", "GB", "TB"};
     auto value = static_cast<double>(bytes) / 1000.0;
@@ -168,7 +168,7 @@ QString sizeWords(std::uint64_t bytes)
     return QStringLiteral("%1 %2").arg(ui::numberText(value, unit < 2 ? 0 : 1), QLatin1String(units.at(unit)));
 }
 
-QString problemWords(const core::Messages& problems)
+QString problemSummary(const core::Messages& problems)
 {
     if (problems.empty()) {
         return {};

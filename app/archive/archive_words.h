@@ -12,22 +12,22 @@
 
 namespace angiopose::app {
 
-ui::ArchiveEntry entryOf(const io::ArchiveNode& node);
-io::ArchiveNode nodeOf(const ui::ArchiveEntry& entry);
+ui::ArchiveEntry toArchiveEntry(const io::ArchiveNode& node);
+io::ArchiveNode toArchiveNode(const ui::ArchiveEntry& entry);
 
 /// Returns the first text that was typed as a date but is not a valid one.
-std::optional<QString> wrongDateOf(const ui::ArchiveSearch& search);
+std::optional<QString> firstInvalidDate(const ui::ArchiveSearch& search);
 /// Builds the query from a search; its dates must be valid.
-io::ArchiveQuery queryOf(const ui::ArchiveSearch& search);
+io::ArchiveQuery toArchiveQuery(const ui::ArchiveSearch& search);
 
-enum class MatchIdentity { Shown, Hidden };
-std::vector<ui::MatchRow> studyMatchRows(const std::vector<io::ArchiveMatch>& studies, MatchIdentity identity);
+enum class IdentityVisibility { Shown, Hidden };
+std::vector<ui::MatchRow> studyMatchRows(const std::vector<io::ArchiveMatch>& studies, IdentityVisibility identity);
 std::vector<ui::MatchRow> seriesMatchRows(const std::vector<io::ArchiveMatch>& series);
 
 /// Formats a size, e.g. "105 MB", in the language of the window.
-QString sizeWords(std::uint64_t bytes);
+QString byteSizeText(std::uint64_t bytes);
 
 /// Summarizes problems with individual objects: the first problem and the number of others.
-QString problemWords(const core::Messages& problems);
+QString problemSummary(const core::Messages& problems);
 
 }   // namespace angiopose::app

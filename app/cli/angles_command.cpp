@@ -17,34 +17,35 @@ std::string percent(double share)
     return fixedText(100.0 * share, 0) + " %";
 }
 
-void printLine(const char* title, const core::AngleSuggestion& each)
+void printLine(const char* title, const core::AngleSuggestion& suggestion)
 {
     std::printf("%-8s%-10s %-9s  foreshortened %5s, covered %5s\n", title,
-                primaryAngleText(each.angles.primaryDeg).c_str(), secondaryAngleText(each.angles.secondaryDeg).c_str(),
-                percent(each.quality.foreshortening).c_str(), percent(each.quality.overlap).c_str());
+                primaryAngleText(suggestion.angles.primaryDeg).c_str(),
+                secondaryAngleText(suggestion.angles.secondaryDeg).c_str(),
+                percent(suggestion.quality.foreshortening).c_str(), percent(suggestion.quality.overlap).c_str());
 }
 
-nlohmann::ordered_json suggestionJson(const core::AngleSuggestion& each)
+nlohmann::ordered_json suggestionJson(const core::AngleSuggestion& suggestion)
 {
-    return {{"primaryAngleDeg", each.angles.primaryDeg},
-            {"secondaryAngleDeg", each.angles.secondaryDeg},
-            {"foreshortening", each.quality.foreshortening},
-            {"overlap", each.quality.overlap}};
+    return {{"primaryAngleDeg", suggestion.angles.primaryDeg},
+            {"secondaryAngleDeg", suggestion.angles.secondaryDeg},
+            {"foreshortening", suggestion.quality.foreshortening},
+            {"overlap", suggestion.quality.overlap}};
 }
 
 void printAll(const core::AngleSuggestion& now, const core::AngleMap& map, OutputFormat format)
 {
     if (format == OutputFormat::Json) {
         nlohmann::ordered_json best = nlohmann::json::array();
-        for (const core::AngleSuggestion& each : map.best) {
-            best.push_back(suggestionJson(each));
+        for (const core::AngleSuggestion& suggestion : map.best) {
+            best.push_back(suggestionJson(suggestion));
         }
         std::printf("%s\n", nlohmann::ordered_json{{"now", suggestionJson(now)}, {"best", best}}.dump(2).c_str());
         return;
     }
     printLine("now", now);
-    for (const core::AngleSuggestion& each : map.best) {
-        printLine("best", each);
+    for (const core::AngleSuggestion& suggestion : map.best) {
+        printLine("best", suggestion);
     }
 }
 
@@ -54,22 +55,23 @@ int runAngles(const AnglesArguments& arguments)
 {
     const auto loaded = loadCaseForCommand(arguments.casePath, arguments.frame);
     if (!loaded) {
-        return failInput(loaded.error(), arguments.format);
+        return reportInputError(loaded.error(), arguments.format);
     }
     const core::Case& session = loaded.value();
-    const auto sight = core::sightOf(*session.vessels.tree, arguments.branchId,
-                                     arguments.isTakeOff ? core::SightOf::TakeOff : core::SightOf::Branch);
-    const auto poseAt = core::turningGantry(session.shown());
+    const auto sight =
+        core::makeViewEvaluator(*session.vessels.tree, arguments.branchId,
+                                arguments.takeoffOnly ? core::EvaluatedPart::Takeoff : core::EvaluatedPart::Branch);
+    const auto poseAt = core::poseForGantryAngles(session.shown());
     if (!sight || !poseAt) {
-        return failInput((sight ? poseAt.error() : sight.error()).about(arguments.casePath), arguments.format);
+        return reportInputError((sight ? poseAt.error() : sight.error()).about(arguments.casePath), arguments.format);
     }
     ProgressLine progress("looking");
-    const auto map = core::mapAngles(sight.value(), poseAt.value(), arguments.map, [&](double done) {
+    const auto map = core::computeAngleMap(sight.value(), poseAt.value(), arguments.map, [&](double done) {
         progress.show(done, "");
-        return isInterrupted() ? core::Verdict::Stop : core::Verdict::Continue;
+        return isInterrupted() ? core::ObserverDecision::Stop : core::ObserverDecision::Continue;
     });
     if (!map) {
-        return failInput(map.error(), arguments.format);
+        return reportInputError(map.error(), arguments.format);
     }
     if (session.vessels.tree->find(arguments.branchId)->radiusMm.empty()) {
         printWarnings({core::messages::radiiAssumed()});
@@ -78,10 +80,10 @@ int runAngles(const AnglesArguments& arguments)
     printAll({now, sight.value().from(poseAt.value()(now))}, map.value(), arguments.format);
     if (!arguments.outputPath.empty()) {
         if (const auto status = io::writeAngleMap(map.value(), arguments.outputPath); !status) {
-            return failInput(status.error(), arguments.format);
+            return reportInputError(status.error(), arguments.format);
         }
     }
-    return exitDone;
+    return exitSuccess;
 }
 
 }   // namespace angiopose::app

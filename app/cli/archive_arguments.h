@@ -2,7 +2,7 @@
 
 #include "app/cli/console.h"
 #include "io/archive/archive.h"
-#include "io/archive/dimse/receiver.h"
+#include "io/archive/dimse/storage_scp.h"
 #include "io/archive/node_file.h"
 
 #include <optional>
@@ -15,7 +15,7 @@ namespace angiopose::app {
 struct ArchiveArguments {
     std::string nodeFile;   ///< if empty, the user's archive list
     std::string nodeName;
-    io::ArchiveWay way = io::ArchiveWay::Usual;
+    io::ArchiveProtocol way = io::ArchiveProtocol::Default;
     OutputFormat format = OutputFormat::Text;
 };
 
@@ -39,7 +39,7 @@ struct ArchiveSendArguments {
 };
 
 struct ArchiveReceiveArguments {
-    io::ReceiverOptions options;
+    io::StorageScpOptions options;
     std::string folder;
     std::string auditFile;   ///< optional
     double maxObjectGb = 4.0;

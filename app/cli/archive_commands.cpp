@@ -10,17 +10,17 @@ namespace {
 
 void addNodeFile(CLI::App& command, ArchiveArguments& common)
 {
-    command.add_option("--nodes", common.nodeFile, "File with the list of archives (default: the user's list)");
+    command.add_option("--nodes", common.nodeFile, "PACS list file (default: the user's list)");
     command.add_flag_callback(
         "--json", [&common] { common.format = OutputFormat::Json; }, "Print JSON only");
 }
 
 void addNode(CLI::App& command, ArchiveArguments& common)
 {
-    command.add_option("ARCHIVE", common.nodeName, "Name in the list of archives")->required();
+    command.add_option("ARCHIVE", common.nodeName, "Name in the PACS list")->required();
     addNodeFile(command, common);
     command.add_flag_callback(
-        "--web", [&common] { common.way = io::ArchiveWay::Web; }, "Use DICOMweb even if the archive also has a host");
+        "--web", [&common] { common.way = io::ArchiveProtocol::Web; }, "Use DICOMweb even if the PACS also has a host");
 }
 
 /// Returns the audit file of the program to which the archive commands belong.
@@ -31,7 +31,7 @@ std::string auditFileFor(const CLI::App& archive)
 
 void addEcho(CLI::App& archive, int& exitCode)
 {
-    auto* command = archive.add_subcommand("echo", "Check that an archive responds");
+    auto* command = archive.add_subcommand("echo", "Check that a PACS responds (C-ECHO)");
     auto arguments = std::make_shared<ArchiveArguments>();
     addNode(*command, *arguments);
     command->callback([arguments, &exitCode] { exitCode = runArchiveEcho(*arguments); });
@@ -39,16 +39,16 @@ void addEcho(CLI::App& archive, int& exitCode)
 
 void addFind(CLI::App& archive, int& exitCode)
 {
-    auto* command = archive.add_subcommand("find", "Query an archive for studies or series");
+    auto* command = archive.add_subcommand("find", "Query a PACS for studies or series");
     auto arguments = std::make_shared<ArchiveFindArguments>();
     addNode(*command, arguments->common);
     io::ArchiveQuery& query = arguments->query;
-    command->add_option("--patient", query.patientName, "Patient name: its beginning, or a pattern with * and ?");
+    command->add_option("--patient", query.patientName, "Beginning of the patient name, or a pattern with * and ?");
     command->add_option("--id", query.patientId, "Patient ID");
     command->add_option("--date", arguments->dates, "YYYY-MM-DD, or a range: 2024-01-01..2024-02-01, 2024-01-01..");
     command->add_option("--modality", query.modality, "CT, XA, …");
     command->add_option("--accession", query.accessionNumber, "Accession number");
-    command->add_option("--study", query.studyUid, "Study instance UID");
+    command->add_option("--study", query.studyUid, "Study Instance UID");
     command->add_flag_callback(
         "--series", [arguments] { arguments->query.level = io::ArchiveLevel::Series; },
         "List series instead of studies");
@@ -62,11 +62,11 @@ void addRetrieve(CLI::App& archive, int& exitCode)
     auto* command = archive.add_subcommand("retrieve", "Retrieve a study or series");
     auto arguments = std::make_shared<ArchiveRetrieveArguments>();
     addNode(*command, arguments->common);
-    command->add_option("--study", arguments->request.studyUid, "Study instance UID")->required();
+    command->add_option("--study", arguments->request.studyUid, "Study Instance UID")->required();
     command->add_option("--series", arguments->request.seriesUids,
-                        "Series instance UID; may be repeated (default: all)");
+                        "Series Instance UID; may be repeated (default: all)");
     command->add_option("--into", arguments->folder, "Destination folder (default: the cache)");
-    command->add_option("--max-object", arguments->maxObjectGb, "Maximum size of an object, GB")
+    command->add_option("--max-object", arguments->maxObjectGb, "Maximum size of an object in GB")
         ->check(CLI::Range(1e-6, 1000.0));
     command->footer("Example: angiopose-cli archive retrieve pacs --study 1.2.840.1 --series 1.2.840.1.3");
     command->callback([arguments, &archive, &exitCode] {
@@ -77,7 +77,7 @@ void addRetrieve(CLI::App& archive, int& exitCode)
 
 void addSend(CLI::App& archive, int& exitCode)
 {
-    auto* command = archive.add_subcommand("send", "Send DICOM files to an archive, unchanged");
+    auto* command = archive.add_subcommand("send", "Send DICOM files unchanged to a PACS");
     auto arguments = std::make_shared<ArchiveSendArguments>();
     addNode(*command, arguments->common);
     command->add_option("FILE", arguments->paths, "Files or folders")->required();
@@ -89,23 +89,24 @@ void addReceive(CLI::App& archive, int& exitCode)
 {
     auto* command = archive.add_subcommand("receive", "Receive DICOM objects on a port (storage SCP) until Ctrl+C");
     auto arguments = std::make_shared<ArchiveReceiveArguments>();
-    io::ReceiverOptions& options = arguments->options;
+    io::StorageScpOptions& options = arguments->options;
     command->add_option("--port", options.port, "Port to listen on")->required()->check(CLI::Range(1, 65535));
     command->add_option("--into", arguments->folder, "Folder for received objects")->required();
-    command->add_option("--title", options.ownTitle, "Own AE title; callers must use it")->capture_default_str();
+    command->add_option("--title", options.ownAeTitle, "Local AE title, which calling applications must use")
+        ->capture_default_str();
     command->add_option("--from-title", options.titles, "Calling AE title to accept; may be repeated (default: any)");
-    command->add_option("--from-host", options.hosts, "Calling address to accept; may be repeated (default: any)");
-    command->add_option("--max-object", arguments->maxObjectGb, "Maximum size of an object, GB")
+    command->add_option("--from-host", options.hosts, "IP address to accept; may be repeated (default: any)");
+    command->add_option("--max-object", arguments->maxObjectGb, "Maximum size of an object in GB")
         ->check(CLI::Range(1e-6, 1000.0));
-    command->add_option("--max-total", arguments->maxGb, "Maximum size of the folder, GB (default: no limit)")
+    command->add_option("--max-total", arguments->maxGb, "Maximum size of the folder in GB (default: no limit)")
         ->check(CLI::Range(1e-6, 1e6));
     command->add_option("--count", arguments->count, "Stop after this many objects");
     auto* certificate =
-        command->add_option("--tls-certificate", options.tls.certificateFile, "Own certificate, PEM; enables TLS");
-    auto* key = command->add_option("--tls-key", options.tls.keyFile, "Private key of the certificate, PEM");
+        command->add_option("--tls-certificate", options.tls.certificateFile, "Local certificate (PEM); enables TLS");
+    auto* key = command->add_option("--tls-key", options.tls.keyFile, "Private key of the certificate (PEM)");
     command
         ->add_option("--tls-ca", options.tls.caFile,
-                     "CA certificates to verify callers with, PEM (default: the system's)")
+                     "CA certificates (PEM) used to verify calling applications (default: the system's)")
         ->needs(certificate);
     certificate->needs(key);
     key->needs(certificate);
@@ -120,7 +121,7 @@ void addReceive(CLI::App& archive, int& exitCode)
 
 void addNodeList(CLI::App& archive, int& exitCode)
 {
-    auto* nodes = archive.add_subcommand("nodes", "Manage the list of archives");
+    auto* nodes = archive.add_subcommand("nodes", "Manage the PACS list");
     nodes->require_subcommand(1);
     auto listed = std::make_shared<ArchiveArguments>();
     auto* list = nodes->add_subcommand("list", "Print the list");
@@ -128,30 +129,31 @@ void addNodeList(CLI::App& archive, int& exitCode)
     list->callback([listed, &exitCode] { exitCode = runArchiveNodes(*listed); });
 
     auto removed = std::make_shared<ArchiveArguments>();
-    auto* remove = nodes->add_subcommand("remove", "Remove an archive from the list");
+    auto* remove = nodes->add_subcommand("remove", "Remove a PACS from the list");
     remove->add_option("ARCHIVE", removed->nodeName)->required();
     addNodeFile(*remove, *removed);
     remove->callback([removed, &exitCode] { exitCode = runArchiveRemove(*removed); });
 
     auto arguments = std::make_shared<ArchiveNodeArguments>();
-    auto* add = nodes->add_subcommand("add", "Add an archive, or replace one of the same name");
+    auto* add = nodes->add_subcommand("add", "Add a PACS, or replace the one of the same name");
     io::ArchiveNode& node = arguments->node;
-    add->add_option("ARCHIVE", node.name, "Name of the archive")->required();
+    add->add_option("ARCHIVE", node.name, "Name of the PACS")->required();
     addNodeFile(*add, arguments->common);
-    add->add_option("--host", node.host, "Host name or address");
-    add->add_option("--port", node.port, "DICOM port of the archive")->capture_default_str();
+    add->add_option("--host", node.host, "Host name or IP address");
+    add->add_option("--port", node.port, "DICOM port of the PACS")->capture_default_str();
     add->add_option("--title", node.title, "Called AE title")->capture_default_str();
-    add->add_option("--own-title", node.ownTitle, "Calling AE title")->capture_default_str();
-    add->add_option("--receive-port", node.receivePort, "Own port for C-MOVE (default: C-GET only)");
+    add->add_option("--own-title", node.ownAeTitle, "Calling AE title")->capture_default_str();
+    add->add_option("--receive-port", node.receivePort, "Local port for C-MOVE (default: C-GET only)");
     add->add_flag("--tls", node.isTls, "Use TLS for DIMSE");
-    add->add_option("--ca", node.caFile, "CA certificates to verify the archive with, PEM (default: the system's)");
-    add->add_option("--certificate", node.certificateFile, "Own certificate, PEM");
-    add->add_option("--key", node.keyFile, "Private key of the certificate, PEM; only its path is stored");
+    add->add_option("--ca", node.caFile, "CA certificates (PEM) used to verify the PACS (default: the system's)");
+    add->add_option("--certificate", node.certificateFile, "Local certificate (PEM)");
+    add->add_option("--key", node.keyFile, "Private key of the certificate (PEM); only its path is stored");
     add->add_flag("--any-host-name", arguments->isHostUnchecked, "Accept a certificate issued for another host name");
-    add->add_option("--url", node.webUrl, "DICOMweb address, https://…");
+    add->add_option("--url", node.webUrl, "DICOMweb address (https://…)");
     add->add_option("--authorization", node.authorizationFile,
                     "File whose first line is sent as the Authorization header");
-    add->add_option("--answer-seconds", node.answerSeconds, "Timeout for one response, seconds")->capture_default_str();
+    add->add_option("--answer-seconds", node.responseTimeoutSeconds, "Response timeout in seconds")
+        ->capture_default_str();
     add->footer("Example: angiopose-cli archive nodes add pacs --host pacs.example --port 104 --title PACS");
     add->callback([arguments, &exitCode] { exitCode = runArchiveAdd(*arguments); });
 }
@@ -163,7 +165,7 @@ void addCache(CLI::App& archive, int& exitCode)
     auto listed = std::make_shared<ArchiveCacheArguments>();
     auto* list = cache->add_subcommand("list", "List the cache; --limit sets its maximum size");
     addNodeFile(*list, listed->common);
-    list->add_option("--limit", listed->limitGb, "GB; the least recently used series are deleted first")
+    list->add_option("--limit", listed->limitGb, "Maximum size in GB; the least recently used series are deleted first")
         ->check(CLI::Range(0.0, 1e5));
     list->callback([listed, &exitCode] { exitCode = runArchiveCacheList(*listed); });
     auto emptied = std::make_shared<ArchiveCacheArguments>();
@@ -176,7 +178,7 @@ void addCache(CLI::App& archive, int& exitCode)
 
 void addArchive(CLI::App& app, int& exitCode)
 {
-    auto* archive = app.add_subcommand("archive", "Query, retrieve from, send to and receive from an archive (PACS)");
+    auto* archive = app.add_subcommand("archive", "Query a PACS, retrieve from it, send to it, and receive objects");
     archive->require_subcommand(1);
     addEcho(*archive, exitCode);
     addFind(*archive, exitCode);

@@ -13,7 +13,7 @@ using ArchiveJson = nlohmann::ordered_json;
 
 std::string listOf(const ArchiveArguments& arguments)
 {
-    return arguments.nodeFile.empty() ? io::defaultNodeFile() : arguments.nodeFile;
+    return arguments.nodeFile.empty() ? io::defaultArchiveSettingsFile() : arguments.nodeFile;
 }
 
 core::Result<io::ArchiveNode> nodeOf(const ArchiveArguments& arguments)
@@ -23,9 +23,9 @@ core::Result<io::ArchiveNode> nodeOf(const ArchiveArguments& arguments)
                     : core::Result<io::ArchiveNode>(settings.error());
 }
 
-core::Verdict stopVerdict()
+core::ObserverDecision stopVerdict()
 {
-    return isInterrupted() ? core::Verdict::Stop : core::Verdict::Continue;
+    return isInterrupted() ? core::ObserverDecision::Stop : core::ObserverDecision::Continue;
 }
 
 void printArchiveJson(const ArchiveJson& json)
@@ -103,9 +103,9 @@ int finishTransfer(const io::TransferReport& report, const char* done, OutputFor
                     io::sizeText(report.bytes).c_str(), report.duplicates, report.failed);
     }
     if (report.end) {
-        return report.end->isStop() ? exitStopped : exitInput;
+        return report.end->isCancellation() ? exitInterrupted : exitInputError;
     }
-    return report.failed > 0 ? exitInput : exitDone;
+    return report.failed > 0 ? exitInputError : exitSuccess;
 }
 
 io::ArchiveObserver showing(ProgressLine& line)
@@ -127,9 +127,9 @@ void auditRetrieved(const std::string& auditFile, const io::TransferReport& repo
     for (const std::string& folder : report.folders) {
         batch.add(folder);
     }
-    batch.noteAll();
+    batch.flush();
     if (batch.problem()) {
-        tellUnaudited(*batch.problem());
+        reportUnaudited(*batch.problem());
     }
 }
 
@@ -144,13 +144,13 @@ int runArchiveEcho(const ArchiveArguments& arguments)
 {
     const auto node = nodeOf(arguments);
     if (!node) {
-        return failInput(node.error(), arguments.format);
+        return reportInputError(node.error(), arguments.format);
     }
     const auto answered = io::echoArchive(node.value(), arguments.way, [](const auto&) { return stopVerdict(); });
     if (!answered) {
-        return failInput(answered.error(), arguments.format);
+        return reportInputError(answered.error(), arguments.format);
     }
-    const core::Messages notes = io::connectionNotes(node.value());
+    const core::Messages notes = io::connectionWarnings(node.value());
     printWarnings(notes);
     if (arguments.format == OutputFormat::Json) {
         ArchiveJson json{{"archive", node.value().name}, {"answers", true}};
@@ -159,23 +159,23 @@ int runArchiveEcho(const ArchiveArguments& arguments)
     } else {
         std::printf("%s answers\n", node.value().name.c_str());
     }
-    return exitDone;
+    return exitSuccess;
 }
 
 int runArchiveFind(const ArchiveFindArguments& arguments)
 {
     const OutputFormat format = arguments.common.format;
     const auto node = nodeOf(arguments.common);
-    const auto dates = io::queryDates(arguments.dates);
+    const auto dates = io::parseQueryDates(arguments.dates);
     if (!node || !dates) {
-        return failInput(node ? dates.error() : node.error(), format);
+        return reportInputError(node ? dates.error() : node.error(), format);
     }
     io::ArchiveQuery query = arguments.query;
     query.dates = dates.value();
     const auto found =
-        io::findInArchive(node.value(), arguments.common.way, query, [](const auto&) { return stopVerdict(); });
+        io::queryArchive(node.value(), arguments.common.way, query, [](const auto&) { return stopVerdict(); });
     if (!found) {
-        return failInput(found.error(), format);
+        return reportInputError(found.error(), format);
     }
     printWarnings(found.value().warnings);
     if (format == OutputFormat::Json) {
@@ -191,7 +191,7 @@ int runArchiveFind(const ArchiveFindArguments& arguments)
         }
         std::printf("%zu found\n", found.value().found.size());
     }
-    return exitDone;
+    return exitSuccess;
 }
 
 int runArchiveRetrieve(const ArchiveRetrieveArguments& arguments)
@@ -200,13 +200,13 @@ int runArchiveRetrieve(const ArchiveRetrieveArguments& arguments)
     const auto settings = io::readArchiveSettings(listOf(arguments.common));
     const auto node = nodeOf(arguments.common);
     if (!settings || !node) {
-        return failInput(settings ? node.error() : settings.error(), format);
+        return reportInputError(settings ? node.error() : settings.error(), format);
     }
     const bool isCache = arguments.folder.empty();
     const auto store =
         io::ObjectStore::open(isCache ? settings.value().cache() : arguments.folder, bytesOf(arguments.maxObjectGb));
     if (!store) {
-        return failInput(store.error(), format);
+        return reportInputError(store.error(), format);
     }
     io::StoreLimit limit;
     limit.maxBytes = isCache ? settings.value().cacheBytes : 0;
@@ -221,7 +221,7 @@ int runArchiveSend(const ArchiveSendArguments& arguments)
 {
     const auto node = nodeOf(arguments.common);
     if (!node) {
-        return failInput(node.error(), arguments.common.format);
+        return reportInputError(node.error(), arguments.common.format);
     }
     ProgressLine line("sending");
     const auto report = io::sendToArchive(node.value(), arguments.common.way, arguments.paths, showing(line));
@@ -232,36 +232,36 @@ int runArchiveReceive(const ArchiveReceiveArguments& arguments)
 {
     const auto store = io::ObjectStore::open(arguments.folder, bytesOf(arguments.maxObjectGb));
     if (!store) {
-        return failInput(store.error(), arguments.format);
+        return reportInputError(store.error(), arguments.format);
     }
-    io::ReceiverOptions options = arguments.options;
+    io::StorageScpOptions options = arguments.options;
     options.isTls = !options.tls.certificateFile.empty();
-    auto listening = io::Receiver::listen(options);
+    auto listening = io::StorageScp::listen(options);
     if (!listening) {
-        return failInput(listening.error(), arguments.format);
+        return reportInputError(listening.error(), arguments.format);
     }
-    io::Receiver receiver = std::move(listening).value();
+    io::StorageScp receiver = std::move(listening).value();
     printMessage("listening on port " + std::to_string(options.port) + ", Ctrl+C to stop");
     io::TransferReport report;
     const io::ArchiveObserver observer;
-    const io::StoreLimit limit{bytesOf(arguments.maxGb), io::StoreLimit::WhenFull::Refuse};
-    io::Arrivals arrivals(store.value(), limit, report, observer);
+    const io::StoreLimit limit{bytesOf(arguments.maxGb), io::StoreLimit::FullStorePolicy::Refuse};
+    io::StoreWriter storeWriter(store.value(), limit, report, observer);
     io::AuditBatch audit(arguments.auditFile, {io::AuditEvent::Received, "angiopose-cli", {}});
-    arrivals.tell([&arguments, &audit](const io::StoredObject& object) {
+    storeWriter.tell([&arguments, &audit](const io::StoredObject& object) {
         audit.add(object.path);
         if (arguments.format == OutputFormat::Text) {
             std::printf("%s\n", object.path.c_str());
             std::fflush(stdout);
         }
     });
-    receiver.serve(arrivals, [&arguments, &report, &audit] {
-        audit.noteWhenDue();
-        const std::size_t came = report.transferred + report.duplicates;
-        return isInterrupted() || (arguments.count > 0 && came >= arguments.count);
+    receiver.serve(storeWriter, [&arguments, &report, &audit] {
+        audit.flushIfDue();
+        const std::size_t receivedCount = report.transferred + report.duplicates;
+        return isInterrupted() || (arguments.count > 0 && receivedCount >= arguments.count);
     });
-    audit.noteAll();
+    audit.flush();
     if (audit.problem()) {
-        tellUnaudited(*audit.problem());
+        reportUnaudited(*audit.problem());
     }
     report.end = receiver.failure();
     return finishTransfer(report, "came", arguments.format);

@@ -12,7 +12,7 @@ using SettingsJson = nlohmann::ordered_json;
 
 std::string nodeFileOf(const ArchiveArguments& arguments)
 {
-    return arguments.nodeFile.empty() ? io::defaultNodeFile() : arguments.nodeFile;
+    return arguments.nodeFile.empty() ? io::defaultArchiveSettingsFile() : arguments.nodeFile;
 }
 
 /// Reads the archive list, applies `change` and writes the list.
@@ -21,16 +21,16 @@ int changeSettings(const ArchiveArguments& arguments, const Change& change)
 {
     auto settings = io::readArchiveSettings(nodeFileOf(arguments));
     if (!settings) {
-        return failInput(settings.error(), arguments.format);
+        return reportInputError(settings.error(), arguments.format);
     }
     io::ArchiveSettings changed = std::move(settings).value();
     if (auto done = change(changed); !done) {
-        return failInput(done.error(), arguments.format);
+        return reportInputError(done.error(), arguments.format);
     }
     if (auto written = io::writeArchiveSettings(changed, nodeFileOf(arguments)); !written) {
-        return failInput(written.error(), arguments.format);
+        return reportInputError(written.error(), arguments.format);
     }
-    return exitDone;
+    return exitSuccess;
 }
 
 void printSettingsJson(const SettingsJson& json)
@@ -49,11 +49,11 @@ int runArchiveNodes(const ArchiveArguments& arguments)
 {
     const auto settings = io::readArchiveSettings(nodeFileOf(arguments));
     if (!settings) {
-        return failInput(settings.error(), arguments.format);
+        return reportInputError(settings.error(), arguments.format);
     }
     SettingsJson json{{"file", nodeFileOf(arguments)}, {"archives", SettingsJson::array()}};
     for (const io::ArchiveNode& node : settings.value().nodes) {
-        const std::string address = node.host.empty() ? "" : io::addressOf(node) + " " + node.title;
+        const std::string address = node.host.empty() ? "" : io::hostAndPort(node) + " " + node.title;
         json["archives"].push_back(
             {{"name", node.name}, {"address", address}, {"tls", node.isTls}, {"url", node.webUrl}});
         if (arguments.format == OutputFormat::Text) {
@@ -64,20 +64,20 @@ int runArchiveNodes(const ArchiveArguments& arguments)
     if (arguments.format == OutputFormat::Json) {
         printSettingsJson(json);
     }
-    return exitDone;
+    return exitSuccess;
 }
 
 int runArchiveAdd(const ArchiveNodeArguments& arguments)
 {
     io::ArchiveNode node = arguments.node;
-    node.checksHost = !arguments.isHostUnchecked;
+    node.verifiesHost = !arguments.isHostUnchecked;
     const int exitCode = changeSettings(arguments.common, [&node](io::ArchiveSettings& settings) {
         dropNode(settings.nodes, node.name);
         settings.nodes.push_back(node);
         return core::Status(core::Done{});
     });
-    if (exitCode == exitDone) {
-        printWarnings(io::connectionNotes(node));
+    if (exitCode == exitSuccess) {
+        printWarnings(io::connectionWarnings(node));
     }
     return exitCode;
 }
@@ -97,7 +97,7 @@ int runArchiveCacheList(const ArchiveCacheArguments& arguments)
 {
     const auto settings = io::readArchiveSettings(nodeFileOf(arguments.common));
     if (!settings) {
-        return failInput(settings.error(), arguments.common.format);
+        return reportInputError(settings.error(), arguments.common.format);
     }
     std::uint64_t limit = settings.value().cacheBytes;
     const std::string folder = settings.value().cache();
@@ -107,24 +107,24 @@ int runArchiveCacheList(const ArchiveCacheArguments& arguments)
             changed.cacheBytes = limit;
             return core::Status(core::Done{});
         });
-        if (exitCode != exitDone) {
+        if (exitCode != exitSuccess) {
             return exitCode;
         }
         io::shrinkCache(folder, limit);
     }
     SettingsJson json{{"folder", folder}, {"limitBytes", limit}, {"series", SettingsJson::array()}};
     std::uint64_t bytes = 0;
-    for (const io::CachedSeries& series : io::cachedSeries(folder)) {
+    for (const io::CachedSeries& series : io::listCachedSeries(folder)) {
         bytes += series.bytes;
         json["series"].push_back({{"studyUid", series.studyUid},
                                   {"seriesUid", series.seriesUid},
                                   {"folder", series.folder},
                                   {"objects", series.objects},
                                   {"bytes", series.bytes},
-                                  {"whole", series.isWhole}});
+                                  {"whole", series.isComplete}});
         if (arguments.common.format == OutputFormat::Text) {
             std::printf("%s  %zu objects  %s%s\n", series.folder.c_str(), series.objects,
-                        io::sizeText(series.bytes).c_str(), series.isWhole ? "" : "  incomplete");
+                        io::sizeText(series.bytes).c_str(), series.isComplete ? "" : "  incomplete");
         }
     }
     if (arguments.common.format == OutputFormat::Json) {
@@ -133,25 +133,25 @@ int runArchiveCacheList(const ArchiveCacheArguments& arguments)
         std::printf("%s of at most %s in %s\n", io::sizeText(bytes).c_str(), io::sizeText(limit).c_str(),
                     folder.c_str());
     }
-    return exitDone;
+    return exitSuccess;
 }
 
 int runArchiveCacheEmpty(const ArchiveCacheArguments& arguments)
 {
     const auto settings = io::readArchiveSettings(nodeFileOf(arguments.common));
     if (!settings) {
-        return failInput(settings.error(), arguments.common.format);
+        return reportInputError(settings.error(), arguments.common.format);
     }
-    const auto dropped = io::emptyCache(settings.value().cache());
+    const auto dropped = io::clearCache(settings.value().cache());
     if (!dropped) {
-        return failInput(dropped.error(), arguments.common.format);
+        return reportInputError(dropped.error(), arguments.common.format);
     }
     if (arguments.common.format == OutputFormat::Json) {
         printSettingsJson({{"dropped", dropped.value()}});
     } else {
         std::printf("%zu objects deleted\n", dropped.value());
     }
-    return exitDone;
+    return exitSuccess;
 }
 
 }   // namespace angiopose::app

@@ -33,7 +33,7 @@ std::vector<std::string> valuesOf(const CLI::App& command, const auto& names)
 }
 
 /// Removes paths that do not exist, because the audit file stores a hash of each file.
-std::vector<std::string> existing(std::vector<std::string> paths)
+std::vector<std::string> existingPaths(std::vector<std::string> paths)
 {
     std::erase_if(paths, [](const std::string& path) {
         std::error_code failed;
@@ -49,7 +49,7 @@ void record(const std::string& auditPath, AuditEvent event, std::vector<std::str
     }
     const core::Status written = io::recordAudit(auditPath, {event, "angiopose-cli", std::move(paths)});
     if (!written) {
-        tellUnaudited(written.error().message);
+        reportUnaudited(written.error().message);
     }
 }
 
@@ -79,16 +79,16 @@ void recordOutcome(const std::string& auditPath, const CLI::App& command)
 {
     const std::string& name = command.get_name();
     if (name == "pack") {
-        record(auditPath, AuditEvent::Packed, existing(valuesOf(command, std::array{"ARCHIVE"})));
+        record(auditPath, AuditEvent::Packed, existingPaths(valuesOf(command, std::array{"ARCHIVE"})));
     } else if (name == "send") {
-        record(auditPath, AuditEvent::Sent, existing(valuesOf(command, std::array{"FILE"})));
+        record(auditPath, AuditEvent::Sent, existingPaths(valuesOf(command, std::array{"FILE"})));
     } else if (name == "retrieve" || name == "receive") {
         return;
     } else {
         const AuditEvent event = name == "register" || name == "batch" ? AuditEvent::Registered
                                  : isDeidentifying(command)            ? AuditEvent::Deidentified
                                                                        : AuditEvent::Exported;
-        record(auditPath, event, existing(outputsOf(command)));
+        record(auditPath, event, existingPaths(outputsOf(command)));
     }
 }
 
@@ -97,10 +97,10 @@ void recordOutcome(const std::string& auditPath, const CLI::App& command)
 std::string auditPathOf(const CLI::App& app)
 {
     const CLI::Option* option = app.get_option_no_throw("--audit");
-    return option != nullptr && option->count() > 0 ? option->results().front() : io::auditFileOfEnvironment();
+    return option != nullptr && option->count() > 0 ? option->results().front() : io::auditFileFromEnvironment();
 }
 
-void tellUnaudited(const core::Message& problem)
+void reportUnaudited(const core::Message& problem)
 {
     printMessage("warning: " + problem.text());
 }
@@ -108,13 +108,13 @@ void tellUnaudited(const core::Message& problem)
 void addAudit(CLI::App& app)
 {
     app.add_option("--audit",
-                   "Audit log: file to which a line is appended for everything that is opened and written (FORMATS §4)")
+                   "Audit log: file to which one line is appended for each file opened or written (FORMATS §4)")
         ->option_text("FILE");
     for (CLI::App* command : app.get_subcommands(nullptr)) {
         command->parse_complete_callback([&app, command] {
             const std::string auditPath = auditPathFor(app, *command);
             if (!auditPath.empty()) {
-                record(auditPath, AuditEvent::Opened, existing(valuesOf(*command, inputNames)));
+                record(auditPath, AuditEvent::Opened, existingPaths(valuesOf(*command, inputNames)));
             }
         });
     }
@@ -122,7 +122,7 @@ void addAudit(CLI::App& app)
 
 void auditOutcome(const CLI::App& app, int exitCode)
 {
-    if (exitCode != exitDone && exitCode != exitNotTrustworthy) {
+    if (exitCode != exitSuccess && exitCode != exitUnreliable) {
         return;
     }
     for (const CLI::App* command : app.get_subcommands()) {

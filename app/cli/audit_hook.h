@@ -15,7 +15,7 @@ void addAudit(CLI::App& app);
 std::string auditPathOf(const CLI::App& app);
 
 /// Reports on stderr that audit lines could not be written.
-void tellUnaudited(const core::Message& problem);
+void reportUnaudited(const core::Message& problem);
 
 /// Records the files that the command wrote; call it after the command. The archive commands record the objects they
 /// receive themselves, since a transfer may be partial. Reports on stderr if lines cannot be written.

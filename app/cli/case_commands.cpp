@@ -28,7 +28,7 @@ std::string optionList()
 
 std::string settingList()
 {
-    std::string text = "Names of settings, method options first (see register --help):";
+    std::string text = "Settings, method options first (see register --help):";
     for (const std::string& name : io::caseSettingNames()) {
         text += "\n  " + name;
     }
@@ -44,26 +44,27 @@ void addRegister(CLI::App& app, int& exitCode)
     addCaseOrResult(command, arguments->casePath, arguments->from);
     command
         ->add_option("ANGIOGRAM", arguments->angiogramPath,
-                     "Angiogram, if CASE is not a case file but its vessels, or a scan to trace them in")
+                     "Angiogram, if CASE is not a case file but a vessel tree or a scan to trace")
         ->excludes("--from");
     command->add_option("--save", arguments->savedPath,
-                        "Case file to write with the result, *.angiopose, for the window and all other commands");
-    command->add_option("--method", arguments->method, "Method id; see the list below");
+                        "Case file (*.angiopose) to write with the result, for the window and all other commands");
+    command->add_option("--method", arguments->method, "Method ID; see the list below");
     command->add_option("--set", arguments->options, "Method option as key=value; may be repeated");
     command->add_option("--auxiliary", arguments->auxiliaryBranchIds, "Auxiliary branches, e.g. 1,2,5")->delimiter(',');
     command->add_option("--exclude", arguments->excludedBranchIds, "Branches to exclude, e.g. 7,9")->delimiter(',');
     command->add_option("--lock", arguments->locks, "Degrees of freedom to lock: " + core::poseAxisIds() + ", or none")
         ->delimiter(',');
-    addFrameOption(*command, arguments->frame, "Frame of the angiogram, from 1");
+    addFrameOption(*command, arguments->frame, "Frame of the angiogram, starting at 1");
     command->add_option("--view", arguments->otherViews,
                         "Case with another view of the same vessels, registered jointly; may be repeated");
     command->add_flag("--same-patient", arguments->isSamePatient,
-                      "Confirm that all images show one patient, even if their headers differ; otherwise no result is "
-                      "rated reliable");
-    command->add_flag("--deformable", arguments->isDeformation,
-                      "Deform the vessels after the rigid registration if the image suggests it: bent.vtp, motion.csv");
+                      "Confirm that all images show the same patient even if their headers differ; otherwise no result "
+                      "is rated reliable");
+    command->add_flag(
+        "--deformable", arguments->deformVessels,
+        "Deform the vessels after the rigid registration if the image suggests it; writes bent.vtp and motion.csv");
     command->add_option("--output", arguments->outputFolder,
-                        "Folder for result.json, overlay.png and pose.tfm (default: CASE-registered)");
+                        "Output folder for result.json, overlay.png and pose.tfm (default: CASE-registered)");
     command->add_flag_callback(
         "--json", [arguments] { arguments->format = OutputFormat::Json; }, "Print only the result, as JSON");
     command->footer([] {
@@ -73,7 +74,7 @@ void addRegister(CLI::App& app, int& exitCode)
                "          angiopose-cli register --from result/result.json --inputs . --output again";
     });
     command->callback([arguments, &exitCode] {
-        needCaseOrResult(arguments->casePath, arguments->from);
+        requireCaseOrResult(arguments->casePath, arguments->from);
         exitCode = runRegister(*arguments);
     });
 }
@@ -83,89 +84,93 @@ void addTrack(CLI::App& app, int& exitCode)
     auto* command = app.add_subcommand("track", "Track the vessels of a case through the frames of its run");
     auto arguments = std::make_shared<TrackArguments>();
     command->add_option("CASE", arguments->casePath, "Case file, *.angiopose")->required();
-    command->add_option("--output", arguments->outputPath, "Table of poses to write, .csv")->required();
+    command->add_option("--output", arguments->outputPath, "Pose table to write (.csv)")->required();
     command->add_flag("--keep-pose", arguments->keepPose,
                       "Track from the pose of the case (default: its frame is registered first)");
     command->add_option("--bent", arguments->deformedFolder,
-                        "Folder for the deformed vessels of each frame that has them (frame0.vtp, …)");
+                        "Output folder for the deformed vessels of each frame that has any (frame0.vtp, …)");
     command->footer("Example: angiopose-cli track case.angiopose --output poses.csv");
     command->callback([arguments, &exitCode] { exitCode = runTrack(*arguments); });
 }
 
 void addProject(CLI::App& app, int& exitCode)
 {
-    auto* command = app.add_subcommand("project", "Draw the projected tree of a case at a given pose");
+    auto* command = app.add_subcommand("project", "Draw the projected vessel tree of a case at a given pose");
     auto arguments = std::make_shared<ProjectArguments>();
     addCaseOrResult(command, arguments->casePath, arguments->from);
     command->add_option("--pose", arguments->posePath,
                         "Pose file: .json, or .tfm, .mat or .h5 from ITK (default: the pose of the case)");
-    command->add_option("--output", arguments->outputPath, "Image to write, .png or .svg")->required();
+    command->add_option("--output", arguments->outputPath, "Image to write (.png or .svg)")->required();
     command
         ->add_option("--width", arguments->widthPx,
                      "Width of the written image in pixels (default: twice the angiogram)")
         ->check(CLI::Range(64, 8192));
-    addFrameOption(*command, arguments->frame, "Frame of the angiogram, from 1");
+    addFrameOption(*command, arguments->frame, "Frame of the angiogram, starting at 1");
     command->add_flag("--depth-cue", arguments->depthCue, "Depth cueing");
     command->add_option("--swipe", arguments->swipePx,
-                        "Swipe position, an angiogram column; no vessels are drawn to its right");
-    command->add_flag("--rigid", arguments->isRigid, "Draw the vessels rigid even if the case has deformed ones");
+                        "Swipe position as an angiogram column; no vessels are drawn to the right of it");
+    command->add_flag("--rigid", arguments->isRigid,
+                      "Draw the vessels at the rigid pose even if the case has deformed vessels");
     command->add_flag("--motion", arguments->isMotionColored, "Colors: displacement of the deformed vessels");
-    command->add_flag("--before-after", arguments->startBeside,
-                      "Draw the vessels at the initial pose side by side, on the left");
-    command->add_option("--dpi", arguments->dotsPerInch, "Print resolution, pixels per inch")
+    command->add_flag("--before-after", arguments->showInitialPose,
+                      "Also draw the vessels at the initial pose, on the left");
+    command->add_option("--dpi", arguments->dotsPerInch, "Print resolution in pixels per inch")
         ->check(CLI::Range(10, 4800));
-    command->add_flag("--bare", arguments->isFrameAlone, "Angiogram only, without vessels");
+    command->add_flag("--bare", arguments->frameOnly, "Angiogram only, without vessels");
     command->add_flag("--16-bit", arguments->is16Bit, "Gray values of the frame only, as a 16-bit .png without text");
     command->footer(
         "Examples: angiopose-cli project case.angiopose --pose result/result.json --output overlay.png\n"
         "          angiopose-cli project --from result/result.json --inputs . --output overlay.png");
     command->callback([arguments, &exitCode] {
-        needCaseOrResult(arguments->casePath, arguments->from);
+        requireCaseOrResult(arguments->casePath, arguments->from);
         exitCode = runProject(*arguments);
     });
 }
 
 void addMovie(CLI::App& app, int& exitCode)
 {
-    auto* command =
-        app.add_subcommand("movie", "Write a movie: the overlay through a run, a convergence, or a rotation");
+    auto* command = app.add_subcommand(
+        "movie",
+        "Write a movie: the overlay through a run, the convergence of a registration, or a rotation of the vessels");
     auto arguments = std::make_shared<MovieArguments>();
     command->add_option("CASE", arguments->casePath, "Case file, *.angiopose")->required();
-    command->add_option("--output", arguments->outputPath, "Movie to write, .mp4 or .gif")->required();
+    command->add_option("--output", arguments->outputPath, "Movie to write (.mp4 or .gif)")->required();
     const std::map<std::string, MovieContent> contents{
         {"run", MovieContent::Run}, {"convergence", MovieContent::Convergence}, {"turn", MovieContent::Turn}};
     command
         ->add_option("--show", arguments->content,
                      "run: the overlay through the frames (default); convergence: the poses of the registration, which "
-                     "is run first if the case stores none; turn: the vessels alone, rotating once")
+                     "is performed first if the case contains none; turn: one full rotation of the vessels alone")
         ->transform(CLI::CheckedTransformer(contents, CLI::ignore_case).description("{run,convergence,turn}"));
-    command->add_option("--frames", arguments->frames, "First and last frame of the run, from 1 (default: all)")
+    command->add_option("--frames", arguments->frames, "First and last frame of the run, starting at 1 (default: all)")
         ->expected(2);
     command->add_flag("--back-and-forth", arguments->isBackAndForth, "Play the run forward, then backward");
     command->add_flag("--register", arguments->isRegistered, "Register the frame of the case first");
-    command->add_flag("--follow", arguments->isFollowed,
-                      "Track the vessels from that pose through the run, each frame with its own pose");
+    command->add_flag("--follow", arguments->isTracked,
+                      "Track the vessels from that pose through the run, with a separate pose for each frame");
     command->add_option("--fps", arguments->framesPerSecond, "Frames per second (default: the acquisition rate)")
         ->check(CLI::Range(0.5, 100.0));
     command->add_option("--speed", arguments->speed, "Speed factor relative to that rate")
         ->check(CLI::Range(0.05, 20.0));
     command->add_option("--width", arguments->widthPx, "Width of the movie in pixels (default: twice the angiogram)")
         ->check(CLI::Range(64, 8192));
-    addFrameOption(*command, arguments->frame, "Frame of the case's pose, from 1");
+    addFrameOption(*command, arguments->frame, "Frame to which the pose of the case belongs, starting at 1");
     command->add_flag("--depth-cue", arguments->depthCue, "Depth cueing");
-    command->add_flag("--rigid", arguments->isRigid, "Draw the vessels rigid even if the case has deformed ones");
+    command->add_flag("--rigid", arguments->isRigid,
+                      "Draw the vessels at the rigid pose even if the case has deformed vessels");
     command->footer("Example: angiopose-cli movie case.angiopose --register --follow --output run.mp4");
     command->callback([arguments, &exitCode] { exitCode = runMovie(*arguments); });
 }
 
 void addAngles(CLI::App& app, int& exitCode)
 {
-    auto* command = app.add_subcommand("angles", "Find C-arm angles that show a branch long and free of other vessels");
+    auto* command =
+        app.add_subcommand("angles", "Find C-arm angles that show a branch without foreshortening and overlap");
     auto arguments = std::make_shared<AnglesArguments>();
     command->add_option("CASE", arguments->casePath, "Case file, *.angiopose; its pose and angles are used")
         ->required();
-    command->add_option("--branch", arguments->branchId, "Number of the branch to view")->required();
-    command->add_flag("--take-off", arguments->isTakeOff, "View only the origin of the branch (±10 mm)");
+    command->add_option("--branch", arguments->branchId, "ID of the branch to view")->required();
+    command->add_flag("--take-off", arguments->takeoffOnly, "View only the origin of the branch (±10 mm)");
     const auto addRange = [&](const char* name, core::AngleRange& range, const char* help) {
         command
             ->add_option_function<std::vector<double>>(
@@ -179,8 +184,8 @@ void addAngles(CLI::App& app, int& exitCode)
     addRange("--primary", arguments->map.primary, "Gantry range from RAO (-) to LAO (+) (default: -90 90)");
     addRange("--secondary", arguments->map.secondary, "Gantry range from CAU (-) to CRA (+) (default: -40 40)");
     command->add_option("--step", arguments->map.stepDeg, "Angle step of the table in degrees (default: 2.5)");
-    addFrameOption(*command, arguments->frame, "Frame of the angiogram, from 1");
-    command->add_option("--output", arguments->outputPath, "Table of all angles to write, .csv");
+    addFrameOption(*command, arguments->frame, "Frame of the angiogram, starting at 1");
+    command->add_option("--output", arguments->outputPath, "Table of all angles to write (.csv)");
     command->add_flag_callback(
         "--json", [arguments] { arguments->format = OutputFormat::Json; }, "Print only the angles, as JSON");
     command->footer("Example: angiopose-cli angles case.angiopose --branch 3 --take-off");
@@ -190,18 +195,18 @@ void addAngles(CLI::App& app, int& exitCode)
 void addMeasure(CLI::App& app, int& exitCode)
 {
     auto* command =
-        app.add_subcommand("measure", "Print the measurements in the images of a case, or along its branches, as CSV");
+        app.add_subcommand("measure", "Print the measurements in the images or along the branches of a case as CSV");
     auto arguments = std::make_shared<MeasureArguments>();
     command->add_option("CASE", arguments->casePath, "Case file, *.angiopose")->required();
-    command->add_option("--output", arguments->outputPath, "Table to write, .csv (default: standard output)");
-    auto* branches = command->add_flag("--branches", arguments->areBranchesWanted,
-                                       "Length, diameters, narrowest point, tortuosity and bends of every branch");
-    command->add_option("--profile", arguments->profiledBranch, "Diameter and curvature along this branch, by its id")
+    command->add_option("--output", arguments->outputPath, "Table to write (.csv; default: standard output)");
+    auto* branches = command->add_flag("--branches", arguments->writeBranches,
+                                       "Length, diameters, narrowest point, tortuosity and curvature of every branch");
+    command->add_option("--profile", arguments->profileBranchId, "Diameter and curvature along the branch with this ID")
         ->excludes(branches);
     auto* targetPoints =
         command
             ->add_flag(
-                "--check-points", arguments->areCheckPointsWanted,
+                "--check-points", arguments->writeTargetPoints,
                 "Target points: distance of each projection from its marked position, with the estimated uncertainty")
             ->excludes(branches);
     command
@@ -214,38 +219,38 @@ void addMeasure(CLI::App& app, int& exitCode)
 
 void addBatch(CLI::App& app, int& exitCode)
 {
-    auto* command = app.add_subcommand("batch", "Register many cases; a failed case does not stop the others");
+    auto* command = app.add_subcommand("batch", "Register many cases; failed cases do not stop the batch");
     auto arguments = std::make_shared<BatchArguments>();
     command
         ->add_option("MANIFEST", arguments->manifestPath,
-                     "CSV with the column case, or vessels and angiogram (paths relative to it), and optionally seeds, "
-                     "name, method, frame, set.NAME")
+                     "CSV file with the column case, or vessels and angiogram (paths relative to the file), and "
+                     "optionally seeds, name, method, frame, set.NAME")
         ->required();
-    command->add_option("--output", arguments->outputFolder, "Folder for summary.csv and one folder per case")
+    command->add_option("--output", arguments->outputFolder, "Output folder for summary.csv and one folder per case")
         ->required();
     command->add_option("--threads", arguments->threads, "Number of cases to run in parallel (default: all cores)")
         ->check(CLI::Range(1, 1024));
     command->add_flag("--resume", arguments->isResumed,
-                      "Skip cases that are already done with the same inputs and settings");
+                      "Skip cases that were already completed with the same inputs and settings");
     command->add_flag(
-        "--no-pictures", arguments->isWithoutPictures,
-        "Write no images, only results, poses and tables: two thirds of the time and a tenth of the disk space");
+        "--no-pictures", arguments->skipImages,
+        "Write only results, poses and tables, no images: takes two thirds of the time and a tenth of the disk space");
     command->add_option("--time-limit", arguments->timeLimitSeconds, "Time limit per case in seconds")
         ->check(CLI::Range(0.1, 1e7));
     command->add_option("--set", arguments->settings,
-                        "Setting for all cases as name=value; may be repeated. A column set.NAME overrides it");
+                        "Setting for all cases as name=value; may be repeated. A column set.NAME overrides it.");
     auto* shard = command
                       ->add_option("--shard", arguments->shard,
-                                   "Part I of N of the rows, as I/N; its table is summary-I-of-N.csv, and the last "
-                                   "part writes the table of all")
+                                   "Process part I of N of the rows, as I/N; its table is summary-I-of-N.csv, and the "
+                                   "last part to finish writes the combined table")
                       ->capture_default_str();
     command
         ->add_option("--merge", arguments->mergedFolders,
-                     "Run no cases: write the tables for the results of the shards in these folders")
+                     "Process no cases; write the tables for the results of the shards in these folders")
         ->excludes(shard);
     command->footer([] {
-        return "Exit codes: 0 all done, 3 some failed or are missing, 4 some not reliable, 130 stopped; summary.csv "
-               "shows which.\n\n" +
+        return "Exit codes: 0 all completed, 3 some failed or missing, 4 some not reliable, 130 stopped; see "
+               "summary.csv for details.\n\n" +
                settingList() +
                "\n\nExamples: angiopose-cli batch cases.csv --threads 8 --time-limit 600 --output results\n          "
                "angiopose-cli batch cases.csv --resume --output results   (after any interruption)\n          "

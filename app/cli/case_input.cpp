@@ -3,7 +3,7 @@
 #include "app/cli/console.h"
 #include "app/messages/messages.h"
 #include "core/case/initial_pose.h"
-#include "io/opening/open_case_with.h"
+#include "io/opening/open_case_with_options.h"
 #include "io/opening/open_result.h"
 
 namespace angiopose::app {
@@ -13,25 +13,27 @@ core::Result<core::Case> loadCaseForCommand(const std::string& path, std::option
     core::Messages warnings;
     auto loaded = [&] {
         ProgressLine progress("reading");
-        const io::CaseRequest request{{}, io::PeakFrame::NotNeeded};
-        return io::openCaseWith(request, path, warnings, [&progress](double fraction) {
+        const io::CaseLoadOptions request{{}, io::PeakFrameSearch::Skipped};
+        return io::openCaseWithOptions(request, path, warnings, [&progress](double fraction) {
             progress.show(fraction, "");
-            return isInterrupted() ? core::Verdict::Stop : core::Verdict::Continue;
+            return isInterrupted() ? core::ObserverDecision::Stop : core::ObserverDecision::Continue;
         });
     }();
     printWarnings(warnings);
-    return loaded ? atFrame(std::move(loaded).value(), frame, path) : loaded;
+    return loaded ? selectFrame(std::move(loaded).value(), frame, path) : loaded;
 }
 
-core::Result<core::Case> loadResultForCommand(const FromResult& from, ResultStage stage, std::optional<int> frame)
+core::Result<core::Case> loadResultForCommand(const ResultSource& from, ResultState stage, std::optional<int> frame)
 {
     core::Messages warnings;
-    const io::ResultPlace place{from.path, from.inputFolders};
-    const auto observe = [](double) { return isInterrupted() ? core::Verdict::Stop : core::Verdict::Continue; };
-    auto loaded =
-        stage == ResultStage::Asked ? io::openAsked(place, warnings, observe) : io::openFound(place, warnings, observe);
+    const io::ResultLocation place{from.path, from.inputFolders};
+    const auto observe = [](double) {
+        return isInterrupted() ? core::ObserverDecision::Stop : core::ObserverDecision::Continue;
+    };
+    auto loaded = stage == ResultState::Unregistered ? io::openInputCase(place, warnings, observe)
+                                                     : io::openResultCase(place, warnings, observe);
     printWarnings(warnings);
-    return loaded ? atFrame(std::move(loaded).value(), frame, from.path) : loaded;
+    return loaded ? selectFrame(std::move(loaded).value(), frame, from.path) : loaded;
 }
 
 core::Result<core::Case> loadPairForCommand(const InputPair& pair, std::optional<int> frame)
@@ -39,16 +41,16 @@ core::Result<core::Case> loadPairForCommand(const InputPair& pair, std::optional
     core::Messages warnings;
     auto loaded = [&] {
         ProgressLine progress("reading");
-        return openTogether(pair, {}, warnings, [&progress](double fraction) {
+        return openPair(pair, {}, warnings, [&progress](double fraction) {
             progress.show(fraction, "");
-            return isInterrupted() ? core::Verdict::Stop : core::Verdict::Continue;
+            return isInterrupted() ? core::ObserverDecision::Stop : core::ObserverDecision::Continue;
         });
     }();
     printWarnings(warnings);
-    return loaded ? atFrame(std::move(loaded).value(), frame, pair.angiogramPath) : loaded;
+    return loaded ? selectFrame(std::move(loaded).value(), frame, pair.angiogramPath) : loaded;
 }
 
-core::Result<core::Case> atFrame(core::Case session, std::optional<int> frame, const std::string& path)
+core::Result<core::Case> selectFrame(core::Case session, std::optional<int> frame, const std::string& path)
 {
     if (!frame) {
         return session;

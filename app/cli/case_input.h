@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/cli/commands.h"
-#include "app/cli/open_together.h"
+#include "app/cli/open_pair.h"
 #include "core/case/case.h"
 #include "core/support/result.h"
 
@@ -13,15 +13,15 @@ namespace angiopose::app {
 /// Loads a case, prints its warnings, and selects `frame` if given.
 core::Result<core::Case> loadCaseForCommand(const std::string& path, std::optional<int> frame);
 
-/// State of the case to load for a result: before the registration (`Asked`) or after it (`Found`).
-enum class ResultStage { Asked, Found };
-core::Result<core::Case> loadResultForCommand(const FromResult& from, ResultStage stage, std::optional<int> frame);
+/// State of the case to load for a result: before the registration (`Unregistered`) or after it (`Registered`).
+enum class ResultState { Unregistered, Registered };
+core::Result<core::Case> loadResultForCommand(const ResultSource& from, ResultState stage, std::optional<int> frame);
 
 /// Loads an angiogram with vessels, or with a scan in which the vessels are traced; prints warnings and selects `frame`
 /// if given.
 core::Result<core::Case> loadPairForCommand(const InputPair& pair, std::optional<int> frame);
 
 /// Selects `frame` of the case if given; fails with `path` in the message if the run has no such frame.
-core::Result<core::Case> atFrame(core::Case session, std::optional<int> frame, const std::string& path);
+core::Result<core::Case> selectFrame(core::Case session, std::optional<int> frame, const std::string& path);
 
 }   // namespace angiopose::app

@@ -2,23 +2,22 @@
 
 namespace angiopose::app {
 
-void addCaseOrResult(CLI::App* command, std::string& casePath, FromResult& from)
+void addCaseOrResult(CLI::App* command, std::string& casePath, ResultSource& from)
 {
     auto* file = command->add_option("CASE", casePath, "Case file, *.angiopose");
-    auto* result =
-        command
-            ->add_option(
-                "--from", from.path,
-                "Result to use instead of a case: result.json or joint.json, with everything it was computed from")
-            ->excludes(file);
+    auto* result = command
+                       ->add_option("--from", from.path,
+                                    "Result to use instead of a case (result.json or joint.json), with all inputs from "
+                                    "which it was computed")
+                       ->excludes(file);
     command
         ->add_option("--inputs", from.inputFolders,
-                     "Folder with the inputs of that result, matched by name and content, in addition to its own "
-                     "folder; may be repeated")
+                     "Folder to search for the inputs of that result, by name and content, in addition to the folder "
+                     "of the result; may be repeated")
         ->needs(result);
 }
 
-void needCaseOrResult(const std::string& casePath, const FromResult& from)
+void requireCaseOrResult(const std::string& casePath, const ResultSource& from)
 {
     if (casePath.empty() && from.path.empty()) {
         throw CLI::RequiredError("CASE or --from");

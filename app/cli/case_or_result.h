@@ -9,9 +9,9 @@
 namespace angiopose::app {
 
 /// Adds CASE, or --from RESULT with --inputs, to a command that accepts either.
-void addCaseOrResult(CLI::App* command, std::string& casePath, FromResult& from);
+void addCaseOrResult(CLI::App* command, std::string& casePath, ResultSource& from);
 
 /// Throws CLI::RequiredError if neither is given.
-void needCaseOrResult(const std::string& casePath, const FromResult& from);
+void requireCaseOrResult(const std::string& casePath, const ResultSource& from);
 
 }   // namespace angiopose::app

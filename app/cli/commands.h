@@ -16,7 +16,7 @@ namespace angiopose::app {
 // One struct of arguments and one function per command; each returns its exit code.
 
 /// Result file to use instead of a case, and folders in which to look for its inputs.
-struct FromResult {
+struct ResultSource {
     std::string path;   ///< if empty, a case is used
     std::vector<std::string> inputFolders;
 };
@@ -25,7 +25,7 @@ struct RegisterArguments {
     std::string casePath;
     std::string angiogramPath;   ///< if set, `casePath` is the file of the vessels
     std::string savedPath;   ///< output path of the case with its results; not written if empty
-    FromResult from;
+    ResultSource from;
     std::string method;   ///< if empty, the method of the case
     std::vector<std::string> options;   ///< "key=value" pairs; the keys are those of core::optionFields()
     std::vector<int> auxiliaryBranchIds;   ///< if empty, those of the case
@@ -33,7 +33,7 @@ struct RegisterArguments {
     std::vector<std::string> locks;   ///< ids of core::PoseAxis; if empty, those of the case
     std::optional<int> frame;
     std::vector<std::string> otherViews;   ///< cases to register jointly with this one, in addition to its own `views`
-    bool isDeformation = false;   ///< deform the vessels after the registration
+    bool deformVessels = false;   ///< deform the vessels after the registration
     bool isSamePatient = false;   ///< treat all images as images of the same patient, whatever the headers state
     std::string outputFolder;   ///< if empty, "<case>-registered" in the current folder
     OutputFormat format = OutputFormat::Text;
@@ -50,18 +50,18 @@ int runTrack(const TrackArguments& arguments);
 
 struct ProjectArguments {
     std::string casePath;
-    FromResult from;
+    ResultSource from;
     std::string posePath;   ///< if empty, the current pose of the case
     std::string outputPath;
     int widthPx = 0;   ///< if 0, twice the image width
     std::optional<int> frame;
     bool depthCue = false;   ///< depth cueing: near vessels bright, distant ones dim
     std::optional<double> swipePx;   ///< column (px) to the right of which only the angiogram is shown
-    bool startBeside = false;   ///< show the initial pose side by side with the current pose
+    bool showInitialPose = false;   ///< show the initial pose side by side with the current pose
     bool isRigid = false;   ///< show the vessels of the rigid pose, even if the case has deformed ones
     bool isMotionColored = false;   ///< color the deformed vessels by their distance from the rigid ones
     double dotsPerInch = 0.0;   ///< 0 if not specified
-    bool isFrameAlone = false;
+    bool frameOnly = false;
     bool is16Bit = false;   ///< write the gray values of the frame without overlay
 };
 int runProject(const ProjectArguments& arguments);
@@ -73,7 +73,7 @@ struct MovieArguments {
     std::vector<int> frames;   ///< first and last frame of the run, from 1; all frames if empty
     bool isBackAndForth = false;
     bool isRegistered = false;   ///< register the frame of the case first
-    bool isFollowed = false;   ///< track the vessels through the run before writing
+    bool isTracked = false;   ///< track the vessels through the run before writing
     double framesPerSecond = 0.0;   ///< if 0, the acquisition rate, or the default rate if that is unknown
     double speed = 1.0;   ///< playback speed factor
     int widthPx = 0;   ///< if 0, twice the image width
@@ -87,7 +87,7 @@ struct AnglesArguments {
     std::string casePath;
     std::optional<int> frame;
     int branchId = 0;
-    bool isTakeOff = false;   ///< evaluate the takeoff of the branch instead of the whole branch
+    bool takeoffOnly = false;   ///< evaluate the takeoff of the branch instead of the whole branch
     core::AngleMapOptions map;
     std::string outputPath;   ///< optional table of all angles
     OutputFormat format = OutputFormat::Text;
@@ -97,9 +97,9 @@ int runAngles(const AnglesArguments& arguments);
 struct MeasureArguments {
     std::string casePath;
     std::string outputPath;   ///< if empty, the table is printed
-    bool areBranchesWanted = false;   ///< write measurements along every branch instead of those in the images
-    std::optional<int> profiledBranch;   ///< write the profile along this branch instead
-    bool areCheckPointsWanted = false;   ///< write target points and rings instead
+    bool writeBranches = false;   ///< write measurements along every branch instead of those in the images
+    std::optional<int> profileBranchId;   ///< write the profile along this branch instead
+    bool writeTargetPoints = false;   ///< write target points and rings instead
     OutputFormat format = OutputFormat::Text;   ///< applies to target points
 };
 int runMeasure(const MeasureArguments& arguments);
@@ -114,7 +114,7 @@ struct SimulateArguments {
     int branches = 24;
     bool withScan = false;   ///< also write a CT angiogram of the same vessels
     std::string room;   ///< room that defines the headers of two views of one study; if empty, one view is simulated
-    bool movesTable = false;   ///< with a room, move the table before the second view
+    bool moveTable = false;   ///< with a room, move the table before the second view
     bool isMirrored = false;   ///< with a room, mirror the second view
 };
 int runSimulate(const SimulateArguments& arguments);   ///< simulates one case or a study
@@ -124,7 +124,7 @@ struct TraceAngiogramArguments {
     std::optional<int> frame;
     std::string outputPath;
     std::string maskPath;
-    std::string apartPath;   ///< output for possible devices and bone edges; empty: with the other curves
+    std::string devicePath;   ///< output for possible devices and bone edges; empty: with the other curves
     double sensitivity = 1.0;
     std::optional<bool> subtract;   ///< mask of the file, or the best one; empty: only if the file names its mask
     std::vector<int> maskFrames;   ///< mask frames, from 1; if empty, the file's, or those before contrast arrival
@@ -153,7 +153,7 @@ struct BatchArguments {
     std::optional<int> threads;   ///< if empty, one per core
     std::optional<double> timeLimitSeconds;   ///< time limit per case, s
     bool isResumed = false;   ///< keep outcomes that are up to date
-    bool isWithoutPictures = false;
+    bool skipImages = false;
     std::vector<std::string> settings;   ///< "name=value" pairs common to all rows
     std::vector<std::string>
         mergedFolders;   ///< if not empty, nothing is run; the tables of the outcomes in these folders are written
@@ -166,7 +166,7 @@ int runBatch(const BatchArguments& arguments);
 int runBatchWorker(int parent, int threads);
 
 /// Vessel section between two points (LPS, mm).
-struct Stretch {
+struct VesselSection {
     Eigen::Vector3d from;
     Eigen::Vector3d to;
 };
@@ -179,8 +179,8 @@ struct TraceVesselArguments {
     std::vector<std::string> labels;   ///< numbers or names; empty: the vessel labels, or all
     double unitMm = 0.0;   ///< millimeters per unit; if 0, as stated in the file, else 1
     core::VesselTracingOptions tracing;   ///< `pieces` applies only if there is no seed
-    std::vector<Stretch> stretches;   ///< sections to trace instead of everything
-    std::string intoPath;   ///< optional tree to which the sections are added
+    std::vector<VesselSection> sections;   ///< sections to trace instead of everything
+    std::string baseTreePath;   ///< optional tree to which the sections are added
 };
 int runTraceVessel(const TraceVesselArguments& arguments);
 

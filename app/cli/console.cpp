@@ -4,7 +4,7 @@
 #include "app/texts/number_text.h"
 #include "app/texts/printable_text.h"
 #include "io/support/message_json.h"
-#include "io/support/system/own_process.h"
+#include "io/support/system/current_process.h"
 
 #include <atomic>
 #include <csignal>
@@ -43,14 +43,14 @@ void printWarnings(const core::Messages& warnings)
     }
 }
 
-int failInput(const core::Error& error, OutputFormat format)
+int reportInputError(const core::Error& error, OutputFormat format)
 {
     printMessage(error.message.text());
     if (format == OutputFormat::Json) {
         const auto json = nlohmann::ordered_json::parse("{\"error\":" + io::messageJson(error.message) + "}");
         std::puts(json.dump(2).c_str());
     }
-    return error.isStop() || isInterrupted() ? exitStopped : exitInput;
+    return error.isCancellation() || isInterrupted() ? exitInterrupted : exitInputError;
 }
 
 int finishOutput(int exitCode)
@@ -60,7 +60,7 @@ int finishOutput(int exitCode)
         return exitCode;
     }
     printMessage(messages::outputNotWritten().text());
-    return exitCode == exitDone ? exitInput : exitCode;
+    return exitCode == exitSuccess ? exitInputError : exitCode;
 }
 
 ProgressLine::ProgressLine(std::string label) : label_(std::move(label)), isTerminal_(io::isTerminal(stderr)) {}
@@ -91,11 +91,11 @@ core::WorkObserver ProgressLine::observer()
             detail += ", median " + fixedText(report.iteration->medianDistancePx, 2) + " px";
         }
         show(report.fraction, detail);
-        return isInterrupted() ? core::Verdict::Stop : core::Verdict::Continue;
+        return isInterrupted() ? core::ObserverDecision::Stop : core::ObserverDecision::Continue;
     };
 }
 
-void catchInterrupts()
+void installInterruptHandler()
 {
     std::signal(SIGINT, onInterrupt);
     std::signal(SIGTERM, onInterrupt);

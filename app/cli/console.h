@@ -10,11 +10,11 @@ namespace angiopose::app {
 
 /// Exit codes (FORMATS §5).
 enum ExitCode : int {
-    exitDone = 0,
-    exitUsage = 2,
-    exitInput = 3,
-    exitNotTrustworthy = 4,
-    exitStopped = 130,
+    exitSuccess = 0,
+    exitUsageError = 2,
+    exitInputError = 3,
+    exitUnreliable = 4,
+    exitInterrupted = 130,
 };
 
 enum class OutputFormat { Text, Json };
@@ -28,7 +28,7 @@ void printWarnings(const core::Messages& warnings);
 
 /// Reports why there is no result (invalid input or a stop by the user) and returns the matching exit code. With JSON
 /// output, also prints `{"error": {"id": …}}` to stdout.
-int failInput(const core::Error& error, OutputFormat format = OutputFormat::Text);
+int reportInputError(const core::Error& error, OutputFormat format = OutputFormat::Text);
 
 /// Flushes stdout; call it last. Returns `exitCode`, or reports on stderr and returns a failure code if the disk or
 /// pipe behind stdout did not accept all output.
@@ -55,7 +55,7 @@ private:
 };
 
 /// Makes Ctrl+C request a stop of the running work; a second Ctrl+C ends the program immediately.
-void catchInterrupts();
+void installInterruptHandler();
 bool isInterrupted();
 
 }   // namespace angiopose::app

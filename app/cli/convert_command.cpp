@@ -40,7 +40,7 @@ io::ReadObserver observer(ProgressLine& progress)
 {
     return [&progress](double fraction) {
         progress.show(fraction, "");
-        return isInterrupted() ? core::Verdict::Stop : core::Verdict::Continue;
+        return isInterrupted() ? core::ObserverDecision::Stop : core::ObserverDecision::Continue;
     };
 }
 
@@ -73,7 +73,7 @@ Status fillToVolume(const ConvertArguments& arguments)
     }
     printWarnings(surface.value().warnings);
     const core::SurfaceMesh& mesh = surface.value().mesh;
-    const double spacing = arguments.spacingMm > 0.0 ? arguments.spacingMm : core::usualSpacingMm(mesh);
+    const double spacing = arguments.spacingMm > 0.0 ? arguments.spacingMm : core::defaultSpacingMm(mesh);
     const auto mask = core::fillSurface(mesh, spacing);
     if (!mask) {
         return mask.error().about(arguments.inputPath);
@@ -166,13 +166,13 @@ bool isImageFile(const std::string& path)
 }
 
 /// De-identifies a DICOM file, an image file or a folder.
-Status withoutIdentity(const ConvertArguments& arguments)
+Status deidentifyInput(const ConvertArguments& arguments)
 {
     const auto pseudonyms = pseudonymsOf(*arguments.identity);
     if (!pseudonyms) {
         return pseudonyms.error();
     }
-    const io::Deidentification requested = *deidentificationOf(*arguments.identity);
+    const io::DeidentificationOptions requested = *deidentificationOf(*arguments.identity);
     const std::string& in = arguments.inputPath;
     const std::string& out = arguments.outputPath;
     ProgressLine progress("reading");
@@ -186,7 +186,7 @@ Status withoutIdentity(const ConvertArguments& arguments)
 }
 
 /// Returns whether files of the output format carry no identity except possibly in branch names.
-bool isWithoutIdentityByItself(const std::string& out)
+bool storesNoIdentity(const std::string& out)
 {
     return endsWith(out, {".nii", ".nii.gz", ".nrrd", ".mha", ".stl", ".tfm", ".h5", ".vtp", ".csv", ".swc", ".json"});
 }
@@ -194,12 +194,12 @@ bool isWithoutIdentityByItself(const std::string& out)
 Status convert(const ConvertArguments& arguments)
 {
     const std::string& out = arguments.outputPath;
-    if (arguments.identity->isWanted && !isWithoutIdentityByItself(out)) {
+    if (arguments.identity->isRequested && !storesNoIdentity(out)) {
         const bool isFolder = fs::is_directory(arguments.inputPath);
         const std::string ending = io::isDicomFile(arguments.inputPath) ? ".dcm" : io::extensionOf(arguments.inputPath);
         const bool fits = isFolder ? io::extensionOf(out).empty() : endsWith(out, {ending.c_str()});
         return fits && (isFolder || isImageFile(arguments.inputPath))
-                   ? withoutIdentity(arguments)
+                   ? deidentifyInput(arguments)
                    : Status(core::Error(io::messages::deidentifiedKind(ending).about(out)));
     }
     if (endsWith(out, {".mrk.json", ".vtp", ".csv", ".swc"})) {
@@ -226,13 +226,13 @@ int runConvert(const ConvertArguments& arguments)
 {
     std::error_code absent;
     if (fs::equivalent(arguments.inputPath, arguments.outputPath, absent)) {
-        return failInput(messages::convertOntoInput().about(arguments.outputPath));
+        return reportInputError(messages::convertOntoInput().about(arguments.outputPath));
     }
     if (const Status converted = convert(arguments); !converted) {
-        return failInput(converted.error());
+        return reportInputError(converted.error());
     }
     std::printf("%s\n", arguments.outputPath.c_str());
-    return exitDone;
+    return exitSuccess;
 }
 
 }   // namespace angiopose::app

@@ -75,7 +75,7 @@ core::Result<ExchangedPose> readOwn(const std::string& path)
 }
 
 /// Reads the camera that replaces the one of the input; empty if the arguments name none.
-core::Result<std::optional<ExchangedPose>> givenCamera(const ExchangeArguments& exchange)
+core::Result<std::optional<ExchangedPose>> readGivenCamera(const ExchangeArguments& exchange)
 {
     if (exchange.cameraPath.empty()) {
         return std::optional<ExchangedPose>();
@@ -101,7 +101,7 @@ core::Result<ExchangedPose> readXreg(const std::string& path, std::optional<Exch
     }
     const core::XregCamera theirs = camera ? core::xregCamera(*camera->pose.camera, usualSourceToDetectorMm)
                                            : core::xregCamera({-1.0, 1.0, 0.0, 0.0, 0, 0}, usualSourceToDetectorMm);
-    const auto sight = core::sightFromXreg(theirs, volumeFromWorld.value());
+    const auto sight = core::posedCameraFromXreg(theirs, volumeFromWorld.value());
     if (!sight) {
         return sight.error().about(path);
     }
@@ -159,7 +159,7 @@ core::Result<ExchangedPose> readExchanged(const std::string& path, const Exchang
     if (exchange.from == PoseConvention::DiffDrr) {
         return readFromDiffDrr(path, exchange);
     }
-    auto camera = givenCamera(exchange);
+    auto camera = readGivenCamera(exchange);
     if (!camera) {
         return camera.error();
     }
@@ -228,7 +228,7 @@ core::Result<std::vector<io::Fiducial>> pointsOfCase(const std::string& path)
     if (!loaded) {
         return loaded.error();
     }
-    const std::vector<io::Fiducial> points = io::pointsOf(loaded.value());
+    const std::vector<io::Fiducial> points = io::caseFiducials(loaded.value());
     return points.empty()
                ? core::Result<std::vector<io::Fiducial>>(core::Error(messages::convertNoPoints().about(path)))
                : points;
@@ -270,16 +270,18 @@ std::shared_ptr<ExchangeArguments> addExchangeOptions(CLI::App& command)
         CLI::CheckedTransformer(conventions, CLI::ignore_case).description("{angiopose,opencv,xreg,diffdrr}");
     command.add_option("--pose-from", exchange->from, "Pose convention of the input")->transform(checked);
     command.add_option("--pose-to", exchange->to, "Pose convention of the output")->transform(checked);
-    command.add_option("--camera", exchange->cameraPath, "Camera for the pose: a case, or a pose file with its camera");
-    command.add_option("--volume", exchange->volumePath, "Volume whose center is the origin of DiffDRR");
-    command.add_option("--source-to-detector", exchange->sourceToDetectorMm, "SID to write for DiffDRR, mm")
+    command.add_option("--camera", exchange->cameraPath,
+                       "Camera for the pose: a case, or a pose file that contains a camera");
+    command.add_option("--volume", exchange->volumePath,
+                       "Volume whose center is the origin of the DiffDRR coordinate system");
+    command.add_option("--source-to-detector", exchange->sourceToDetectorMm, "SID in mm to write for DiffDRR")
         ->check(CLI::Range(100.0, 10000.0));
     return exchange;
 }
 
 bool isExchangeConversion(const ConvertArguments& arguments, const ExchangeArguments& exchange)
 {
-    if (arguments.identity && arguments.identity->isWanted) {
+    if (arguments.identity && arguments.identity->isRequested) {
         return false;
     }
     const bool isForeign = exchange.from != PoseConvention::AngioPose || exchange.to != PoseConvention::AngioPose;
@@ -292,13 +294,13 @@ int runExchangeConversion(const ConvertArguments& arguments, const ExchangeArgum
 {
     std::error_code absent;
     if (std::filesystem::equivalent(arguments.inputPath, arguments.outputPath, absent)) {
-        return failInput(messages::convertOntoInput().about(arguments.outputPath));
+        return reportInputError(messages::convertOntoInput().about(arguments.outputPath));
     }
     if (const Status converted = convertExchanged(arguments, exchange); !converted) {
-        return failInput(converted.error());
+        return reportInputError(converted.error());
     }
     std::printf("%s\n", arguments.outputPath.c_str());
-    return exitDone;
+    return exitSuccess;
 }
 
 }   // namespace angiopose::app

@@ -14,14 +14,15 @@ std::shared_ptr<DeidentifyArguments> addDeidentifyOptions(CLI::App& command)
 {
     auto arguments = std::make_shared<DeidentifyArguments>();
     auto* wanted =
-        command.add_flag("--deidentify", arguments->isWanted,
+        command.add_flag("--deidentify", arguments->isRequested,
                          "Remove names, IDs, dates, private elements and texts; replace UIDs and the patient");
     command
-        .add_option("--dates", arguments->dates, "removed, or shifted by the same amount for all files of a patient")
+        .add_option("--dates", arguments->dates,
+                    "Dates: removed, or shifted by the same amount for all files of a patient")
         ->check(CLI::IsMember({"removed", "shifted"}))
         ->needs(wanted);
     command
-        .add_flag("--black-out", arguments->areLettersBlackedOut,
+        .add_flag("--black-out", arguments->maskBurnedInText,
                   "Mask burned-in text in projections instead of only reporting it")
         ->needs(wanted);
     command
@@ -30,19 +31,20 @@ std::shared_ptr<DeidentifyArguments> addDeidentifyOptions(CLI::App& command)
         ->needs(wanted);
     command
         .add_option("--key", arguments->keyPath,
-                    "File with 16 or more secret bytes; exports with the same key are consistent (default: a new key)")
+                    "File with at least 16 secret bytes; pseudonyms are consistent across exports with the same key "
+                    "(default: a new key)")
         ->needs(wanted);
     return arguments;
 }
 
-std::optional<io::Deidentification> deidentificationOf(const DeidentifyArguments& arguments)
+std::optional<io::DeidentificationOptions> deidentificationOf(const DeidentifyArguments& arguments)
 {
-    if (!arguments.isWanted) {
+    if (!arguments.isRequested) {
         return {};
     }
-    return io::Deidentification{
+    return io::DeidentificationOptions{
         arguments.dates == "shifted" ? io::DatePolicy::Shifted : io::DatePolicy::None,
-        arguments.areLettersBlackedOut ? io::DrawnLetters::BlackedOut : io::DrawnLetters::Reported,
+        arguments.maskBurnedInText ? io::BurnedInTextPolicy::Masked : io::BurnedInTextPolicy::Reported,
         arguments.patientName};
 }
 

@@ -12,9 +12,9 @@ namespace angiopose::app {
 
 /// De-identification options of the command line.
 struct DeidentifyArguments {
-    bool isWanted = false;
+    bool isRequested = false;
     std::string dates = "removed";
-    bool areLettersBlackedOut = false;
+    bool maskBurnedInText = false;
     std::string patientName;
     std::string keyPath;
 };
@@ -23,7 +23,7 @@ struct DeidentifyArguments {
 std::shared_ptr<DeidentifyArguments> addDeidentifyOptions(CLI::App& command);
 
 /// Returns the requested de-identification; empty if none is requested.
-std::optional<io::Deidentification> deidentificationOf(const DeidentifyArguments& arguments);
+std::optional<io::DeidentificationOptions> deidentificationOf(const DeidentifyArguments& arguments);
 
 /// Creates the pseudonyms from the key in the named file, or from a new key. Fails if the file cannot be read or the
 /// key is too short.

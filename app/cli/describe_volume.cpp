@@ -75,16 +75,16 @@ Json seriesJson(const io::DicomSeries& series)
     return json;
 }
 
-Json labelsJson(const std::vector<io::ListedLabel>& labels)
+Json labelsJson(const std::vector<io::LabelInfo>& labels)
 {
     Json list = Json::array();
-    for (const io::ListedLabel& each : labels) {
-        Json json{{"label", each.label}};
-        if (!each.name.empty()) {
-            json["name"] = each.name;
+    for (const io::LabelInfo& listedLabel : labels) {
+        Json json{{"label", listedLabel.label}};
+        if (!listedLabel.name.empty()) {
+            json["name"] = listedLabel.name;
         }
-        json["voxels"] = each.voxels;
-        json["volumeMl"] = each.volumeMl;
+        json["voxels"] = listedLabel.voxels;
+        json["volumeMl"] = listedLabel.volumeMl;
         list.push_back(std::move(json));
     }
     return list;
@@ -114,7 +114,7 @@ core::Result<Json> volumeJson(const std::string& path)
     const io::VolumeSummary& volume = summary.value();
     Json json{{"kind", "volume"},      {"format", volume.format},       {"voxelType", volume.voxelType},
               {"slope", volume.slope}, {"intercept", volume.intercept}, {"geometry", gridJson(volume.geometry)}};
-    if (const auto labels = io::labelsIn(path)) {
+    if (const auto labels = io::listLabelsOfFile(path)) {
         json["kind"] = "label image";
         json["labels"] = labelsJson(*labels);
     }
@@ -136,7 +136,7 @@ core::Result<Json> segmentationJson(const std::string& path)
     }
     return Json{{"kind", "segmentation"},
                 {"format", "DICOM segmentation"},
-                {"labels", labelsJson(io::listedLabels(labels.value(), io::readLabelNames(path)))},
+                {"labels", labelsJson(io::listLabels(labels.value(), io::readLabelNames(path)))},
                 {"geometry", gridJson(labels.value().geometry)}};
 }
 

@@ -26,20 +26,20 @@ core::Result<core::ExperimentPlan> planOf(const EvaluateArguments& arguments)
 {
     core::ExperimentPlan plan;
     plan.protocol = core::findProtocol(arguments.protocol);
-    auto conditions = core::conditionsFrom(*plan.protocol, arguments.conditions);
+    auto conditions = core::parseConditions(*plan.protocol, arguments.conditions);
     if (!conditions) {
         return conditions.error();
     }
-    auto contestants = core::contestantsFrom(arguments.methods.empty() ? defaultMethods : arguments.methods);
-    if (!contestants) {
-        return contestants.error();
+    auto evaluatedMethods = core::parseMethods(arguments.methods.empty() ? defaultMethods : arguments.methods);
+    if (!evaluatedMethods) {
+        return evaluatedMethods.error();
     }
-    const auto shard = shardFrom(arguments.shard);
+    const auto shard = parseShard(arguments.shard);
     if (!shard) {
         return shard.error();
     }
     plan.conditions = std::move(conditions).value();
-    plan.contestants = std::move(contestants).value();
+    plan.evaluatedMethods = std::move(evaluatedMethods).value();
     plan.shard = shard.value();
     plan.trials = arguments.trials.value_or(plan.protocol->defaultTrials);
     plan.seed = arguments.seed;
@@ -57,7 +57,7 @@ core::Result<core::RunSet> mergedRuns(const EvaluateArguments& arguments)
         }
         parts.push_back(std::move(part).value());
     }
-    auto runs = core::merged(parts);
+    auto runs = core::mergeRunSets(parts);
     if (runs && runs.value().protocol != arguments.protocol) {
         return core::Error(messages::mergeOfOthers(runs.value().protocol, arguments.protocol));
     }
@@ -70,7 +70,7 @@ core::Experiment runWithProgress(const core::ExperimentPlan& plan)
     return core::runExperiment(plan, [&progress](std::uint64_t done, std::uint64_t all) {
         progress.show(static_cast<double>(done) / static_cast<double>(all),
                       std::to_string(done) + " of " + std::to_string(all) + " trials");
-        return isInterrupted() ? core::Verdict::Stop : core::Verdict::Continue;
+        return isInterrupted() ? core::ObserverDecision::Stop : core::ObserverDecision::Continue;
     });
 }
 
@@ -140,7 +140,7 @@ core::Status writeRunReport(const core::RunSet& runs, const fs::path& folder)
 int finishReport(const core::Status& status, const std::string& folder, int exitCode)
 {
     if (!status) {
-        return failInput(status.error());
+        return reportInputError(status.error());
     }
     std::printf("written        %s\n", (fs::path(folder) / "tables.md").string().c_str());
     return exitCode;
@@ -148,30 +148,30 @@ int finishReport(const core::Status& status, const std::string& folder, int exit
 
 int runObservers(const EvaluateArguments& arguments)
 {
-    const auto readings = observerReadings(arguments.inputPaths);
+    const auto readings = readObserverLogs(arguments.inputPaths);
     if (!readings) {
-        return failInput(readings.error());
+        return reportInputError(readings.error());
     }
     const Report report{"Observer agreement", core::observerTables(readings.value()),
                         core::observerPlots(readings.value())};
     if (report.tables.empty()) {
-        return failInput(core::Error(io::messages::observerTooFew()));
+        return reportInputError(core::Error(io::messages::observerTooFew()));
     }
     core::Status status = makeFolder(arguments.outputFolder);
     if (status) {
         status = writeReport(report, arguments.outputFolder);
     }
-    return finishReport(status, arguments.outputFolder, exitDone);
+    return finishReport(status, arguments.outputFolder, exitSuccess);
 }
 
 /// Checks that the named files are the ones the experiment needs; returns nothing if they are.
-std::optional<core::Message> problemOfInputs(const EvaluateArguments& arguments)
+std::optional<core::Message> findInputProblem(const EvaluateArguments& arguments)
 {
     const std::size_t count = arguments.inputPaths.size();
     if (arguments.protocol == observerLogs) {
         return count == 0 ? std::optional<core::Message>(messages::observersNoLog()) : std::nullopt;
     }
-    if (!arguments.mergedFolders.empty() || arguments.protocol != ownCases) {
+    if (!arguments.mergedFolders.empty() || arguments.protocol != userCasesProtocol) {
         return count == 0 ? std::nullopt
                           : std::optional<core::Message>(
                                 messages::inputOfExperiment(arguments.protocol, arguments.inputPaths.front()));
@@ -181,8 +181,8 @@ std::optional<core::Message> problemOfInputs(const EvaluateArguments& arguments)
 
 core::Result<core::Experiment> runExperimentOf(const EvaluateArguments& arguments)
 {
-    if (arguments.protocol == ownCases) {
-        return runOwnCases(arguments);
+    if (arguments.protocol == userCasesProtocol) {
+        return evaluateUserCases(arguments);
     }
     const auto plan = planOf(arguments);
     return plan ? core::Result<core::Experiment>(runWithProgress(plan.value())) : plan.error();
@@ -192,9 +192,9 @@ core::Result<core::Experiment> runExperimentOf(const EvaluateArguments& argument
 
 int runEvaluate(const EvaluateArguments& arguments)
 {
-    if (const auto problem = problemOfInputs(arguments)) {
+    if (const auto problem = findInputProblem(arguments)) {
         printMessage(problem->text());
-        return exitUsage;
+        return exitUsageError;
     }
     if (arguments.protocol == observerLogs) {
         return runObservers(arguments);
@@ -203,23 +203,23 @@ int runEvaluate(const EvaluateArguments& arguments)
     if (!arguments.mergedFolders.empty()) {
         auto runs = mergedRuns(arguments);
         if (!runs) {
-            return failInput(runs.error());
+            return reportInputError(runs.error());
         }
         experiment.runs = std::move(runs).value();
     } else {
         auto run = runExperimentOf(arguments);
         if (!run) {
             printMessage(run.error().message.text());
-            return arguments.protocol == ownCases ? exitInput : exitUsage;
+            return arguments.protocol == userCasesProtocol ? exitInputError : exitUsageError;
         }
         experiment = std::move(run).value();
     }
     if (experiment.runs.runs.empty()) {
         printMessage("No trial was completed; nothing was written.");
-        return experiment.wasStopped ? exitStopped : exitInput;
+        return experiment.wasStopped ? exitInterrupted : exitInputError;
     }
     return finishReport(writeRunReport(experiment.runs, arguments.outputFolder), arguments.outputFolder,
-                        experiment.wasStopped ? exitStopped : exitDone);
+                        experiment.wasStopped ? exitInterrupted : exitSuccess);
 }
 
 }   // namespace angiopose::app

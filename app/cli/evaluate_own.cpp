@@ -3,13 +3,13 @@
 #include "app/cli/case_input.h"
 #include "app/cli/console.h"
 #include "app/cli/shard.h"
-#include "core/evaluation/own/judge_own.h"
+#include "core/evaluation/own/evaluate_own_case.h"
 #include "core/messages/messages.h"
 #include "core/support/parallel_for.h"
 #include "core/support/stopwatch.h"
 #include "core/workflow/register_case.h"
+#include "io/evaluation/cohort_manifest.h"
 #include "io/evaluation/observer_readings.h"
-#include "io/evaluation/own_manifest.h"
 #include "io/messages/messages.h"
 #include "io/pose_file.h"
 #include "io/vessel_tree_file.h"
@@ -21,16 +21,16 @@ namespace angiopose::app {
 namespace {
 
 /// Method with its options; if there are none, the options of each case are used.
-struct OwnMethod {
+struct UserCaseMethod {
     std::string label;
     std::optional<core::RegistrationOptions> options;
 };
 
 /// Row of the manifest with the content of its files.
-struct OwnTask {
-    io::OwnEntry entry;
+struct EvaluationTask {
+    io::CohortEntry entry;
     std::uint64_t trial = 0;   ///< index of the row in the manifest
-    core::OwnTruth truth;
+    core::OwnGroundTruth truth;
     std::optional<core::RigidTransform> start;
     std::vector<std::pair<std::string, core::RigidTransform>>
         found;   ///< poses found by other programs, with the name of their source
@@ -45,16 +45,16 @@ core::Result<std::optional<core::RigidTransform>> poseAt(const std::string& path
     return pose ? core::Result<std::optional<core::RigidTransform>>(pose.value()) : pose.error();
 }
 
-core::Result<core::OwnTruth> truthOf(const io::OwnEntry& entry)
+core::Result<core::OwnGroundTruth> groundTruthOf(const io::CohortEntry& entry)
 {
-    core::OwnTruth truth;
+    core::OwnGroundTruth truth;
     const auto reference = poseAt(entry.referencePath);
     if (!reference) {
         return reference.error();
     }
     truth.cameraFromPatient = reference.value();
-    if (!entry.deformedPath.empty()) {
-        auto deformed = io::readVesselTree(entry.deformedPath);
+    if (!entry.deformedVesselsPath.empty()) {
+        auto deformed = io::readVesselTree(entry.deformedVesselsPath);
         if (!deformed) {
             return deformed.error();
         }
@@ -67,8 +67,8 @@ core::Result<core::OwnTruth> truthOf(const io::OwnEntry& entry)
         }
         truth.landmarksInPatient = std::move(landmarks).value();
     }
-    if (!entry.pairsPath.empty()) {
-        auto pairs = io::readPointPairs(entry.pairsPath);
+    if (!entry.pointPairsPath.empty()) {
+        auto pairs = io::readPointPairs(entry.pointPairsPath);
         if (!pairs) {
             return pairs.error();
         }
@@ -77,18 +77,18 @@ core::Result<core::OwnTruth> truthOf(const io::OwnEntry& entry)
     return truth;
 }
 
-core::Result<OwnTask> taskOf(const io::OwnEntry& entry, std::uint64_t trial)
+core::Result<EvaluationTask> taskOf(const io::CohortEntry& entry, std::uint64_t trial)
 {
-    auto truth = truthOf(entry);
+    auto truth = groundTruthOf(entry);
     if (!truth) {
         return truth.error();
     }
-    const auto start = poseAt(entry.startPath);
+    const auto start = poseAt(entry.initialPosePath);
     if (!start) {
         return start.error();
     }
-    OwnTask task{entry, trial, std::move(truth).value(), start.value(), {}};
-    for (const auto& [name, path] : entry.foundPaths) {
+    EvaluationTask task{entry, trial, std::move(truth).value(), start.value(), {}};
+    for (const auto& [name, path] : entry.methodPosePaths) {
         const auto pose = io::readPose(path);
         if (!pose) {
             return pose.error();
@@ -99,9 +99,9 @@ core::Result<OwnTask> taskOf(const io::OwnEntry& entry, std::uint64_t trial)
 }
 
 /// Reads the rows of the shard with all ground-truth files before the first case is registered.
-core::Result<std::vector<OwnTask>> tasksOf(const std::vector<io::OwnEntry>& entries, const core::Shard& shard)
+core::Result<std::vector<EvaluationTask>> tasksOf(const std::vector<io::CohortEntry>& entries, const core::Shard& shard)
 {
-    std::vector<OwnTask> tasks;
+    std::vector<EvaluationTask> tasks;
     for (std::uint64_t row = shard.index; row < entries.size(); row += shard.count) {
         auto task = taskOf(entries[row], row);
         if (!task) {
@@ -112,64 +112,64 @@ core::Result<std::vector<OwnTask>> tasksOf(const std::vector<io::OwnEntry>& entr
     return tasks;
 }
 
-core::Result<std::vector<OwnMethod>> methodsOf(const std::string& requests)
+core::Result<std::vector<UserCaseMethod>> methodsOf(const std::string& requests)
 {
-    std::vector<OwnMethod> methods;
+    std::vector<UserCaseMethod> methods;
     if (requests.empty()) {
         methods.push_back({"case", std::nullopt});
         return methods;
     }
-    const auto contestants = core::contestantsFrom(requests);
-    if (!contestants) {
-        return contestants.error();
+    const auto evaluatedMethods = core::parseMethods(requests);
+    if (!evaluatedMethods) {
+        return evaluatedMethods.error();
     }
-    for (const core::Contestant& contestant : contestants.value()) {
-        methods.push_back({contestant.label, contestant.options});
+    for (const core::EvaluatedMethod& evaluatedMethod : evaluatedMethods.value()) {
+        methods.push_back({evaluatedMethod.label, evaluatedMethod.options});
     }
     return methods;
 }
 
 /// Registers and evaluates rows, one at a time or several in parallel.
-class OwnJudge {
+class CaseEvaluator {
 public:
-    explicit OwnJudge(const std::vector<OwnMethod>& methods) : methods_(methods) {}
+    explicit CaseEvaluator(const std::vector<UserCaseMethod>& methods) : methods_(methods) {}
 
     /// Returns the records of all methods and of the poses found by other programs; empty if the user has stopped.
-    std::vector<core::RunRecord> judge(const OwnTask& task)
+    std::vector<core::RunRecord> judge(const EvaluationTask& task)
     {
         const auto session = loaded(task);
         const auto camera =
             session ? core::cameraOf(session.value().shown()) : core::Result<core::ProjectionCamera>(session.error());
         if (!camera || !session.value().vessels.tree) {
             tell(task, camera ? core::Error(core::messages::noVesselTree()) : camera.error());
-            return unknownRecords(task);
+            return recordsWithoutResult(task);
         }
         const core::VesselTree* deformed = task.truth.deformedTree.get();
-        if (deformed && !core::isTruthOf(*deformed, *session.value().vessels.tree)) {
-            tell(task, core::Error(io::messages::ownDeformedOther()).about(task.entry.deformedPath));
-            return unknownRecords(task);
+        if (deformed && !core::isGroundTruthFor(*deformed, *session.value().vessels.tree)) {
+            tell(task, core::Error(io::messages::ownDeformedOther()).about(task.entry.deformedVesselsPath));
+            return recordsWithoutResult(task);
         }
         const core::OwnCase own{*session.value().vessels.tree, camera.value(),
                                 session.value().shown().cameraFromPatient, task.truth};
         std::vector<core::RunRecord> records;
-        for (const OwnMethod& method : methods_) {
+        for (const UserCaseMethod& method : methods_) {
             records.push_back(named(judgeMethod(task, own, session.value(), method), task, method.label));
         }
         for (const auto& [name, pose] : task.found) {
-            records.push_back(named(core::judgeOwn(own, pose), task, name));
+            records.push_back(named(core::evaluateOwnCase(own, pose), task, name));
         }
         return isInterrupted() ? std::vector<core::RunRecord>() : records;
     }
 
 private:
-    void tell(const OwnTask& task, const core::Error& error)
+    void tell(const EvaluationTask& task, const core::Error& error)
     {
         const std::lock_guard lock(informative_);
         printMessage("line " + std::to_string(task.entry.line) + ": " + std::string(error.message.text()));
     }
 
     /// Loads the case of a row under a lock, since the file readers are not thread-safe.
-    core::Result<core::Case> loaded(const OwnTask& task)
+    core::Result<core::Case> loaded(const EvaluationTask& task)
     {
         const std::lock_guard lock(loading_);
         auto read = loadCaseForCommand(task.entry.casePath, std::nullopt);
@@ -181,36 +181,36 @@ private:
         return session;
     }
 
-    core::RunRecord judgeMethod(const OwnTask& task, const core::OwnCase& own, core::Case session,
-                                const OwnMethod& method)
+    core::RunRecord judgeMethod(const EvaluationTask& task, const core::OwnCase& own, core::Case session,
+                                const UserCaseMethod& method)
     {
         if (method.options) {
             session.options = *method.options;
         }
         const core::ThreadStopwatch processor;
         const auto registered = core::registerCase(std::move(session), {}, [](const auto&) {
-            return isInterrupted() ? core::Verdict::Stop : core::Verdict::Continue;
+            return isInterrupted() ? core::ObserverDecision::Stop : core::ObserverDecision::Continue;
         });
         if (!registered) {
             tell(task, registered.error());
         }
-        core::RunRecord record = core::judgeOwn(
+        core::RunRecord record = core::evaluateOwnCase(
             own, registered ? std::optional(registered.value().result()) : std::optional<core::RegistrationResult>());
         record.processorMs = processor.elapsedMs();
         return record;
     }
 
     /// Returns records without a result for a case that cannot be opened.
-    std::vector<core::RunRecord> unknownRecords(const OwnTask& task) const
+    std::vector<core::RunRecord> recordsWithoutResult(const EvaluationTask& task) const
     {
         std::vector<core::RunRecord> records;
-        for (const OwnMethod& method : methods_) {
+        for (const UserCaseMethod& method : methods_) {
             records.push_back(named({}, task, method.label));
         }
         return records;
     }
 
-    static core::RunRecord named(core::RunRecord record, const OwnTask& task, const std::string& label)
+    static core::RunRecord named(core::RunRecord record, const EvaluationTask& task, const std::string& label)
     {
         record.condition = task.entry.condition;
         record.method = label;
@@ -219,15 +219,16 @@ private:
         return record;
     }
 
-    const std::vector<OwnMethod>& methods_;
+    const std::vector<UserCaseMethod>& methods_;
     std::mutex loading_;
     std::mutex informative_;
 };
 
 /// Evaluates all rows; the records do not depend on the number of threads.
-core::Experiment judgeAll(const std::vector<OwnTask>& tasks, const std::vector<OwnMethod>& methods, int threads)
+core::Experiment evaluateAll(const std::vector<EvaluationTask>& tasks, const std::vector<UserCaseMethod>& methods,
+                             int threads)
 {
-    OwnJudge judge(methods);
+    CaseEvaluator judge(methods);
     ProgressLine progress("judging");
     std::vector<std::vector<core::RunRecord>> found(tasks.size());
     core::parallelFor(
@@ -236,7 +237,7 @@ core::Experiment judgeAll(const std::vector<OwnTask>& tasks, const std::vector<O
             progress.show(done, std::to_string(tasks.size()) + " cases");
             return !isInterrupted();
         });
-    core::Experiment experiment{{ownCases, 1, {}}, isInterrupted()};
+    core::Experiment experiment{{userCasesProtocol, 1, {}}, isInterrupted()};
     for (std::vector<core::RunRecord>& records : found) {
         std::ranges::move(records, std::back_inserter(experiment.runs.runs));
     }
@@ -245,9 +246,9 @@ core::Experiment judgeAll(const std::vector<OwnTask>& tasks, const std::vector<O
 
 }   // namespace
 
-core::Result<core::Experiment> runOwnCases(const EvaluateArguments& arguments)
+core::Result<core::Experiment> evaluateUserCases(const EvaluateArguments& arguments)
 {
-    const auto shard = shardFrom(arguments.shard);
+    const auto shard = parseShard(arguments.shard);
     if (!shard) {
         return shard.error();
     }
@@ -255,7 +256,7 @@ core::Result<core::Experiment> runOwnCases(const EvaluateArguments& arguments)
     if (!methods) {
         return methods.error();
     }
-    const auto entries = io::readOwnManifest(arguments.inputPaths.front());
+    const auto entries = io::readCohortManifest(arguments.inputPaths.front());
     if (!entries) {
         return entries.error();
     }
@@ -263,10 +264,10 @@ core::Result<core::Experiment> runOwnCases(const EvaluateArguments& arguments)
     if (!tasks) {
         return tasks.error();
     }
-    return judgeAll(tasks.value(), methods.value(), core::threadCount(arguments.threads.value_or(0)));
+    return evaluateAll(tasks.value(), methods.value(), core::threadCount(arguments.threads.value_or(0)));
 }
 
-core::Result<std::vector<core::ObserverReading>> observerReadings(const std::vector<std::string>& paths)
+core::Result<std::vector<core::ObserverReading>> readObserverLogs(const std::vector<std::string>& paths)
 {
     std::vector<core::ObserverReading> all;
     for (const std::string& path : paths) {

@@ -12,15 +12,15 @@ namespace angiopose::app {
 
 inline constexpr const char* defaultMethods =
     "angiopose,dynaweight:seed_noprior,dynaweight:seed_mean,iterative-pnp:seed_mean";
-inline constexpr const char* ownCases = "own";   ///< name of the protocol whose trials are files
+inline constexpr const char* userCasesProtocol = "own";   ///< name of the protocol whose trials are files
 inline constexpr const char* observerLogs = "observers";
 
-/// Registers the cases of a manifest (io/evaluation/own_manifest.h) with each requested method, and compares every
+/// Registers the cases of a manifest (io/evaluation/cohort_manifest.h) with each requested method, and compares every
 /// result and every pose found elsewhere with the ground truth of its case. A failed case is reported and counts as one
 /// without a result. The figures do not depend on the number of threads or on splitting into shards.
-core::Result<core::Experiment> runOwnCases(const EvaluateArguments& arguments);
+core::Result<core::Experiment> evaluateUserCases(const EvaluateArguments& arguments);
 
 /// Reads the observations of all logs; fails if no log is named.
-core::Result<std::vector<core::ObserverReading>> observerReadings(const std::vector<std::string>& paths);
+core::Result<std::vector<core::ObserverReading>> readObserverLogs(const std::vector<std::string>& paths);
 
 }   // namespace angiopose::app

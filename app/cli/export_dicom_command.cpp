@@ -18,7 +18,7 @@ namespace {
 
 struct ExportDicomArguments {
     std::string casePath;
-    FromResult from;
+    ResultSource from;
     std::string outputFolder;
     std::vector<std::string> objects;   ///< object ids; if empty, all that the case allows
     std::string reportPath;   ///< PDF to encapsulate; optional
@@ -41,7 +41,7 @@ core::Result<DicomExport> exportFor(const ExportDicomArguments& arguments)
 {
     DicomExport wanted;
     for (const std::string& id : arguments.objects) {
-        const auto kind = dicomKindFrom(id);
+        const auto kind = parseDicomKind(id);
         if (!kind) {
             return core::Error(messages::dicomKindUnknown(id, dicomKindIds()).about("--objects"));
         }
@@ -62,13 +62,13 @@ core::Result<core::Case> caseFor(const ExportDicomArguments& arguments)
 {
     auto loaded = arguments.from.path.empty()
                       ? loadCaseForCommand(arguments.casePath, arguments.frame)
-                      : loadResultForCommand(arguments.from, ResultStage::Found, arguments.frame);
+                      : loadResultForCommand(arguments.from, ResultState::Registered, arguments.frame);
     if (!loaded) {
         return loaded;
     }
     if (!arguments.isRegistered) {
         const core::Case& session = loaded.value();
-        const bool isUnwanted = !arguments.isStartWanted && core::isAtStart(session.shown(), session.vessels);
+        const bool isUnwanted = !arguments.isStartWanted && core::isAtInitialPose(session.shown(), session.vessels);
         return isUnwanted ? core::Error(messages::exportAtStart().about(arguments.casePath)) : loaded;
     }
     auto found = registerForCommand(std::move(loaded).value(), "registering");
@@ -80,7 +80,7 @@ core::Result<DicomFiles> writeObjects(const core::Case& session, const DicomExpo
     ProgressLine progress("writing");
     return writeDicomObjects(session, {}, wanted, folder, [&progress](double fraction) {
         progress.show(fraction, "");
-        return isInterrupted() ? core::Verdict::Stop : core::Verdict::Continue;
+        return isInterrupted() ? core::ObserverDecision::Stop : core::ObserverDecision::Continue;
     });
 }
 
@@ -89,21 +89,21 @@ int runExportDicom(const ExportDicomArguments& arguments)
     const auto wanted = exportFor(arguments);
     if (!wanted) {
         printMessage(wanted.error().message.text());
-        return exitUsage;
+        return exitUsageError;
     }
     const auto session = caseFor(arguments);
     if (!session) {
-        return failInput(session.error());
+        return reportInputError(session.error());
     }
     const auto files = writeObjects(session.value(), wanted.value(), arguments.outputFolder);
     if (!files) {
-        return failInput(files.error());
+        return reportInputError(files.error());
     }
     printWarnings(files.value().notes);
     for (const std::string& path : files.value().paths) {
         std::printf("%s\n", path.c_str());
     }
-    return exitDone;
+    return exitSuccess;
 }
 
 }   // namespace
@@ -113,21 +113,22 @@ void addExportDicom(CLI::App& app, int& exitCode)
     auto* command = app.add_subcommand("export-dicom", "Export a case and its results as DICOM objects");
     auto arguments = std::make_shared<ExportDicomArguments>();
     addCaseOrResult(command, arguments->casePath, arguments->from);
-    command->add_option("--output", arguments->outputFolder, "Folder for the objects, one file each")->required();
+    command->add_option("--output", arguments->outputFolder, "Output folder; one file per object")->required();
     command
         ->add_option("--objects", arguments->objects,
-                     "Which, of " + dicomKindIds() + " (default: all that the case allows)")
+                     "Which, of " + dicomKindIds() + " (default: all that can be created from the case)")
         ->delimiter(',');
     command->add_option("--report", arguments->reportPath,
                         "PDF of the report, written by `angiopose-cli report`, for pdf");
-    addFrameOption(*command, arguments->frame, "Frame of the angiogram, from 1");
+    addFrameOption(*command, arguments->frame, "Frame of the angiogram, starting at 1");
     command->add_option("--width", arguments->widthPx, "Width of the images in pixels (default: twice the angiogram)")
         ->check(CLI::Range(64, 8192));
     command->add_flag("--register", arguments->isRegistered, "Register the frame of the case first");
     command->add_flag("--start-pose", arguments->isStartWanted,
-                      "Use the initial pose if nothing has been registered in the case");
-    command->add_flag("--rigid", arguments->isRigid, "Draw the vessels rigid even if the case has deformed ones");
-    command->add_flag("--identity", arguments->isIdentityShown, "Also write the patient's name into the images");
+                      "Use the initial pose if the case has not been registered");
+    command->add_flag("--rigid", arguments->isRigid,
+                      "Draw the vessels at the rigid pose even if the case has deformed vessels");
+    command->add_flag("--identity", arguments->isIdentityShown, "Also show the patient's name in the images");
     command->add_option("--author", arguments->author, "Author of the objects, as Family^Given");
     command->footer(
         "sc: image, run: images of the run, pdf: report, ps: lines on the stored image, reg: pose, seg: vessels in the "
@@ -135,7 +136,7 @@ void addExportDicom(CLI::App& app, int& exitCode)
         "export-dicom case.angiopose --register --output objects --objects sc,ps,reg\n          angiopose-cli "
         "export-dicom --from result/result.json --inputs . --output objects");
     command->callback([arguments, &exitCode] {
-        needCaseOrResult(arguments->casePath, arguments->from);
+        requireCaseOrResult(arguments->casePath, arguments->from);
         exitCode = runExportDicom(*arguments);
     });
 }

@@ -30,27 +30,30 @@ void addTraceAngiogram(CLI::App& app, int& exitCode)
     auto* command = app.add_subcommand("trace-angiogram", "Trace the vessels of an angiogram as 2-D centerlines");
     auto arguments = std::make_shared<TraceAngiogramArguments>();
     command->add_option("IMAGE", arguments->imagePath, "DICOM, PNG, TIFF or JPEG")->required();
-    addFrameOption(*command, arguments->frame, "Frame, from 1 (default: peak opacification)");
-    command->add_option("--output", arguments->outputPath, "Centerlines to write, .csv")->required();
-    command->add_option("--apart", arguments->apartPath,
-                        "Write curves that may be a catheter, guidewire or bone edge to this .csv instead; the method "
-                        "wire uses it as the path of a wire");
-    command->add_option("--mask", arguments->maskPath, "Vessel mask to write, .png");
-    command->add_option("--sensitivity", arguments->sensitivity, "Above 1: also detect fainter vessels")
+    addFrameOption(*command, arguments->frame, "Frame, starting at 1 (default: peak opacification)");
+    command->add_option("--output", arguments->outputPath, "Centerlines to write (.csv)")->required();
+    command->add_option("--apart", arguments->devicePath,
+                        "Write curves that may be catheters, guidewires or bone edges to this .csv file instead; the "
+                        "method wire can use it as the path of a guidewire");
+    command->add_option("--mask", arguments->maskPath, "Vessel mask to write (.png)");
+    command
+        ->add_option("--sensitivity", arguments->sensitivity,
+                     "Tracing sensitivity; values above 1 also detect fainter vessels")
         ->check(CLI::Range(0.2, 5.0));
     command->add_flag("--subtract,!--native", arguments->subtract,
-                      "Subtract the frames before contrast arrival first, or use native frames (default: subtract if "
-                      "the file specifies a mask)");
-    command->add_option("--mask-frames", arguments->maskFrames, "Mask frames to average and subtract, from 1")
+                      "Subtract the frames before contrast arrival, or use native frames (default: subtract if the "
+                      "file specifies a mask)");
+    command->add_option("--mask-frames", arguments->maskFrames, "Mask frames to average and subtract, starting at 1")
         ->delimiter(',');
     command
-        ->add_option("--mask-shift", arguments->maskShiftPx, "Pixel shift of the mask, right,down (default: automatic)")
+        ->add_option("--mask-shift", arguments->maskShiftPx,
+                     "Pixel shift of the mask as right,down (default: automatic)")
         ->delimiter(',')
         ->expected(2);
     command
         ->add_option_function<std::string>(
             "--composite", [arguments](const std::string&) { arguments->composite = true; },
-            "Trace one composite of all frames: minimum (maximum opacification of each pixel)")
+            "Trace the peak-opacification image of the run: minimum (lowest value of each pixel over all frames)")
         ->check(CLI::IsMember({"minimum"}))
         ->excludes("--frame");
     command->footer("Example: angiopose-cli trace-angiogram run.dcm --frame 5 --output centerline.csv --mask mask.png");
@@ -60,7 +63,7 @@ void addTraceAngiogram(CLI::App& app, int& exitCode)
 void addStudies(CLI::App& app, int& exitCode)
 {
     auto* command =
-        app.add_subcommand("studies", "List the patients, studies and series of a folder, a disc or a DICOMDIR");
+        app.add_subcommand("studies", "List the patients, studies and series of a folder, a CD or a DICOMDIR");
     auto arguments = std::make_shared<FileArguments>();
     command->add_option("FOLDER", arguments->path, "A folder, or a DICOMDIR")->required();
     command->add_flag_callback(
@@ -87,7 +90,7 @@ void addSchema(CLI::App& app, int& exitCode)
     command->add_flag("--result", *isOfResults, "Print the schema of result.json");
     command->callback([&exitCode, isOfResults] {
         std::puts((*isOfResults ? io::resultSchema() : io::caseSchema()).c_str());
-        exitCode = exitDone;
+        exitCode = exitSuccess;
     });
 }
 

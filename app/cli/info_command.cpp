@@ -114,9 +114,9 @@ Json caseJson(const core::Case& session, const core::Messages& warnings)
         json["camera"]["origin"] = session.shown().geometry.cameraOverride ? "user" : "derived";
     }
     json["startPose"] = session.shown().initialCameraFromPatient ? "given" : "from the angles";
-    json["pose"] = session.shown().result                              ? "registered"
-                   : core::isAtStart(session.shown(), session.vessels) ? "at its start"
-                                                                       : "set otherwise";
+    json["pose"] = session.shown().result                                    ? "registered"
+                   : core::isAtInitialPose(session.shown(), session.vessels) ? "at its start"
+                                                                             : "set otherwise";
     if (const auto& result = session.shown().result) {
         json["result"] = resultJson(*result);
     }
@@ -291,14 +291,14 @@ int runInfo(const FileArguments& arguments)
     }
     const auto description = describe(arguments.path);
     if (!description) {
-        return failInput(description.error(), arguments.format);
+        return reportInputError(description.error(), arguments.format);
     }
     if (arguments.format == OutputFormat::Json) {
         std::puts(description.value().dump(2, ' ', false, Json::error_handler_t::replace).c_str());
     } else {
         printReadable(description.value(), 0);
     }
-    return exitDone;
+    return exitSuccess;
 }
 
 }   // namespace angiopose::app

@@ -20,12 +20,12 @@ namespace {
 using namespace app;
 
 /// Rejects "nan" and "inf" for every numeric option, since the range checks of CLI11 accept them.
-void wantFiniteNumbers(CLI::App& app)
+void requireFiniteNumbers(CLI::App& app)
 {
     const CLI::Validator finite(
         [](std::string& text) {
             const auto number = io::parseNumber(text);
-            return number && !std::isfinite(*number) ? text + " is not a finite number. Give a number." : std::string();
+            return number && !std::isfinite(*number) ? text + " is not a finite number." : std::string();
         },
         "");
     for (CLI::Option* option : app.get_options()) {
@@ -34,19 +34,19 @@ void wantFiniteNumbers(CLI::App& app)
         }
     }
     for (CLI::App* command : app.get_subcommands({})) {
-        wantFiniteNumbers(*command);
+        requireFiniteNumbers(*command);
     }
 }
 
 int parseAndRun(int argc, char** argv)
 {
-    int exitCode = exitDone;
+    int exitCode = exitSuccess;
     CLI::App app("AngioPose: registers a 3-D vessel tree to a 2-D angiogram. Not for clinical use.", "angiopose-cli");
     app.set_version_flag("--version", std::string("angiopose-cli ") + ANGIOPOSE_VERSION);
     app.require_subcommand(1);
     app.footer(
-        "Exit codes: 0 done, 2 wrong usage, 3 input missing or invalid, 4 result not reliable, 130 stopped.\nHelp on a "
-        "command: angiopose-cli COMMAND --help");
+        "Exit codes: 0 success, 2 usage error, 3 input missing or invalid, 4 result not reliable, 130 stopped.\nHelp "
+        "on a command: angiopose-cli COMMAND --help");
     addRegister(app, exitCode);
     addTrack(app, exitCode);
     addProject(app, exitCode);
@@ -72,12 +72,12 @@ int parseAndRun(int argc, char** argv)
     addArchive(app, exitCode);
     addSupportBundle(app, exitCode);
     addAudit(app);
-    wantFiniteNumbers(app);
+    requireFiniteNumbers(app);
     app.failure_message(usageHelp);
     try {
-        app.parse(asOptions({argv + 1, argv + argc}));
+        app.parse(helpAsOptions({argv + 1, argv + argc}));
     } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? exitDone : exitUsage;
+        return app.exit(error) == 0 ? exitSuccess : exitUsageError;
     }
     auditOutcome(app, exitCode);
     return exitCode;
@@ -88,14 +88,14 @@ int parseAndRun(int argc, char** argv)
 int main(int argc, char** argv)
 {
     std::setlocale(LC_ALL, "C");
-    app::catchInterrupts();
+    app::installInterruptHandler();
     io::reportFileSizeLimit();
-    io::beginCrashDumps("angiopose-cli");
+    io::enableCrashDumps("angiopose-cli");
     try {
         return app::finishOutput(parseAndRun(argc, argv));
     } catch (const std::bad_alloc&) {
-        return app::failInput(app::messages::notEnoughMemory());
+        return app::reportInputError(app::messages::notEnoughMemory());
     } catch (const std::exception& error) {
-        return app::failInput(app::messages::unexpectedFailure(error.what()));
+        return app::reportInputError(app::messages::unexpectedFailure(error.what()));
     }
 }

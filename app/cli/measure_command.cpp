@@ -23,13 +23,13 @@ core::Result<std::string> profileOfBranch(const core::VesselTree& tree, int bran
 
 core::Result<std::string> wantedTable(const MeasureArguments& arguments, const core::Case& session)
 {
-    if (arguments.profiledBranch) {
-        return profileOfBranch(*session.vessels.tree, *arguments.profiledBranch);
+    if (arguments.profileBranchId) {
+        return profileOfBranch(*session.vessels.tree, *arguments.profileBranchId);
     }
-    if (arguments.areCheckPointsWanted) {
-        return arguments.format == OutputFormat::Json ? io::checkPointJson(session) : io::checkPointTable(session);
+    if (arguments.writeTargetPoints) {
+        return arguments.format == OutputFormat::Json ? io::targetPointJson(session) : io::targetPointTable(session);
     }
-    return arguments.areBranchesWanted ? io::branchTable(*session.vessels.tree) : io::measurementTable(session);
+    return arguments.writeBranches ? io::branchTable(*session.vessels.tree) : io::measurementTable(session);
 }
 
 }   // namespace
@@ -38,21 +38,21 @@ int runMeasure(const MeasureArguments& arguments)
 {
     const auto loaded = loadCaseForCommand(arguments.casePath, std::nullopt);
     if (!loaded) {
-        return failInput(loaded.error());
+        return reportInputError(loaded.error());
     }
     const auto table = wantedTable(arguments, loaded.value());
     if (!table) {
-        return failInput(table.error().about(arguments.casePath));
+        return reportInputError(table.error().about(arguments.casePath));
     }
     if (arguments.outputPath.empty()) {
         std::fputs(table.value().c_str(), stdout);
-        return exitDone;
+        return exitSuccess;
     }
     if (const auto status = io::writeAtomically(arguments.outputPath, table.value()); !status) {
-        return failInput(status.error());
+        return reportInputError(status.error());
     }
     std::printf("%s\n", arguments.outputPath.c_str());
-    return exitDone;
+    return exitSuccess;
 }
 
 }   // namespace angiopose::app

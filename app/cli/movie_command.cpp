@@ -1,7 +1,7 @@
 #include "app/cli/case_input.h"
 #include "app/cli/commands.h"
-#include "app/cli/follow_case.h"
 #include "app/cli/register_case.h"
+#include "app/cli/track_case.h"
 #include "app/messages/messages.h"
 #include "app/texts/number_text.h"
 #include "core/workflow/register_case.h"
@@ -20,8 +20,8 @@ MoviePlan planOf(const MovieArguments& arguments, const core::Case& session)
                                            : core::FrameRange{arguments.frames[0] - 1, arguments.frames[1] - 1};
     plan.order = arguments.isBackAndForth ? core::CineOrder::BackAndForth : core::CineOrder::Loop;
     const double usual = arguments.content == MovieContent::Run           ? framesPerSecondOf(run)
-                         : arguments.content == MovieContent::Convergence ? convergencePerSecond
-                                                                          : turnPerSecond;
+                         : arguments.content == MovieContent::Convergence ? convergenceFramesPerSecond
+                                                                          : rotationFramesPerSecond;
     plan.framesPerSecond = (arguments.framesPerSecond > 0.0 ? arguments.framesPerSecond : usual) * arguments.speed;
     return plan;
 }
@@ -42,7 +42,7 @@ core::Result<core::Case> registered(core::Case session)
 
 core::Status write(const core::Case& session, const MovieArguments& arguments, const MoviePlan& plan)
 {
-    OverlayPictureOptions options;
+    OverlayImageOptions options;
     options.widthPx = arguments.widthPx;
     options.coloring = OverlayColoring::Branches;
     options.shape = arguments.isRigid ? VesselShape::Rigid : VesselShape::Deformed;
@@ -50,7 +50,7 @@ core::Status write(const core::Case& session, const MovieArguments& arguments, c
     ProgressLine progress("writing");
     return writeMovie(session, {}, options, plan, arguments.outputPath, [&progress](double fraction) {
         progress.show(fraction, "");
-        return isInterrupted() ? core::Verdict::Stop : core::Verdict::Continue;
+        return isInterrupted() ? core::ObserverDecision::Stop : core::ObserverDecision::Continue;
     });
 }
 
@@ -66,23 +66,23 @@ int runMovie(const MovieArguments& arguments)
         loaded = registered(std::move(loaded).value());
     }
     if (!loaded) {
-        return failInput(loaded.error());
+        return reportInputError(loaded.error());
     }
     core::Case session = std::move(loaded).value();
     MoviePlan plan = planOf(arguments, session);
-    if (arguments.isFollowed && arguments.content == MovieContent::Run) {
-        if (const auto followed = followForCommand(session); !followed) {
-            return failInput(followed.error().about(arguments.casePath));
+    if (arguments.isTracked && arguments.content == MovieContent::Run) {
+        if (const auto followed = trackForCommand(session); !followed) {
+            return reportInputError(followed.error().about(arguments.casePath));
         }
         plan.followed = core::framesOf(session.shown().followed);
     }
     if (const auto written = write(session, arguments, plan); !written) {
-        return failInput(written.error());
+        return reportInputError(written.error());
     }
     const MovieLength length = lengthOf(session, plan);
     std::printf("%s: %zu frames, %s s\n", arguments.outputPath.c_str(), length.pictures,
                 fixedText(length.seconds, 2).c_str());
-    return exitDone;
+    return exitSuccess;
 }
 
 }   // namespace angiopose::app

@@ -21,7 +21,8 @@ core::Result<core::Messages> pack(const PackArguments& arguments, const io::Pseu
     return io::packCaseFile(arguments.casePath, arguments.archivePath,
                             {deidentificationOf(*arguments.identity), pseudonyms}, [&progress](double fraction) {
                                 progress.show(fraction, "");
-                                return isInterrupted() ? core::Verdict::Stop : core::Verdict::Continue;
+                                return isInterrupted() ? core::ObserverDecision::Stop
+                                                       : core::ObserverDecision::Continue;
                             });
 }
 
@@ -29,15 +30,15 @@ int runPack(const PackArguments& arguments)
 {
     const auto pseudonyms = pseudonymsOf(*arguments.identity);
     if (!pseudonyms) {
-        return failInput(pseudonyms.error());
+        return reportInputError(pseudonyms.error());
     }
     const auto packed = pack(arguments, pseudonyms.value());
     if (!packed) {
-        return failInput(packed.error());
+        return reportInputError(packed.error());
     }
     printWarnings(packed.value());
     std::printf("%s\n", arguments.archivePath.c_str());
-    return exitDone;
+    return exitSuccess;
 }
 
 }   // namespace
@@ -47,10 +48,10 @@ void addPack(CLI::App& app, int& exitCode)
     auto* command = app.add_subcommand("pack", "Pack a case, its inputs and its results into one ZIP archive");
     auto arguments = std::make_shared<PackArguments>();
     command->add_option("CASE", arguments->casePath, "Case file, *.angiopose")->required();
-    command->add_option("ARCHIVE", arguments->archivePath, "Archive to write, .zip")->required();
+    command->add_option("ARCHIVE", arguments->archivePath, "Archive to write (.zip)")->required();
     arguments->identity = addDeidentifyOptions(*command);
     command->footer(
-        "After unpacking, its case.angiopose opens on any computer.\n\nExample: angiopose-cli pack case.angiopose "
+        "After unpacking, case.angiopose can be opened on any computer.\n\nExample: angiopose-cli pack case.angiopose "
         "for-others.zip --deidentify");
     command->callback([arguments, &exitCode] { exitCode = runPack(*arguments); });
 }

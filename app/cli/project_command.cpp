@@ -1,7 +1,7 @@
 #include "app/cli/case_input.h"
 #include "app/cli/commands.h"
 #include "app/messages/messages.h"
-#include "app/texts/picture_file.h"
+#include "app/texts/image_file.h"
 #include "core/case/initial_pose.h"
 #include "core/case/registration_input.h"
 #include "io/pose_camera_file.h"
@@ -11,11 +11,11 @@
 namespace angiopose::app {
 namespace {
 
-PictureContent contentOf(const ProjectArguments& arguments)
+ImageFileContent contentOf(const ProjectArguments& arguments)
 {
-    return arguments.is16Bit        ? PictureContent::Frame16
-           : arguments.isFrameAlone ? PictureContent::Frame
-                                    : PictureContent::Overlay;
+    return arguments.is16Bit     ? ImageFileContent::Frame16
+           : arguments.frameOnly ? ImageFileContent::Frame
+                                 : ImageFileContent::Overlay;
 }
 
 /// Sets the pose of the view from a file, and the camera too if that of the file differs.
@@ -54,7 +54,7 @@ core::Centerline2d targetToColorBy(const core::View& view)
 }
 
 /// Explains why no vessels are visible; empty if some of them are.
-std::optional<core::Message> unseenVessels(const core::View& view, const core::VesselTree& tree)
+std::optional<core::Message> invisibleVesselsMessage(const core::View& view, const core::VesselTree& tree)
 {
     const auto camera = core::cameraOf(view);
     bool isProjected = !camera;
@@ -79,33 +79,33 @@ int runProject(const ProjectArguments& arguments)
 {
     auto loaded = arguments.from.path.empty()
                       ? loadCaseForCommand(arguments.casePath, arguments.frame)
-                      : loadResultForCommand(arguments.from, ResultStage::Found, arguments.frame);
+                      : loadResultForCommand(arguments.from, ResultState::Registered, arguments.frame);
     if (!loaded) {
-        return failInput(loaded.error());
+        return reportInputError(loaded.error());
     }
     core::Case session = std::move(loaded).value();
     if (!arguments.posePath.empty()) {
-        if (const auto taken = takePose(session.shown(), arguments.posePath); !taken) {
-            return failInput(taken.error());
+        if (const auto poseStatus = takePose(session.shown(), arguments.posePath); !poseStatus) {
+            return reportInputError(poseStatus.error());
         }
     }
     const core::View& shown = session.shown();
-    if (arguments.isMotionColored && !drawableDeformation(shown, session.vessels, shown.cameraFromPatient)) {
-        return failInput(core::Error(messages::noDeformedVessels().about(arguments.casePath)));
+    if (arguments.isMotionColored && !deformationForPose(shown, session.vessels, shown.cameraFromPatient)) {
+        return reportInputError(core::Error(messages::noDeformedVessels().about(arguments.casePath)));
     }
-    const bool isDrawn = !arguments.isFrameAlone && !arguments.is16Bit && session.vessels.tree;
-    if (const auto unseen = isDrawn ? unseenVessels(shown, *session.vessels.tree) : std::nullopt) {
+    const bool isDrawn = !arguments.frameOnly && !arguments.is16Bit && session.vessels.tree;
+    if (const auto unseen = isDrawn ? invisibleVesselsMessage(shown, *session.vessels.tree) : std::nullopt) {
         const std::string& path = arguments.posePath.empty() ? arguments.casePath : arguments.posePath;
         if (unseen->is(messages::allBehindSource)) {
-            return failInput(core::Error(unseen->about(path)));
+            return reportInputError(core::Error(unseen->about(path)));
         }
         printWarnings({unseen->about(path)});
     }
-    if (isDrawn && core::isAtStart(shown, session.vessels)) {
+    if (isDrawn && core::isAtInitialPose(shown, session.vessels)) {
         printWarnings({messages::drawnAtStart().about(arguments.casePath)});
     }
     const core::Centerline2d target = targetToColorBy(shown);
-    OverlayPictureOptions options;
+    OverlayImageOptions options;
     options.widthPx = arguments.widthPx;
     options.coloring = arguments.isMotionColored ? OverlayColoring::Motion
                        : target.curves.empty()   ? OverlayColoring::Branches
@@ -115,13 +115,13 @@ int runProject(const ProjectArguments& arguments)
     if (arguments.swipePx) {
         options.cutout = {ui::Cutout::Shape::RightOf, {*arguments.swipePx, 0.0}, 0.0};
     }
-    options.isStartBeside = arguments.startBeside;
-    const PictureFile file{contentOf(arguments), arguments.dotsPerInch};
-    if (const auto status = writePictureFile(session, target, options, file, arguments.outputPath); !status) {
-        return failInput(status.error());
+    options.isInitialPoseShown = arguments.showInitialPose;
+    const ImageFileOptions file{contentOf(arguments), arguments.dotsPerInch};
+    if (const auto status = writeImageFile(session, target, options, file, arguments.outputPath); !status) {
+        return reportInputError(status.error());
     }
     std::printf("%s\n", arguments.outputPath.c_str());
-    return exitDone;
+    return exitSuccess;
 }
 
 }   // namespace angiopose::app

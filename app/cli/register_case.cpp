@@ -72,10 +72,10 @@ core::Result<core::RegisteredCase> registerForCommand(core::Case session, const 
     return core::registerCase(std::move(session), signedPlan(std::move(plan)), progress.observer());
 }
 
-core::Result<core::RegisteredCase> registerQuietly(core::Case session, core::RegistrationPlan plan)
+core::Result<core::RegisteredCase> registerWithoutProgress(core::Case session, core::RegistrationPlan plan)
 {
     return core::registerCase(std::move(session), signedPlan(std::move(plan)), [](const core::WorkReport&) {
-        return isInterrupted() ? core::Verdict::Stop : core::Verdict::Continue;
+        return isInterrupted() ? core::ObserverDecision::Stop : core::ObserverDecision::Continue;
     });
 }
 

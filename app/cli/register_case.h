@@ -16,6 +16,6 @@ core::Result<core::RegisteredCase> registerForCommand(core::Case session, const 
                                                       core::RegistrationPlan plan = {});
 
 /// Registers without a progress line, for use when several cases run at once.
-core::Result<core::RegisteredCase> registerQuietly(core::Case session, core::RegistrationPlan plan = {});
+core::Result<core::RegisteredCase> registerWithoutProgress(core::Case session, core::RegistrationPlan plan = {});
 
 }   // namespace angiopose::app

@@ -6,8 +6,8 @@
 #include "core/case/case_patients.h"
 #include "core/registration/deformable/deform_vessels.h"
 #include "core/support/stopwatch.h"
-#include "io/case/asked_case.h"
 #include "io/case/case_file.h"
+#include "io/case/input_case.h"
 #include "io/results/result_file.h"
 
 #include <cstdio>
@@ -35,7 +35,7 @@ std::string outputFolderOf(const RegisterArguments& arguments)
 core::Result<core::Case> loadAskedCase(const RegisterArguments& arguments)
 {
     if (!arguments.from.path.empty()) {
-        return loadResultForCommand(arguments.from, ResultStage::Asked, arguments.frame);
+        return loadResultForCommand(arguments.from, ResultState::Unregistered, arguments.frame);
     }
     return arguments.angiogramPath.empty()
                ? loadCaseForCommand(arguments.casePath, arguments.frame)
@@ -60,11 +60,11 @@ int exitCodeOf(const core::RegisteredCase& registered)
     const auto& deformed = registered.result().deformed;
     if (registered.result().stopReason == core::StopReason::StoppedByUser ||
         (deformed && deformed->stopReason == core::StopReason::StoppedByUser)) {
-        return exitStopped;
+        return exitInterrupted;
     }
     const bool isUnsure = registered.session.options.deformation == core::Deformation::Always && deformed &&
                           deformed->verdict == core::DeformationVerdict::Unsure;
-    return registered.result().trustworthy && !isUnsure ? exitDone : exitNotTrustworthy;
+    return registered.result().trustworthy && !isUnsure ? exitSuccess : exitUnreliable;
 }
 
 }   // namespace
@@ -74,18 +74,18 @@ int runRegister(const RegisterArguments& arguments)
     core::Stopwatch watch;
     auto loaded = loadAskedCase(arguments);
     if (!loaded) {
-        return failInput(loaded.error(), arguments.format);
+        return reportInputError(loaded.error(), arguments.format);
     }
     core::Case session = std::move(loaded).value();
     if (const auto status = applyArguments(session, arguments); !status) {
         printMessage(status.error().message.text());
-        return exitUsage;
+        return exitUsageError;
     }
-    if (arguments.isDeformation) {
+    if (arguments.deformVessels) {
         session.options.deformation = core::Deformation::Always;
     }
     if (const auto status = addOtherViews(session, arguments.otherViews); !status) {
-        return failInput(status.error(), arguments.format);
+        return reportInputError(status.error(), arguments.format);
     }
     if (!arguments.otherViews.empty() ||
         !arguments.angiogramPath.empty()) {   // when a single case is loaded, its images have already been compared
@@ -98,21 +98,21 @@ int runRegister(const RegisterArguments& arguments)
     plan.readMs = watch.lapMs();
     const auto registered = registerForCommand(std::move(session), "registering", std::move(plan));
     if (!registered) {
-        return failInput(registered.error().about(inputPathOf(arguments)), arguments.format);
+        return reportInputError(registered.error().about(inputPathOf(arguments)), arguments.format);
     }
     const std::string folder = outputFolderOf(arguments);
     if (const auto status = writeOutputs(registered.value(), folder); !status) {
-        return failInput(status.error(), arguments.format);
+        return reportInputError(status.error(), arguments.format);
     }
     if (!arguments.savedPath.empty()) {
         if (const auto status = io::saveCase(registered.value().session, arguments.savedPath); !status) {
-            return failInput(status.error(), arguments.format);
+            return reportInputError(status.error(), arguments.format);
         }
     }
     if (arguments.format == OutputFormat::Json) {
-        std::puts(io::registeredJson(registered.value(), io::askedCaseText(registered.value())).c_str());
+        std::puts(io::registrationJson(registered.value(), io::inputCaseText(registered.value())).c_str());
     } else {
-        printRegistered(registered.value(), folder);
+        printSummary(registered.value(), folder);
     }
     return exitCodeOf(registered.value());
 }

@@ -1,15 +1,15 @@
 #include "app/cli/register_outputs.h"
 
 #include "app/messages/messages.h"
-#include "app/texts/fit_words.h"
+#include "app/texts/fit_basis_lines.h"
 #include "app/texts/number_text.h"
-#include "app/texts/overlay_picture.h"
+#include "app/texts/overlay_image.h"
 #include "core/case/case_views.h"
 #include "core/geometry/angle_units.h"
 #include "core/registration/deformable/deformed_tree.h"
-#include "core/registration/judging/disagreeing_branches.h"
+#include "core/registration/judging/mismatched_branches.h"
 #include "core/registration/judging/pose_uncertainty.h"
-#include "io/case/asked_case.h"
+#include "io/case/input_case.h"
 #include "io/image_file.h"
 #include "io/motion_table.h"
 #include "io/pose_file.h"
@@ -32,12 +32,12 @@ using core::RegisteredCase;
 
 core::Case caseShowing(const RegisteredCase& registered, std::size_t index)
 {
-    return core::showingView(registered.session, registered.places[index]);
+    return core::withShownView(registered.session, registered.viewIndices[index]);
 }
 
 std::string viewFolder(const RegisteredCase& registered, const std::string& folder, std::size_t index)
 {
-    const std::string number = std::to_string(registered.places[index] + 1);
+    const std::string number = std::to_string(registered.viewIndices[index] + 1);
     return index == 0 ? folder : (fs::path(folder) / ("view-" + number)).string();
 }
 
@@ -46,34 +46,34 @@ struct WrittenView {
     core::Case session;   ///< case that displays this view
     const core::Centerline2d* target = nullptr;
     std::string result;   ///< JSON
-    std::string resultInPictures;   ///< JSON without names, for image metadata, since images may be shared
+    std::string resultInImages;   ///< JSON without names, for image metadata, since images may be shared
 };
 
-WrittenView writtenView(const RegisteredCase& registered, std::size_t k, Pictures pictures)
+WrittenView writtenView(const RegisteredCase& registered, std::size_t k, OverlayImages pictures)
 {
-    const std::size_t place = registered.places[k];
-    return {caseShowing(registered, k), &registered.targets[k],
-            io::resultJson(registered, place, io::ResultNames::Kept),
-            pictures == Pictures::Drawn ? io::resultJson(registered, place, io::ResultNames::LeftOut) : std::string()};
+    const std::size_t place = registered.viewIndices[k];
+    return {
+        caseShowing(registered, k), &registered.targets[k], io::resultJson(registered, place, io::ResultTexts::Kept),
+        pictures == OverlayImages::Drawn ? io::resultJson(registered, place, io::ResultTexts::LeftOut) : std::string()};
 }
 
-core::Status writePicture(const WrittenView& view, const OverlayPictureOptions& options, const fs::path& path)
+core::Status writePicture(const WrittenView& view, const OverlayImageOptions& options, const fs::path& path)
 {
     const auto picture = drawOverlay(view.session, *view.target, options);
     std::map<std::string, std::string> texts = provenanceTexts(view.session);
-    texts["Result"] = view.resultInPictures;
+    texts["Result"] = view.resultInImages;
     return picture ? io::writePng(picture.value(), path.string(), texts) : core::Status(picture.error());
 }
 
 /// Writes the images as shown in the window. For deformed vessels, also writes the rigid ones and the displacement map.
 core::Status writePictures(const WrittenView& view, const fs::path& folder)
 {
-    OverlayPictureOptions options;
+    OverlayImageOptions options;
     if (auto status = writePicture(view, options, folder / "overlay.png"); !status) {
         return status;
     }
     const core::View& shown = view.session.shown();
-    if (!drawableDeformation(shown, view.session.vessels, shown.cameraFromPatient)) {
+    if (!deformationForPose(shown, view.session.vessels, shown.cameraFromPatient)) {
         return core::Done{};
     }
     options.coloring = OverlayColoring::Motion;
@@ -85,7 +85,7 @@ core::Status writePictures(const WrittenView& view, const fs::path& folder)
     return writePicture(view, options, folder / "rigid.png");
 }
 
-core::Status writeView(const WrittenView& view, Pictures pictures, const std::string& folderName)
+core::Status writeView(const WrittenView& view, OverlayImages pictures, const std::string& folderName)
 {
     const fs::path folder(folderName);
     std::error_code failure;
@@ -99,7 +99,7 @@ core::Status writeView(const WrittenView& view, Pictures pictures, const std::st
     if (auto status = io::writePose(view.session.shown().cameraFromPatient, (folder / "pose.tfm").string()); !status) {
         return status;
     }
-    return pictures == Pictures::Drawn ? writePictures(view, folder) : core::Status(core::Done{});
+    return pictures == OverlayImages::Drawn ? writePictures(view, folder) : core::Status(core::Done{});
 }
 
 /// Returns whether to write a deformation: true if there is one or the user requested it.
@@ -130,12 +130,12 @@ void printLine(const std::string& label, const std::string& text)
 /// Prints the distances of the displayed view or, for a joint registration, of each view with its geometry correction.
 void printViews(const RegisteredCase& registered)
 {
-    for (std::size_t k = 0; registered.joint && k < registered.places.size(); ++k) {
-        const core::View& view = registered.session.views[registered.places[k]];
+    for (std::size_t k = 0; registered.joint && k < registered.viewIndices.size(); ++k) {
+        const core::View& view = registered.session.views[registered.viewIndices[k]];
         const core::DistanceMetrics& metrics = view.result->metrics;
         const core::Vector6d& correction = registered.joint->corrections[k];
         std::printf("view %-9zu median %s px (%s mm), coverage %s %%, geometry off by %s° and %s mm  %s\n",
-                    registered.places[k] + 1, fixedText(metrics.medianPx, 2).c_str(),
+                    registered.viewIndices[k] + 1, fixedText(metrics.medianPx, 2).c_str(),
                     fixedText(metrics.medianMm, 2).c_str(), fixedText(100.0 * metrics.coverage, 0).c_str(),
                     fixedText(core::degreesPerRadian * correction.head<3>().norm(), 2).c_str(),
                     fixedText(correction.tail<3>().norm(), 2).c_str(),
@@ -150,14 +150,14 @@ void printViews(const RegisteredCase& registered)
         printLine("covered", fixedText(100.0 * metrics.coverage, 0) + " % of the traced vessels");
     }
     if (const auto basis = core::fitBasis(registered.session, registered.result(), registered.targets.front())) {
-        for (const core::Message& words : fitWords(*basis, registered.session.vessels)) {
+        for (const core::Message& words : fitBasisLines(*basis, registered.session.vessels)) {
             printLine("", words.text());
         }
     }
 }
 
 /// Formats the measured stages, e.g. " (reading 812 ms, tracing 70 ms)".
-std::string beforeText(const core::StageTimes& time)
+std::string stageTimesText(const core::StageTimes& time)
 {
     std::string parts;
     for (const auto& [what, ms] : {std::pair("reading ", time.readMs), std::pair("tracing ", time.traceMs)}) {
@@ -187,7 +187,7 @@ std::string sigmasText(const core::PoseSigmas& sigmas, int depthDecimals)
 
 /// Formats the probability if known, e.g. ", within 2 mm of the vessels with a probability of 97 %". Capped at 99 %,
 /// the limit of the calibration.
-std::string likelihoodText(const core::RegistrationResult& result)
+std::string probabilityText(const core::RegistrationResult& result)
 {
     const auto& probability = result.probabilityWithin2Mm;
     const bool contradicts =
@@ -200,7 +200,7 @@ std::string likelihoodText(const core::RegistrationResult& result)
 void printTrust(const core::RegistrationResult& result)
 {
     printLine("trustworthy",
-              (result.trustworthy ? "yes" : "NO: " + messages::notReliable().text()) + likelihoodText(result));
+              (result.trustworthy ? "yes" : "NO: " + messages::notReliable().text()) + probabilityText(result));
     for (const core::Message& warning : result.warnings) {
         printLine("", warning.text());
     }
@@ -208,11 +208,11 @@ void printTrust(const core::RegistrationResult& result)
 
 /// Lists the branches of the displayed view that disagree with the image although the pose may be correct; the window
 /// shows the same list.
-void printDisagreement(const RegisteredCase& registered)
+void printDisagreeingBranches(const RegisteredCase& registered)
 {
     const core::DistanceMetrics& metrics = registered.result().metrics;
     const double mmPerPx = metrics.meanPx > 0.0 ? metrics.meanMm / metrics.meanPx : 0.0;
-    const core::DisagreeingBranches found = core::disagreeingBranches(registered.result(), mmPerPx);
+    const core::MismatchedBranches found = core::mismatchedBranches(registered.result(), mmPerPx);
     if (found.branchIds.empty()) {
         return;
     }
@@ -225,33 +225,33 @@ void printDisagreement(const RegisteredCase& registered)
 }
 
 /// Formats a path, e.g. "branches 3, 7, 9: 82 %, 95 % of the wire along them, 1.2 mm off their axes".
-std::string wayText(const core::WirePath& way)
+std::string pathText(const core::WirePath& way)
 {
     std::string branches;
     for (const int id : way.branchIds) {
         branches += (branches.empty() ? "" : ", ") + std::to_string(id);
     }
     return "branches " + branches + ": " + fixedText(100.0 * way.probability, 0) + " %, " +
-           fixedText(100.0 * way.followedShare, 0) + " % of the guidewire along them, " + fixedText(way.offAxisMm, 1) +
-           " mm from their axes";
+           fixedText(100.0 * way.followedShare, 0) + " % of the guidewire along these branches, " +
+           fixedText(way.offAxisMm, 1) + " mm from their centerlines";
 }
 
-void printWays(const std::vector<core::WirePath>& ways)
+void printPaths(const std::vector<core::WirePath>& paths)
 {
     constexpr std::size_t maxPrinted = 3;
-    for (std::size_t i = 0; i < std::min(ways.size(), maxPrinted); ++i) {
-        printLine(i == 0 ? "path taken" : "or", wayText(ways[i]));
+    for (std::size_t i = 0; i < std::min(paths.size(), maxPrinted); ++i) {
+        printLine(i == 0 ? "path taken" : "or", pathText(paths[i]));
     }
-    if (ways.size() > 1) {
-        printLine("", "--set wireWay=2 takes the next most likely path.");
+    if (paths.size() > 1) {
+        printLine("", "--set wireWay=2 selects the next most likely path.");
     }
 }
 
 }   // namespace
 
-core::Status writeOutputs(const RegisteredCase& registered, const std::string& folder, Pictures pictures)
+core::Status writeOutputs(const RegisteredCase& registered, const std::string& folder, OverlayImages pictures)
 {
-    for (std::size_t k = 0; k < registered.places.size(); ++k) {
+    for (std::size_t k = 0; k < registered.viewIndices.size(); ++k) {
         const WrittenView view = writtenView(registered, k, pictures);
         if (auto status = writeView(view, pictures, viewFolder(registered, folder, k)); !status) {
             return status;
@@ -263,11 +263,11 @@ core::Status writeOutputs(const RegisteredCase& registered, const std::string& f
         }
     }
     return registered.joint ? io::writeJointResult(registered, (fs::path(folder) / "joint.json").string(),
-                                                   io::askedCaseText(registered))
+                                                   io::inputCaseText(registered))
                             : core::Status(core::Done{});
 }
 
-std::vector<std::string> outputFilesIn(const std::string& folder)
+std::vector<std::string> listOutputs(const std::string& folder)
 {
     constexpr std::array ofView{"result.json", "pose.tfm", "overlay.png", "motion.png", "rigid.png"};
     constexpr std::array ofCase{"joint.json", "bent.vtp", "motion.csv"};
@@ -288,9 +288,9 @@ std::vector<std::string> outputFilesIn(const std::string& folder)
     return names;
 }
 
-void removeOutputsIn(const std::string& folder)
+void removeOutputs(const std::string& folder)
 {
-    for (const std::string& name : outputFilesIn(folder)) {
+    for (const std::string& name : listOutputs(folder)) {
         std::error_code failed;
         fs::remove(fs::path(folder) / name, failed);
         fs::remove((fs::path(folder) / name).parent_path(),
@@ -298,7 +298,7 @@ void removeOutputsIn(const std::string& folder)
     }
 }
 
-void printRegistered(const RegisteredCase& registered, const std::string& folder)
+void printSummary(const RegisteredCase& registered, const std::string& folder)
 {
     const core::RegistrationResult& result = registered.result();
     if (!result.trustworthy) {   // a low-confidence warning comes first
@@ -307,7 +307,7 @@ void printRegistered(const RegisteredCase& registered, const std::string& folder
     printLine("method", result.method);
     printLine("stopped", std::string(core::toText(result.stopReason)) +
                              (registered.joint ? "" : " after " + std::to_string(result.iterations) + " iterations") +
-                             ", " + fixedText(result.time.totalMs, 1) + " ms" + beforeText(result.time));
+                             ", " + fixedText(result.time.totalMs, 1) + " ms" + stageTimesText(result.time));
     printViews(registered);
     const core::PoseUncertainty& uncertainty = result.uncertainty;
     const int depthDecimals = registered.joint ? 2 : 1;
@@ -315,15 +315,15 @@ void printRegistered(const RegisteredCase& registered, const std::string& folder
     if (result.camera) {
         printLine("uncertainty",
                   sigmasText(core::sigmasOf(uncertainty.imageCovariance), depthDecimals) + " from image noise only");
-        printLine("", inSpace + " in 3-D, including geometry errors");
+        printLine("", inSpace + " in 3-D, including geometry uncertainty");
     } else {
         printLine("uncertainty", inSpace);
     }
     if (result.trustworthy) {
         printTrust(result);
     }
-    printDisagreement(registered);
-    printWays(result.wirePaths);
+    printDisagreeingBranches(registered);
+    printPaths(result.wirePaths);
     if (registered.result().deformed) {
         printDeformed(*registered.result().deformed);
     }

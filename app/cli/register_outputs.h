@@ -9,19 +9,19 @@
 namespace angiopose::app {
 
 /// Selects whether the overlay images are written.
-enum class Pictures { Drawn, LeftOut };
+enum class OverlayImages { Drawn, LeftOut };
 
 /// Writes result.json, pose.tfm and overlay.png of each registered view: the displayed one into `folder`, the others
 /// into its subfolders view-2, view-3, …. Adds joint.json for several views, and bent.vtp and motion.csv for deformed
 /// vessels. Creates the folders.
 core::Status writeOutputs(const core::RegisteredCase& registered, const std::string& folder,
-                          Pictures pictures = Pictures::Drawn);
+                          OverlayImages pictures = OverlayImages::Drawn);
 
 /// List and remove the outputs that exist in a folder; the paths are relative to the folder.
-std::vector<std::string> outputFilesIn(const std::string& folder);
-void removeOutputsIn(const std::string& folder);
+std::vector<std::string> listOutputs(const std::string& folder);
+void removeOutputs(const std::string& folder);
 
 /// Prints a human-readable summary of the registration.
-void printRegistered(const core::RegisteredCase& registered, const std::string& folder);
+void printSummary(const core::RegisteredCase& registered, const std::string& folder);
 
 }   // namespace angiopose::app

@@ -2,7 +2,7 @@
 
 #include "app/cli/console.h"
 #include "app/messages/messages.h"
-#include "io/support/system/own_process.h"
+#include "io/support/system/current_process.h"
 #include "io/support/system/run_program.h"
 
 #include <filesystem>
@@ -22,7 +22,7 @@ struct ReportArguments {
 };
 
 /// Builds the arguments for the GUI program. Values follow "=" because they may begin with a dash.
-std::vector<std::string> wordsFor(const ReportArguments& arguments)
+std::vector<std::string> guiReportArguments(const ReportArguments& arguments)
 {
     std::vector<std::string> words{"--report=" + arguments.outputPath};
     if (arguments.isRegistered) {
@@ -47,21 +47,21 @@ std::vector<std::string> wordsFor(const ReportArguments& arguments)
 
 /// Returns the path of the GUI program next to this one, or its bare name to be found on PATH if this program's own
 /// location is unknown (no /proc).
-std::string windowProgram()
+std::string guiProgramPath()
 {
-    const std::filesystem::path own = io::ownBinary();
+    const std::filesystem::path own = io::currentBinaryPath();
     return own.has_parent_path() ? (own.parent_path() / "angiopose").string() : "angiopose";
 }
 
 /// Runs the GUI program to write the report: Qt lays out the text and pages, and this program does not link Qt.
 int runReport(const ReportArguments& arguments)
 {
-    const std::string program = windowProgram();
-    const io::ProgramEnd end = io::runProgram(program, wordsFor(arguments), isInterrupted);
+    const std::string program = guiProgramPath();
+    const io::ProgramExit end = io::runProgram(program, guiReportArguments(arguments), isInterrupted);
     if (!end.isStarted) {
-        return failInput(messages::reportProgramMissing(program));
+        return reportInputError(messages::reportProgramMissing(program));
     }
-    return end.signal != 0 ? failInput(messages::reportProgramFault(std::to_string(end.signal))) : end.exitCode;
+    return end.signal != 0 ? reportInputError(messages::reportProgramFault(std::to_string(end.signal))) : end.exitCode;
 }
 
 }   // namespace
@@ -71,18 +71,18 @@ void addReport(CLI::App& app, int& exitCode)
     auto* command = app.add_subcommand("report", "Write the report of a case as PDF or HTML");
     auto arguments = std::make_shared<ReportArguments>();
     command->add_option("CASE", arguments->casePath, "Case file, *.angiopose")->required();
-    command->add_option("--output", arguments->outputPath, "Report to write, .pdf or .html")->required();
+    command->add_option("--output", arguments->outputPath, "Report to write (.pdf or .html)")->required();
     command->add_flag("--register", arguments->isRegistered,
-                      "Register the case first (default: report its current pose)");
-    command->add_option("--template", arguments->templatePath, "Report template, .html (default: built-in)");
-    command->add_option("--author", arguments->author, "Author of the report (default: the name of the user account)");
-    command->add_flag("--identity", arguments->isIdentityShown, "Include the patient's identity (default: left out)");
-    command->add_option("--language", arguments->language, "Language of the report (default: that of the window)")
+                      "Register the case first (default: report the current pose)");
+    command->add_option("--template", arguments->templatePath, "Report template (.html; default: built-in)");
+    command->add_option("--author", arguments->author, "Author of the report (default: the account name)");
+    command->add_flag("--identity", arguments->isIdentityShown, "Include the patient's identity (default: omitted)");
+    command->add_option("--language", arguments->language, "Language of the report (default: language of the window)")
         ->check(CLI::IsMember({"en", "de", "zh_CN"}));
     command->footer(
-        "The window program angiopose, which must be in the same folder, writes the report; it needs no display.\nExit "
-        "code 4: the report says that its pose is not reliable.\n\nExample: angiopose-cli report case.angiopose "
-        "--register --output report.pdf");
+        "The report is created by the program angiopose, which must be in the same folder; no display is "
+        "required.\nExit code 4: the pose of the report is not reliable.\n\nExample: angiopose-cli report "
+        "case.angiopose --register --output report.pdf");
     command->callback([arguments, &exitCode] { exitCode = runReport(*arguments); });
 }
 

@@ -6,7 +6,7 @@
 
 namespace angiopose::app {
 
-core::Result<core::Shard> shardFrom(const std::string& text)
+core::Result<core::Shard> parseShard(const std::string& text)
 {
     std::uint64_t part = 0;
     std::uint64_t count = 0;

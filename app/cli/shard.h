@@ -8,6 +8,6 @@
 namespace angiopose::app {
 
 /// Parses "I/N": part I (from 1) of N.
-core::Result<core::Shard> shardFrom(const std::string& text);
+core::Result<core::Shard> parseShard(const std::string& text);
 
 }   // namespace angiopose::app

@@ -29,12 +29,12 @@ namespace angiopose::app {
 namespace {
 
 /// Initial pose of a simulated case: stored in the case file, or derived from the header geometry.
-enum class SimulatedStart { Written, ByHeader };
+enum class InitialPoseSource { Written, ByHeader };
 
 namespace fs = std::filesystem;
 
 core::Case caseOf(const core::SimulatedCase& simulated, const fs::path& folder, const std::string& title,
-                  SimulatedStart start)
+                  InitialPoseSource start)
 {
     core::Case session;
     session.title = title;
@@ -45,7 +45,7 @@ core::Case caseOf(const core::SimulatedCase& simulated, const fs::path& folder, 
     view.angiogram = std::make_shared<const core::Angiogram>(simulated.angiogram);
     view.frame = simulated.angiogram.suggestedFrame;
     view.geometry.cArm = simulated.angiogram.cArm;
-    if (start == SimulatedStart::Written) {
+    if (start == InitialPoseSource::Written) {
         view.initialCameraFromPatient = simulated.initialCameraFromPatient;
     }
     view.cameraFromPatient = simulated.initialCameraFromPatient;
@@ -73,12 +73,12 @@ core::Status writeTruth(const core::SimulatedCase& simulated, const fs::path& fo
 /// true-centreline.csv and, for deformed vessels, true-vessels.vtp). Creates the folder. Never overwrites a case that
 /// is open in another process.
 core::Status writeSimulatedCase(const core::SimulatedCase& simulated, const std::string& title,
-                                const std::string& folderPath, SimulatedStart start = SimulatedStart::Written)
+                                const std::string& folderPath, InitialPoseSource start = InitialPoseSource::Written)
 {
     const fs::path folder(folderPath);
     const fs::path absolute = fs::absolute(folder);
     const std::string casePath = (absolute / "case.angiopose").string();
-    if (const auto holder = io::holderOf(casePath)) {   // overwriting would replace the inputs of an open case
+    if (const auto holder = io::lockHolderOf(casePath)) {   // overwriting would replace the inputs of an open case
         return core::Error(io::messages::caseOpenElsewhere(holder->process, holder->machine).about(casePath));
     }
     std::error_code failure;
@@ -119,19 +119,19 @@ core::RoomHeader roomHeaderFrom(const std::string& word)
 /// Simulates the views of a room; the headers determine their initial poses.
 int runSimulateRoom(const SimulateArguments& arguments, const core::TreeOptions& tree, const core::DsaOptions& dsa)
 {
-    const core::RoomOptions room{roomHeaderFrom(arguments.room), arguments.movesTable, arguments.isMirrored};
+    const core::RoomOptions room{roomHeaderFrom(arguments.room), arguments.moveTable, arguments.isMirrored};
     const auto views = core::simulateRoom(*arguments.seed, room, tree, dsa);
     for (std::size_t k = 0; k < views.size(); ++k) {
         const std::string number = std::to_string(k + 1);
         const fs::path folder = fs::path(arguments.outputFolder) / ("view-" + number);
         const std::string title = "Simulated room, seed " + std::to_string(*arguments.seed) + ", view " + number;
-        if (const auto status = writeSimulatedCase(views[k], title, folder.string(), SimulatedStart::ByHeader);
+        if (const auto status = writeSimulatedCase(views[k], title, folder.string(), InitialPoseSource::ByHeader);
             !status) {
-            return failInput(status.error());
+            return reportInputError(status.error());
         }
         std::printf("%s\n", (folder / "case.angiopose").string().c_str());
     }
-    return exitDone;
+    return exitSuccess;
 }
 
 int runSimulateOne(const SimulateArguments& arguments)
@@ -141,14 +141,14 @@ int runSimulateOne(const SimulateArguments& arguments)
     core::DsaOptions dsa;
     dsa.nonRigidStdMm = arguments.nonRigidMm;
     if (const auto problem = core::findProblem(tree, dsa)) {
-        return failInput(*problem);
+        return reportInputError(*problem);
     }
     if (!arguments.room.empty()) {
         return runSimulateRoom(arguments, tree, dsa);
     }
     const core::CtaOptions cta;
     if (arguments.withScan) {
-        tree = core::treeInScan(tree, cta);
+        tree = core::treeOptionsForScan(tree, cta);
     }
     const std::uint64_t seed = *arguments.seed;
     const fs::path folder(arguments.outputFolder);
@@ -158,16 +158,16 @@ int runSimulateOne(const SimulateArguments& arguments)
         status = writeScan(seed, tree, cta, folder);
     }
     if (!status) {
-        return failInput(status.error());
+        return reportInputError(status.error());
     }
     std::printf("%s\n", (folder / "case.angiopose").string().c_str());
-    return exitDone;
+    return exitSuccess;
 }
 
 /// Returns the folder of a case relative to the study's folder, such as "rigid/0007".
 std::string folderOf(const core::SimulatedStudy& study, std::size_t index)
 {
-    const core::StudyPlace place = core::placeOf(study, index);
+    const core::StudyCase place = core::studyCaseOf(study, index);
     const std::string number = std::to_string(place.number + 1);
     return study.settings[place.setting].name + "/" +
            std::string(numberDigits - std::min(numberDigits, number.size()), '0') + number;
@@ -175,7 +175,7 @@ std::string folderOf(const core::SimulatedStudy& study, std::size_t index)
 
 bool isDeformed(const core::SimulatedStudy& study, std::size_t index)
 {
-    return study.settings[core::placeOf(study, index).setting].dsa.nonRigidStdMm > 0.0;
+    return study.settings[core::studyCaseOf(study, index).setting].dsa.nonRigidStdMm > 0.0;
 }
 
 /// Lists the files of a case in alphabetical order.
@@ -194,7 +194,7 @@ std::string manifestOf(const core::SimulatedStudy& study)
 {
     std::string text = "case,name,reference,bent,patient,condition\n";
     for (std::size_t k = 0; k < study.caseCount(); ++k) {
-        const core::StudyPlace place = core::placeOf(study, k);
+        const core::StudyCase place = core::studyCaseOf(study, k);
         const std::string folder = folderOf(study, k);
         std::string name = folder;
         std::ranges::replace(name, '/', '-');
@@ -280,31 +280,31 @@ core::Status writeLists(const core::SimulatedStudy& study, const core::Shard& sh
 
 int runSimulateStudy(const SimulateArguments& arguments)
 {
-    const auto shard = shardFrom(arguments.shard);
+    const auto shard = parseShard(arguments.shard);
     if (!shard) {
         printMessage(shard.error().message.text());
-        return exitUsage;
+        return exitUsageError;
     }
     const auto study = io::readStudy(arguments.studyPath);
     if (!study) {
-        return failInput(study.error());
+        return reportInputError(study.error());
     }
     if (const auto problem = core::findProblem(study.value())) {
-        return failInput(*problem);
+        return reportInputError(*problem);
     }
     const fs::path output(arguments.outputFolder);
     if (const auto fault = writeCases(study.value(), casesOf(study.value(), shard.value()),
                                       core::threadCount(arguments.threads.value_or(0)), output)) {
-        return failInput(*fault);
+        return reportInputError(*fault);
     }
     if (isInterrupted()) {
-        return exitStopped;
+        return exitInterrupted;
     }
     if (const auto status = writeLists(study.value(), shard.value(), output); !status) {
-        return failInput(status.error());
+        return reportInputError(status.error());
     }
     std::printf("%s\n", (output / "cases.csv").string().c_str());
-    return exitDone;
+    return exitSuccess;
 }
 
 }   // namespace
@@ -316,7 +316,7 @@ int runSimulate(const SimulateArguments& arguments)
     }
     if (!arguments.seed) {
         printMessage(core::Message(messages::simulateWhat()).text());
-        return exitUsage;
+        return exitUsageError;
     }
     return runSimulateOne(arguments);
 }

@@ -25,33 +25,33 @@ const char* textOf(io::SeriesUse use)
     return "none";
 }
 
-Json seriesJson(const io::StudySeries& each)
+Json seriesJson(const io::StudySeries& studySeries)
 {
-    const io::DicomSeries& series = each.series;
-    Json json{{"use", textOf(each.use)},           {"seriesId", series.id},
+    const io::DicomSeries& series = studySeries.series;
+    Json json{{"use", textOf(studySeries.use)},    {"seriesId", series.id},
               {"number", series.number},           {"modality", series.identity.modality},
-              {"description", series.description}, {"bodyPart", each.bodyPart},
-              {"images", each.imageCount}};
+              {"description", series.description}, {"bodyPart", studySeries.bodyPart},
+              {"images", studySeries.imageCount}};
     if (series.part) {
         json["part"] = series.part->text();
     }
     if (!series.slices.empty()) {
         json["size"] = {series.slices.front().size.x(), series.slices.front().size.y()};
     }
-    if (each.use == io::SeriesUse::Vessels) {
+    if (studySeries.use == io::SeriesUse::Vessels) {
         json["sliceSpacingMm"] = series.stack.geometry.spacingMm.z();
     }
-    if (each.frameTimeMs > 0.0 && series.isAngiogram) {
-        json["framesPerSecond"] = 1000.0 / each.frameTimeMs;
+    if (studySeries.frameTimeMs > 0.0 && series.isAngiogram) {
+        json["framesPerSecond"] = 1000.0 / studySeries.frameTimeMs;
     }
-    if (!each.place.empty()) {
-        json["place"] = each.place;
+    if (!studySeries.place.empty()) {
+        json["place"] = studySeries.place;
     }
-    if (each.missingFiles > 0) {
-        json["missingFiles"] = each.missingFiles;
+    if (studySeries.missingFiles > 0) {
+        json["missingFiles"] = studySeries.missingFiles;
     }
-    if (each.reason) {
-        json["reason"] = each.reason->text();
+    if (studySeries.reason) {
+        json["reason"] = studySeries.reason->text();
     }
     addWarnings(json, series.warnings);
     return json;
@@ -112,27 +112,28 @@ std::string joinedParts(std::initializer_list<std::string> parts)
     return line;
 }
 
-void printSeries(const io::StudySeries& each)
+void printSeries(const io::StudySeries& studySeries)
 {
-    const io::DicomSeries& series = each.series;
+    const io::DicomSeries& series = studySeries.series;
     char spacing[48] = "";
-    if (each.use == io::SeriesUse::Vessels) {
+    if (studySeries.use == io::SeriesUse::Vessels) {
         std::snprintf(spacing, sizeof spacing, "%.2f mm spacing", series.stack.geometry.spacingMm.z());
-    } else if (each.use == io::SeriesUse::View && each.frameTimeMs > 0.0) {
-        std::snprintf(spacing, sizeof spacing, "%.1f frames/s", 1000.0 / each.frameTimeMs);
+    } else if (studySeries.use == io::SeriesUse::View && studySeries.frameTimeMs > 0.0) {
+        std::snprintf(spacing, sizeof spacing, "%.1f frames/s", 1000.0 / studySeries.frameTimeMs);
     }
     const bool isRun = series.isAngiogram;
-    const std::string count = std::to_string(each.imageCount) + (isRun ? " frames" : " images");
+    const std::string count = std::to_string(studySeries.imageCount) + (isRun ? " frames" : " images");
     const std::string size =
         series.slices.empty() || series.slices.front().size.x() == 0
             ? ""
             : std::to_string(series.slices.front().size.x()) + " x " + std::to_string(series.slices.front().size.y());
-    const std::string missing = each.missingFiles > 0 ? std::to_string(each.missingFiles) + " files missing" : "";
+    const std::string missing =
+        studySeries.missingFiles > 0 ? std::to_string(studySeries.missingFiles) + " files missing" : "";
     const std::string line =
         joinedParts({std::to_string(series.number), series.identity.modality, series.description,
-                     series.part ? series.part->text() : "", each.bodyPart, count, size, spacing, missing});
-    std::printf("    %-7s  %s\n", textOf(each.use), printableText(line).c_str());
-    printText("             " + (each.reason ? each.reason->text() : "series " + series.id));
+                     series.part ? series.part->text() : "", studySeries.bodyPart, count, size, spacing, missing});
+    std::printf("    %-7s  %s\n", textOf(studySeries.use), printableText(line).c_str());
+    printText("             " + (studySeries.reason ? studySeries.reason->text() : "series " + series.id));
     for (const core::Message& warning : series.warnings) {
         printText("             warning: " + warning.text());
     }
@@ -176,19 +177,19 @@ int runStudies(const FileArguments& arguments)
         const auto all = static_cast<double>(std::max<std::size_t>(progress.found, 1));
         line.show(static_cast<double>(progress.read) / all,
                   std::to_string(progress.read) + " of " + std::to_string(progress.found) + " files");
-        return isInterrupted() ? core::Verdict::Stop : core::Verdict::Continue;
+        return isInterrupted() ? core::ObserverDecision::Stop : core::ObserverDecision::Continue;
     };
     const auto tree = io::readStudies(arguments.path,
-                                      arguments.allFiles ? io::StudyReach::AllFiles : io::StudyReach::Listed, observe);
+                                      arguments.allFiles ? io::StudyScope::AllFiles : io::StudyScope::Listed, observe);
     if (!tree) {
-        return failInput(tree.error(), arguments.format);
+        return reportInputError(tree.error(), arguments.format);
     }
     if (arguments.format == OutputFormat::Json) {
         std::puts(treeJson(tree.value()).dump(2, ' ', false, Json::error_handler_t::replace).c_str());
     } else {
         printTree(tree.value());
     }
-    return tree.value().isStopped ? exitStopped : exitDone;
+    return tree.value().isStopped ? exitInterrupted : exitSuccess;
 }
 
 }   // namespace angiopose::app

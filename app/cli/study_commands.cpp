@@ -12,7 +12,7 @@ namespace {
 
 std::string protocolList()
 {
-    std::string text = "Experiments and their conditions (* runs by default):";
+    std::string text = "Experiments and their conditions (*: run by default):";
     for (const core::Protocol& protocol : core::protocols()) {
         text += "\n  " + std::string(protocol.id) + "  " + std::string(protocol.summary) + " " +
                 std::to_string(protocol.defaultTrials) + " trials.\n   ";
@@ -21,8 +21,8 @@ std::string protocolList()
         }
     }
     return text +
-           "\n  own  Your own cases, with reference poses, landmarks or pairs of points.\n  observers  Agreement of "
-           "observers who registered the vessels manually (logs of blind trials).";
+           "\n  own  Your own cases, with reference poses, landmarks or point pairs.\n  observers  Agreement of "
+           "observers who registered the vessels manually (blind trial logs).";
 }
 
 std::vector<std::string> protocolIds()
@@ -31,7 +31,7 @@ std::vector<std::string> protocolIds()
     for (const core::Protocol& protocol : core::protocols()) {
         ids.emplace_back(protocol.id);
     }
-    ids.emplace_back(ownCases);
+    ids.emplace_back(userCasesProtocol);
     ids.emplace_back(observerLogs);
     return ids;
 }
@@ -40,39 +40,41 @@ std::vector<std::string> protocolIds()
 
 void addSimulate(CLI::App& app, int& exitCode)
 {
-    auto* command = app.add_subcommand("simulate", "Make a synthetic case with a known pose");
+    auto* command = app.add_subcommand("simulate", "Generate a synthetic case with a known pose");
     auto arguments = std::make_shared<SimulateArguments>();
-    auto* seed = command->add_option("--seed", arguments->seed, "Seed for one case; the same seed gives the same case");
+    auto* seed =
+        command->add_option("--seed", arguments->seed, "Seed for one case; the same seed reproduces the same case");
     auto* study =
         command->add_option("--study", arguments->studyPath,
-                            "Many cases: a file that describes trees, settings and how many of each (FORMATS)");
+                            "Study file for many cases: describes trees, settings and the number of each (FORMATS)");
     study->excludes(seed);
-    command->add_option("--output", arguments->outputFolder, "Folder for the case and its files")->required();
+    command->add_option("--output", arguments->outputFolder, "Output folder for the case and its files")->required();
     command->add_option("--branches", arguments->branches, "Number of branches")->check(CLI::Range(1, 200));
     command
         ->add_option("--non-rigid", arguments->nonRigidMm,
-                     "Smooth deformation of the true vessels, standard deviation in mm")
+                     "Standard deviation in mm of the smooth deformation of the true vessels")
         ->check(CLI::Range(0.0, 10.0));
     command->add_flag("--scan", arguments->withScan,
-                      "Also write a CT angiogram of the same vessels, scan.nii.gz, as a scanner would produce it");
+                      "Also write a simulated CT angiogram of the same vessels, scan.nii.gz");
     auto* room =
         command
             ->add_option("--room", arguments->room,
-                         "Two views of one study, view-1 and view-2, with the headers of different rooms: siemens, "
-                         "standard (isocenter and table given), without-table, object-plane (neither)")
+                         "Two views of one study, view-1 and view-2, with the headers of a room: siemens, standard "
+                         "(with isocenter and table position), without-table, object-plane (with neither)")
             ->check(CLI::IsMember({"siemens", "standard", "without-table", "object-plane"}))
             ->needs(seed);
-    command->add_flag("--table-moves", arguments->movesTable, "With --room: the table moves during the second view")
+    command->add_flag("--table-moves", arguments->moveTable, "With --room: the table moves during the second view")
         ->needs(room);
     command
-        ->add_flag("--mirrored", arguments->isMirrored, "With --room: the second view is mirrored, as its header says")
+        ->add_flag("--mirrored", arguments->isMirrored,
+                   "With --room: the second view is mirrored, as stated in its header")
         ->needs(room);
     command
         ->add_option("--threads", arguments->threads,
-                     "Threads for --study; the cases do not depend on it (default: all cores)")
+                     "Number of threads for --study; the cases do not depend on it (default: all cores)")
         ->check(CLI::Range(1, 1024))
         ->needs(study);
-    command->add_option("--shard", arguments->shard, "Part I of N of a study's cases, as I/N")
+    command->add_option("--shard", arguments->shard, "Generate part I of N of the cases of a study, as I/N")
         ->capture_default_str()
         ->needs(study);
     command->footer(
@@ -83,33 +85,35 @@ void addSimulate(CLI::App& app, int& exitCode)
 
 void addEvaluate(CLI::App& app, int& exitCode)
 {
-    auto* command = app.add_subcommand("evaluate", "Run an experiment with known answers; print and write tables");
+    auto* command = app.add_subcommand("evaluate", "Run an experiment with known ground truth; print and write tables");
     auto arguments = std::make_shared<EvaluateArguments>();
     command->add_option("EXPERIMENT", arguments->protocol, "Experiment; see the list below")
         ->required()
         ->check(CLI::IsMember(protocolIds()));
     command->add_option("INPUT", arguments->inputPaths,
-                        "For own: the table of cases and their ground truth; for observers: logs of blind trials");
+                        "For own: the table of cases and their ground truth; for observers: blind trial logs");
     command->add_option("--method", arguments->methods,
                         "Methods, comma-separated; the first is compared with the others; settings after colons: "
                         "dynaweight:seed_mean:rotationFirst=off. Groups: all, ablation. Default: " +
                             std::string(defaultMethods) + "; for own cases the method and options of each case");
-    command->add_option("--condition", arguments->conditions, "Conditions or their prefixes, comma-separated, or all");
+    command->add_option("--condition", arguments->conditions,
+                        "Conditions or prefixes of conditions, comma-separated, or all");
     command->add_option("--trials", arguments->trials, "Trials per condition")
         ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{10000000}));
-    command->add_option("--seed", arguments->seed, "Random seed; another seed gives other trees and initial poses")
+    command->add_option("--seed", arguments->seed, "Random seed; determines the trees and initial poses")
         ->capture_default_str();
     command
         ->add_option("--threads", arguments->threads,
-                     "Number of threads; changes only the time, never the numbers (default: all cores)")
+                     "Number of threads; affects only the computing time, not the results (default: all cores)")
         ->check(CLI::Range(1, 1024));
-    auto* shard =
-        command->add_option("--shard", arguments->shard, "Part I of N of the trials, as I/N")->capture_default_str();
+    auto* shard = command->add_option("--shard", arguments->shard, "Run part I of N of the trials, as I/N")
+                      ->capture_default_str();
     command
         ->add_option("--merge", arguments->mergedFolders,
-                     "Run no trials: merge the runs in these folders (shards, methods or conditions)")
+                     "Run no trials; merge the results in these folders (shards, methods or conditions)")
         ->excludes(shard);
-    command->add_option("--output", arguments->outputFolder, "Folder for tables, plots and runs.csv")->required();
+    command->add_option("--output", arguments->outputFolder, "Output folder for tables, plots and runs.csv")
+        ->required();
     command->footer([] {
         return protocolList() + "\n\n" + methodList() +
                "\n\nExamples: angiopose-cli evaluate simulation --trials 200 --output simulation\n"

@@ -18,11 +18,12 @@ struct SupportArguments {
 };
 
 /// Adds a description of the case, and adds its patient identifiers to the texts to redact.
-core::Status addCase(const std::string& path, io::Redaction& redaction, std::vector<io::SupportText>& texts)
+core::Status addCase(const std::string& path, io::Redaction& redaction, std::vector<io::SupportFile>& texts)
 {
     core::Messages nobodyReads;
-    const auto session = io::openCase(
-        path, nobodyReads, [](double) { return isInterrupted() ? core::Verdict::Stop : core::Verdict::Continue; });
+    const auto session = io::openCase(path, nobodyReads, [](double) {
+        return isInterrupted() ? core::ObserverDecision::Stop : core::ObserverDecision::Continue;
+    });
     if (!session) {
         return session.error();
     }
@@ -41,41 +42,42 @@ core::Status addCase(const std::string& path, io::Redaction& redaction, std::vec
 int runSupportBundle(const SupportArguments& arguments)
 {
     io::Redaction redaction;
-    auto texts = io::programTexts();
+    auto texts = io::diagnosticFiles();
     if (!arguments.casePath.empty()) {
         if (const auto added = addCase(arguments.casePath, redaction, texts); !added) {
-            return failInput(added.error());
+            return reportInputError(added.error());
         }
     }
-    texts = io::cleaned(std::move(texts), redaction);
+    texts = io::redact(std::move(texts), redaction);
     if (arguments.isShownAlone) {
-        std::fputs(io::asOneText(texts).c_str(), stdout);
-        return exitDone;
+        std::fputs(io::joinTexts(texts).c_str(), stdout);
+        return exitSuccess;
     }
     if (const auto written = io::writeSupportBundle(texts, arguments.archivePath); !written) {
-        return failInput(written.error());
+        return reportInputError(written.error());
     }
-    for (const io::SupportText& each : texts) {
-        printMessage("added: " + each.name + ", " + std::to_string(each.text.size()) + " bytes");
+    for (const io::SupportFile& supportText : texts) {
+        printMessage("added: " + supportText.name + ", " + std::to_string(supportText.text.size()) + " bytes");
     }
     std::printf("%s\n", arguments.archivePath.c_str());
-    return exitDone;
+    return exitSuccess;
 }
 
 }   // namespace
 
 void addSupportBundle(CLI::App& app, int& exitCode)
 {
-    auto* command = app.add_subcommand("support-bundle",
-                                       "Create an archive with diagnostic information for a bug report, without names");
+    auto* command = app.add_subcommand(
+        "support-bundle", "Create a support bundle with diagnostic information for a bug report, without names");
     auto arguments = std::make_shared<SupportArguments>();
-    auto* archive = command->add_option("OUTPUT", arguments->archivePath, "Archive to write, .zip");
-    command->add_option("--case", arguments->casePath, "Case to summarize in it: kinds, sizes, options");
-    auto* show = command->add_flag("--show", arguments->isShownAlone, "Print the contents and write nothing");
+    auto* archive = command->add_option("OUTPUT", arguments->archivePath, "Archive to write (.zip)");
+    command->add_option("--case", arguments->casePath, "Case to summarize in the bundle: input types, sizes, options");
+    auto* show = command->add_flag("--show", arguments->isShownAlone, "Print the contents without writing a file");
     archive->excludes(show);
     command->footer(
-        "Contains versions, the machine and the last crash dumps. Names, folders, UIDs and dates are removed; read it "
-        "before you\nshare it.\n\nExample: angiopose-cli support-bundle for-support.zip --case case.angiopose");
+        "Contains versions, system information and the last crash dumps. Names, folders, UIDs and dates are removed; "
+        "review the\ncontents before sharing.\n\nExample: angiopose-cli support-bundle for-support.zip --case "
+        "case.angiopose");
     command->callback([arguments, archive, show, &exitCode] {
         if (archive->count() == 0 && show->count() == 0) {
             throw CLI::RequiredError("OUTPUT or --show");

@@ -1,7 +1,7 @@
 #include "app/cli/add_commands.h"
 
 #include "app/cli/console.h"
-#include "app/texts/overlay_picture.h"
+#include "app/texts/overlay_image.h"
 #include "io/image_file.h"
 #include "io/opening/read_case_inputs.h"
 
@@ -22,10 +22,10 @@ struct ThumbnailArguments {
 using Clock = std::chrono::steady_clock;
 
 /// Stops reading at `end`; slower inputs, such as scans to trace, are not worth a thumbnail.
-io::ReadObserver untilTime(Clock::time_point end)
+io::ReadObserver stopAt(Clock::time_point end)
 {
     return [end](double) {
-        return Clock::now() >= end || isInterrupted() ? core::Verdict::Stop : core::Verdict::Continue;
+        return Clock::now() >= end || isInterrupted() ? core::ObserverDecision::Stop : core::ObserverDecision::Continue;
     };
 }
 
@@ -44,36 +44,36 @@ int thumbnailWidth(const core::Case& session, int sizePx)
 int runThumbnail(const ThumbnailArguments& arguments)
 {
     const std::chrono::duration<double> limit(arguments.limitSeconds);
-    const io::ReadObserver inTime = untilTime(Clock::now() + std::chrono::duration_cast<Clock::duration>(limit));
+    const io::ReadObserver inTime = stopAt(Clock::now() + std::chrono::duration_cast<Clock::duration>(limit));
     core::Messages nobodyReads;
     const auto session = io::openCase(arguments.casePath, nobodyReads, inTime);
-    if (inTime(1.0) == core::Verdict::Stop) {
-        return exitStopped;
+    if (inTime(1.0) == core::ObserverDecision::Stop) {
+        return exitInterrupted;
     }
     if (!session) {
-        return failInput(session.error());
+        return reportInputError(session.error());
     }
     const auto picture = drawThumbnail(session.value(), thumbnailWidth(session.value(), arguments.sizePx));
     if (!picture) {
-        return failInput(picture.error());
+        return reportInputError(picture.error());
     }
     const core::Status written = io::writePng(picture.value(), arguments.outputPath);
-    return written ? exitDone : failInput(written.error());
+    return written ? exitSuccess : reportInputError(written.error());
 }
 
 }   // namespace
 
 void addThumbnail(CLI::App& app, int& exitCode)
 {
-    auto* command = app.add_subcommand("thumbnail", "Draw a small image of a case without text, for file managers");
+    auto* command = app.add_subcommand("thumbnail", "Draw a thumbnail of a case without text, for file managers");
     auto arguments = std::make_shared<ThumbnailArguments>();
     command->add_option("CASE", arguments->casePath, "Case file, *.angiopose")->required();
-    command->add_option("PICTURE", arguments->outputPath, "Image to write, .png")->required();
+    command->add_option("PICTURE", arguments->outputPath, "Image to write (.png)")->required();
     command->add_option("--size", arguments->sizePx, "Length of the longer side in pixels (default: 256)")
         ->check(CLI::Range(16, 1024));
     command
         ->add_option("--limit", arguments->limitSeconds,
-                     "Time limit for reading in seconds; beyond it no thumbnail is written (default: 8)")
+                     "Time limit for reading in seconds; if exceeded, no thumbnail is written (default: 8)")
         ->check(CLI::Range(0.0, 600.0));
     command->footer("Example: angiopose-cli thumbnail case.angiopose case.png --size 128");
     command->callback([arguments, &exitCode] { exitCode = runThumbnail(*arguments); });

@@ -1,7 +1,7 @@
 #include "app/cli/commands.h"
 #include "app/messages/messages.h"
-#include "core/case/devices_apart.h"
-#include "core/tracing/angiogram/frame/steady_frame.h"
+#include "core/case/separate_devices.h"
+#include "core/tracing/angiogram/frame/denoise_frame.h"
 #include "core/tracing/angiogram/run/subtract_run.h"
 #include "core/tracing/angiogram/trace_angiogram.h"
 #include "io/angiogram_file.h"
@@ -28,7 +28,7 @@ std::string joined(const std::vector<int>& numbers, int first = 0)
 }
 
 /// Subtracts the mask from the frames if the arguments or the file request it.
-core::Status subtractIfAsked(const TraceAngiogramArguments& arguments, Angiogram& angiogram)
+core::Status subtractIfRequested(const TraceAngiogramArguments& arguments, Angiogram& angiogram)
 {
     const auto header = io::readTreatment(arguments.imagePath);
     if (!header) {
@@ -68,7 +68,7 @@ struct NamedTrace {
 };
 
 /// Traces the requested frame, or the peak-opacification image of all frames.
-core::Result<NamedTrace> traceAsked(const TraceAngiogramArguments& arguments, const Angiogram& angiogram)
+core::Result<NamedTrace> traceRequestedFrame(const TraceAngiogramArguments& arguments, const Angiogram& angiogram)
 {
     core::TraceOptions options;
     options.sensitivity = arguments.sensitivity;
@@ -77,7 +77,7 @@ core::Result<NamedTrace> traceAsked(const TraceAngiogramArguments& arguments, co
         return core::Error(messages::frameBeyondRun(frame + 1, angiogram.frameCount()).about(arguments.imagePath));
     }
     auto trace = arguments.composite
-                     ? core::traceAngiogram(core::opacifiedComposite(angiogram.frames, angiogram.polarity),
+                     ? core::traceAngiogram(core::peakOpacificationImage(angiogram.frames, angiogram.polarity),
                                             angiogram.polarity, options, angiogram.shutter)
                      : core::traceFrame(angiogram, frame, options);
     if (!trace) {
@@ -90,14 +90,14 @@ core::Result<NamedTrace> traceAsked(const TraceAngiogramArguments& arguments, co
 
 core::Status writeTrace(const core::AngiogramTrace& trace, const TraceAngiogramArguments& arguments)
 {
-    const core::CurvesApart curves = arguments.apartPath.empty()
-                                         ? core::CurvesApart{trace.centerline, {}}
-                                         : core::takenApart(trace.centerline, trace.suspectCurves);
+    const core::SeparatedCurves curves = arguments.devicePath.empty()
+                                             ? core::SeparatedCurves{trace.centerline, {}}
+                                             : core::separateDevices(trace.centerline, trace.suspectCurves);
     if (const auto status = io::writeCenterline2d(curves.vessels, arguments.outputPath); !status) {
         return status.error();
     }
-    if (!arguments.apartPath.empty()) {
-        if (const auto status = io::writeCenterline2d(curves.devices, arguments.apartPath); !status) {
+    if (!arguments.devicePath.empty()) {
+        if (const auto status = io::writeCenterline2d(curves.devices, arguments.devicePath); !status) {
             return status.error();
         }
     }
@@ -110,31 +110,31 @@ int runTraceAngiogram(const TraceAngiogramArguments& arguments)
 {
     auto read = io::readAngiogram(arguments.imagePath);
     if (!read) {
-        return failInput(read.error());
+        return reportInputError(read.error());
     }
     Angiogram angiogram = std::move(read).value();
     printWarnings(angiogram.warnings);
-    if (const auto status = subtractIfAsked(arguments, angiogram); !status) {
-        return failInput(status.error());
+    if (const auto status = subtractIfRequested(arguments, angiogram); !status) {
+        return reportInputError(status.error());
     }
-    const auto traced = traceAsked(arguments, angiogram);
+    const auto traced = traceRequestedFrame(arguments, angiogram);
     if (!traced) {
-        return failInput(traced.error());
+        return reportInputError(traced.error());
     }
     const core::AngiogramTrace& trace = traced.value().trace;
     printWarnings(trace.warnings);
     if (const auto status = writeTrace(trace, arguments); !status) {
-        return failInput(status.error());
+        return reportInputError(status.error());
     }
     const std::size_t count = trace.centerline.curves.size();
     std::printf("%s: %zu %s, %zu points\n", traced.value().name.c_str(), count, count == 1 ? "curve" : "curves",
                 trace.centerline.pointCount());
     if (!trace.suspectCurves.empty()) {
-        const std::string where = arguments.apartPath.empty() ? "" : ", separately in " + arguments.apartPath;
+        const std::string where = arguments.devicePath.empty() ? "" : ", separately in " + arguments.devicePath;
         std::printf("possible catheter, guidewire or bone edge: curves %s%s\n", joined(trace.suspectCurves).c_str(),
                     where.c_str());
     }
-    return exitDone;
+    return exitSuccess;
 }
 
 }   // namespace angiopose::app

@@ -27,21 +27,21 @@ core::VesselInput vesselInputOf(const TraceVesselArguments& arguments, core::Ves
 }
 
 /// Returns the labels named by the arguments; reads the file to look them up.
-core::Result<std::vector<int>> labelsAskedFor(const TraceVesselArguments& arguments)
+core::Result<std::vector<int>> requestedLabels(const TraceVesselArguments& arguments)
 {
     if (arguments.labels.empty()) {
         return std::vector<int>();
     }
-    const auto listed = io::labelsIn(arguments.inputPath);
+    const auto listed = io::listLabelsOfFile(arguments.inputPath);
     if (!listed) {
         return core::Error(messages::traceNoLabels().about(arguments.inputPath));
     }
-    auto labels = io::labelsCalled(arguments.labels, *listed);
+    auto labels = io::findLabels(arguments.labels, *listed);
     return labels ? labels : labels.error().about(arguments.inputPath);
 }
 
 /// Explains why a file cannot be traced that is not a volume, segmentation or surface.
-core::Error whyNotTraced(const std::string& path)
+core::Error notTraceableError(const std::string& path)
 {
     if (io::readVesselTree(path)) {
         return messages::traceCenterlines().about(path);
@@ -76,20 +76,20 @@ std::string described(const core::VesselTree& tree)
 /// Reads the tree to which single vessels are added; returns an empty tree if no file is given.
 core::Result<core::VesselTree> treeToAddTo(const TraceVesselArguments& arguments)
 {
-    return arguments.intoPath.empty() ? core::VesselTree() : io::readVesselTree(arguments.intoPath);
+    return arguments.baseTreePath.empty() ? core::VesselTree() : io::readVesselTree(arguments.baseTreePath);
 }
 
 /// Traces a vessel section, adds it to the tree and reports it.
-core::Status addStretch(core::VesselTree& tree, const core::Volume& scan, const Stretch& stretch)
+core::Status addSection(core::VesselTree& tree, const core::Volume& scan, const VesselSection& stretch)
 {
-    auto path = core::vesselBetween(scan, stretch.from, stretch.to, [](const core::TracingReport&) {
-        return isInterrupted() ? core::Verdict::Stop : core::Verdict::Continue;
+    auto path = core::traceVesselBetween(scan, stretch.from, stretch.to, [](const core::TracingReport&) {
+        return isInterrupted() ? core::ObserverDecision::Stop : core::ObserverDecision::Continue;
     });
     if (!path) {
         return path.error();
     }
     printWarnings(path.value().warnings);
-    auto added = core::withBranch(tree, std::move(path).value().branch);
+    auto added = core::attachBranch(tree, std::move(path).value().branch);
     if (!added) {
         return added.error();
     }
@@ -101,49 +101,49 @@ int traceStretches(const TraceVesselArguments& arguments)
 {
     auto tree = treeToAddTo(arguments);
     if (!tree) {
-        return failInput(tree.error());
+        return reportInputError(tree.error());
     }
     const auto scan = io::readVolume(arguments.inputPath, arguments.seriesId);
     if (!scan) {
-        return failInput(scan.error());
+        return reportInputError(scan.error());
     }
     printWarnings(scan.value().warnings);
     core::VesselTree grown = std::move(tree).value();
-    for (const Stretch& stretch : arguments.stretches) {
-        if (const auto added = addStretch(grown, scan.value().volume, stretch); !added) {
-            return failInput(added.error().about(arguments.inputPath));
+    for (const VesselSection& stretch : arguments.sections) {
+        if (const auto added = addSection(grown, scan.value().volume, stretch); !added) {
+            return reportInputError(added.error().about(arguments.inputPath));
         }
     }
     if (const auto written = io::writeVesselTree(grown, arguments.outputPath); !written) {
-        return failInput(written.error());
+        return reportInputError(written.error());
     }
     std::printf("%s: %s\n", arguments.outputPath.c_str(), described(grown).c_str());
-    return exitDone;
+    return exitSuccess;
 }
 
-constexpr double crumbShare = 0.005;   ///< fraction of the voxels below which a component is noise, not a vessel
+constexpr double minPieceShare = 0.005;   ///< fraction of the voxels below which a component is noise, not a vessel
 
 /// If there are several connected components, prints each with a seed that selects it, and summarizes small omitted
 /// ones in one line.
-void printPieces(const std::vector<core::TracedPiece>& pieces)
+void printPieces(const std::vector<core::TracedComponent>& pieces)
 {
     int crumbs = 0;
     double shareOfCrumbs = 0.0;
     for (std::size_t n = 0; pieces.size() > 1 && n < pieces.size(); ++n) {
-        const core::TracedPiece& piece = pieces[n];
-        if (!piece.isTraced() && piece.share < crumbShare) {
+        const core::TracedComponent& piece = pieces[n];
+        if (!piece.isTraced() && piece.share < minPieceShare) {
             ++crumbs;
             shareOfCrumbs += piece.share;
             continue;
         }
-        const Eigen::Vector3d& place = piece.placeInPatient;
+        const Eigen::Vector3d& place = piece.positionInPatient;
         const std::string length = piece.isTraced() ? fixedText(piece.lengthMm, 1) + " mm" : std::string("left out");
-        std::printf("piece %zu: %s, %s %% of the voxels, --seed=%s,%s,%s\n", n + 1, length.c_str(),
+        std::printf("component %zu: %s, %s %% of the voxels, --seed=%s,%s,%s\n", n + 1, length.c_str(),
                     fixedText(100.0 * piece.share, 2).c_str(), fixedText(place.x(), 2).c_str(),
                     fixedText(place.y(), 2).c_str(), fixedText(place.z(), 2).c_str());
     }
     if (crumbs > 0) {
-        std::printf("%d small pieces with %s %% of the voxels in total: left out\n", crumbs,
+        std::printf("%d small components with %s %% of the voxels in total: omitted\n", crumbs,
                     fixedText(100.0 * shareOfCrumbs, 2).c_str());
     }
 }
@@ -152,49 +152,49 @@ void printPieces(const std::vector<core::TracedPiece>& pieces)
 
 int runTraceVessel(const TraceVesselArguments& arguments)
 {
-    if (!arguments.stretches.empty()) {
+    if (!arguments.sections.empty()) {
         return traceStretches(arguments);
     }
     auto kind = io::vesselInputKindOf(arguments.inputPath);
     if (!kind) {
-        return failInput(kind.error());
+        return reportInputError(kind.error());
     }
     if (kind.value() == core::VesselInputKind::Centerline) {
-        return failInput(whyNotTraced(arguments.inputPath));
+        return reportInputError(notTraceableError(arguments.inputPath));
     }
     if (!arguments.labels.empty() && kind.value() == core::VesselInputKind::Volume) {
         kind = core::VesselInputKind::Segmentation;
     }
     if (arguments.tracing.tubesOnly && kind.value() != core::VesselInputKind::Volume) {
-        return failInput(core::Error(messages::traceTubesOfMask().about(arguments.inputPath)));
+        return reportInputError(core::Error(messages::traceTubesOfMask().about(arguments.inputPath)));
     }
-    const auto labels = labelsAskedFor(arguments);
+    const auto labels = requestedLabels(arguments);
     if (!labels) {
-        return failInput(labels.error());
+        return reportInputError(labels.error());
     }
     core::VesselInput input = vesselInputOf(arguments, kind.value());
     input.labels = labels.value();
     ProgressLine progress("tracing");
     const auto vessels = io::readVessels(arguments.inputPath, input, [&progress](double fraction) {
         progress.show(fraction, "");
-        return isInterrupted() ? core::Verdict::Stop : core::Verdict::Continue;
+        return isInterrupted() ? core::ObserverDecision::Stop : core::ObserverDecision::Continue;
     });
     if (!vessels) {
-        return failInput(vessels.error());
+        return reportInputError(vessels.error());
     }
     printWarnings(vessels.value().warnings);
     if (const auto written = io::writeVesselTree(vessels.value().tree, arguments.outputPath); !written) {
-        return failInput(written.error());
+        return reportInputError(written.error());
     }
     if (!arguments.maskPath.empty()) {
         if (const auto written = io::writeLabels(labelsOf(vessels.value().lumen), arguments.maskPath); !written) {
-            return failInput(written.error());
+            return reportInputError(written.error());
         }
     }
     std::printf("%s: %s%s\n", arguments.outputPath.c_str(), described(vessels.value().tree).c_str(),
                 vessels.value().volume ? (", lumen above " + fixedText(vessels.value().threshold, 1)).c_str() : "");
     printPieces(vessels.value().pieces);
-    return exitDone;
+    return exitSuccess;
 }
 
 }   // namespace angiopose::app

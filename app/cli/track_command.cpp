@@ -1,11 +1,11 @@
 #include "app/cli/case_input.h"
 #include "app/cli/commands.h"
-#include "app/cli/follow_case.h"
 #include "app/cli/register_case.h"
+#include "app/cli/track_case.h"
 #include "app/messages/messages.h"
 #include "app/texts/number_text.h"
 #include "core/registration/deformable/deformed_tree.h"
-#include "core/workflow/follow_frames.h"
+#include "core/workflow/track_frames.h"
 #include "io/pose_table.h"
 #include "io/vessel_tree_file.h"
 
@@ -18,16 +18,16 @@
 namespace angiopose::app {
 namespace {
 
-void printFrames(const std::vector<core::FollowedFrame>& frames)
+void printFrames(const std::vector<core::TrackedRunFrame>& frames)
 {
-    for (const core::FollowedFrame& frame : frames) {
+    for (const core::TrackedRunFrame& frame : frames) {
         const char* verdict = frame.problem                  ? "nothing traced"
                               : !frame.tracked.isTrustworthy ? "not explained"
                               : frame.tracked.searched       ? "found again"
                                                              : "followed";
         std::printf("frame %-6d agreement %s  %s%s\n", frame.frame + 1, fixedText(frame.tracked.score, 2).c_str(),
                     verdict,
-                    frame.deformed && !frame.deformedAsInFrame
+                    frame.deformed && !frame.deformationSourceFrame
                         ? (", deformed by up to " + fixedText(frame.deformed->largestMotionMm, 1) + " mm").c_str()
                         : "");
     }
@@ -42,7 +42,7 @@ void printPeriod(const char* whose, const std::optional<core::PeriodicMotion>& m
 }
 
 /// Writes the deformed vessels of each frame in patient coordinates, at the pose of that frame.
-core::Status writeDeformedTrees(const core::Case& session, const std::vector<core::FollowedFrame>& frames,
+core::Status writeDeformedTrees(const core::Case& session, const std::vector<core::TrackedRunFrame>& frames,
                                 const std::string& folder)
 {
     std::error_code failure;
@@ -50,8 +50,8 @@ core::Status writeDeformedTrees(const core::Case& session, const std::vector<cor
     if (failure) {
         return core::Error(messages::folderNotMade(folder, failure.message()));
     }
-    for (const core::FollowedFrame& frame : frames) {
-        if (!frame.deformed || frame.deformedAsInFrame) {
+    for (const core::TrackedRunFrame& frame : frames) {
+        if (!frame.deformed || frame.deformationSourceFrame) {
             continue;
         }
         const core::VesselTree deformed =
@@ -71,26 +71,26 @@ int runTrack(const TrackArguments& arguments)
 {
     auto loaded = loadCaseForCommand(arguments.casePath, std::nullopt);
     if (!loaded) {
-        return failInput(loaded.error());
+        return reportInputError(loaded.error());
     }
     core::Case session = std::move(loaded).value();
     if (!arguments.keepPose) {
         auto registered = registerForCommand(std::move(session), "registering");
         if (!registered) {
-            return failInput(registered.error().about(arguments.casePath));
+            return reportInputError(registered.error().about(arguments.casePath));
         }
         session = std::move(registered).value().session;
     }
-    if (const auto followed = followForCommand(session); !followed) {
-        return failInput(followed.error().about(arguments.casePath));
+    if (const auto followed = trackForCommand(session); !followed) {
+        return reportInputError(followed.error().about(arguments.casePath));
     }
-    const std::vector<core::FollowedFrame>& frames = core::framesOf(session.shown().followed);
+    const std::vector<core::TrackedRunFrame>& frames = core::framesOf(session.shown().followed);
     if (const auto status = io::writePoseTable(frames, arguments.outputPath); !status) {
-        return failInput(status.error());
+        return reportInputError(status.error());
     }
     if (!arguments.deformedFolder.empty()) {
         if (const auto status = writeDeformedTrees(session, frames, arguments.deformedFolder); !status) {
-            return failInput(status.error());
+            return reportInputError(status.error());
         }
     }
     printFrames(frames);
@@ -98,10 +98,10 @@ int runTrack(const TrackArguments& arguments)
     printPeriod("breath", periods.breath);
     printPeriod("heartbeat", periods.heart);
     if (isInterrupted()) {
-        return exitStopped;
+        return exitInterrupted;
     }
     const bool areAll = std::ranges::all_of(frames, [](const auto& frame) { return frame.tracked.isTrustworthy; });
-    return areAll ? exitDone : exitNotTrustworthy;
+    return areAll ? exitSuccess : exitUnreliable;
 }
 
 }   // namespace angiopose::app

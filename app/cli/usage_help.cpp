@@ -44,12 +44,12 @@ std::string unknownWord(const CLI::App& app, const CLI::App& command)
             for (const std::string& name : names) {
                 all += (all.empty() ? "" : ", ") + name;
             }
-            return "There is no command '" + word + "'." + perhaps(core::nearestWord(word, names)) +
-                   " Commands: " + all + ".";
+            return "Unknown command '" + word + "'." + perhaps(core::nearestWord(word, names)) + " Commands: " + all +
+                   ".";
         }
         if (word.starts_with("--")) {
             const std::string name = word.substr(0, word.find('='));
-            return "There is no option " + name + "." + perhaps(core::nearestWord(name, optionNames(command)));
+            return "Unknown option " + name + "." + perhaps(core::nearestWord(name, optionNames(command)));
         }
     }
     return {};
@@ -57,7 +57,7 @@ std::string unknownWord(const CLI::App& app, const CLI::App& command)
 
 }   // namespace
 
-std::vector<std::string> asOptions(std::vector<std::string> arguments)
+std::vector<std::string> helpAsOptions(std::vector<std::string> arguments)
 {
     if (!arguments.empty() && arguments.front() == "help") {
         arguments.erase(arguments.begin());

@@ -11,11 +11,11 @@ int runValidate(const FileArguments& arguments)
 {
     const auto problems = io::validateCase(arguments.path);
     if (!problems) {
-        return failInput(problems.error(), arguments.format);
+        return reportInputError(problems.error(), arguments.format);
     }
     core::Messages warnings;
     if (problems.value().empty()) {
-        auto doubts = io::doubtsOfCase(arguments.path);
+        auto doubts = io::checkCaseGeometry(arguments.path);
         warnings =
             doubts ? std::move(doubts).value() : core::Messages{doubts.error().message.as(core::Severity::Warning)};
     }
@@ -40,7 +40,7 @@ int runValidate(const FileArguments& arguments)
     for (const core::Message& warning : warnings) {
         printMessage(arguments.path + ": warning: " + warning.text());
     }
-    return problems.value().empty() ? exitDone : exitInput;
+    return problems.value().empty() ? exitSuccess : exitInputError;
 }
 
 }   // namespace angiopose::app

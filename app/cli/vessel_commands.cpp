@@ -50,36 +50,36 @@ void addPoints(CLI::App* command, const std::string& name, std::vector<Eigen::Ve
             help)
         ->allow_extra_args(false)
         ->check([](const std::string& text) {
-            return pointFrom(text) ? std::string() : "give a point as x,y,z in mm, not '" + text + "'";
+            return pointFrom(text) ? std::string() : "specify a point as x,y,z in mm, not '" + text + "'";
         });
 }
 
 /// Adds a repeatable option that takes two points per occurrence.
-void addStretches(CLI::App* command, std::vector<Stretch>& stretches)
+void addSections(CLI::App* command, std::vector<VesselSection>& sections)
 {
     command
         ->add_option_function<std::vector<std::string>>(
             "--between",
-            [&stretches](const std::vector<std::string>& texts) {
+            [&sections](const std::vector<std::string>& texts) {
                 for (const std::string& text : texts) {
                     const Eigen::Vector<double, 6> ends =
                         numbersFrom<6>(text).value_or(Eigen::Vector<double, 6>::Zero());
-                    stretches.push_back({ends.head<3>(), ends.tail<3>()});
+                    sections.push_back({ends.head<3>(), ends.tail<3>()});
                 }
             },
             "x,y,z,x,y,z (LPS mm): trace only the vessel between two points, along the most vessel-like path; may be "
-            "repeated: later ones join the earlier")
+            "repeated, with later vessels joined to the earlier ones")
         ->allow_extra_args(false)
         ->check([](const std::string& text) {
-            return numbersFrom<6>(text) ? std::string() : "give two points as x,y,z,x,y,z in mm, not '" + text + "'";
+            return numbersFrom<6>(text) ? std::string() : "specify two points as x,y,z,x,y,z in mm, not '" + text + "'";
         });
 }
 
 /// Parses the choice of components; rejects choices that require seeds when none are given, and vice versa.
-core::TracedPieces piecesCalled(const std::string& word, bool hasSeeds)
+core::TracedPieces parsePieces(const std::string& word, bool hasSeeds)
 {
     if (word == "seeded" && !hasSeeds) {
-        throw CLI::ValidationError("--pieces", "'seeded' needs a --seed");
+        throw CLI::ValidationError("--pieces", "'seeded' requires a --seed");
     }
     if ((word == "all" || word == "largest") && hasSeeds) {
         throw CLI::ValidationError("--pieces", "'" + word + "' cannot be combined with --seed");
@@ -98,52 +98,56 @@ void addTraceVessel(CLI::App& app, int& exitCode)
     auto root = std::make_shared<std::vector<Eigen::Vector3d>>();
     command
         ->add_option("VOLUME", arguments->inputPath,
-                     "DICOM folder or slice, NIfTI, NRRD, MetaImage; also a label image, DICOM SEG or a surface")
+                     "DICOM folder or slice, NIfTI, NRRD or MetaImage; also a label image, DICOM SEG or surface")
         ->required();
-    command->add_option("--output", arguments->outputPath, "Tree to write: .vtp, .csv, .swc or .mrk.json")->required();
-    command->add_option("--mask", arguments->maskPath, "Vessel mask to write as a label image, e.g. .nii.gz");
+    command->add_option("--output", arguments->outputPath, "Vessel tree to write (.vtp, .csv, .swc or .mrk.json)")
+        ->required();
+    command->add_option("--mask", arguments->maskPath, "Vessel mask to write as a label image (e.g., .nii.gz)");
     command->add_option("--series", arguments->seriesId, "Series of a DICOM folder; `info FOLDER` lists them");
     command->add_option("--threshold", arguments->tracing.threshold, "Minimum value of the lumen (default: automatic)");
     addPoints(command, "--seed", arguments->tracing.seedsInPatient,
               "x,y,z (LPS mm) inside a vessel: trace everything connected to it; may be repeated (default: in a scan, "
-              "the aorta or main artery is found automatically; of a mask, all pieces are traced)");
+              "the aorta or main artery is found automatically; in a mask, all components are traced)");
     addPoints(command, "--avoid", arguments->tracing.avoidInPatient,
               "x,y,z (LPS mm) in the heart, a vein or bone to avoid; may be repeated");
-    command->add_flag("--tubes", arguments->tracing.tubesOnly,
-                      "Trace only thin vessels, from the seeds; tracing ends at chambers, organs and anything wider "
-                      "than a centimeter");
-    addStretches(command, arguments->stretches);
-    command->add_option("--into", arguments->intoPath, "Tree to which vessels traced by --between are added");
-    addPoints(command, "--root", *root, "x,y,z (LPS mm): the tree starts at the end nearest to this point");
+    command->add_flag(
+        "--tubes", arguments->tracing.tubesOnly,
+        "Trace only thin vessels, from the seeds; tracing ends at chambers, organs and structures wider than 1 cm");
+    addSections(command, arguments->sections);
+    command->add_option("--into", arguments->baseTreePath,
+                        "Vessel tree to which the vessels traced with --between are added");
+    addPoints(command, "--root", *root, "x,y,z (LPS mm): the root is the branch end nearest to this point");
     command
         ->add_option("--min-length", arguments->tracing.minBranchLengthMm,
-                     "Minimum length of a branch, mm; shorter branches are removed")
+                     "Minimum branch length in mm; shorter branches are removed")
         ->check(CLI::Range(0.0, 1000.0));
     command
         ->add_option("--min-radius", arguments->tracing.minBranchRadiusMm,
-                     "Minimum radius of a branch, mm; thinner branches are removed")
+                     "Minimum mean branch radius in mm; thinner branches are removed")
         ->check(CLI::Range(0.0, 1000.0));
-    command->add_option("--point-spacing", arguments->tracing.pointSpacingMm, "Distance between points of a branch, mm")
+    command
+        ->add_option("--point-spacing", arguments->tracing.pointSpacingMm,
+                     "Distance between the points of a branch in mm")
         ->check(CLI::Range(0.01, 100.0));
     command
         ->add_option("--label,--labels", arguments->labels,
-                     "Labels that are vessels, by number or name, e.g. 1,2 or aorta; `info` lists them (default: those "
-                     "with vessel names, otherwise all)")
+                     "Vessel labels, by number or name (e.g., 1,2 or aorta); `info` lists them (default: labels with "
+                     "vessel names, otherwise all)")
         ->delimiter(',');
-    command->add_option("--unit-mm", arguments->unitMm, "Length of one unit of a surface, mm")
+    command->add_option("--unit-mm", arguments->unitMm, "Length of one unit of a surface in mm")
         ->check(CLI::Range(1e-6, 1e4));
     auto pieces = std::make_shared<std::string>();
     command
-        ->add_option(
-            "--pieces", *pieces,
-            "all: every piece of a mask, or those of every great vessel in a scan; largest; seeded: those that contain "
-            "a --seed (default: seeded if there is a seed; otherwise all of a mask, or the aorta's in a scan)")
+        ->add_option("--pieces", *pieces,
+                     "all: all components of a mask, or those of all great vessels in a scan; largest: the largest "
+                     "component; seeded: the components that contain a --seed (default: seeded if there is a seed; "
+                     "otherwise all components of a mask, or that of the aorta in a scan)")
         ->check(CLI::IsMember({"all", "largest", "seeded"}));
     auto loops = std::make_shared<std::string>();
     command
         ->add_option("--loops", *loops,
-                     "opened: cut at the narrowest point; kept: keep loops that are not a flaw of the lumen, such as "
-                     "the circle of Willis (default: opened)")
+                     "opened: loops are cut at their narrowest point; kept: loops that are not segmentation errors, "
+                     "such as the circle of Willis, are kept (default: opened)")
         ->check(CLI::IsMember({"opened", "kept"}));
     command
         ->add_option("--threads", arguments->tracing.threads,
@@ -154,7 +158,7 @@ void addTraceVessel(CLI::App& app, int& exitCode)
         if (!root->empty()) {
             arguments->tracing.rootInPatient = root->back();
         }
-        arguments->tracing.pieces = piecesCalled(*pieces, !arguments->tracing.seedsInPatient.empty());
+        arguments->tracing.pieces = parsePieces(*pieces, !arguments->tracing.seedsInPatient.empty());
         arguments->tracing.loops = *loops == "kept" ? core::VesselLoops::Kept : core::VesselLoops::Opened;
         exitCode = runTraceVessel(*arguments);
     });
@@ -162,19 +166,19 @@ void addTraceVessel(CLI::App& app, int& exitCode)
 
 void addConvert(CLI::App& app, int& exitCode)
 {
-    auto* command = app.add_subcommand("convert", "Convert an input to another format, by the extension of OUT");
+    auto* command = app.add_subcommand("convert", "Convert an input to the format given by the extension of OUT");
     auto arguments = std::make_shared<ConvertArguments>();
     command->add_option("IN", arguments->inputPath, "Any file that AngioPose reads, or a DICOM folder")->required();
     command
         ->add_option("OUT", arguments->outputPath,
                      "Centerlines: .vtp .csv .swc .mrk.json; volumes: .nii .nii.gz .nrrd .mha; surfaces: .stl; poses: "
-                     ".json .tfm .h5, with their camera .txt (P) .yml .yaml .xml (K, R, t); points: .fcsv .mrk.json; "
-                     "X-ray runs: .dcm; with --deidentify also DICOM slices, PNG, JPEG, and a folder for a folder")
+                     ".json .tfm .h5; poses with camera: .txt (P) .yml .yaml .xml (K, R, t); points: .fcsv .mrk.json; "
+                     "X-ray runs: .dcm; with --deidentify also DICOM slices, PNG, JPEG, and folders")
         ->required();
     command->add_option("--series", arguments->seriesId, "Series of a DICOM folder; `info FOLDER` lists them");
-    command->add_option("--unit-mm", arguments->unitMm, "Length of one unit of a surface or a centerline file, mm")
+    command->add_option("--unit-mm", arguments->unitMm, "Length of one unit of a surface or centerline file in mm")
         ->check(CLI::Range(1e-6, 1e4));
-    command->add_option("--spacing-mm", arguments->spacingMm, "Voxel size for filling a surface, mm")
+    command->add_option("--spacing-mm", arguments->spacingMm, "Voxel size in mm for filling a surface")
         ->check(CLI::Range(0.01, 100.0));
     arguments->identity = addDeidentifyOptions(*command);
     const auto exchange = addExchangeOptions(*command);

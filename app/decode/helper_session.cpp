@@ -36,22 +36,22 @@ void limitProcess(std::size_t fileSize)
     constexpr std::uint64_t spareSeconds = 5, bytesPerSecond = 2'000'000;
     constexpr std::uint64_t spareMemory = std::uint64_t{256} << 20, memoryPerByte = 64;
     const std::uint64_t seconds = spareSeconds + fileSize / bytesPerSecond;
-    io::limitOwnProcess(
+    io::limitCurrentProcess(
         {seconds, std::min<std::uint64_t>(20 * seconds, 86'400), spareMemory + memoryPerByte * fileSize});
 }
 
-void sayProgress(double fraction)
+void writeProgress(double fraction)
 {
-    static int said = 0;
-    const int percent = static_cast<int>(std::clamp(fraction, 0.0, 1.0) * io::largestPercent);
-    if (percent > said) {
-        said = percent;
+    static int lastPercent = 0;
+    const int percent = static_cast<int>(std::clamp(fraction, 0.0, 1.0) * io::maxPercent);
+    if (percent > lastPercent) {
+        lastPercent = percent;
         const char byte = static_cast<char>(percent);
         write(&byte, 1);
     }
 }
 
-int sayReply(const std::function<DecoderReply()>& work)
+int writeReply(const std::function<DecoderReply()>& work)
 {
     const DecoderReply reply = replyOf(work);
     io::ReplyWriter head;

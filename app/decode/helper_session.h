@@ -13,9 +13,9 @@ namespace angiopose::decode {
 void limitProcess(std::size_t fileSize);
 
 /// Reports the progress, 0…1, to the waiting program.
-void sayProgress(double fraction);
+void writeProgress(double fraction);
 
 /// Runs `work` and writes its reply. Running out of memory is reported as such, any other exception as a refusal.
-int sayReply(const std::function<io::DecoderReply()>& work);
+int writeReply(const std::function<io::DecoderReply()>& work);
 
 }   // namespace angiopose::decode

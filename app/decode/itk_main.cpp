@@ -51,7 +51,7 @@ private:
 };
 
 /// Returns the single transform of the file: a lone transform, or the composite whose components follow it in the list.
-Transform::Pointer oneOf(const TransformIo::TransformListType& list)
+Transform::Pointer singleTransform(const TransformIo::TransformListType& list)
 {
     Transform::Pointer first = list.empty() ? nullptr : dynamic_cast<Transform*>(list.front().GetPointer());
     auto* composite = dynamic_cast<itk::CompositeTransform<double, 3>*>(first.GetPointer());
@@ -89,7 +89,7 @@ DecoderReply read(const std::string& path)
     const TransformIo::Pointer reader = TransformIo::New();
     reader->SetFileName(path);
     reader->Read();
-    const Transform::Pointer transform = oneOf(reader->GetReadTransformList());
+    const Transform::Pointer transform = singleTransform(reader->GetReadTransformList());
     if (!transform || !transform->IsLinear()) {
         return {ReplyKind::Refusal, transform ? transform->GetTransformTypeAsString() : std::string()};
     }
@@ -129,7 +129,7 @@ int main(int count, char** arguments)
         const std::string path = arguments[2];
         std::error_code ignored;
         angiopose::decode::limitProcess(std::filesystem::file_size(path, ignored));
-        return angiopose::decode::sayReply([&path] { return read(path); });
+        return angiopose::decode::writeReply([&path] { return read(path); });
     }
     Rows rows;
     if (task != "write" || count != 2 + static_cast<int>(rows.size())) {
@@ -138,5 +138,5 @@ int main(int count, char** arguments)
     for (std::size_t i = 0; i < rows.size(); ++i) {
         rows[i] = std::strtod(arguments[2 + i], nullptr);
     }
-    return angiopose::decode::sayReply([&rows] { return write(rows); });
+    return angiopose::decode::writeReply([&rows] { return write(rows); });
 }

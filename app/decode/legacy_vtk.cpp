@@ -26,15 +26,15 @@ using io::ReplyKind;
 
 /// Replacement for "nan" and "inf", which VTK's streams cannot read: before reading, the word is replaced by a number
 /// that no measurement has; after reading, that number is mapped back.
-struct StandIn {
+struct NumberPlaceholder {
     std::string_view word;
     std::string_view text;
     double number;
     double meaning;
 };
 constexpr std::array standIns = {
-    StandIn{"nan", "5.192296858534828e33", 0x1p112, std::numeric_limits<double>::quiet_NaN()},
-    StandIn{"inf", "1.0384593717069655e34", 0x1p113, std::numeric_limits<double>::infinity()}};
+    NumberPlaceholder{"nan", "5.192296858534828e33", 0x1p112, std::numeric_limits<double>::quiet_NaN()},
+    NumberPlaceholder{"inf", "1.0384593717069655e34", 0x1p113, std::numeric_limits<double>::infinity()}};
 
 bool isBlankAt(std::string_view text, std::size_t at)
 {
@@ -48,7 +48,7 @@ char lower(char letter)
 
 void putStandIns(std::string& text)
 {
-    for (const StandIn& standIn : standIns) {
+    for (const NumberPlaceholder& standIn : standIns) {
         const auto isSame = [](char left, char right) { return lower(left) == right; };
         auto at = text.begin();
         while ((at = std::search(at, text.end(), standIn.word.begin(), standIn.word.end(), isSame)) != text.end()) {
@@ -66,7 +66,7 @@ void putStandIns(std::string& text)
 
 void takeStandIn(double& value)
 {
-    for (const StandIn& standIn : standIns) {
+    for (const NumberPlaceholder& standIn : standIns) {
         value = value == standIn.number ? standIn.meaning : value == -standIn.number ? -standIn.meaning : value;
     }
 }
@@ -124,7 +124,7 @@ std::string sectionAt(const std::vector<Section>& sections, std::size_t place)
 }
 
 /// Compares the number of cells read with the declared number, since VTK does not.
-bool holdsItsCells(const std::vector<Section>& sections, std::string_view name, vtkIdType cells)
+bool hasDeclaredCells(const std::vector<Section>& sections, std::string_view name, vtkIdType cells)
 {
     const auto section =
         std::find_if(sections.begin(), sections.end(), [&](const auto& each) { return each.name == name; });
@@ -143,7 +143,7 @@ std::string sectionOfWrongCount(const std::vector<Section>& sections, vtkPointSe
         counts = {{"CELLS", data->GetNumberOfCells()}};
     }
     const auto wrong = std::find_if(counts.begin(), counts.end(), [&](const auto& each) {
-        return !holdsItsCells(sections, each.first, each.second);
+        return !hasDeclaredCells(sections, each.first, each.second);
     });
     return wrong == counts.end() ? std::string() : wrong->first;
 }
@@ -151,7 +151,7 @@ std::string sectionOfWrongCount(const std::vector<Section>& sections, vtkPointSe
 template <class Reader>
 DecoderReply readWith(const std::string& path)
 {
-    std::string content = contentOf(path);
+    std::string content = readWholeFile(path);
     const std::string_view head = std::string_view(content).substr(0, 1024);
     if (head.find("\nASCII") != std::string_view::npos || head.find("\nascii") != std::string_view::npos) {
         putStandIns(content);

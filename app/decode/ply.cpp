@@ -58,7 +58,7 @@ bool addProperty(const std::string& countType, const std::string& type, const st
 }
 
 /// Reads the header up to the first value; empty if a line is not valid in a PLY header (VTK would skip it).
-std::optional<Header> takeHeader(io::TextCursor& lines)
+std::optional<Header> readHeader(io::TextCursor& lines)
 {
     static const std::regex known(
         R"(ply|(?:comment|obj_info).*|format\s+(ascii|binary_little_endian|binary_big_endian)\s+1\.0|)"
@@ -100,7 +100,7 @@ std::optional<std::size_t> sizeOfBody(io::TextCursor body, bool isText)
 
 /// Returns whether a body of that size matches the header for the given number of face vertices. VTK reads missing data
 /// as zeros, and the vertex count of a face modulo 256. A binary body may be followed by a few extra bytes.
-bool explains(const Header& header, std::size_t cornerCount, std::size_t bodySize)
+bool matchesHeader(const Header& header, std::size_t cornerCount, std::size_t bodySize)
 {
     std::size_t size = 0, tail = 0, lists = 0;
     for (const Element& element : header.elements) {
@@ -123,9 +123,9 @@ DecoderReply refusal(const std::string& place)
 
 DecoderReply readPly(const std::string& path)
 {
-    const std::string content = contentOf(path);
+    const std::string content = readWholeFile(path);
     io::TextCursor cursor(content);
-    const auto header = takeHeader(cursor);
+    const auto header = readHeader(cursor);
     if (!header) {
         return refusal("header");
     }
@@ -150,7 +150,7 @@ DecoderReply readPly(const std::string& path)
     readOrRefuse(*reader, [] { return "data"; });
     vtkPolyData* data = reader->GetOutput();
     const auto corners = static_cast<std::size_t>(data->GetPolys()->GetNumberOfConnectivityIds());
-    auto lines = explains(*header, corners, *bodySize) ? io::linesOf(data) : std::nullopt;
+    auto lines = matchesHeader(*header, corners, *bodySize) ? io::linesOf(data) : std::nullopt;
     return lines ? DecoderReply{ReplyKind::Result, io::toReply(*lines)} : refusal("data");
 }
 

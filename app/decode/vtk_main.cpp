@@ -27,5 +27,5 @@ int main(int count, char** arguments)
     const std::string format = arguments[1], path = arguments[2];
     std::error_code ignored;
     angiopose::decode::limitProcess(std::filesystem::file_size(path, ignored));
-    return angiopose::decode::sayReply([&] { return decoded(path, format); });
+    return angiopose::decode::writeReply([&] { return decoded(path, format); });
 }

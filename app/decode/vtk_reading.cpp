@@ -15,29 +15,29 @@ namespace angiopose::decode {
 namespace {
 
 /// Output window that receives all VTK errors and warnings, including those not sent to the observers of a reader.
-class ComplaintWindow : public vtkOutputWindow {
+class ErrorOutputWindow : public vtkOutputWindow {
 public:
-    static ComplaintWindow* New();
+    static ErrorOutputWindow* New();
     void DisplayText(const char*) override
     {
-        std::_Exit(sayReply([this] { return io::DecoderReply{io::ReplyKind::Refusal, place()}; }));
+        std::_Exit(writeReply([this] { return io::DecoderReply{io::ReplyKind::Refusal, place()}; }));
     }
     std::function<std::string()> place;
 };
-vtkStandardNewMacro(ComplaintWindow)
+vtkStandardNewMacro(ErrorOutputWindow)
 
     class Progress : public vtkCommand {
 public:
     static Progress* New() { return new Progress; }
     void Execute(vtkObject* caller, unsigned long, void*) override
     {
-        sayProgress(vtkAlgorithm::SafeDownCast(caller)->GetProgress());
+        writeProgress(vtkAlgorithm::SafeDownCast(caller)->GetProgress());
     }
 };
 
 }   // namespace
 
-std::string contentOf(const std::string& path)
+std::string readWholeFile(const std::string& path)
 {
     std::ifstream stream(path, std::ios::binary);
     std::string content(std::filesystem::file_size(path), '\0');
@@ -48,7 +48,7 @@ std::string contentOf(const std::string& path)
 
 void readOrRefuse(vtkAlgorithm& reader, const std::function<std::string()>& place)
 {
-    const vtkNew<ComplaintWindow> window;
+    const vtkNew<ErrorOutputWindow> window;
     window->place = place;
     vtkOutputWindow::SetInstance(window);
     vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);

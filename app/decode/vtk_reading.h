@@ -7,7 +7,7 @@
 
 namespace angiopose::decode {
 
-std::string contentOf(const std::string& path);
+std::string readWholeFile(const std::string& path);
 
 /// Runs a VTK reader and reports its progress to the waiting process. At the first VTK error or warning, exits this
 /// process with a refusal that contains the reader's position from `place`, since some readers crash if they continue.

@@ -82,7 +82,7 @@ DecoderReply readWith(const std::string& path)
     const vtkNew<ErrorFlag> flag;
     reader->AddObserver(vtkCommand::ErrorEvent, flag);
     reader->ReadFromInputStringOn();
-    reader->SetInputString(contentOf(path));
+    reader->SetInputString(readWholeFile(path));
     reader->Update();
     if (flag->raised || reader->isShort() || reader->GetErrorCode() != 0) {
         return {};

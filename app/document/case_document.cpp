@@ -14,10 +14,10 @@ void CaseDocument::replace(core::Case opened, const QString& path)
     case_ = std::move(opened);
     path_ = path;
     ++caseNumber_;
-    unsavedByNature_ = path.isEmpty() && !isEmpty();
+    isNeverSaved_ = path.isEmpty() && !isEmpty();
     isRecovered_ = false;
     undoStack_.clear();
-    undoFloor_ = 0;
+    trialStartIndex_ = 0;
     emit changed();
     emit stateChanged();
 }
@@ -28,7 +28,7 @@ void CaseDocument::markSaved(const QString& path, const CaseState& written)
         return;   // another case has been opened in the meantime
     }
     path_ = path;
-    unsavedByNature_ = false;
+    isNeverSaved_ = false;
     isRecovered_ = false;
     if (written == state()) {
         undoStack_.setClean();
@@ -40,7 +40,7 @@ void CaseDocument::markSaved(const QString& path, const CaseState& written)
 
 void CaseDocument::markUnsaved()
 {
-    unsavedByNature_ = true;
+    isNeverSaved_ = true;
     isRecovered_ = true;
     emit stateChanged();
 }
@@ -57,7 +57,7 @@ bool CaseDocument::push(std::unique_ptr<QUndoCommand> edit)
 
 void CaseDocument::undo()
 {
-    emit aboutToStep();
+    emit aboutToUndoOrRedo();
     if (!locked_ && canUndo()) {
         undoStack_.undo();
     }
@@ -65,7 +65,7 @@ void CaseDocument::undo()
 
 void CaseDocument::redo()
 {
-    emit aboutToStep();
+    emit aboutToUndoOrRedo();
     if (!locked_) {
         undoStack_.redo();
     }
@@ -76,7 +76,7 @@ void CaseDocument::beginTrial(std::unique_ptr<QUndoCommand> edit)
     if (isInTrial() || locked_) {
         return;
     }
-    undoFloor_ = undoStack_.index() + 1;   // set before push() emits signals, whose receivers read it
+    trialStartIndex_ = undoStack_.index() + 1;   // set before push() emits signals, whose receivers read it
     undoStack_.push(edit.release());
     emit stateChanged();
 }
@@ -88,7 +88,7 @@ void CaseDocument::endTrial()
     }
     {
         const QSignalBlocker quiet(this);   // suppresses the signals of the individual steps
-        undoStack_.setIndex(std::exchange(undoFloor_, 0) - 1);
+        undoStack_.setIndex(std::exchange(trialStartIndex_, 0) - 1);
     }
     auto nothing = std::make_unique<QUndoCommand>();
     nothing->setObsolete(true);

@@ -29,10 +29,10 @@ public:
     QUndoStack& undoStack() { return undoStack_; }
     const QUndoStack& undoStack() const { return undoStack_; }
     bool isEmpty() const { return !case_.vessels.tree && !case_.shown().angiogram; }
-    bool isModified() const { return unsavedByNature_ || !undoStack_.isClean(); }
+    bool isModified() const { return isNeverSaved_ || !undoStack_.isClean(); }
     /// Returns whether closing would lose work: unsaved edits, or a copy recovered after a crash. Opening files alone
     /// does not count as work.
-    bool holdsWork() const { return isModified() && (isRecovered_ || !undoStack_.isClean()); }
+    bool hasUnsavedWork() const { return isModified() && (isRecovered_ || !undoStack_.isClean()); }
     const QString& path() const { return path_; }   ///< empty until saved or opened from a case file
 
     /// Replaces the open case. Without a path, the new case counts as unsaved.
@@ -51,18 +51,18 @@ public:
     /// Undo and redo for the user; undo stops at the start of a blind trial.
     void undo();
     void redo();
-    bool canUndo() const { return undoStack_.index() > undoFloor_ && undoStack_.canUndo(); }
+    bool canUndo() const { return undoStack_.index() > trialStartIndex_ && undoStack_.canUndo(); }
 
     /// Starts a blind trial with this edit. `endTrial` permanently reverts this edit and all later ones.
     void beginTrial(std::unique_ptr<QUndoCommand> edit);
     void endTrial();
-    bool isInTrial() const { return undoFloor_ > 0; }
-    int trialEdits() const { return undoStack_.index() - undoFloor_; }   ///< undo steps since the trial began
+    bool isInTrial() const { return trialStartIndex_ > 0; }
+    int trialEdits() const { return undoStack_.index() - trialStartIndex_; }   ///< undo steps since the trial began
 
-    void noteChange() { emit changed(); }   ///< for data outside the case that belong to it, e.g. a mask draft
+    void notifyChanged() { emit changed(); }   ///< for data outside the case that belong to it, e.g. a mask draft
 
 signals:
-    void aboutToStep();   ///< emitted before undo or redo; receivers finish any mouse interaction
+    void aboutToUndoOrRedo();   ///< emitted before undo or redo; receivers finish any mouse interaction
     void changed();
     void stateChanged();   ///< emitted when the path, the saved state or the lock has changed
     void editRefused();
@@ -76,10 +76,10 @@ private:
     QString path_;
     int caseNumber_ = 0;   ///< number of cases opened
     std::uint64_t revision_ = 0;   ///< number of changes
-    bool unsavedByNature_ = false;
+    bool isNeverSaved_ = false;
     bool isRecovered_ = false;   ///< recovered after a crash and not saved since
     bool locked_ = false;
-    int undoFloor_ = 0;   ///< undo index at which the current trial began; 0 if there is no trial
+    int trialStartIndex_ = 0;   ///< undo index at which the current trial began; 0 if there is no trial
 };
 
 }   // namespace angiopose::app

@@ -4,7 +4,7 @@ namespace angiopose::app {
 namespace {
 
 /// Replaces the vessels: an initial pose moves with the tree's centroid, any other pose stays.
-std::unique_ptr<QUndoCommand> changeVessels(CaseDocument& document, Vessels vessels, const ui::Words& name)
+std::unique_ptr<QUndoCommand> changeVessels(CaseDocument& document, Vessels vessels, const ui::LocalizedText& name)
 {
     const auto isSame = [](const core::RigidTransform& a, const core::RigidTransform& b) {
         return (a.matrix() - b.matrix()).cwiseAbs().maxCoeff() < 1e-9;
@@ -25,17 +25,17 @@ std::unique_ptr<QUndoCommand> changeVessels(CaseDocument& document, Vessels vess
 std::vector<View> withoutResults(std::vector<View> views)
 {
     for (View& view : views) {
-        core::forgetFindings(view);
+        core::discardResults(view);
     }
     return views;
 }
 
-std::unique_ptr<QUndoCommand> changeGeometry(CaseDocument& document, const Case& wanted, const ui::Words& name)
+std::unique_ptr<QUndoCommand> changeGeometry(CaseDocument& document, const Case& wanted, const ui::LocalizedText& name)
 {
     return std::make_unique<ChangeGeometry>(document, ChangeGeometry::valuesOf(wanted), name);
 }
 
-std::unique_ptr<QUndoCommand> editTree(CaseDocument& document, core::VesselTree tree, const ui::Words& name)
+std::unique_ptr<QUndoCommand> editTree(CaseDocument& document, core::VesselTree tree, const ui::LocalizedText& name)
 {
     Vessels vessels = document.current().vessels;
     const auto edited = std::make_shared<const core::VesselTree>(std::move(tree));
@@ -47,7 +47,8 @@ std::unique_ptr<QUndoCommand> editTree(CaseDocument& document, core::VesselTree 
     return changeVessels(document, std::move(vessels), name);
 }
 
-std::unique_ptr<QUndoCommand> takeTrace(CaseDocument& document, const TracedTree& traced, const ui::Words& name)
+std::unique_ptr<QUndoCommand> applyTrace(CaseDocument& document, const TracedTree& traced,
+                                         const ui::LocalizedText& name)
 {
     Vessels vessels = document.current().vessels;
     const bool isEdited = traced.lumenOrigin == LumenOrigin::Edited;
@@ -73,14 +74,14 @@ std::unique_ptr<QUndoCommand> takeTrace(CaseDocument& document, const TracedTree
     return changeVessels(document, std::move(vessels), name);
 }
 
-std::unique_ptr<QUndoCommand> showView(CaseDocument& document, const Case& wanted, const ui::Words& name)
+std::unique_ptr<QUndoCommand> showView(CaseDocument& document, const Case& wanted, const ui::LocalizedText& name)
 {
     return std::make_unique<ShowView>(document, ShowView::valuesOf(wanted), name);
 }
 
-std::unique_ptr<QUndoCommand> joinInputs(CaseDocument& document, const Case& wanted, const ui::Words& name)
+std::unique_ptr<QUndoCommand> addInputs(CaseDocument& document, const Case& wanted, const ui::LocalizedText& name)
 {
-    return std::make_unique<JoinInputs>(document, JoinInputs::valuesOf(wanted), name);
+    return std::make_unique<AddInputs>(document, AddInputs::valuesOf(wanted), name);
 }
 
 }   // namespace angiopose::app

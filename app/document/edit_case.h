@@ -16,18 +16,18 @@ using core::View;
 using MovePose = SetFields<&View::cameraFromPatient, &View::result, &View::followed>;
 
 /// Tracked poses of the displayed view's run.
-using KeepFollowed = SetFields<&View::followed>;
+using SetTrackedPoses = SetFields<&View::followed>;
 
 using ChangeSnapshots = SetFields<&View::snapshots>;
 
 /// Start of a blind trial: sets another initial pose and hides all earlier results.
-using HideWhatIsKnown = SetFields<&View::cameraFromPatient, &View::initialCameraFromPatient, &View::result,
+using StartBlindTrial = SetFields<&View::cameraFromPatient, &View::initialCameraFromPatient, &View::result,
                                   &View::followed, &View::snapshots>;
 
 /// Change of frame, with the pose tracked in it; if the gantry angle changes, the poses are adapted.
 using ShowFrame = SetFields<&View::frame, &View::initialCameraFromPatient, &View::cameraFromPatient, &View::result>;
 
-using ChooseAuxiliary = SetFields<&Vessels::auxiliaryBranchIds>;
+using SelectAuxiliary = SetFields<&Vessels::auxiliaryBranchIds>;
 using ExcludeBranches = SetFields<&Vessels::excludedBranchIds, &Case::views>;   // see withoutResults for the views
 using HideBranches = SetFields<&Vessels::hiddenBranchIds>;
 using RelabelTree = SetFields<&Vessels::tree, &Vessels::isTreeEdited>;
@@ -47,14 +47,14 @@ using ShowView = SetFields<&Case::views, &Case::shownView>;
 
 using ChangeLandmarks = SetFields<&View::landmarks>;
 using ChangeMeasurements = SetFields<&View::measurements, &Vessels::measurements>;   // in the image and in the slices
-using TypeScale = SetFields<&View::typedMmPerPx>;
+using SetPixelScale = SetFields<&View::enteredMmPerPx>;
 using ChangeMarks = SetFields<&Vessels::marks>;
 using RemoveMarks = SetFields<&Vessels::marks, &Case::views>;   // with their positions in the images of all views
-using ChangeSightings = SetFields<&View::sightings>;
+using ChangeSightings = SetFields<&View::observations>;
 using ChangeAnnotations = SetFields<&View::annotations>;
 
 /// Initial pose set manually or from landmarks.
-using PlaceVessels =
+using ChangeInitialPose =
     SetFields<&View::initialCameraFromPatient, &View::cameraFromPatient, &View::result, &View::followed>;
 
 using ChangeTracing = SetFields<&View::traceOptions, &View::result, &View::followed>;
@@ -64,21 +64,21 @@ using ChangeTarget = SetFields<&View::target, &View::result, &View::followed>;
 using ChangeTreatment = SetFields<&View::treatment, &View::angiogram, &View::storedRun, &View::result, &View::followed>;
 
 /// Change of inputs and everything that depends on them.
-using JoinInputs = SetFields<&Case::title, &Case::vessels, &Case::views>;
+using AddInputs = SetFields<&Case::title, &Case::vessels, &Case::views>;
 
 /// Returns the views without results and tracked poses, which belong to other vessels.
 std::vector<View> withoutResults(std::vector<View> views);
 
 /// Creates the edit that gives the document's case the geometry of `wanted`.
-std::unique_ptr<QUndoCommand> changeGeometry(CaseDocument& document, const Case& wanted, const ui::Words& name);
+std::unique_ptr<QUndoCommand> changeGeometry(CaseDocument& document, const Case& wanted, const ui::LocalizedText& name);
 
 /// Creates the edit that replaces the tree by an edited one. Removes deleted branches from all selections, and the
 /// result of the last registration; an initial pose stays initial.
-std::unique_ptr<QUndoCommand> editTree(CaseDocument& document, core::VesselTree tree, const ui::Words& name);
+std::unique_ptr<QUndoCommand> editTree(CaseDocument& document, core::VesselTree tree, const ui::LocalizedText& name);
 
 enum class LumenOrigin { Found, Edited };
 
-/// Newly traced tree with the inputs and settings of the trace; `takeTrace` creates the edit that adds it to the case.
+/// Newly traced tree with the inputs and settings of the trace; `applyTrace` creates the edit that adds it to the case.
 struct TracedTree {
     core::InputFile file;   ///< file from which the tree was traced
     core::VesselInput input;
@@ -86,12 +86,13 @@ struct TracedTree {
     std::shared_ptr<const core::VesselTree> tree;
     LumenOrigin lumenOrigin = LumenOrigin::Found;   ///< `Edited` for a manually edited lumen that has no file yet
 };
-std::unique_ptr<QUndoCommand> takeTrace(CaseDocument& document, const TracedTree& traced, const ui::Words& name);
+std::unique_ptr<QUndoCommand> applyTrace(CaseDocument& document, const TracedTree& traced,
+                                         const ui::LocalizedText& name);
 
 /// Creates the edit that gives the document's case the views of `wanted`; see core::showingView.
-std::unique_ptr<QUndoCommand> showView(CaseDocument& document, const Case& wanted, const ui::Words& name);
+std::unique_ptr<QUndoCommand> showView(CaseDocument& document, const Case& wanted, const ui::LocalizedText& name);
 
 /// Creates the edit that takes the inputs of `wanted` and everything that depends on them.
-std::unique_ptr<QUndoCommand> joinInputs(CaseDocument& document, const Case& wanted, const ui::Words& name);
+std::unique_ptr<QUndoCommand> addInputs(CaseDocument& document, const Case& wanted, const ui::LocalizedText& name);
 
 }   // namespace angiopose::app

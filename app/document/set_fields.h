@@ -2,7 +2,7 @@
 
 #include "app/document/case_document.h"
 
-#include "ui/words/spoken.h"
+#include "ui/words/retranslation.h"
 
 #include <QUndoCommand>
 
@@ -13,31 +13,31 @@
 namespace angiopose::app {
 
 /// Burst number of an edit that never merges with another; see SetFields.
-inline constexpr int separateEdit = -1;
+inline constexpr int noMergeId = -1;
 
 /// Edit whose name follows the current language of the window.
 class NamedEdit : public QUndoCommand {
 public:
-    explicit NamedEdit(ui::Words name) : QUndoCommand(name()), name_(std::move(name)) {}
+    explicit NamedEdit(ui::LocalizedText name) : QUndoCommand(name()), name_(std::move(name)) {}
     QString name() const { return name_(); }
 
 private:
-    ui::Words name_;
+    ui::LocalizedText name_;
 };
 
 /// Returns the part of a case that owns a field: the case, its vessels or its displayed view.
 template <class Value>
-auto& partWith(core::Case& session, Value core::Case::*)
+auto& ownerOf(core::Case& session, Value core::Case::*)
 {
     return session;
 }
 template <class Value>
-auto& partWith(core::Case& session, Value core::Vessels::*)
+auto& ownerOf(core::Case& session, Value core::Vessels::*)
 {
     return session.vessels;
 }
 template <class Value>
-auto& partWith(core::Case& session, Value core::View::*)
+auto& ownerOf(core::Case& session, Value core::View::*)
 {
     return session.shown();
 }
@@ -54,31 +54,31 @@ class SetFields : public NamedEdit {
 public:
     using Values = std::tuple<decltype(valueOf(Fields))...>;
 
-    SetFields(CaseDocument& document, Values values, ui::Words name, int burst = separateEdit)
-        : NamedEdit(std::move(name)), document_(document), others_(std::move(values)), burst_(burst)
+    SetFields(CaseDocument& document, Values values, ui::LocalizedText name, int burst = noMergeId)
+        : NamedEdit(std::move(name)), document_(document), swapValues_(std::move(values)), burst_(burst)
     {
     }
 
     /// Reads the values of the fields in `wanted`.
-    static Values valuesOf(core::Case wanted) { return {std::move(partWith(wanted, Fields).*Fields)...}; }
+    static Values valuesOf(core::Case wanted) { return {std::move(ownerOf(wanted, Fields).*Fields)...}; }
 
     void redo() override { swapWithDocument(); }
     void undo() override { swapWithDocument(); }
     int id() const override { return burst_; }
 
-    /// Merges without copying: the document has the later values, and `others_` those from before the burst.
+    /// Merges without copying: the document has the later values, and `swapValues_` those from before the burst.
     bool mergeWith(const QUndoCommand* later) override { return dynamic_cast<const SetFields*>(later) != nullptr; }
 
 private:
     void swapWithDocument()
     {
-        std::apply([this](auto&... other) { (std::swap(partWith(document_.case_, Fields).*Fields, other), ...); },
-                   others_);
+        std::apply([this](auto&... other) { (std::swap(ownerOf(document_.case_, Fields).*Fields, other), ...); },
+                   swapValues_);
         emit document_.changed();
     }
 
     CaseDocument& document_;
-    Values others_;   ///< values that undo or redo will swap into the document
+    Values swapValues_;   ///< values that undo or redo will swap into the document
     int burst_;
 };
 

@@ -21,7 +21,7 @@ core::Case withGeometry(core::Case base, const core::CArm& cArm)
             view.cameraFromPatient = start.value();
         }
     }
-    core::forgetFindings(view);
+    core::discardResults(view);
     return base;
 }
 

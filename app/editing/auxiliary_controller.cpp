@@ -40,10 +40,10 @@ AuxiliaryController::AuxiliaryController(CaseDocument& document, BranchControlle
 {
     auto* lasso = new ui::LassoTool(view_);
     ui::bindTool(*actions_[ui::Command::Lasso], view_, *lasso);
-    connect(lasso, &ui::LassoTool::enclosed, this, &AuxiliaryController::chooseInside);
+    connect(lasso, &ui::LassoTool::enclosed, this, &AuxiliaryController::selectInside);
     connect(actions_[ui::Command::AuxiliaryAdvice], &QAction::triggered, this, &AuxiliaryController::open);
     connect(&document_, &CaseDocument::changed, this, &AuxiliaryController::request);
-    connect(&adviser_, &BranchAdviser::answered, this, &AuxiliaryController::show);
+    connect(&adviser_, &BranchAdviser::adviceReady, this, &AuxiliaryController::show);
 }
 
 void AuxiliaryController::open()
@@ -61,10 +61,10 @@ void AuxiliaryController::open()
 void AuxiliaryController::connectDialog()
 {
     ui::AuxiliaryDialog* dialog = dialog_;
-    connect(dialog, &ui::AuxiliaryDialog::generationRequested, this, &AuxiliaryController::chooseGenerations);
-    connect(dialog, &ui::AuxiliaryDialog::radiusRequested, this, &AuxiliaryController::chooseWide);
-    connect(dialog, &ui::AuxiliaryDialog::suggestionRequested, this, &AuxiliaryController::chooseSuggestion);
-    connect(dialog, &ui::AuxiliaryDialog::methodRequested, this, &AuxiliaryController::takeAlternatingMethod);
+    connect(dialog, &ui::AuxiliaryDialog::generationRequested, this, &AuxiliaryController::selectGenerations);
+    connect(dialog, &ui::AuxiliaryDialog::radiusRequested, this, &AuxiliaryController::selectByRadius);
+    connect(dialog, &ui::AuxiliaryDialog::suggestionRequested, this, &AuxiliaryController::selectSuggested);
+    connect(dialog, &ui::AuxiliaryDialog::methodRequested, this, &AuxiliaryController::useAlternatingMethod);
     connect(dialog, &ui::AuxiliaryDialog::clearRequested, this, [this] { branches_.setAuxiliary({}); });
     connect(dialog, &ui::AuxiliaryDialog::viewRequested, actions_[ui::Command::AuxiliaryInView], &QAction::trigger);
     connect(dialog, &ui::AuxiliaryDialog::lassoRequested, this, [this] {
@@ -74,16 +74,16 @@ void AuxiliaryController::connectDialog()
     });
 }
 
-void AuxiliaryController::takeAlternatingMethod()
+void AuxiliaryController::useAlternatingMethod()
 {
     core::RegistrationOptions options = document_.current().options;
     options.method = alternatingMethod;
     document_.push(std::make_unique<ChangeOptions>(document_, ChangeOptions::Values{options}, [] {
-        return tr("Change method to %1").arg(ui::methodWords(alternatingMethod));
+        return tr("Change method to %1").arg(ui::methodName(alternatingMethod));
     }));
 }
 
-void AuxiliaryController::chooseInside(const QPolygonF& outlineInImagePx, ui::LassoEffect effect)
+void AuxiliaryController::selectInside(const QPolygonF& outlineInImagePx, ui::LassoEffect effect)
 {
     const core::Case& current = document_.current();
     const auto camera = core::cameraOf(current.shown());
@@ -112,7 +112,7 @@ void AuxiliaryController::chooseInside(const QPolygonF& outlineInImagePx, ui::La
     branches_.setAuxiliary(chosen);
 }
 
-void AuxiliaryController::chooseGenerations(int last)
+void AuxiliaryController::selectGenerations(int last)
 {
     std::set<int> chosen;
     const auto& tree = document_.current().vessels.tree;
@@ -128,7 +128,7 @@ void AuxiliaryController::chooseGenerations(int last)
     }
 }
 
-void AuxiliaryController::chooseWide(double atLeastMm)
+void AuxiliaryController::selectByRadius(double atLeastMm)
 {
     std::set<int> chosen;
     const auto& tree = document_.current().vessels.tree;
@@ -148,10 +148,10 @@ void AuxiliaryController::chooseWide(double atLeastMm)
 const std::vector<int>& AuxiliaryController::suggestion() const
 {
     static const std::vector<int> none;
-    return adviser_.advice() ? adviser_.advice()->suggested : none;
+    return adviser_.advice() ? adviser_.advice()->suggestedIds : none;
 }
 
-void AuxiliaryController::chooseSuggestion()
+void AuxiliaryController::selectSuggested()
 {
     if (!suggestion().empty()) {
         branches_.setAuxiliary({suggestion().begin(), suggestion().end()});
@@ -169,7 +169,7 @@ void AuxiliaryController::request()
 void AuxiliaryController::show()
 {
     if (dialog_) {
-        dialog_->showAdvice(auxiliaryWords(document_.current(), adviser_.advice()));
+        dialog_->showAdvice(auxiliaryTexts(document_.current(), adviser_.advice()));
     }
 }
 

@@ -33,17 +33,17 @@ public:
     ui::AuxiliaryDialog* dialog() const { return dialog_; }   ///< null while the dialog is closed
     const std::vector<int>& suggestion() const;   ///< empty if not known
 
-    void chooseInside(const QPolygonF& outlineInImagePx, ui::LassoEffect effect);
-    void chooseGenerations(int last);
-    void chooseWide(double atLeastMm);
-    void chooseSuggestion();
+    void selectInside(const QPolygonF& outlineInImagePx, ui::LassoEffect effect);
+    void selectGenerations(int last);
+    void selectByRadius(double atLeastMm);
+    void selectSuggested();
 
 signals:
     void refused(const QString& why);
 
 private:
     void connectDialog();
-    void takeAlternatingMethod();
+    void useAlternatingMethod();
     void request();
     void show();
 

@@ -36,7 +36,7 @@ bool contains(const std::vector<int>& ids, int id)
 bool alternates(const std::string& methodId)
 {
     const core::OptionField* field = core::findOption("auxiliary");
-    return field != nullptr && core::isFor(*field, methodId);
+    return field != nullptr && core::appliesTo(*field, methodId);
 }
 
 QString namesOf(const std::shared_ptr<const core::VesselTree>& tree, const std::vector<int>& branchIds)
@@ -105,13 +105,13 @@ double medianRadiusMm(const core::VesselBranch& branch)
     return branch.radiusMm.empty() ? 0.0 : core::quantile(branch.radiusMm, 0.5);
 }
 
-ui::AuxiliaryAdvice auxiliaryWords(const core::Case& current, const std::optional<BranchAdvice>& advice)
+ui::AuxiliaryAdvice auxiliaryTexts(const core::Case& current, const std::optional<BranchAdvice>& advice)
 {
     const auto& tree = current.vessels.tree;
     ui::AuxiliaryAdvice shown;
     shown.preview = previewWords(current);
     if (!alternates(current.options.method)) {
-        shown.otherMethod = ui::methodWords(alternatingMethod);
+        shown.otherMethod = ui::methodName(alternatingMethod);
     }
     for (const core::VesselBranch& branch : tree ? tree->branches : std::vector<core::VesselBranch>{}) {
         shown.generations = std::max(shown.generations, branch.generation + 1);
@@ -119,12 +119,13 @@ ui::AuxiliaryAdvice auxiliaryWords(const core::Case& current, const std::optiona
             shown.largestRadiusMm = std::max(shown.largestRadiusMm.value_or(0.0), medianRadiusMm(branch));
         }
     }
-    for (std::size_t step = 0; advice && step < advice->pinnedBy.size(); ++step) {
+    for (std::size_t step = 0; advice && step < advice->constrainedBy.size(); ++step) {
         const auto row = static_cast<Eigen::Index>(step);
         shown.steps.push_back({nameOfStep(step), step < 3 ? QStringLiteral("°") : QStringLiteral("mm"),
-                               advice->stdOfAll[row], advice->stdOfChosen[row], namesOf(tree, advice->pinnedBy[step])});
+                               advice->stdAllBranches[row], advice->stdAuxiliary[row],
+                               namesOf(tree, advice->constrainedBy[step])});
     }
-    shown.suggestion = advice ? namesOf(tree, advice->suggested) : QString();
+    shown.suggestion = advice ? namesOf(tree, advice->suggestedIds) : QString();
     return shown;
 }
 

@@ -16,6 +16,6 @@ double medianRadiusMm(const core::VesselBranch& branch);   ///< median radius of
 
 /// Builds the texts of the auxiliary-branch dialog in the current language: the effect of the selection and, if known,
 /// how well the branches constrain the pose.
-ui::AuxiliaryAdvice auxiliaryWords(const core::Case& current, const std::optional<BranchAdvice>& advice);
+ui::AuxiliaryAdvice auxiliaryTexts(const core::Case& current, const std::optional<BranchAdvice>& advice);
 
 }   // namespace angiopose::app

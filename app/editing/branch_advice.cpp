@@ -1,6 +1,6 @@
 #include "app/editing/branch_advice.h"
 
-#include "core/registration/pose/start_prior.h"
+#include "core/registration/pose/initial_pose_prior.h"
 
 #include <algorithm>
 #include <numbers>
@@ -25,26 +25,27 @@ BranchAdvice adviceFrom(const std::vector<core::BranchInformation>& branches, co
     std::vector<int> all(branches.size());
     std::ranges::transform(branches, all.begin(), &core::BranchInformation::branchId);
     BranchAdvice advice;
-    advice.stdOfAll = inDegrees(core::expectedStd(branches, all, priorStd));
-    advice.stdOfChosen = inDegrees(core::expectedStd(branches, chosen.empty() ? all : chosen, priorStd));
-    for (std::size_t step = 0; step < advice.pinnedBy.size(); ++step) {
-        advice.pinnedBy[step] = core::branchesThatPin(branches, static_cast<int>(step), priorStd, branchesPerStep);
+    advice.stdAllBranches = inDegrees(core::expectedStd(branches, all, priorStd));
+    advice.stdAuxiliary = inDegrees(core::expectedStd(branches, chosen.empty() ? all : chosen, priorStd));
+    for (std::size_t step = 0; step < advice.constrainedBy.size(); ++step) {
+        advice.constrainedBy[step] =
+            core::bestBranchesForComponent(branches, static_cast<int>(step), priorStd, branchesPerStep);
     }
-    advice.suggested = core::bestInformedBranches(branches, priorStd);
+    advice.suggestedIds = core::informativeBranchSet(branches, priorStd);
     return advice;
 }
 
 }   // namespace
 
 BranchAdviser::BranchAdviser(const CaseDocument& document, QObject* parent)
-    : QObject(parent), document_(document), job_([this](const BranchAdvice& advice) { take(advice); })
+    : QObject(parent), document_(document), job_([this](const BranchAdvice& advice) { setAdvice(advice); })
 {
 }
 
 void BranchAdviser::ask()
 {
     if (job_.isRunning()) {
-        isAskedAgain_ = true;
+        isRestartPending_ = true;
     } else {
         start();
     }
@@ -60,19 +61,19 @@ void BranchAdviser::start()
     }
     job_.start([tree = current.vessels.tree, camera = camera.value(), pose = current.shown().cameraFromPatient,
                 excluded = current.vessels.excludedBranchIds, chosen = current.vessels.auxiliaryBranchIds,
-                priorStd = core::Vector6d(core::startPrior({}, current.options).std())](
+                priorStd = core::Vector6d(core::initialPosePrior({}, current.options).std())](
                    JobLink<double>&) -> core::Result<BranchAdvice> {
         return adviceFrom(core::branchInformation(core::without(*tree, excluded), camera, pose), chosen, priorStd);
     });
 }
 
-void BranchAdviser::take(const BranchAdvice& advice)
+void BranchAdviser::setAdvice(const BranchAdvice& advice)
 {
     advice_ = advice;
-    if (std::exchange(isAskedAgain_, false)) {
+    if (std::exchange(isRestartPending_, false)) {
         start();
     }
-    emit answered();
+    emit adviceReady();
 }
 
 }   // namespace angiopose::app

@@ -14,11 +14,12 @@ namespace angiopose::app {
 
 /// How strongly the branches of the tree constrain the pose of the displayed view.
 struct BranchAdvice {
-    core::Vector6d stdOfAll =
+    core::Vector6d stdAllBranches =
         core::Vector6d::Zero();   ///< standard deviations of the pose components, degrees and mm, from all branches
-    core::Vector6d stdOfChosen = core::Vector6d::Zero();   ///< from the auxiliary branches; if there are none, from all
-    std::array<std::vector<int>, 6> pinnedBy;   ///< branches that constrain each component best
-    std::vector<int> suggested;   ///< a few branches that are nearly as informative as all
+    core::Vector6d stdAuxiliary =
+        core::Vector6d::Zero();   ///< from the auxiliary branches; if there are none, from all
+    std::array<std::vector<int>, 6> constrainedBy;   ///< branches that constrain each component best
+    std::vector<int> suggestedIds;   ///< a few branches that are nearly as informative as all
 };
 
 /// Computes the advice on a worker thread. Requests made meanwhile are merged into one that starts afterwards.
@@ -32,16 +33,16 @@ public:
     const std::optional<BranchAdvice>& advice() const { return advice_; }   ///< empty if not known
 
 signals:
-    void answered();
+    void adviceReady();
 
 private:
     void start();
-    void take(const BranchAdvice& advice);
+    void setAdvice(const BranchAdvice& advice);
 
     const CaseDocument& document_;
     Job<BranchAdvice> job_;
     std::optional<BranchAdvice> advice_;
-    bool isAskedAgain_ = false;   ///< start again when the current job has finished
+    bool isRestartPending_ = false;   ///< start again when the current job has finished
 };
 
 }   // namespace angiopose::app

@@ -87,7 +87,7 @@ void BranchController::setAuxiliary(const std::set<int>& branchIds)
     const std::vector<int> ids(branchIds.begin(), branchIds.end());
     if (ids != document_.current().vessels.auxiliaryBranchIds) {
         document_.push(
-            std::make_unique<ChooseAuxiliary>(document_, ids, [] { return tr("Choose auxiliary branches"); }));
+            std::make_unique<SelectAuxiliary>(document_, ids, [] { return tr("Choose auxiliary branches"); }));
     }
 }
 
@@ -104,7 +104,7 @@ void BranchController::toggleExcluded(const std::set<int>& branchIds)
         return;
     }
     const bool leaves = excluded.size() > marks_.excluded.size();
-    const auto name = [leaves, names = namesOf(branchIds)] {
+    const auto name = [leaves, names = branchNamesOf(branchIds)] {
         return (leaves ? tr("Exclude %1") : tr("Include %1")).arg(names());
     };
     document_.push(std::make_unique<ExcludeBranches>(
@@ -123,13 +123,13 @@ void BranchController::setAuxiliaryInside(const std::map<int, ui::ViewRect>& ext
         }
     }
     if (inside.empty()) {
-        emit refused(tr("No branch lies completely in view. Zoom out or pan the image."));
+        emit refused(tr("No branch is completely visible. Zoom out or pan the image."));
     } else {
         setAuxiliary(inside);
     }
 }
 
-void BranchController::setAuxiliaryWide()
+void BranchController::setAuxiliaryByRadius()
 {
     const auto& tree = document_.current().vessels.tree;
     std::vector<std::pair<double, int>> radii;
@@ -150,7 +150,7 @@ void BranchController::setAuxiliaryWide()
     setAuxiliary(wide);
 }
 
-void BranchController::followDocument()
+void BranchController::updateFromDocument()
 {
     const core::Case& current = document_.current();
     ui::BranchMarks marks = marks_;
@@ -168,10 +168,10 @@ void BranchController::followDocument()
     }
 }
 
-ui::Words BranchController::namesOf(const std::set<int>& branchIds) const
+ui::LocalizedText BranchController::branchNamesOf(const std::set<int>& branchIds) const
 {
     const auto& tree = document_.current().vessels.tree;
-    return branchWords(tree ? *tree : core::VesselTree{}, branchIds);
+    return branchNames(tree ? *tree : core::VesselTree{}, branchIds);
 }
 
 }   // namespace angiopose::app

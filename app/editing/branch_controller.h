@@ -2,7 +2,7 @@
 
 #include "app/document/case_document.h"
 #include "ui/scenes/overlay_scene.h"
-#include "ui/words/spoken.h"
+#include "ui/words/retranslation.h"
 
 #include <QObject>
 
@@ -30,15 +30,15 @@ public:
     /// Selects as auxiliary the branches that project entirely into a part of the image, or those whose radius is at
     /// least the tree's median; reports if there are none.
     void setAuxiliaryInside(const std::map<int, ui::ViewRect>& extents, const ui::ViewRect& part);
-    void setAuxiliaryWide();
-    void followDocument();   ///< updates the branch sets from the case and drops deleted branches
+    void setAuxiliaryByRadius();
+    void updateFromDocument();   ///< updates the branch sets from the case and drops deleted branches
 
 signals:
     void marksChanged();
     void refused(const QString& why);
 
 private:
-    ui::Words namesOf(const std::set<int>& branchIds) const;
+    ui::LocalizedText branchNamesOf(const std::set<int>& branchIds) const;
 
     CaseDocument& document_;
     ui::BranchMarks marks_;

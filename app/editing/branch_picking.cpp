@@ -24,7 +24,7 @@ void BranchPicking::connectList()
     connect(&panel, &ui::BranchPanel::selectionEdited, &branches_, &BranchController::select);
     connect(&panel, &ui::BranchPanel::auxiliaryToggled, &branches_, &BranchController::toggleAuxiliary);
     connect(&panel, &ui::BranchPanel::excludedToggled, &branches_, &BranchController::toggleExcluded);
-    connect(&panel, &ui::BranchPanel::onlyTheseAuxiliary, &branches_, &BranchController::setAuxiliary);
+    connect(&panel, &ui::BranchPanel::auxiliaryReplaced, &branches_, &BranchController::setAuxiliary);
     connect(&panel, &ui::BranchPanel::auxiliaryCleared, this, [this] { branches_.setAuxiliary({}); });
 }
 
@@ -48,13 +48,13 @@ void BranchPicking::connectCommands()
             [this] { branches_.toggleAuxiliary(branches_.marks().selected); });
     connect(actions[ui::Command::ToggleExcluded], &QAction::triggered, this,
             [this] { branches_.toggleExcluded(branches_.marks().selected); });
-    connect(actions[ui::Command::AuxiliaryWide], &QAction::triggered, &branches_, &BranchController::setAuxiliaryWide);
-    connect(actions[ui::Command::AuxiliaryInView], &QAction::triggered, this,
-            &BranchPicking::makeAuxiliaryWhatIsInView);
+    connect(actions[ui::Command::AuxiliaryLargeVessels], &QAction::triggered, &branches_,
+            &BranchController::setAuxiliaryByRadius);
+    connect(actions[ui::Command::AuxiliaryInView], &QAction::triggered, this, &BranchPicking::setAuxiliaryInView);
     connect(actions[ui::Command::SelectAll], &QAction::triggered, &branches_, &BranchController::selectAll);
 }
 
-void BranchPicking::makeAuxiliaryWhatIsInView()
+void BranchPicking::setAuxiliaryInView()
 {
     std::map<int, ui::ViewRect> extents;
     if (const auto& tree = document_.current().vessels.tree) {

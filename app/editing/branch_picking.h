@@ -32,7 +32,7 @@ private:
     void connectList();
     void connectViews();
     void connectCommands();
-    void makeAuxiliaryWhatIsInView();
+    void setAuxiliaryInView();
 
     const CaseDocument& document_;
     BranchController& branches_;

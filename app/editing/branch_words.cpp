@@ -18,7 +18,7 @@ QString countWords(std::size_t count)
 
 }   // namespace
 
-ui::Words branchWords(const core::VesselTree& tree, const std::set<int>& branchIds)
+ui::LocalizedText branchNames(const core::VesselTree& tree, const std::set<int>& branchIds)
 {
     const core::VesselBranch* only = branchIds.size() == 1 ? tree.find(*branchIds.begin()) : nullptr;
     if (!only) {

@@ -1,13 +1,13 @@
 #pragma once
 
 #include "core/vessel/vessel_tree.h"
-#include "ui/words/spoken.h"
+#include "ui/words/retranslation.h"
 
 #include <set>
 
 namespace angiopose::app {
 
 /// Returns the name of a single branch or the number of branches, in the window's language at the time of the call.
-ui::Words branchWords(const core::VesselTree& tree, const std::set<int>& branchIds);
+ui::LocalizedText branchNames(const core::VesselTree& tree, const std::set<int>& branchIds);
 
 }   // namespace angiopose::app

@@ -3,7 +3,7 @@
 #include "app/document/edit_case.h"
 #include "app/jobs/future_result.h"
 #include "core/tracing/angiogram/curves/suspect_curves.h"
-#include "core/tracing/angiogram/drawing/drawing_ground.h"
+#include "core/tracing/angiogram/drawing/drawing_guide.h"
 #include "ui/actions/window_actions.h"
 #include "ui/dialogs/message_dialog.h"
 #include "ui/panels/angiogram_panel.h"
@@ -18,16 +18,16 @@
 namespace angiopose::app {
 namespace {
 
-std::shared_ptr<ui::CurveGround> makeGround(const TraceRequest& request)
+std::shared_ptr<ui::CurveGuide> makeGround(const TraceRequest& request)
 {
     const core::ImageF& frame = request.angiogram->frames[static_cast<std::size_t>(request.frame)];
-    core::DrawingGround ground =
-        core::drawingGround(frame, request.angiogram->polarity, request.options, request.angiogram->shutter);
+    core::DrawingGuide ground =
+        core::computeDrawingGuide(frame, request.angiogram->polarity, request.options, request.angiogram->shutter);
     if (ground.vesselness.isEmpty()) {
         return nullptr;
     }
-    return std::make_shared<ui::CurveGround>(ui::CurveGround{
-        core::LiveWire(ground.vesselness), std::move(ground.opacity), request.options.maxVesselRadiusPx});
+    return std::make_shared<ui::CurveGuide>(ui::CurveGuide{core::LiveWire(ground.vesselness), std::move(ground.opacity),
+                                                           request.options.maxVesselRadiusPx});
 }
 
 /// Wraps the curves in a shared pointer; null if there are none.
@@ -58,15 +58,15 @@ CurveController::CurveController(const AngiogramParts& parts, QObject* parent)
     view_.addBar(bar_);
     bar_->hide();
     connectTool();
-    connect(&document_, &CaseDocument::changed, this, &CurveController::follow);
-    connect(&target_, &TargetProvider::changed, this, &CurveController::follow);
-    connect(&view_, &ui::AngiogramView::toolChanged, this, &CurveController::follow);
-    connect(&ground_, &QFutureWatcherBase::finished, this, [this] {
-        if (grounded_) {   // otherwise the user has left the tool and the result is obsolete
-            tool_->setGround(takeResult(ground_));
+    connect(&document_, &CaseDocument::changed, this, &CurveController::updateFromDocument);
+    connect(&target_, &TargetProvider::changed, this, &CurveController::updateFromDocument);
+    connect(&view_, &ui::AngiogramView::toolChanged, this, &CurveController::updateFromDocument);
+    connect(&edgeData_, &QFutureWatcherBase::finished, this, [this] {
+        if (edgeDataRequest_) {   // otherwise the user has left the tool and the result is obsolete
+            tool_->setGuide(takeResult(edgeData_));
         }
     });
-    follow();
+    updateFromDocument();
 }
 
 void CurveController::connectTool()
@@ -81,23 +81,23 @@ void CurveController::connectTool()
     connect(tool_, &ui::EditCurvesTool::begun, this, [this] {
         actions_[ui::Command::Cine]->setChecked(false);
         shownCurves_.reset();
-        follow();
+        updateFromDocument();
     });
-    connect(tool_, &ui::EditCurvesTool::edited, this, &CurveController::take);
+    connect(tool_, &ui::EditCurvesTool::edited, this, &CurveController::applyEdit);
     connect(tool_, &ui::EditCurvesTool::suspectAccepted, this, &CurveController::accept);
-    connect(tool_, &ui::EditCurvesTool::keptApart, this, &CurveController::keepApart);
+    connect(tool_, &ui::EditCurvesTool::deviceToggled, this, &CurveController::setExcluded);
     connect(tool_, &ui::EditCurvesTool::editChanged, bar_, &ui::CurveEditBar::showEdit);
     connect(bar_, &ui::CurveEditBar::editChosen, this, [this](ui::CurveEdit edit) {
         tool_->setEdit(edit);
         view_.setFocus();   // gives the image the keyboard focus, since the mode has its own keys
     });
     connect(bar_, &ui::CurveEditBar::doneRequested, this, [this] { view_.setTool(nullptr); });
-    connect(bar_, &ui::CurveEditBar::traceAgainRequested, this, &CurveController::askToTraceAgain);
+    connect(bar_, &ui::CurveEditBar::traceAgainRequested, this, &CurveController::confirmRetrace);
     connect(bar_, &ui::CurveEditBar::followRequested, this, &CurveController::followDevice);
-    connect(actions_[ui::Command::TraceAgain], &QAction::triggered, this, &CurveController::askToTraceAgain);
+    connect(actions_[ui::Command::TraceAgain], &QAction::triggered, this, &CurveController::confirmRetrace);
 }
 
-void CurveController::follow()
+void CurveController::updateFromDocument()
 {
     const core::Case& current = document_.current();
     const bool isGiven = core::givenTargetOf(current.shown()) != nullptr;
@@ -105,7 +105,7 @@ void CurveController::follow()
     actions_[ui::Command::TraceAgain]->setEnabled(isGiven);
     bar_->setEdited(isGiven);
     if (view_.tool() != tool_) {
-        dropGround();
+        releaseEdgeData();
         return;
     }
     if (!current.shown().angiogram) {
@@ -113,7 +113,7 @@ void CurveController::follow()
         return;
     }
     showCurves();
-    wantGround();
+    requestEdgeData();
 }
 
 void CurveController::showCurves()
@@ -128,16 +128,16 @@ void CurveController::showCurves()
     shownCurves_ = target_.current();
     shownDevices_ = devices;
     shownAccepted_ = accepted;
-    const core::CurvesApart curves = curvesHere();
-    const ui::CurveMarks marks{suspects(), core::idsOf(curves.devices)};
-    tool_->showCurves(core::together(curves), marks);
+    const core::SeparatedCurves curves = currentCurves();
+    const ui::CurveMarks marks{suspects(), core::curveIds(curves.devices)};
+    tool_->showCurves(core::allCurves(curves), marks);
     bar_->showCurves({static_cast<int>(curves.vessels.curves.size()), static_cast<int>(marks.suspects.size()),
                       static_cast<int>(marks.devices.size())});
 }
 
-core::CurvesApart CurveController::curvesHere() const
+core::SeparatedCurves CurveController::currentCurves() const
 {
-    core::CurvesApart curves;
+    core::SeparatedCurves curves;
     curves.vessels = target_.current() ? *target_.current() : core::Centerline2d{};
     if (const SharedCenterline devices = core::devicesOf(document_.current().shown())) {
         curves.devices = *devices;
@@ -163,62 +163,62 @@ std::vector<int> CurveController::suspects() const
     return ids;
 }
 
-void CurveController::wantGround()
+void CurveController::requestEdgeData()
 {
     const core::Case& current = document_.current();
     const TraceRequest request{current.shown().angiogram, current.shown().frame, core::traceOptionsOf(current.shown())};
     const bool exists = request.frame >= 0 && request.frame < request.angiogram->frameCount();
-    if (!exists || grounded_ == request) {
+    if (!exists || edgeDataRequest_ == request) {
         return;
     }
-    grounded_ = request;
-    tool_->setGround(nullptr);
-    ground_.setFuture(QtConcurrent::run([request] { return makeGround(request); }));
+    edgeDataRequest_ = request;
+    tool_->setGuide(nullptr);
+    edgeData_.setFuture(QtConcurrent::run([request] { return makeGround(request); }));
 }
 
-void CurveController::dropGround()
+void CurveController::releaseEdgeData()
 {
-    if (!grounded_) {
+    if (!edgeDataRequest_) {
         return;
     }
-    grounded_.reset();
-    ground_.setFuture({});   // discards a pending result
-    tool_->setGround(nullptr);
+    edgeDataRequest_.reset();
+    edgeData_.setFuture({});   // discards a pending result
+    tool_->setGuide(nullptr);
 }
 
 /// Returns the ids of the accepted curves in this frame; empty if the frame has just been traced, since the ids stored
 /// in the case refer to other curves.
-std::vector<int> CurveController::acceptedHere() const
+std::vector<int> CurveController::acceptedIds() const
 {
     return target_.trace() ? std::vector<int>() : document_.current().shown().target.acceptedCurveIds;
 }
 
-void CurveController::take(const core::Centerline2d& curves, const ui::Words& what)
+void CurveController::applyEdit(const core::Centerline2d& curves, const ui::LocalizedText& what)
 {
-    const core::CurvesApart edited = core::takenApart(curves, core::devicesAfterEdit(curvesHere(), curves));
+    const core::SeparatedCurves edited = core::separateDevices(curves, core::devicesAfterEdit(currentCurves(), curves));
     if (edited.vessels.pointCount() == 0) {
-        notifications_.showNote(tr("At least one curve must remain; otherwise there is nothing to register to."));
+        notifications_.showNote(tr("At least one curve must remain as the registration target."));
         return;
     }
-    std::vector<int> accepted = acceptedHere();
+    std::vector<int> accepted = acceptedIds();
     std::erase_if(accepted, [&](int id) { return !hasCurve(edited.vessels, id); });
     push({{}, shared(edited.vessels), {}, std::move(accepted), shared(edited.devices)}, what);
 }
 
 void CurveController::accept(int curveId)
 {
-    std::vector<int> accepted = acceptedHere();
+    std::vector<int> accepted = acceptedIds();
     accepted.push_back(curveId);
     push({{}, target_.current(), {}, std::move(accepted), core::devicesOf(document_.current().shown())},
          [] { return tr("Keep suspect curve"); });
 }
 
 /// Marks a curve as a catheter or guidewire, or as a vessel; marking it as a vessel also clears its suspect state.
-void CurveController::keepApart(int curveId, bool apart)
+void CurveController::setExcluded(int curveId, bool apart)
 {
-    const core::CurvesApart before = curvesHere();
-    std::vector<int> deviceIds = core::idsOf(before.devices);
-    std::vector<int> accepted = acceptedHere();
+    const core::SeparatedCurves before = currentCurves();
+    std::vector<int> deviceIds = core::curveIds(before.devices);
+    std::vector<int> accepted = acceptedIds();
     std::erase(accepted, curveId);
     if (apart) {
         deviceIds.push_back(curveId);
@@ -226,15 +226,15 @@ void CurveController::keepApart(int curveId, bool apart)
         std::erase(deviceIds, curveId);
         accepted.push_back(curveId);
     }
-    const core::CurvesApart curves = core::takenApart(core::together(before), deviceIds);
+    const core::SeparatedCurves curves = core::separateDevices(core::allCurves(before), deviceIds);
     if (curves.vessels.curves.empty()) {
         notifications_.showNote(
-            tr("If only a wire is visible, use the method “Wire or catheter”, which uses every curve."));
+            tr("If only a guidewire is visible, use the method “Guidewire or catheter”, which uses every curve."));
         return;
     }
     push({{}, shared(curves.vessels), {}, std::move(accepted), shared(curves.devices)},
-         apart ? ui::Words([] { return tr("Mark curve as catheter or wire"); })
-               : ui::Words([] { return tr("Mark curve as vessel"); }));
+         apart ? ui::LocalizedText([] { return tr("Mark curve as device"); })
+               : ui::LocalizedText([] { return tr("Mark curve as vessel"); }));
 }
 
 void CurveController::followDevice()
@@ -243,12 +243,12 @@ void CurveController::followDevice()
     if (options.method != "wire") {
         options.method = "wire";
         document_.push(std::make_unique<ChangeOptions>(document_, ChangeOptions::Values{options},
-                                                       [] { return tr("Register by catheter or wire"); }));
+                                                       [] { return tr("Track device"); }));
     }
     actions_[ui::Command::Register]->trigger();
 }
 
-void CurveController::push(core::GivenTarget target, const ui::Words& what)
+void CurveController::push(core::GivenTarget target, const ui::LocalizedText& what)
 {
     const core::Case& current = document_.current();
     const auto formerFrame = current.shown().target.editedFrame;
@@ -262,24 +262,24 @@ void CurveController::push(core::GivenTarget target, const ui::Words& what)
     }
 }
 
-void CurveController::askToTraceAgain()
+void CurveController::confirmRetrace()
 {
     if (!core::givenTargetOf(document_.current().shown())) {
         return;
     }
     auto* question = new ui::QuestionDialog(
-        {tr("Trace this frame again?"), tr("Its edited or imported curves are replaced. Undo restores them."), {}},
+        {tr("Trace this frame again?"), tr("Its edited or imported curves will be replaced. Undo restores them."), {}},
         {tr("Trace again"), tr("Keep the curves")}, &dialogParent_);
     question->setObjectName(QStringLiteral("traceAgainQuestion"));
     connect(question, &ui::QuestionDialog::answered, this, [this](int index) {
         if (index == 0) {
-            traceAgain();
+            retrace();
         }
     });
     question->open();
 }
 
-void CurveController::traceAgain()
+void CurveController::retrace()
 {
     document_.push(std::make_unique<ChangeTarget>(
         document_, ChangeTarget::Values{core::GivenTarget{}, std::nullopt, {}}, [] { return tr("Trace again"); }));

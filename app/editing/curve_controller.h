@@ -23,23 +23,24 @@ public:
     explicit CurveController(const AngiogramParts& parts, QObject* parent = nullptr);
 
     ui::EditCurvesTool& tool() { return *tool_; }
-    void askToTraceAgain();
+    void confirmRetrace();
 
 private:
     void connectTool();
-    void follow();
+    void updateFromDocument();
     void showCurves();
-    void wantGround();
-    void dropGround();   ///< frees the edge data of the tool, which also keep the angiogram in memory
+    void requestEdgeData();
+    void releaseEdgeData();   ///< frees the edge data of the tool, which also keep the angiogram in memory
     std::vector<int> suspects() const;
-    std::vector<int> acceptedHere() const;
-    void take(const core::Centerline2d& curves, const ui::Words& what);
+    std::vector<int> acceptedIds() const;
+    void applyEdit(const core::Centerline2d& curves, const ui::LocalizedText& what);
     void accept(int curveId);
-    void keepApart(int curveId, bool apart);
+    void setExcluded(int curveId, bool apart);
     void followDevice();
-    void push(core::GivenTarget target, const ui::Words& what);   ///< pushes the target edited in the displayed frame
-    core::CurvesApart curvesHere() const;
-    void traceAgain();
+    void push(core::GivenTarget target,
+              const ui::LocalizedText& what);   ///< pushes the target edited in the displayed frame
+    core::SeparatedCurves currentCurves() const;
+    void retrace();
 
     CaseDocument& document_;
     TargetProvider& target_;
@@ -53,8 +54,8 @@ private:
     SharedCenterline shownCurves_;
     SharedCenterline shownDevices_;
     std::vector<int> shownAccepted_;
-    std::optional<TraceRequest> grounded_;   ///< request whose edge data are available or being computed
-    QFutureWatcher<std::shared_ptr<ui::CurveGround>> ground_;
+    std::optional<TraceRequest> edgeDataRequest_;   ///< request whose edge data are available or being computed
+    QFutureWatcher<std::shared_ptr<ui::CurveGuide>> edgeData_;
 };
 
 }   // namespace angiopose::app

@@ -20,25 +20,25 @@ CurveTracingController::CurveTracingController(const AngiogramParts& parts, QObj
         const core::View& shown = document_.current().shown();
         panel_.showTracing(shown.traceOptions, core::traceOptionsOf(shown).maxVesselRadiusPx);
     });
-    connect(&target_, &TargetProvider::changed, this, &CurveTracingController::showKeptOut);
-    connect(&view_, &ui::AngiogramView::toolChanged, this, &CurveTracingController::showKeptOut);
-    connect(actions_[ui::Command::ShowTrace], &QAction::toggled, this, &CurveTracingController::showKeptOut);
+    connect(&target_, &TargetProvider::changed, this, &CurveTracingController::showExcludedRegions);
+    connect(&view_, &ui::AngiogramView::toolChanged, this, &CurveTracingController::showExcludedRegions);
+    connect(actions_[ui::Command::ShowTrace], &QAction::toggled, this, &CurveTracingController::showExcludedRegions);
 }
 
-void CurveTracingController::change(const core::TraceOptions& options, const ui::Words& what)
+void CurveTracingController::change(const core::TraceOptions& options, const ui::LocalizedText& what)
 {
     document_.push(std::make_unique<ChangeTracing>(document_, ChangeTracing::Values{options, std::nullopt, {}}, what));
 }
 
 /// Shows the image regions excluded from tracing while the curves are displayed or edited.
-void CurveTracingController::showKeptOut()
+void CurveTracingController::showExcludedRegions()
 {
     const bool isLooking =
         actions_[ui::Command::ShowTrace]->isChecked() || actions_[ui::Command::EditVessels]->isChecked();
     const SharedTrace wanted = isLooking ? target_.trace() : nullptr;
     if (wanted != shownTrace_) {
         shownTrace_ = wanted;
-        view_.setKeptOut(wanted ? wanted->fieldMask : core::Mask2d{});
+        view_.setExcludedArea(wanted ? wanted->fieldMask : core::Mask2d{});
     }
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/editing/angiogram_parts.h"
-#include "ui/words/spoken.h"
+#include "ui/words/retranslation.h"
 
 #include <QObject>
 
@@ -14,8 +14,8 @@ public:
     explicit CurveTracingController(const AngiogramParts& parts, QObject* parent = nullptr);
 
 private:
-    void change(const core::TraceOptions& options, const ui::Words& what);
-    void showKeptOut();
+    void change(const core::TraceOptions& options, const ui::LocalizedText& what);
+    void showExcludedRegions();
 
     CaseDocument& document_;
     TargetProvider& target_;

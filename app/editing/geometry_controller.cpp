@@ -11,7 +11,7 @@ GeometryController::GeometryController(CaseDocument& document, ui::GeometryPanel
     : QObject(parent), document_(document), panel_(panel)
 {
     connect(&panel, &ui::GeometryPanel::edited, this, &GeometryController::change);
-    connect(&panel, &ui::GeometryPanel::cameraOverrideDropped, this, &GeometryController::dropCameraOverride);
+    connect(&panel, &ui::GeometryPanel::cameraOverrideRemoved, this, &GeometryController::removeCameraOverride);
 }
 
 void GeometryController::show()
@@ -19,17 +19,17 @@ void GeometryController::show()
     panel_.showGeometry(geometryState(document_.current()));
 }
 
-void GeometryController::change(const core::CArm& cArm, const ui::Words& what)
+void GeometryController::change(const core::CArm& cArm, const ui::LocalizedText& what)
 {
     document_.push(changeGeometry(document_, withGeometry(document_.current(), cArm),
                                   [what] { return tr("Change %1").arg(what()); }));
 }
 
-void GeometryController::dropCameraOverride()
+void GeometryController::removeCameraOverride()
 {
     core::Case wanted = document_.current();
     wanted.shown().geometry.cameraOverride.reset();
-    core::forgetFindings(wanted.shown());
+    core::discardResults(wanted.shown());
     document_.push(changeGeometry(document_, wanted, [] { return tr("Use distances and spacing"); }));
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/document/case_document.h"
-#include "ui/words/spoken.h"
+#include "ui/words/retranslation.h"
 
 #include <QObject>
 
@@ -20,8 +20,8 @@ public:
     void show();
 
 private:
-    void change(const core::CArm& cArm, const ui::Words& what);
-    void dropCameraOverride();
+    void change(const core::CArm& cArm, const ui::LocalizedText& what);
+    void removeCameraOverride();
 
     CaseDocument& document_;
     ui::GeometryPanel& panel_;

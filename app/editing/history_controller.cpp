@@ -3,7 +3,7 @@
 #include "app/document/set_fields.h"
 #include "ui/actions/window_actions.h"
 #include "ui/panels/bottom_strip.h"
-#include "ui/words/spoken.h"
+#include "ui/words/retranslation.h"
 
 namespace angiopose::app {
 namespace {
@@ -24,7 +24,7 @@ HistoryController::HistoryController(CaseDocument& document, ui::WindowActions& 
     connect(actions[ui::Command::Redo], &QAction::triggered, &document_, &CaseDocument::redo);
     connect(&document_.undoStack(), &QUndoStack::indexChanged, this, &HistoryController::show);
     connect(&document_, &CaseDocument::stateChanged, this, &HistoryController::show);
-    ui::speak(this, [this] { show(); });
+    ui::keepTranslated(this, [this] { show(); });
 }
 
 void HistoryController::show()

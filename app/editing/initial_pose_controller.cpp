@@ -9,11 +9,12 @@ namespace angiopose::app {
 InitialPoseController::InitialPoseController(CaseDocument& document, const ui::WindowActions& actions, QObject* parent)
     : QObject(parent), document_(document)
 {
-    connect(actions[ui::Command::StartFromAngles], &QAction::triggered, this, &InitialPoseController::startFromAngles);
-    connect(actions[ui::Command::StartHere], &QAction::triggered, this, &InitialPoseController::startHere);
+    connect(actions[ui::Command::StartFromAngles], &QAction::triggered, this, &InitialPoseController::setFromAngles);
+    connect(actions[ui::Command::SetInitialPose], &QAction::triggered, this,
+            &InitialPoseController::setFromCurrentPose);
 }
 
-void InitialPoseController::startFromAngles()
+void InitialPoseController::setFromAngles()
 {
     core::View view = document_.current().shown();
     view.initialCameraFromPatient.reset();
@@ -22,24 +23,24 @@ void InitialPoseController::startFromAngles()
         emit refused(ui::messageText(start.error().message));
         return;
     }
-    const bool isDone = document_.push(
-        std::make_unique<PlaceVessels>(document_, PlaceVessels::Values{std::nullopt, start.value(), std::nullopt, {}},
-                                       [] { return tr("Initial pose from angles"); }));
+    const bool isDone = document_.push(std::make_unique<ChangeInitialPose>(
+        document_, ChangeInitialPose::Values{std::nullopt, start.value(), std::nullopt, {}},
+        [] { return tr("Initial pose from angles"); }));
     if (isDone) {
         emit done(tr("Initial pose from the angles, with the isocenter in the vessels"));
     }
 }
 
-void InitialPoseController::startHere()
+void InitialPoseController::setFromCurrentPose()
 {
     const core::Case& current = document_.current();
     if (!current.vessels.tree || !core::cameraOf(current.shown())) {
-        emit refused(tr("Provide vessels, an angiogram and the geometry first."));
+        emit refused(tr("Open vessels and an angiogram and complete the geometry first."));
         return;
     }
     const core::RigidTransform pose = current.shown().cameraFromPatient;
-    const bool isDone = document_.push(std::make_unique<PlaceVessels>(
-        document_, PlaceVessels::Values{pose, pose, std::nullopt, {}}, [] { return tr("Manual initial pose"); }));
+    const bool isDone = document_.push(std::make_unique<ChangeInitialPose>(
+        document_, ChangeInitialPose::Values{pose, pose, std::nullopt, {}}, [] { return tr("Manual initial pose"); }));
     if (isDone) {
         emit done(tr("The current pose is now the initial pose"));
     }

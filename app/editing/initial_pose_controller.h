@@ -15,8 +15,8 @@ class InitialPoseController : public QObject {
 public:
     InitialPoseController(CaseDocument& document, const ui::WindowActions& actions, QObject* parent = nullptr);
 
-    void startFromAngles();
-    void startHere();
+    void setFromAngles();
+    void setFromCurrentPose();
 
 signals:
     void refused(const QString& reason);

@@ -5,7 +5,7 @@
 #include "ui/slices/slice_model.h"
 #include "ui/slices/slices_page.h"
 #include "ui/words/message_text.h"
-#include "ui/words/spoken.h"
+#include "ui/words/retranslation.h"
 
 namespace angiopose::app {
 namespace {
@@ -13,7 +13,7 @@ namespace {
 constexpr double tickedOpacity = 0.75;
 constexpr double otherOpacity = 0.2;
 
-ui::LabelRow rowOf(const io::ListedLabel& label, std::size_t place)
+ui::LabelRow rowOf(const io::LabelInfo& label, std::size_t place)
 {
     return {label.label, QString::fromStdString(label.name), label.volumeMl, ui::labelColor(place)};
 }
@@ -26,32 +26,32 @@ LabelController::LabelController(CaseDocument& document, ui::WindowActions& acti
 {
     QAction* large = actions[ui::Command::SlicesLarge];
     QAction* choose = actions[ui::Command::ChooseLabels];
-    connect(&document, &CaseDocument::changed, this, &LabelController::followDocument);
-    connect(large, &QAction::toggled, this, &LabelController::readIfWanted);
+    connect(&document, &CaseDocument::changed, this, &LabelController::updateFromDocument);
+    connect(large, &QAction::toggled, this, &LabelController::readIfVisible);
     connect(choose, &QAction::triggered, this, [large, &choice] {
         large->setChecked(true);
         choice.focusList();
     });
-    connect(&choice, &ui::LabelChoice::chosenEdited, this, &LabelController::setDraft);
-    connect(&choice, &ui::LabelChoice::rowShown, this, [this](int row) {
+    connect(&choice, &ui::LabelChoice::selectionEdited, this, &LabelController::setDraft);
+    connect(&choice, &ui::LabelChoice::currentRowChanged, this, [this](int row) {
         const auto place = static_cast<std::size_t>(row);
-        if (overview_ && place < overview_->middlesInPatient.size()) {
-            slices_.setCrosshair(overview_->middlesInPatient[place]);
+        if (overview_ && place < overview_->centersInPatient.size()) {
+            slices_.setCrosshair(overview_->centersInPatient[place]);
         }
     });
-    connect(&job_, &LabelJob::finished, this, &LabelController::takeOverview);
+    connect(&job_, &LabelJob::finished, this, &LabelController::setOverview);
     connect(&job_, &LabelJob::failed, &choice,
             [&choice](const core::Message& reason) { choice.showProblem(ui::messageText(reason)); });
-    ui::speak(this, [this] { showTicks(); });
-    followDocument();
+    ui::keepTranslated(this, [this] { showCheckedLabels(); });
+    updateFromDocument();
 }
 
 std::vector<int> LabelController::draft() const
 {
-    return isEdited_ ? std::vector<int>(ticked_.begin(), ticked_.end()) : shownLabels_;
+    return isEdited_ ? std::vector<int>(checked_.begin(), checked_.end()) : shownLabels_;
 }
 
-void LabelController::followDocument()
+void LabelController::updateFromDocument()
 {
     const core::Case& current = document_.current();
     const bool isLabels = current.vessels.input.kind == core::VesselInputKind::Segmentation;
@@ -69,15 +69,15 @@ void LabelController::followDocument()
         }
         shownLabels_ = current.vessels.input.labels;
         isEdited_ = false;
-        readIfWanted();
+        readIfVisible();
     } else if (current.vessels.input.labels != shownLabels_) {
         shownLabels_ = current.vessels.input.labels;
-        takeTicksOfCase();
+        checkLabelsOfCase();
     }
 }
 
 /// Reads the label image, which may be large, once the list is visible.
-void LabelController::readIfWanted()
+void LabelController::readIfVisible()
 {
     const bool isInSight = actions_[ui::Command::SlicesLarge]->isChecked();
     if (isInSight && !shownFile_.path.empty() && !overview_ && !job_.isRunning()) {
@@ -85,56 +85,56 @@ void LabelController::readIfWanted()
     }
 }
 
-void LabelController::takeOverview(const LabelOverview& overview)
+void LabelController::setOverview(const LabelOverview& overview)
 {
     overview_ = overview;
     std::vector<ui::LabelRow> rows;
-    for (const io::ListedLabel& label : overview.labels) {
+    for (const io::LabelInfo& label : overview.labels) {
         rows.push_back(rowOf(label, rows.size()));
     }
     choice_.showLabels(std::move(rows), overview.vessels);
-    takeTicksOfCase();
+    checkLabelsOfCase();
     emit edited();
 }
 
 /// Checks the labels stored in the case. If there are none, checks the labels named like vessels, or else all labels.
-void LabelController::takeTicksOfCase()
+void LabelController::checkLabelsOfCase()
 {
     isEdited_ = false;
     if (!overview_) {
         return;
     }
-    ticked_ = {shownLabels_.begin(), shownLabels_.end()};
-    if (ticked_.empty()) {
-        ticked_ = overview_->vessels;
+    checked_ = {shownLabels_.begin(), shownLabels_.end()};
+    if (checked_.empty()) {
+        checked_ = overview_->vessels;
     }
-    for (const io::ListedLabel& label : overview_->labels) {
+    for (const io::LabelInfo& label : overview_->labels) {
         if (shownLabels_.empty() && overview_->vessels.empty()) {
-            ticked_.insert(label.label);
+            checked_.insert(label.label);
         }
     }
-    showTicks();
+    showCheckedLabels();
 }
 
 void LabelController::setDraft(const std::set<int>& labels)
 {
-    ticked_ = labels;
+    checked_ = labels;
     isEdited_ = true;
-    showTicks();
+    showCheckedLabels();
     emit edited();
 }
 
 /// Shows the checked labels in the list and in the slices.
-void LabelController::showTicks()
+void LabelController::showCheckedLabels()
 {
     if (!overview_) {
         return;
     }
-    choice_.showChosen(ticked_);
+    choice_.showChosen(checked_);
     ui::LabelLayer layer{overview_->rows, {}, {}};
-    for (const io::ListedLabel& label : overview_->labels) {
+    for (const io::LabelInfo& label : overview_->labels) {
         const std::size_t place = layer.tints.size();
-        const bool isTicked = ticked_.contains(label.label);
+        const bool isTicked = checked_.contains(label.label);
         layer.tints.push_back({ui::labelColor(place), isTicked ? tickedOpacity : otherOpacity});
         layer.names << textOf(rowOf(label, place));
     }

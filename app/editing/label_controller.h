@@ -25,18 +25,18 @@ public:
 
     /// Labels for the next trace, as in core::VesselInput; empty: the labels named as vessels, or all.
     std::vector<int> draft() const;
-    bool isNothingTicked() const { return overview_ && ticked_.empty(); }
+    bool isSelectionEmpty() const { return overview_ && checked_.empty(); }
 
 signals:
     void edited();
 
 private:
-    void followDocument();
-    void readIfWanted();
-    void takeOverview(const LabelOverview& overview);
+    void updateFromDocument();
+    void readIfVisible();
+    void setOverview(const LabelOverview& overview);
     void setDraft(const std::set<int>& labels);
-    void showTicks();
-    void takeTicksOfCase();
+    void showCheckedLabels();
+    void checkLabelsOfCase();
 
     CaseDocument& document_;
     ui::WindowActions& actions_;
@@ -46,7 +46,7 @@ private:
     core::InputFile shownFile_;   ///< label image of the case; no path if there is none
     std::vector<int> shownLabels_;   ///< labels stored in the case
     std::optional<LabelOverview> overview_;
-    std::set<int> ticked_;   ///< labels checked in the list
+    std::set<int> checked_;   ///< labels checked in the list
     bool isEdited_ = false;   ///< true if the checked labels differ from those of the case
 };
 

@@ -10,7 +10,7 @@
 #include "ui/views/tree_view.h"
 #include "ui/words/message_text.h"
 #include "ui/words/number.h"
-#include "ui/words/spoken.h"
+#include "ui/words/retranslation.h"
 
 #include <algorithm>
 #include <limits>
@@ -56,17 +56,17 @@ QString placeName(const core::VesselTree& tree, const std::vector<core::VesselNo
             }
         }
     }
-    return nearest < nodeReachMm ? name : LandmarkController::tr("point off the vessels");
+    return nearest < nodeReachMm ? name : LandmarkController::tr("point outside the vessels");
 }
 
 QString verdictOf(const core::LandmarkPose& pose)
 {
-    if (pose.leansOnPrior) {
+    if (pose.usesPrior) {
         return LandmarkController::tr(
             "Fewer than four pairs: pose components that the pairs do not determine remain unchanged.");
     }
     return LandmarkController::tr(
-               "Residual of the pairs: %1 px. For click errors of 2 px: rotation ±%2°, depth ±%3 mm.")
+               "Residual of the pairs: %1 px. With click errors of 2 px: rotation ±%2°, depth ±%3 mm.")
         .arg(ui::numberText(pose.rmsPx, 1))
         .arg(ui::numberText(pose.rotationStdDeg, 1))
         .arg(ui::numberText(pose.depthStdMm, 0));
@@ -95,11 +95,12 @@ LandmarkController::LandmarkController(CaseDocument& document, const Ui& ui, QOb
     connectTool();
     ui::LandmarkPanel& panel = ui_.panel;
     panel.bindMode(*ui_.actions[ui::Command::Landmarks]);
-    connect(&panel, &ui::LandmarkPanel::poseRequested, this, &LandmarkController::placeVessels);
+    connect(&panel, &ui::LandmarkPanel::poseRequested, this, &LandmarkController::setInitialPose);
     connect(&panel, &ui::LandmarkPanel::removeRequested, this, &LandmarkController::removePairs);
-    connect(ui_.actions[ui::Command::PlaceByLandmarks], &QAction::triggered, this, &LandmarkController::placeVessels);
-    connect(&document_, &CaseDocument::changed, this, &LandmarkController::followDocument);
-    ui::speak(this, [this] { showState(); });
+    connect(ui_.actions[ui::Command::RegisterLandmarks], &QAction::triggered, this,
+            &LandmarkController::setInitialPose);
+    connect(&document_, &CaseDocument::changed, this, &LandmarkController::updateFromDocument);
+    ui::keepTranslated(this, [this] { showState(); });
 }
 
 void LandmarkController::connectTool()
@@ -116,8 +117,8 @@ void LandmarkController::connectTool()
     });
     connect(tool_, &ui::LandmarkTool::lastRemoved, this,
             [this] { removePairs({static_cast<int>(document_.current().shown().landmarks.size()) - 1}); });
-    connect(tool_, &ui::LandmarkTool::pendingDropped, this, &LandmarkController::dropPending);
-    connect(tool_, &ui::LandmarkTool::poseRequested, this, &LandmarkController::placeVessels);
+    connect(tool_, &ui::LandmarkTool::pendingDropped, this, &LandmarkController::clearPending);
+    connect(tool_, &ui::LandmarkTool::poseRequested, this, &LandmarkController::setInitialPose);
 }
 
 void LandmarkController::pickPoint(const Eigen::Vector3d& pointInPatient)
@@ -171,25 +172,25 @@ void LandmarkController::removePairs(const std::vector<int>& indices)
     }
 }
 
-void LandmarkController::change(std::vector<core::Landmark> landmarks, const ui::Words& name)
+void LandmarkController::change(std::vector<core::Landmark> landmarks, const ui::LocalizedText& name)
 {
     document_.push(std::make_unique<ChangeLandmarks>(document_, ChangeLandmarks::Values{std::move(landmarks)}, name));
 }
 
-void LandmarkController::dropPending()
+void LandmarkController::clearPending()
 {
     pendingPoint_.reset();
     pendingPixel_.reset();
     showState();
 }
 
-std::optional<core::RigidTransform> LandmarkController::poseBefore() const
+std::optional<core::RigidTransform> LandmarkController::initialPoseGuess() const
 {
     const core::Case& current = document_.current();
     return core::initialPoseOf(current) ? std::optional(current.shown().cameraFromPatient) : std::nullopt;
 }
 
-void LandmarkController::placeVessels()
+void LandmarkController::setInitialPose()
 {
     const core::Case& current = document_.current();
     const auto camera = core::cameraOf(current.shown());
@@ -197,21 +198,22 @@ void LandmarkController::placeVessels()
         emit refused(ui::messageText(camera.error().message));
         return;
     }
-    const auto pose = core::poseFromLandmarks(current.shown().landmarks, camera.value(), poseBefore());
+    const auto pose = core::poseFromLandmarks(current.shown().landmarks, camera.value(), initialPoseGuess());
     if (!pose) {
         emit refused(ui::messageText(pose.error().message));
         return;
     }
     const core::RigidTransform& found = pose.value().cameraFromPatient;
     const QString verdict = verdictOf(pose.value());
-    const bool isDone = document_.push(std::make_unique<PlaceVessels>(
-        document_, PlaceVessels::Values{found, found, std::nullopt, {}}, [] { return tr("Register from landmarks"); }));
+    const bool isDone = document_.push(
+        std::make_unique<ChangeInitialPose>(document_, ChangeInitialPose::Values{found, found, std::nullopt, {}},
+                                            [] { return tr("Register from landmarks"); }));
     if (isDone) {
         emit placed(verdict);
     }
 }
 
-void LandmarkController::followDocument()
+void LandmarkController::updateFromDocument()
 {
     if (tree_ != document_.current().vessels.tree) {
         tree_ = document_.current().vessels.tree;
@@ -245,7 +247,7 @@ void LandmarkController::showState()
     if (const auto camera = core::cameraOf(current.shown()); camera && !current.shown().landmarks.empty()) {
         state.errorPx =
             core::landmarkErrorsPx(current.shown().landmarks, camera.value(), current.shown().cameraFromPatient);
-        const auto pose = core::poseFromLandmarks(current.shown().landmarks, camera.value(), poseBefore());
+        const auto pose = core::poseFromLandmarks(current.shown().landmarks, camera.value(), initialPoseGuess());
         state.isEnough = static_cast<bool>(pose);
         state.verdict = pose ? verdictOf(pose.value()) : ui::messageText(pose.error().message);
     }

@@ -2,7 +2,7 @@
 
 #include "app/document/case_document.h"
 #include "ui/views/tools/landmark_tool.h"
-#include "ui/words/spoken.h"
+#include "ui/words/retranslation.h"
 
 #include <memory>
 
@@ -33,7 +33,7 @@ public:
 
     void pickPoint(const Eigen::Vector3d& pointInPatient);   ///< while landmark mode is on
     void pickPixel(const Eigen::Vector2d& pixel);
-    void placeVessels();
+    void setInitialPose();
 
 signals:
     void refused(const QString& reason);
@@ -41,14 +41,14 @@ signals:
 
 private:
     void connectTool();
-    void followDocument();
+    void updateFromDocument();
     void showState();
     void completePair();
     void addPair(const Eigen::Vector3d& pointInPatient, const Eigen::Vector2d& pixel);
     void removePairs(const std::vector<int>& indices);
-    void change(std::vector<core::Landmark> landmarks, const ui::Words& name);
-    void dropPending();
-    std::optional<core::RigidTransform> poseBefore() const;
+    void change(std::vector<core::Landmark> landmarks, const ui::LocalizedText& name);
+    void clearPending();
+    std::optional<core::RigidTransform> initialPoseGuess() const;
 
     CaseDocument& document_;
     Ui ui_;

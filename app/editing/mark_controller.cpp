@@ -3,7 +3,7 @@
 #include "app/document/edit_case.h"
 #include "app/words/mark_words.h"
 #include "core/messages/messages.h"
-#include "core/vessel/place_on_tree.h"
+#include "core/vessel/tree_position.h"
 #include "ui/actions/window_actions.h"
 #include "ui/slices/slice_model.h"
 #include "ui/views/angiogram_view.h"
@@ -20,7 +20,7 @@ namespace angiopose::app {
 namespace {
 
 using core::ImageAnnotation;
-using core::Sighting;
+using core::TargetObservation;
 using core::VesselMark;
 using core::VesselMarkKind;
 using ui::MarkMode;
@@ -29,7 +29,7 @@ constexpr double placeReachPx = 14.0;   // maximum distance of a vessel from the
 constexpr double sliceReachMm = 4.0;   // maximum distance from a click in a slice to the vessels
 constexpr double sameMm = 1e-6;
 
-std::size_t placeOf(MarkMode mode)
+std::size_t positionOf(MarkMode mode)
 {
     return static_cast<std::size_t>(mode);
 }
@@ -48,7 +48,7 @@ VesselMarkKind kindOf(MarkMode mode)
 /// or no radius for a ring.
 std::optional<VesselMark> putOn(const core::VesselTree& tree, VesselMark mark, const Eigen::Vector3d& point)
 {
-    const auto place = core::nearestPlace(tree, point);
+    const auto place = core::nearestPosition(tree, point);
     if (!place) {
         return std::nullopt;
     }
@@ -70,31 +70,31 @@ MarkController::MarkController(CaseDocument& document, const ViewSync& sync, con
                                QObject* parent)
     : QObject(parent), document_(document), sync_(sync), preview_(preview), ui_(ui)
 {
-    constexpr std::array commands{ui::Command::TargetPoint, ui::Command::OstiumRing, ui::Command::SeenHere,
+    constexpr std::array commands{ui::Command::TargetPoint, ui::Command::OstiumRing, ui::Command::TargetInImage,
                                   ui::Command::DrawArrow, ui::Command::WriteText};
     for (std::size_t mode = 0; mode < ui::markModeCount; ++mode) {
         connectMode(static_cast<MarkMode>(mode), *ui_.actions[commands[mode]]);
     }
     connectPanel();
-    again_.setSingleShot(true);
-    again_.setInterval(0);
-    connect(&again_, &QTimer::timeout, this, &MarkController::show);
+    updateTimer_.setSingleShot(true);
+    updateTimer_.setInterval(0);
+    connect(&updateTimer_, &QTimer::timeout, this, &MarkController::show);
     connect(&document_, &CaseDocument::changed, this, &MarkController::show);
-    connect(&preview_, &PosePreview::changed, &again_, qOverload<>(&QTimer::start));
+    connect(&preview_, &PosePreview::changed, &updateTimer_, qOverload<>(&QTimer::start));
     connect(&sync_, &ViewSync::frameShown, this, &MarkController::show);
-    ui::speak(this, [this] { show(); });
+    ui::keepTranslated(this, [this] { show(); });
 }
 
 void MarkController::connectMode(MarkMode mode, QAction& action)
 {
     auto* tool = new ui::MarkTool(mode, ui_.view);
-    tools_[placeOf(mode)] = tool;
+    tools_[positionOf(mode)] = tool;
     ui::bindTool(action, ui_.view, *tool);
-    ui_.panel.bindMode(placeOf(mode), action);
+    ui_.panel.bindMode(positionOf(mode), action);
     if (isOnVessels(mode)) {
         tool->setSnap([this](const Eigen::Vector2d& pixel) -> std::optional<Eigen::Vector2d> {
-            const auto place = placeUnder(pixel);
-            const auto at = place ? ui_.view.placeOf(*place) : std::nullopt;
+            const auto place = vesselPointAt(pixel);
+            const auto at = place ? ui_.view.positionOf(*place) : std::nullopt;
             return at ? std::optional(ui_.view.imageFromWidget(*at)) : std::nullopt;
         });
     }
@@ -105,46 +105,46 @@ void MarkController::connectMode(MarkMode mode, QAction& action)
         }
     });
     connect(tool, &ui::MarkTool::placed, this, [this, mode](const Eigen::Vector2d& pixel) { place(mode, pixel); });
-    connect(tool, &ui::MarkTool::written, this, &MarkController::write);
+    connect(tool, &ui::MarkTool::written, this, &MarkController::addText);
     connect(tool, &ui::MarkTool::handleMoved, this, [this, mode](int handle, const Eigen::Vector2d& pixel) {
         moveHandle(mode, static_cast<std::size_t>(handle), pixel);
     });
-    connect(tool, &ui::MarkTool::removeRequested, this, &MarkController::removeChosenOrLast);
+    connect(tool, &ui::MarkTool::removeRequested, this, &MarkController::removeSelectedOrLast);
 }
 
 void MarkController::connectPanel()
 {
     const ui::MarkPanel& panel = ui_.panel;
-    connect(&panel, &ui::MarkPanel::choiceChanged, this, &MarkController::show);
+    connect(&panel, &ui::MarkPanel::selectionChanged, this, &MarkController::show);
     connect(&panel, &ui::MarkPanel::renamed, this,
             [this](int row, const QString& name) { rename(static_cast<std::size_t>(row), name); });
     connect(&panel, &ui::MarkPanel::removeRequested, this, &MarkController::remove);
-    connect(&panel, &ui::MarkPanel::exportRequested, ui_.actions[ui::Command::ExportCheckPoints], &QAction::trigger);
+    connect(&panel, &ui::MarkPanel::exportRequested, ui_.actions[ui::Command::ExportTargetPoints], &QAction::trigger);
 }
 
 core::PoseOfView MarkController::poseOf() const
 {
-    return [this](std::size_t view) { return preview_.poseIn(view); };
+    return [this](std::size_t view) { return preview_.poseOfView(view); };
 }
 
 /// Returns the point on the drawn vessels under the pixel.
-std::optional<Eigen::Vector3d> MarkController::placeUnder(const Eigen::Vector2d& pixel) const
+std::optional<Eigen::Vector3d> MarkController::vesselPointAt(const Eigen::Vector2d& pixel) const
 {
     if (core::findProblem(ui_.view.camera())) {
         return std::nullopt;
     }
-    return core::placeUnderPixel(ui_.view.scene().content().tree, {ui_.view.camera(), ui_.view.cameraFromPatient()},
+    return core::pointUnderPixel(ui_.view.scene().content().tree, {ui_.view.camera(), ui_.view.cameraFromPatient()},
                                  pixel, placeReachPx / ui_.view.zoom());
 }
 
 /// Maps a point on the deformed vessels back to the rigid ones, on which marks are stored.
-Eigen::Vector3d MarkController::undeformed(const Eigen::Vector3d& drawnPoint) const
+Eigen::Vector3d MarkController::toRigidPoint(const Eigen::Vector3d& drawnPoint) const
 {
     const core::Vessels& vessels = current().vessels;
     const DrawnVessels drawn = drawnVessels(current().shown(), vessels, preview_.pose(), preview_.shape());
     VesselMark mark;
     mark.pointInPatient = drawnPoint;
-    return drawn.shape == VesselShape::Deformed ? core::movedWith(drawn.tree, *vessels.tree, mark).pointInPatient
+    return drawn.shape == VesselShape::Deformed ? core::moveWithVessels(drawn.tree, *vessels.tree, mark).pointInPatient
                                                 : drawnPoint;
 }
 
@@ -155,10 +155,10 @@ void MarkController::pickPoint(const Eigen::Vector3d& pointInPatient)
         return;
     }
     const auto& tree = current().vessels.tree;
-    const auto drawn = core::nearestOnTree(ui_.view.scene().content().tree, pointInPatient);
+    const auto drawn = core::nearestPointOnTree(ui_.view.scene().content().tree, pointInPatient);
     const bool isOfDrawn = drawn && (*drawn - pointInPatient).norm() < sameMm;   // the point was picked in the 3-D view
-    const Eigen::Vector3d point = isOfDrawn ? undeformed(pointInPatient) : pointInPatient;
-    const auto nearest = tree ? core::nearestPlace(*tree, point) : std::nullopt;
+    const Eigen::Vector3d point = isOfDrawn ? toRigidPoint(pointInPatient) : pointInPatient;
+    const auto nearest = tree ? core::nearestPosition(*tree, point) : std::nullopt;
     const double reachMm = nearest ? std::max(sliceReachMm, core::radiusAt(*tree, *nearest).value_or(0.0)) : 0.0;
     if (!nearest || (core::pointAt(*tree, *nearest) - point).norm() > reachMm) {
         emit refused(ui::messageText(core::messages::markNeedsVessels()));
@@ -169,16 +169,16 @@ void MarkController::pickPoint(const Eigen::Vector3d& pointInPatient)
 
 void MarkController::place(MarkMode mode, const Eigen::Vector2d& pixel)
 {
-    if (mode == MarkMode::SeenHere) {
-        see(pixel, chosenCheckPoint(pixel));
+    if (mode == MarkMode::TargetInImage) {
+        addSighting(pixel, selectedTargetPoint(pixel));
         return;
     }
-    const auto point = placeUnder(pixel);
+    const auto point = vesselPointAt(pixel);
     if (!point) {
         emit refused(ui::messageText(core::messages::markNeedsVessels()));
         return;
     }
-    add(kindOf(mode), undeformed(*point));
+    add(kindOf(mode), toRigidPoint(*point));
 }
 
 void MarkController::add(VesselMarkKind kind, const Eigen::Vector3d& pointInPatient)
@@ -186,7 +186,7 @@ void MarkController::add(VesselMarkKind kind, const Eigen::Vector3d& pointInPati
     VesselMark mark;
     mark.id = core::nextMarkId(marks());
     mark.kind = kind;
-    mark.name = freeMarkName(kind, marks()).toStdString();
+    mark.name = unusedMarkName(kind, marks()).toStdString();
     const auto put = putOn(*current().vessels.tree, std::move(mark), pointInPatient);
     if (!put) {
         emit refused(ui::messageText(core::messages::ringNeedsRadius()));
@@ -204,7 +204,7 @@ void MarkController::add(VesselMarkKind kind, const Eigen::Vector3d& pointInPati
 }
 
 /// Returns the target point selected in the list, else the only one, else the one drawn nearest.
-std::optional<int> MarkController::chosenCheckPoint(const Eigen::Vector2d& pixel) const
+std::optional<int> MarkController::selectedTargetPoint(const Eigen::Vector2d& pixel) const
 {
     const auto isPoint = [this](std::size_t i) { return marks()[i].kind == VesselMarkKind::TargetPoint; };
     for (const int row : ui_.panel.chosen()) {
@@ -216,7 +216,7 @@ std::optional<int> MarkController::chosenCheckPoint(const Eigen::Vector2d& pixel
     double nearestPx = std::numeric_limits<double>::infinity();
     const QPointF at = ui_.view.widgetFromImage(pixel);
     for (std::size_t i = 0; i < marks().size(); ++i) {
-        const auto place = isPoint(i) ? ui_.view.placeOf(marks()[i].pointInPatient) : std::nullopt;
+        const auto place = isPoint(i) ? ui_.view.positionOf(marks()[i].pointInPatient) : std::nullopt;
         const double away = place ? std::hypot(place->x() - at.x(), place->y() - at.y()) : nearestPx;
         if (away < nearestPx) {
             nearestPx = away;
@@ -226,15 +226,17 @@ std::optional<int> MarkController::chosenCheckPoint(const Eigen::Vector2d& pixel
     return nearest;
 }
 
-void MarkController::see(const Eigen::Vector2d& pixel, std::optional<int> markId)
+void MarkController::addSighting(const Eigen::Vector2d& pixel, std::optional<int> markId)
 {
     if (!markId) {
         emit refused(tr("Add a target point on the vessels first."));
         return;
     }
-    std::vector<Sighting> all = current().shown().sightings;
+    std::vector<TargetObservation> all = current().shown().observations;
     const int frame = sync_.shownFrame();
-    const auto isSame = [&](const Sighting& each) { return each.markId == *markId && each.frame == frame; };
+    const auto isSame = [&](const TargetObservation& sighting) {
+        return sighting.markId == *markId && sighting.frame == frame;
+    };
     const auto known = std::ranges::find_if(all, isSame);
     if (known != all.end()) {
         known->pixel = pixel;
@@ -246,7 +248,7 @@ void MarkController::see(const Eigen::Vector2d& pixel, std::optional<int> markId
     show();
 }
 
-void MarkController::write(const std::vector<Eigen::Vector2d>& pixels, const QString& words)
+void MarkController::addText(const std::vector<Eigen::Vector2d>& pixels, const QString& words)
 {
     const bool isArrow = pixels.size() == 2;
     std::vector<ImageAnnotation> all = current().shown().annotations;
@@ -257,9 +259,9 @@ void MarkController::write(const std::vector<Eigen::Vector2d>& pixels, const QSt
 
 void MarkController::moveHandle(MarkMode mode, std::size_t handle, const Eigen::Vector2d& pixel)
 {
-    const Handle held = handles_[placeOf(mode)].at(handle);
-    if (mode == MarkMode::SeenHere) {
-        see(pixel, marks().at(held.index).id);
+    const Handle held = handles_[positionOf(mode)].at(handle);
+    if (mode == MarkMode::TargetInImage) {
+        addSighting(pixel, marks().at(held.index).id);
         return;
     }
     if (!isOnVessels(mode)) {
@@ -268,9 +270,9 @@ void MarkController::moveHandle(MarkMode mode, std::size_t handle, const Eigen::
         changeAnnotations(std::move(all), [] { return tr("Move mark"); });
         return;
     }
-    const auto point = placeUnder(pixel);
+    const auto point = vesselPointAt(pixel);
     const auto moved =
-        point ? putOn(*current().vessels.tree, marks().at(held.index), undeformed(*point)) : std::nullopt;
+        point ? putOn(*current().vessels.tree, marks().at(held.index), toRigidPoint(*point)) : std::nullopt;
     if (!moved) {
         emit refused(ui::messageText(core::messages::markNeedsVessels()));
         show();
@@ -284,7 +286,7 @@ void MarkController::moveHandle(MarkMode mode, std::size_t handle, const Eigen::
 void MarkController::rename(std::size_t row, const QString& name)
 {
     const std::string words = name.simplified().toStdString();
-    const ui::Words edit = [] { return tr("Rename mark"); };
+    const ui::LocalizedText edit = [] { return tr("Rename mark"); };
     const std::size_t count = marks().size();
     if (row < count && words != marks()[row].name) {
         std::vector<VesselMark> all = marks();
@@ -314,7 +316,8 @@ void MarkController::remove(const std::set<int>& rows)
     }
     std::vector<core::View> views = current().views;
     for (core::View& view : views) {
-        std::erase_if(view.sightings, [&gone](const Sighting& each) { return gone.contains(each.markId); });
+        std::erase_if(view.observations,
+                      [&gone](const TargetObservation& sighting) { return gone.contains(sighting.markId); });
     }
     std::vector<ImageAnnotation>& annotations = views[current().shownView].annotations;
     const std::size_t before = annotations.size();
@@ -327,20 +330,20 @@ void MarkController::remove(const std::set<int>& rows)
     show();
 }
 
-void MarkController::removeChosenOrLast()
+void MarkController::removeSelectedOrLast()
 {
     const std::set<int> chosen = ui_.panel.chosen();
     const std::size_t count = marks().size() + current().shown().annotations.size();
     remove(chosen.empty() ? std::set<int>{static_cast<int>(count) - 1} : chosen);
 }
 
-void MarkController::changeMarks(std::vector<VesselMark> marks, const ui::Words& name)
+void MarkController::changeMarks(std::vector<VesselMark> marks, const ui::LocalizedText& name)
 {
     document_.push(std::make_unique<ChangeMarks>(document_, ChangeMarks::Values{std::move(marks)}, name));
     show();   // needed even if the edit was refused
 }
 
-void MarkController::changeAnnotations(std::vector<ImageAnnotation> annotations, const ui::Words& name)
+void MarkController::changeAnnotations(std::vector<ImageAnnotation> annotations, const ui::LocalizedText& name)
 {
     document_.push(
         std::make_unique<ChangeAnnotations>(document_, ChangeAnnotations::Values{std::move(annotations)}, name));

@@ -6,7 +6,7 @@
 #include "core/measuring/target_points.h"
 #include "ui/panels/mark_panel.h"
 #include "ui/views/tools/mark_tool.h"
-#include "ui/words/spoken.h"
+#include "ui/words/retranslation.h"
 
 #include <QTimer>
 
@@ -50,20 +50,20 @@ private:
     void connectPanel();
     void place(ui::MarkMode mode, const Eigen::Vector2d& pixel);
     void add(core::VesselMarkKind kind, const Eigen::Vector3d& pointInPatient);
-    void see(const Eigen::Vector2d& pixel, std::optional<int> markId);
-    void write(const std::vector<Eigen::Vector2d>& pixels, const QString& words);
+    void addSighting(const Eigen::Vector2d& pixel, std::optional<int> markId);
+    void addText(const std::vector<Eigen::Vector2d>& pixels, const QString& words);
     void moveHandle(ui::MarkMode mode, std::size_t handle, const Eigen::Vector2d& pixel);
     void rename(std::size_t row, const QString& name);
     void remove(const std::set<int>& rows);
-    void removeChosenOrLast();
-    void changeMarks(std::vector<core::VesselMark> marks, const ui::Words& name);
-    void changeAnnotations(std::vector<core::ImageAnnotation> annotations, const ui::Words& name);
+    void removeSelectedOrLast();
+    void changeMarks(std::vector<core::VesselMark> marks, const ui::LocalizedText& name);
+    void changeAnnotations(std::vector<core::ImageAnnotation> annotations, const ui::LocalizedText& name);
     void show();
     void showPlaces();
     void showHandles();
-    std::optional<Eigen::Vector3d> placeUnder(const Eigen::Vector2d& pixel) const;
-    Eigen::Vector3d undeformed(const Eigen::Vector3d& drawnPoint) const;
-    std::optional<int> chosenCheckPoint(const Eigen::Vector2d& pixel) const;
+    std::optional<Eigen::Vector3d> vesselPointAt(const Eigen::Vector2d& pixel) const;
+    Eigen::Vector3d toRigidPoint(const Eigen::Vector3d& drawnPoint) const;
+    std::optional<int> selectedTargetPoint(const Eigen::Vector2d& pixel) const;
     std::vector<ui::MarkRow> rows() const;
     core::PoseOfView poseOf() const;
     const core::Case& current() const { return document_.current(); }
@@ -80,7 +80,7 @@ private:
     Ui ui_;
     std::array<ui::MarkTool*, ui::markModeCount> tools_{};
     std::array<std::vector<Handle>, ui::markModeCount> handles_;
-    QTimer again_;   ///< delays updates, since poses change in rapid succession
+    QTimer updateTimer_;   ///< delays updates, since poses change in rapid succession
 };
 
 }   // namespace angiopose::app

@@ -12,7 +12,7 @@
 namespace angiopose::app {
 
 using core::ImageAnnotation;
-using core::Sighting;
+using core::TargetObservation;
 using core::VesselMark;
 using core::VesselMarkKind;
 using ui::MarkMode;
@@ -26,7 +26,7 @@ constexpr std::size_t ringSteps3d = 48;
 std::vector<ui::MarkRow> MarkController::rows() const
 {
     std::vector<ui::MarkRow> rows;
-    const auto checked = core::checkedPoints(current(), poseOf());
+    const auto checked = core::evaluateTargetPoints(current(), poseOf());
     for (const VesselMark& mark : marks()) {
         rows.push_back(markRow(mark, checked, current().shownView));
     }
@@ -40,8 +40,8 @@ void MarkController::show()
 {
     const auto list = rows();
     ui_.panel.showMarks(list, list.empty()
-                                  ? tr("Named points on the vessels and the distance between their projection and "
-                                       "where they appear in the image; arrows and texts for exported images.")
+                                  ? tr("Named points on the vessels, with the distance between their projection and "
+                                       "their position in the image; arrows and text annotations for exported images.")
                                   : QString());
     showPlaces();
     showHandles();
@@ -49,14 +49,15 @@ void MarkController::show()
 
 void MarkController::showPlaces()
 {
-    PlacedView placed{current(), current().shownView, sync_.shownFrame(), preview_.shape(), poseOf()};
+    MarkedView placed{current(), current().shownView, sync_.shownFrame(), preview_.shape(), poseOf()};
     for (const int row : ui_.panel.chosen()) {
         const auto count = static_cast<int>(marks().size());
-        (row < count ? placed.chosenMarks : placed.chosenAnnotations).insert(row < count ? row : row - count);
+        (row < count ? placed.selectedMarks : placed.selectedAnnotations).insert(row < count ? row : row - count);
     }
     ui_.view.setPlacedMarks(windowPlacedMarks(placed));
-    std::vector<ui::TreePlaceSign> signs;
-    for (const VesselMark& mark : drawnMarks(current().shown(), current().vessels, preview_.pose(), preview_.shape())) {
+    std::vector<ui::TreeMark> signs;
+    for (const VesselMark& mark :
+         marksOnDrawnVessels(current().shown(), current().vessels, preview_.pose(), preview_.shape())) {
         const bool isRing = mark.kind == VesselMarkKind::OstiumRing;
         signs.push_back({mark.pointInPatient,
                          isRing ? core::ringPoints(mark, ringSteps3d) : std::vector<Eigen::Vector3d>{},
@@ -81,26 +82,26 @@ void MarkController::showHandles()
         places[static_cast<std::size_t>(mode)].push_back(pixel);
     };
     const int frame = sync_.shownFrame();
-    const auto drawn = drawnMarks(current().shown(), current().vessels, preview_.pose(), preview_.shape());
+    const auto drawn = marksOnDrawnVessels(current().shown(), current().vessels, preview_.pose(), preview_.shape());
     for (std::size_t i = 0; i < drawn.size(); ++i) {
         const bool isRing = drawn[i].kind == VesselMarkKind::OstiumRing;
         const auto at = core::project(ui_.view.camera(), preview_.pose() * drawn[i].pointInPatient);
-        const auto seen = std::ranges::find_if(current().shown().sightings, [&](const Sighting& each) {
+        const auto seen = std::ranges::find_if(current().shown().observations, [&](const TargetObservation& each) {
             return each.markId == drawn[i].id && each.frame == frame;
         });
         if (at && ui_.view.camera().width > 0) {
             take(isRing ? MarkMode::OstiumRing : MarkMode::TargetPoint, {i, 0}, *at);
         }
-        if (!isRing && seen != current().shown().sightings.end()) {
-            take(MarkMode::SeenHere, {i, 0}, seen->pixel);
+        if (!isRing && seen != current().shown().observations.end()) {
+            take(MarkMode::TargetInImage, {i, 0}, seen->pixel);
         } else if (!isRing && at && ui_.view.camera().width > 0) {
-            take(MarkMode::SeenHere, {i, 0}, *at);   // the handle is dragged to the point's position in the image
+            take(MarkMode::TargetInImage, {i, 0}, *at);   // the handle is dragged to the point's position in the image
         }
     }
     const std::vector<ImageAnnotation>& annotations = current().shown().annotations;
     for (std::size_t i = 0; i < annotations.size(); ++i) {
         for (std::size_t p = 0; p < annotations[i].pixels.size() && annotations[i].frame == frame; ++p) {
-            take(annotations[i].kind == core::AnnotationKind::Arrow ? MarkMode::Arrow : MarkMode::Words, {i, p},
+            take(annotations[i].kind == core::AnnotationKind::Arrow ? MarkMode::Arrow : MarkMode::Text, {i, p},
                  annotations[i].pixels[p]);
         }
     }

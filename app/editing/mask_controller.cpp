@@ -9,7 +9,7 @@
 #include "ui/words/language.h"
 #include "ui/words/message_text.h"
 #include "ui/words/number.h"
-#include "ui/words/spoken.h"
+#include "ui/words/retranslation.h"
 
 #include <algorithm>
 #include <iterator>
@@ -19,7 +19,7 @@
 namespace angiopose::app {
 namespace {
 
-using core::MaskAim;
+using core::BrushMode;
 using core::VoxelMask;
 
 constexpr double minRadiusMm = 0.2;
@@ -29,7 +29,7 @@ ui::MaskSettings storedSettings()
 {
     return {settings::maskOpacity.read(),
             settings::brushRadiusMm.read(),
-            settings::isBrushBall.read(),
+            settings::isBrush3d.read(),
             settings::brushAboveThreshold.read(),
             static_cast<ui::CutDepth>(std::clamp(settings::cutDepth.read(), 0, 2)),
             settings::cutRangeMm.read()};
@@ -39,7 +39,7 @@ void store(const ui::MaskSettings& chosen)
 {
     settings::maskOpacity.write(chosen.opacity);
     settings::brushRadiusMm.write(chosen.radiusMm);
-    settings::isBrushBall.write(chosen.isBall);
+    settings::isBrush3d.write(chosen.is3d);
     settings::brushAboveThreshold.write(chosen.isAboveThreshold);
     settings::cutDepth.write(static_cast<int>(chosen.depth));
     settings::cutRangeMm.write(chosen.rangeMm);
@@ -68,36 +68,36 @@ MaskController::MaskController(CaseDocument& document, Options options, const Ui
       scissors_(new ui::MaskCutTool(ui.slices)),
       copy_({[this](const std::shared_ptr<VoxelMask>& mask) {
                  auto draft = std::make_shared<MaskDraft>(mask);
-                 draft->standFor(std::exchange(copied_, nullptr), {});
+                 draft->recordMatch(std::exchange(copiedLumen_, nullptr), {});
                  drafts_.push_back(draft);
                  useDraft(fits(*draft) ? draft : nullptr);
              },
              [this](const core::Error& error) { emit failed(ui::messageText(error.message)); }}),
-      cut_({[this](const core::VoxelPlaces& found) { takeCut(found); },
+      cut_({[this](const core::VoxelIndices& found) { applyCut(found); },
             [this](const core::Error& error) {
                 if (const auto draft = std::exchange(cutDraft_, nullptr)) {
-                    draft->takeBack();
+                    draft->endReading();
                 }
                 emit failed(ui::messageText(error.message));
             }})
 {
-    brushes_ = {new ui::MaskBrushTool(MaskAim::Paint, ui.slices), new ui::MaskBrushTool(MaskAim::Erase, ui.slices)};
+    brushes_ = {new ui::MaskBrushTool(BrushMode::Paint, ui.slices), new ui::MaskBrushTool(BrushMode::Erase, ui.slices)};
     connectTools();
     ui::MaskPanel& panel = ui_.panel.mask();
     ui::WindowActions& actions = ui_.actions;
     panel.bind(*actions[ui::Command::PaintMask], *actions[ui::Command::EraseMask], *actions[ui::Command::CutMask],
                *actions[ui::Command::TraceMask], *actions[ui::Command::ExportMask]);
-    connect(&panel, &ui::MaskPanel::settingsEdited, this, &MaskController::takeSettings);
+    connect(&panel, &ui::MaskPanel::settingsEdited, this, &MaskController::applySettings);
     connect(actions[ui::Command::TraceMask], &QAction::triggered, this, &MaskController::trace);
     connect(&ui_.strip, &ui::BottomStrip::stopRequested, &tracing_, &MaskTracing::requestStop);
     connectTracing();
-    connect(&document, &CaseDocument::aboutToStep, this, &MaskController::endStroke);
-    connect(&document, &CaseDocument::changed, this, &MaskController::followDocument);
+    connect(&document, &CaseDocument::aboutToUndoOrRedo, this, &MaskController::endStroke);
+    connect(&document, &CaseDocument::changed, this, &MaskController::updateFromDocument);
     connect(&document, &CaseDocument::stateChanged, this, &MaskController::showState);
-    takeSettings(storedSettings());
+    applySettings(storedSettings());
     panel.showSettings(settings_);
-    ui::speak(this, [this] { showState(); });
-    followDocument();
+    ui::keepTranslated(this, [this] { showState(); });
+    updateFromDocument();
 }
 
 void MaskController::connectTracing()
@@ -109,7 +109,7 @@ void MaskController::connectTracing()
         ui_.strip.showIdle(tr("Ready"));
         showState();
     });
-    connect(&tracing_, &MaskTracing::traced, this, &MaskController::takeTrace);
+    connect(&tracing_, &MaskTracing::traced, this, &MaskController::applyTrace);
     connect(&tracing_, &MaskTracing::stopped, this,
             [this] { emit reported(tr("Stopped: the vessels are unchanged")); });
     connect(&tracing_, &MaskTracing::failed, this, &MaskController::failed);
@@ -123,10 +123,10 @@ void MaskController::connectTools()
     for (ui::MaskBrushTool* tool : brushes_) {
         connect(tool, &ui::MaskBrushTool::brushed, this, &MaskController::brush);
         connect(tool, &ui::MaskBrushTool::strokeEnded, this, &MaskController::endStroke);
-        connect(tool, &ui::MaskBrushTool::radiusWanted, this, [this](double radiusMm) {
+        connect(tool, &ui::MaskBrushTool::radiusRequested, this, [this](double radiusMm) {
             ui::MaskSettings changed = settings_;
             changed.radiusMm = std::clamp(radiusMm, minRadiusMm, maxRadiusMm);
-            takeSettings(changed);
+            applySettings(changed);
             ui_.panel.mask().showSettings(changed);
         });
     }
@@ -147,7 +147,7 @@ void MaskController::connectTool(QAction& action, ui::SliceTool& tool)
     });
 }
 
-void MaskController::takeSettings(const ui::MaskSettings& chosen)
+void MaskController::applySettings(const ui::MaskSettings& chosen)
 {
     settings_ = chosen;
     store(chosen);
@@ -165,7 +165,7 @@ bool MaskController::fits(const MaskDraft& draft) const
     return isHere && draft.strokesSince(lumen());
 }
 
-std::shared_ptr<MaskDraft> MaskController::knownDraft() const
+std::shared_ptr<MaskDraft> MaskController::findDraft() const
 {
     for (const std::weak_ptr<MaskDraft>& known : drafts_) {
         if (const auto draft = known.lock(); draft && fits(*draft)) {
@@ -176,7 +176,7 @@ std::shared_ptr<MaskDraft> MaskController::knownDraft() const
 }
 
 /// Selects the draft of the current lumen, since undo may restore a lumen that belongs to another draft.
-void MaskController::followDocument()
+void MaskController::updateFromDocument()
 {
     if (const int caseNumber = document_.state().caseNumber; caseNumber != caseNumber_) {
         caseNumber_ = caseNumber;
@@ -184,7 +184,7 @@ void MaskController::followDocument()
         copy_.drop();
         useDraft(nullptr);
     } else if (!draft_ || !fits(*draft_)) {
-        useDraft(knownDraft());
+        useDraft(findDraft());
     }
     if (!draft_ &&
         (ui_.actions[ui::Command::PaintMask]->isChecked() || ui_.actions[ui::Command::EraseMask]->isChecked() ||
@@ -206,7 +206,8 @@ void MaskController::useDraft(std::shared_ptr<MaskDraft> draft)
         draft_->disconnect(&ui_.slices);
     }
     if (draft_ && draft_ != draft && !stroke_.empty()) {
-        draft_->apply(core::changeOf(stroke_));   // reverts the unfinished stroke before another draft becomes current
+        draft_->apply(
+            core::makeMaskChange(stroke_));   // reverts the unfinished stroke before another draft becomes current
     }
     if (draft_ != draft) {
         stroke_.clear();
@@ -215,7 +216,7 @@ void MaskController::useDraft(std::shared_ptr<MaskDraft> draft)
     std::erase_if(drafts_, [](const std::weak_ptr<MaskDraft>& known) { return known.expired(); });
     ui_.slices.setDraft(draft_ ? draft_->mask() : nullptr);
     if (draft_) {
-        connect(draft_.get(), &MaskDraft::touched, &ui_.slices, &ui::SliceModel::touchDraft);
+        connect(draft_.get(), &MaskDraft::voxelsChanged, &ui_.slices, &ui::SliceModel::notifyDraftChanged);
         connect(draft_.get(), &MaskDraft::strokesChanged, this, &MaskController::showState);
     }
     showState();
@@ -228,7 +229,7 @@ void MaskController::beginEditing()
     if (draft_ || copy_.isRunning() || (!vessels.lumen && !vessels.scan)) {
         return;
     }
-    copied_ = vessels.lumen;
+    copiedLumen_ = vessels.lumen;
     copy_.start([lumen = vessels.lumen, scan = vessels.scan,
                  threshold = ui_.slices.previewFrom()](JobLink<double>&) -> core::Result<std::shared_ptr<VoxelMask>> {
         return startOf(lumen, scan, threshold);
@@ -237,10 +238,10 @@ void MaskController::beginEditing()
 
 bool MaskController::canEdit() const
 {
-    return draft_ && !draft_->isLent() && !document_.isLocked();
+    return draft_ && !draft_->isBeingRead() && !document_.isLocked();
 }
 
-void MaskController::brush(MaskAim aim, const core::SliceGrid& slice, const core::BrushStep& step)
+void MaskController::brush(BrushMode aim, const core::SliceGrid& slice, const core::BrushStep& step)
 {
     if (!canEdit()) {
         return;
@@ -248,14 +249,14 @@ void MaskController::brush(MaskAim aim, const core::SliceGrid& slice, const core
     const auto& scan = ui_.slices.volume();
     const std::optional<double> threshold = ui_.panel.thresholdShown();
     core::MaskBrush brush{aim, settings_.radiusMm};
-    if (aim == MaskAim::Paint && settings_.isAboveThreshold && scan && threshold) {
+    if (aim == BrushMode::Paint && settings_.isAboveThreshold && scan && threshold) {
         brush.scan = scan.get();
         brush.minValue = *threshold;
     }
     const VoxelMask& mask = *draft_->mask();
-    const core::VoxelPlaces found =
-        settings_.isBall ? core::brushedInSpace(mask, brush, step) : core::brushedInSlice(mask, slice, brush, step);
-    draft_->apply(core::changeOf(found));
+    const core::VoxelIndices found =
+        settings_.is3d ? core::brushVolume(mask, brush, step) : core::brushSlice(mask, slice, brush, step);
+    draft_->apply(core::makeMaskChange(found));
     strokeAim_ = aim;
     stroke_.insert(stroke_.end(), found.begin(), found.end());
 }
@@ -265,13 +266,13 @@ void MaskController::endStroke()
     if (stroke_.empty() || !draft_) {
         stroke_.clear();
         if (document_.isLocked()) {
-            emit reported(tr("A registration is running. Stop it to edit."));
+            emit reported(tr("A registration is running. Stop it before editing."));
         }
         return;
     }
-    const ui::Words name = strokeAim_ == MaskAim::Paint ? ui::Words([] { return tr("Paint mask"); })
-                                                        : ui::Words([] { return tr("Erase mask"); });
-    const core::MaskChange change = core::changeOf(std::exchange(stroke_, {}));
+    const ui::LocalizedText name = strokeAim_ == BrushMode::Paint ? ui::LocalizedText([] { return tr("Paint mask"); })
+                                                                  : ui::LocalizedText([] { return tr("Erase mask"); });
+    const core::MaskChange change = core::makeMaskChange(std::exchange(stroke_, {}));
     if (!document_.push(std::make_unique<EditMask>(document_, draft_, change, name))) {
         draft_->apply(change);   // applying it again reverts the change
     }
@@ -288,27 +289,27 @@ void MaskController::cut(core::MaskCut cut)
                       : settings_.depth == ui::CutDepth::Range ? settings_.rangeMm
                                                                : std::numeric_limits<double>::infinity();
     cutDraft_ = draft_;
-    cutDraft_->lendOut();
+    cutDraft_->beginReading();
     cut_.start([mask = std::shared_ptr<const VoxelMask>(draft_->mask()), cut = std::move(cut)](
-                   JobLink<double>&) -> core::Result<core::VoxelPlaces> { return core::cutVoxels(*mask, cut); });
+                   JobLink<double>&) -> core::Result<core::VoxelIndices> { return core::cutVoxels(*mask, cut); });
 }
 
 /// Applies the cut to the voxels that are still set; undo may have cleared some in the meantime.
-void MaskController::takeCut(const core::VoxelPlaces& found)
+void MaskController::applyCut(const core::VoxelIndices& found)
 {
     const auto draft = std::exchange(cutDraft_, nullptr);
-    draft->takeBack();
+    draft->endReading();
     if (draft != draft_) {
         return;   // another mask has become current
     }
-    core::VoxelPlaces there;
+    core::VoxelIndices there;
     std::ranges::copy_if(found, std::back_inserter(there),
                          [&draft](std::uint32_t voxel) { return draft->mask()->voxels[voxel] != 0; });
     if (there.empty()) {
-        emit reported(tr("No mask there."));
+        emit reported(tr("There is no mask at this position."));
         return;
     }
-    const core::MaskChange change = core::changeOf(std::move(there));
+    const core::MaskChange change = core::makeMaskChange(std::move(there));
     draft->apply(change);
     if (!document_.push(std::make_unique<EditMask>(document_, draft, change, [] { return tr("Cut the mask"); }))) {
         draft->apply(change);   // applying it again reverts the change
@@ -326,15 +327,15 @@ void MaskController::trace()
     showState();
 }
 
-void MaskController::takeTrace(const VesselTrace& traced, const std::shared_ptr<MaskDraft>& draft,
-                               const MaskDraft::Strokes& strokes)
+void MaskController::applyTrace(const VesselTrace& traced, const std::shared_ptr<MaskDraft>& draft,
+                                const MaskDraft::Strokes& strokes)
 {
     if (!draft_ || draft != draft_) {
         return;   // another scan or case has been opened in the meantime
     }
-    draft_->standFor(traced.lumen, strokes);
+    draft_->recordMatch(traced.lumen, strokes);
     const TracedTree tree{{}, traced.input, traced.lumen, traced.tree, LumenOrigin::Edited};
-    if (!document_.push(app::takeTrace(document_, tree, [] { return tr("Trace the edited mask"); }))) {
+    if (!document_.push(app::applyTrace(document_, tree, [] { return tr("Trace the edited mask"); }))) {
         return;
     }
     const int count = static_cast<int>(traced.tree->branches.size());
@@ -345,14 +346,14 @@ void MaskController::takeTrace(const VesselTrace& traced, const std::shared_ptr<
     emit reported(ui::joinedSentences(notes));
 }
 
-int MaskController::openStrokes() const
+int MaskController::pendingStrokes() const
 {
     return draft_ ? draft_->strokesSince(lumen()).value_or(0) : 0;
 }
 
 void MaskController::noteSaved()
 {
-    if (openStrokes() > 0) {
+    if (pendingStrokes() > 0) {
         document_.markUnsaved();
         emit reported(tr("Saved without the latest mask changes: trace the mask, then save again."));
     }
@@ -360,10 +361,10 @@ void MaskController::noteSaved()
 
 void MaskController::showState()
 {
-    ui_.actions[ui::Command::TraceMask]->setEnabled(draft_ && openStrokes() > 0 && !isRunning() &&
+    ui_.actions[ui::Command::TraceMask]->setEnabled(draft_ && pendingStrokes() > 0 && !isRunning() &&
                                                     !document_.isLocked());
     ui_.actions[ui::Command::ExportMask]->setEnabled(lumen() != nullptr);
-    ui_.panel.mask().showState({openStrokes(), isRunning(), document_.current().vessels.isLumenEdited});
+    ui_.panel.mask().showState({pendingStrokes(), isRunning(), document_.current().vessels.isLumenEdited});
 }
 
 }   // namespace angiopose::app

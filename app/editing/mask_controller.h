@@ -48,21 +48,21 @@ private:
     void connectTracing();
     void connectTools();
     void connectTool(QAction& action, ui::SliceTool& tool);
-    void takeSettings(const ui::MaskSettings& settings);
-    void followDocument();
+    void applySettings(const ui::MaskSettings& settings);
+    void updateFromDocument();
     void beginEditing();
     void useDraft(std::shared_ptr<MaskDraft> draft);
-    std::shared_ptr<MaskDraft> knownDraft() const;
+    std::shared_ptr<MaskDraft> findDraft() const;
     bool fits(const MaskDraft& draft) const;   ///< whether the draft belongs to the case's lumen
     bool canEdit() const;
-    void brush(core::MaskAim aim, const core::SliceGrid& slice, const core::BrushStep& step);
+    void brush(core::BrushMode aim, const core::SliceGrid& slice, const core::BrushStep& step);
     void endStroke();
     void cut(core::MaskCut cut);
-    void takeCut(const core::VoxelPlaces& found);
-    void takeTrace(const VesselTrace& traced, const std::shared_ptr<MaskDraft>& draft,
-                   const MaskDraft::Strokes& strokes);
+    void applyCut(const core::VoxelIndices& found);
+    void applyTrace(const VesselTrace& traced, const std::shared_ptr<MaskDraft>& draft,
+                    const MaskDraft::Strokes& strokes);
     void showState();
-    int openStrokes() const;
+    int pendingStrokes() const;
     const std::shared_ptr<const core::VoxelMask>& lumen() const { return document_.current().vessels.lumen; }
 
     CaseDocument& document_;
@@ -73,13 +73,13 @@ private:
     ui::MaskCutTool* scissors_;
     std::shared_ptr<MaskDraft> draft_;   ///< draft of the case's lumen; null until it is edited
     std::vector<std::weak_ptr<MaskDraft>> drafts_;   ///< drafts referenced by undo steps
-    core::VoxelPlaces stroke_;   ///< voxels of the current stroke
-    core::MaskAim strokeAim_ = core::MaskAim::Paint;
+    core::VoxelIndices stroke_;   ///< voxels of the current stroke
+    core::BrushMode strokeAim_ = core::BrushMode::Paint;
     std::shared_ptr<MaskDraft> cutDraft_;   ///< draft that the active cut reads
     int caseNumber_ = 0;   ///< number of the case to which the drafts belong
-    std::shared_ptr<const core::VoxelMask> copied_;   ///< lumen being copied
+    std::shared_ptr<const core::VoxelMask> copiedLumen_;   ///< lumen being copied
     Job<std::shared_ptr<core::VoxelMask>> copy_;
-    Job<core::VoxelPlaces> cut_;
+    Job<core::VoxelIndices> cut_;
     MaskTracing tracing_;
 };
 

@@ -10,43 +10,43 @@ void MaskDraft::apply(const core::MaskChange& change)
     if (change.runs.empty()) {
         return;
     }
-    if (isLent_) {
-        waiting_.push_back(change);
+    if (isBeingRead_) {
+        pendingChanges_.push_back(change);
         return;
     }
     core::flip(*mask_, change);
-    emit touched(core::boxOf(mask_->geometry, change));
+    emit voxelsChanged(core::boxOf(mask_->geometry, change));
 }
 
-void MaskDraft::takeBack()
+void MaskDraft::endReading()
 {
-    isLent_ = false;
-    for (const core::MaskChange& change : std::exchange(waiting_, {})) {
+    isBeingRead_ = false;
+    for (const core::MaskChange& change : std::exchange(pendingChanges_, {})) {
         apply(change);
     }
 }
 
-void MaskDraft::noteMade(int stroke)
+void MaskDraft::addStroke(int stroke)
 {
     strokes_.push_back(stroke);
     emit strokesChanged();
 }
 
-void MaskDraft::noteUndone()
+void MaskDraft::removeStroke()
 {
     strokes_.pop_back();
     emit strokesChanged();
 }
 
-void MaskDraft::standFor(const std::shared_ptr<const core::VoxelMask>& lumen, const Strokes& strokes)
+void MaskDraft::recordMatch(const std::shared_ptr<const core::VoxelMask>& lumen, const Strokes& strokes)
 {
-    stands_.push_back({lumen, lumen == nullptr, strokes});
+    matches_.push_back({lumen, lumen == nullptr, strokes});
 }
 
 std::optional<int> MaskDraft::strokesSince(const std::shared_ptr<const core::VoxelMask>& lumen) const
 {
-    for (const Stand& stand : stands_) {
-        if (lumen ? stand.lumen.lock() == lumen : stand.isNone) {
+    for (const LumenMatch& stand : matches_) {
+        if (lumen ? stand.lumen.lock() == lumen : stand.hasNoLumen) {
             const auto [own, its] = std::ranges::mismatch(strokes_, stand.strokes);
             return static_cast<int>((strokes_.end() - own) + (stand.strokes.end() - its));
         }
@@ -54,7 +54,8 @@ std::optional<int> MaskDraft::strokesSince(const std::shared_ptr<const core::Vox
     return std::nullopt;
 }
 
-EditMask::EditMask(CaseDocument& document, std::shared_ptr<MaskDraft> draft, core::MaskChange change, ui::Words name)
+EditMask::EditMask(CaseDocument& document, std::shared_ptr<MaskDraft> draft, core::MaskChange change,
+                   ui::LocalizedText name)
     : NamedEdit(std::move(name)),
       document_(document),
       draft_(std::move(draft)),
@@ -65,18 +66,18 @@ EditMask::EditMask(CaseDocument& document, std::shared_ptr<MaskDraft> draft, cor
 
 void EditMask::redo()
 {
-    if (!std::exchange(isMade_, false)) {
+    if (!std::exchange(isApplied_, false)) {
         draft_->apply(change_);
     }
-    draft_->noteMade(stroke_);
-    document_.noteChange();
+    draft_->addStroke(stroke_);
+    document_.notifyChanged();
 }
 
 void EditMask::undo()
 {
     draft_->apply(change_);
-    draft_->noteUndone();
-    document_.noteChange();
+    draft_->removeStroke();
+    document_.notifyChanged();
 }
 
 }   // namespace angiopose::app

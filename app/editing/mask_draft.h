@@ -19,34 +19,34 @@ public:
 
     const std::shared_ptr<core::VoxelMask>& mask() const { return mask_; }
     void apply(const core::MaskChange& change);   ///< immediately, or once no worker reads it
-    void lendOut() { isLent_ = true; }   ///< call when a worker starts reading the draft
-    void takeBack();
-    bool isLent() const { return isLent_; }
+    void beginReading() { isBeingRead_ = true; }   ///< call when a worker starts reading the draft
+    void endReading();
+    bool isBeingRead() const { return isBeingRead_; }
 
     using Strokes = std::vector<int>;   ///< stroke numbers in the order in which the strokes were made
     int newStroke() { return ++lastStroke_; }   ///< returns a unique number
-    void noteMade(int stroke);
-    void noteUndone();
+    void addStroke(int stroke);
+    void removeStroke();
     const Strokes& strokes() const { return strokes_; }
     /// Records that the draft matched this lumen after these strokes; null stands for no lumen.
-    void standFor(const std::shared_ptr<const core::VoxelMask>& lumen, const Strokes& strokes);
+    void recordMatch(const std::shared_ptr<const core::VoxelMask>& lumen, const Strokes& strokes);
     /// Returns the number of strokes by which the draft differs from this lumen; empty if the draft never matched it.
     std::optional<int> strokesSince(const std::shared_ptr<const core::VoxelMask>& lumen) const;
 
 signals:
-    void touched(const core::TouchedBox& box);
+    void voxelsChanged(const core::BoundingBox& box);
     void strokesChanged();
 
 private:
-    struct Stand {
+    struct LumenMatch {
         std::weak_ptr<const core::VoxelMask> lumen;
-        bool isNone = false;
+        bool hasNoLumen = false;
         Strokes strokes;
     };
     std::shared_ptr<core::VoxelMask> mask_;
-    std::vector<core::MaskChange> waiting_;
-    std::vector<Stand> stands_;
-    bool isLent_ = false;
+    std::vector<core::MaskChange> pendingChanges_;
+    std::vector<LumenMatch> matches_;
+    bool isBeingRead_ = false;
     Strokes strokes_;
     int lastStroke_ = 0;
 };
@@ -54,7 +54,7 @@ private:
 /// Undo step of one stroke or cut, which is already applied when it is pushed. Stores the changed voxels as runs.
 class EditMask : public NamedEdit {
 public:
-    EditMask(CaseDocument& document, std::shared_ptr<MaskDraft> draft, core::MaskChange change, ui::Words name);
+    EditMask(CaseDocument& document, std::shared_ptr<MaskDraft> draft, core::MaskChange change, ui::LocalizedText name);
     void redo() override;
     void undo() override;
 
@@ -63,7 +63,7 @@ private:
     std::shared_ptr<MaskDraft> draft_;
     core::MaskChange change_;
     int stroke_;
-    bool isMade_ = true;
+    bool isApplied_ = true;
 };
 
 }   // namespace angiopose::app

@@ -37,9 +37,9 @@ core::Result<VesselTrace> traceOf(const VoxelMask& draft, const core::VesselTrac
 
 MaskTracing::MaskTracing(QObject* parent)
     : QObject(parent),
-      job_({[this](const VesselTrace& trace) { take(trace); }, [this](const core::Error& error) { fail(error); },
+      job_({[this](const VesselTrace& trace) { finish(trace); }, [this](const core::Error& error) { fail(error); },
             [this](double fraction) {
-                giveBack();
+                releaseDraft();
                 emit advanced(fraction);
             }})
 {
@@ -51,7 +51,7 @@ void MaskTracing::start(const std::shared_ptr<MaskDraft>& draft, const core::Ves
     strokes_ = draft->strokes();
     stopRequested_ = false;
     isReading_ = true;
-    draft_->lendOut();
+    draft_->beginReading();
     job_.start([mask = std::shared_ptr<const VoxelMask>(draft->mask()), options](JobLink<double>& link) {
         return traceOf(*mask, options, link);
     });
@@ -63,23 +63,23 @@ void MaskTracing::requestStop()
     job_.requestStop();
 }
 
-void MaskTracing::giveBack()
+void MaskTracing::releaseDraft()
 {
     if (std::exchange(isReading_, false)) {
-        draft_->takeBack();
+        draft_->endReading();
     }
 }
 
-void MaskTracing::take(const VesselTrace& trace)
+void MaskTracing::finish(const VesselTrace& trace)
 {
-    giveBack();
+    releaseDraft();
     emit ended();
     emit traced(trace, std::exchange(draft_, nullptr), strokes_);
 }
 
 void MaskTracing::fail(const core::Error& error)
 {
-    giveBack();
+    releaseDraft();
     draft_.reset();
     emit ended();
     if (stopRequested_) {

@@ -25,8 +25,8 @@ signals:
     void failed(const QString& reason);
 
 private:
-    void giveBack();
-    void take(const VesselTrace& trace);
+    void releaseDraft();
+    void finish(const VesselTrace& trace);
     void fail(const core::Error& error);
 
     std::shared_ptr<MaskDraft> draft_;

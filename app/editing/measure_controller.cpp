@@ -40,15 +40,15 @@ MeasureController::MeasureController(CaseDocument& document, const ViewSync& syn
     connect(&document_, &CaseDocument::changed, this, &MeasureController::show);
     connect(&preview_, &PosePreview::changed, this, &MeasureController::show);
     connect(&sync_, &ViewSync::frameShown, this, &MeasureController::show);
-    ui::speak(this, [this] { show(); });
+    ui::keepTranslated(this, [this] { show(); });
 }
 
 void MeasureController::connectTool(MeasurementKind kind, QAction& action)
 {
     auto* tool = new ui::MeasureTool(kind, ui_.view);
     tools_[static_cast<std::size_t>(kind)] = tool;
-    tool->setWords([this, kind](const std::vector<Eigen::Vector2d>& pixels) {
-        return measureLabel({kind, planeOfNext(), pixels, sync_.shownFrame(), {}}, seen());
+    tool->setLabelFunction([this, kind](const std::vector<Eigen::Vector2d>& pixels) {
+        return measureLabel({kind, nextPlane(), pixels, sync_.shownFrame(), {}}, measuredView());
     });
     ui::bindTool(action, ui_.view, *tool);
     slices_.bind(kind, action);
@@ -65,17 +65,17 @@ void MeasureController::connectTool(MeasurementKind kind, QAction& action)
         movePoint(static_cast<std::size_t>(measurement), static_cast<std::size_t>(point), pixel);
     });
     connect(tool, &ui::MeasureTool::removeRequested, this,
-            [this] { removeChosenOrLast(0, static_cast<int>(measurements().size())); });
+            [this] { removeSelectedOrLast(0, static_cast<int>(measurements().size())); });
 }
 
 void MeasureController::connectPanel()
 {
     const ui::MeasurePanel& panel = ui_.panel;
     connect(&panel, &ui::MeasurePanel::planePicked, this, &MeasureController::pickPlane);
-    connect(&panel, &ui::MeasurePanel::scaleTyped, this, &MeasureController::typeScale);
-    connect(&panel, &ui::MeasurePanel::choiceChanged, this, [this] {
+    connect(&panel, &ui::MeasurePanel::scaleTyped, this, &MeasureController::setPixelScale);
+    connect(&panel, &ui::MeasurePanel::selectionChanged, this, [this] {
         show();
-        goToChosen();
+        goToSelected();
     });
     connect(&panel, &ui::MeasurePanel::renamed, this,
             [this](int place, const QString& name) { rename(static_cast<std::size_t>(place), name); });
@@ -87,13 +87,13 @@ void MeasureController::connectPanel()
 void MeasureController::connectSlices()
 {
     connect(&slices_, &SliceMeasureController::drawn, this, [this](const SliceMeasurement& drawn) {
-        std::vector<SliceMeasurement> all = inSlices();
+        std::vector<SliceMeasurement> all = sliceMeasurements();
         all.push_back(drawn);
         changeInSlices(std::move(all), [kind = drawn.kind] { return editText(kind); });
     });
     connect(&slices_, &SliceMeasureController::pointMoved, this,
             [this](int measurement, int point, const Eigen::Vector3d& pointInPatient) {
-                std::vector<SliceMeasurement> all = inSlices();
+                std::vector<SliceMeasurement> all = sliceMeasurements();
                 const auto of = static_cast<std::size_t>(measurement);
                 const auto at = static_cast<std::size_t>(point);
                 if (of >= all.size() || at >= all[of].pointsInPatient.size()) {
@@ -104,16 +104,16 @@ void MeasureController::connectSlices()
             });
     connect(&slices_, &SliceMeasureController::removeRequested, this, [this] {
         const auto first = static_cast<int>(measurements().size());
-        removeChosenOrLast(first, first + static_cast<int>(inSlices().size()));
+        removeSelectedOrLast(first, first + static_cast<int>(sliceMeasurements().size()));
     });
 }
 
-const std::vector<SliceMeasurement>& MeasureController::inSlices() const
+const std::vector<SliceMeasurement>& MeasureController::sliceMeasurements() const
 {
     return document_.current().vessels.measurements;
 }
 
-std::set<int> MeasureController::chosenImages() const
+std::set<int> MeasureController::selectedImageMeasurements() const
 {
     const auto count = static_cast<int>(measurements().size());
     std::set<int> places;
@@ -125,7 +125,7 @@ std::set<int> MeasureController::chosenImages() const
     return places;
 }
 
-std::set<int> MeasureController::chosenSlices() const
+std::set<int> MeasureController::selectedSliceMeasurements() const
 {
     const auto count = static_cast<int>(measurements().size());
     std::set<int> places;
@@ -138,9 +138,9 @@ std::set<int> MeasureController::chosenSlices() const
 }
 
 /// Shows the slice of the selected measurement if it was drawn in a slice.
-void MeasureController::goToChosen()
+void MeasureController::goToSelected()
 {
-    if (const std::set<int> places = chosenSlices(); places.size() == 1) {
+    if (const std::set<int> places = selectedSliceMeasurements(); places.size() == 1) {
         slices_.goTo(*places.begin());
     }
 }
@@ -150,22 +150,22 @@ const std::vector<ImageMeasurement>& MeasureController::measurements() const
     return document_.current().shown().measurements;
 }
 
-core::MeasuredView MeasureController::seen() const
+core::MeasuredView MeasureController::measuredView() const
 {
     const core::Case& current = document_.current();
     return {current.shown(), current.vessels.tree.get(),
             preview_.shown() ? preview_.pose() : current.shown().cameraFromPatient};
 }
 
-MeasurementPlane MeasureController::planeOfNext() const
+MeasurementPlane MeasureController::nextPlane() const
 {
-    return plane_.value_or(core::bestPlaneOf(seen()));
+    return plane_.value_or(core::preferredPlane(measuredView()));
 }
 
 void MeasureController::add(MeasurementKind kind, const std::vector<Eigen::Vector2d>& pixels)
 {
     std::vector<ImageMeasurement> all = measurements();
-    all.push_back({kind, planeOfNext(), pixels, sync_.shownFrame(), {}});
+    all.push_back({kind, nextPlane(), pixels, sync_.shownFrame(), {}});
     change(std::move(all), [kind] { return editText(kind); });
 }
 
@@ -179,11 +179,11 @@ void MeasureController::movePoint(std::size_t measurement, std::size_t point, co
 void MeasureController::rename(std::size_t place, const QString& name)
 {
     std::vector<ImageMeasurement> all = measurements();
-    std::vector<SliceMeasurement> slices = inSlices();
+    std::vector<SliceMeasurement> slices = sliceMeasurements();
     const QString trimmed = name.trimmed();
-    const ui::Words edit = [] { return tr("Rename measurement"); };
+    const ui::LocalizedText edit = [] { return tr("Rename measurement"); };
     const std::size_t slice = place - all.size();   // meaningful only for a measurement in a slice
-    if (place < all.size() && trimmed != measureRow(all[place], seen()).name) {
+    if (place < all.size() && trimmed != measureRow(all[place], measuredView()).name) {
         all[place].name = trimmed.toStdString();
         change(std::move(all), edit);
     } else if (place >= all.size() && slice < slices.size() && trimmed != slices_.rows()[slice].name) {
@@ -197,7 +197,7 @@ void MeasureController::rename(std::size_t place, const QString& name)
 void MeasureController::remove(const std::set<int>& places)
 {
     std::vector<ImageMeasurement> images = measurements();
-    std::vector<SliceMeasurement> slices = inSlices();
+    std::vector<SliceMeasurement> slices = sliceMeasurements();
     int place = 0;
     const auto isGone = [&](const auto&) { return places.contains(place++); };
     const std::size_t gone = std::erase_if(images, isGone) + std::erase_if(slices, isGone);
@@ -211,7 +211,7 @@ void MeasureController::remove(const std::set<int>& places)
 
 /// Removes the measurements selected in the list; if none are selected, removes the last one in [first, end), i.e. of
 /// the image or of the slices, depending on where the key was pressed.
-void MeasureController::removeChosenOrLast(int first, int end)
+void MeasureController::removeSelectedOrLast(int first, int end)
 {
     std::set<int> gone = ui_.panel.chosen();
     if (gone.empty() && end > first) {
@@ -224,7 +224,7 @@ void MeasureController::pickPlane(MeasurementPlane plane)
 {
     plane_ = plane;
     std::vector<ImageMeasurement> all = measurements();
-    for (const int place : chosenImages()) {
+    for (const int place : selectedImageMeasurements()) {
         all[static_cast<std::size_t>(place)].plane = plane;
     }
     if (all != measurements()) {
@@ -233,24 +233,24 @@ void MeasureController::pickPlane(MeasurementPlane plane)
     show();
 }
 
-void MeasureController::typeScale(double mmPerPx)
+void MeasureController::setPixelScale(double mmPerPx)
 {
     const std::optional<double> typed = mmPerPx > 0.0 ? std::optional(mmPerPx) : std::nullopt;
-    if (typed != document_.current().shown().typedMmPerPx) {
-        document_.push(
-            std::make_unique<TypeScale>(document_, TypeScale::Values{typed}, [] { return tr("Enter image scale"); }));
+    if (typed != document_.current().shown().enteredMmPerPx) {
+        document_.push(std::make_unique<SetPixelScale>(document_, SetPixelScale::Values{typed},
+                                                       [] { return tr("Enter image scale"); }));
     }
     show();
 }
 
-void MeasureController::change(std::vector<ImageMeasurement> measurements, const ui::Words& name)
+void MeasureController::change(std::vector<ImageMeasurement> measurements, const ui::LocalizedText& name)
 {
     document_.push(std::make_unique<ChangeMeasurements>(
-        document_, ChangeMeasurements::Values{std::move(measurements), inSlices()}, name));
+        document_, ChangeMeasurements::Values{std::move(measurements), sliceMeasurements()}, name));
     show();   // needed even if the edit was refused
 }
 
-void MeasureController::changeInSlices(std::vector<SliceMeasurement> slices, const ui::Words& name)
+void MeasureController::changeInSlices(std::vector<SliceMeasurement> slices, const ui::LocalizedText& name)
 {
     document_.push(std::make_unique<ChangeMeasurements>(
         document_, ChangeMeasurements::Values{measurements(), std::move(slices)}, name));
@@ -261,26 +261,26 @@ void MeasureController::show()
 {
     ui::MeasureState state;
     for (const ImageMeasurement& measurement : measurements()) {
-        state.rows.push_back(measureRow(measurement, seen()));
+        state.rows.push_back(measureRow(measurement, measuredView()));
     }
     const std::vector<ui::MeasureRow> sliceRows = slices_.rows();
     state.rows.insert(state.rows.end(), sliceRows.begin(), sliceRows.end());
-    const std::set<int> chosen = chosenImages();
+    const std::set<int> chosen = selectedImageMeasurements();
     const bool isOne = !chosen.empty();
-    state.plane = isOne ? measurements()[static_cast<std::size_t>(*chosen.begin())].plane : planeOfNext();
-    state.basis = document_.current().shown().angiogram ? planeBasis(state.plane, seen()) : QString();
-    state.typedMmPerPx = document_.current().shown().typedMmPerPx;
+    state.plane = isOne ? measurements()[static_cast<std::size_t>(*chosen.begin())].plane : nextPlane();
+    state.basis = document_.current().shown().angiogram ? planeBasis(state.plane, measuredView()) : QString();
+    state.enteredMmPerPx = document_.current().shown().enteredMmPerPx;
     ui_.panel.showMeasurements(state);
     showMarks();
-    slices_.show(chosenSlices());
+    slices_.show(selectedSliceMeasurements());
 }
 
 void MeasureController::showMarks()
 {
     const int frame = sync_.shownFrame();
-    std::vector<ui::ImageMark> marks = windowMarks(seen(), frame);
+    std::vector<ui::ImageMark> marks = windowMarks(measuredView(), frame);
     std::vector<ImageMeasurement> there = measurements();
-    const std::set<int> chosen = chosenImages();
+    const std::set<int> chosen = selectedImageMeasurements();
     std::size_t mark = 0;
     for (std::size_t i = 0; i < there.size(); ++i) {
         if (there[i].frame != frame) {

@@ -6,7 +6,7 @@
 #include "app/showing/view_sync.h"
 #include "core/measuring/image_scale.h"
 #include "ui/views/tools/measure_tool.h"
-#include "ui/words/spoken.h"
+#include "ui/words/retranslation.h"
 
 #include <array>
 #include <set>
@@ -46,19 +46,19 @@ private:
     void rename(std::size_t place, const QString& name);
     void remove(const std::set<int>& places);
     void pickPlane(core::MeasurementPlane plane);
-    void typeScale(double mmPerPx);
-    void removeChosenOrLast(int first, int end);
-    void change(std::vector<core::ImageMeasurement> measurements, const ui::Words& name);
-    void changeInSlices(std::vector<core::SliceMeasurement> measurements, const ui::Words& name);
-    void goToChosen();
-    std::set<int> chosenImages() const;   ///< indices into `measurements`
-    std::set<int> chosenSlices() const;   ///< indices into `inSlices`
+    void setPixelScale(double mmPerPx);
+    void removeSelectedOrLast(int first, int end);
+    void change(std::vector<core::ImageMeasurement> measurements, const ui::LocalizedText& name);
+    void changeInSlices(std::vector<core::SliceMeasurement> measurements, const ui::LocalizedText& name);
+    void goToSelected();
+    std::set<int> selectedImageMeasurements() const;   ///< indices into `measurements`
+    std::set<int> selectedSliceMeasurements() const;   ///< indices into `sliceMeasurements`
     void show();
     void showMarks();
-    core::MeasurementPlane planeOfNext() const;
-    core::MeasuredView seen() const;
+    core::MeasurementPlane nextPlane() const;
+    core::MeasuredView measuredView() const;
     const std::vector<core::ImageMeasurement>& measurements() const;
-    const std::vector<core::SliceMeasurement>& inSlices() const;
+    const std::vector<core::SliceMeasurement>& sliceMeasurements() const;
 
     CaseDocument& document_;
     const ViewSync& sync_;

@@ -19,7 +19,7 @@ OpacificationController::OpacificationController(const AngiogramParts& parts, QO
     connect(parts.actions[ui::Command::Opacification], &QAction::triggered, this, &OpacificationController::open);
     connect(&strip_, &ui::BottomStrip::plotRequested, this, &OpacificationController::open);
     connect(&document_, &CaseDocument::changed, this, &OpacificationController::show);
-    connect(&sync_, &ViewSync::runMeasured, this, &OpacificationController::show);
+    connect(&sync_, &ViewSync::opacificationMeasured, this, &OpacificationController::show);
     connect(&sync_, &ViewSync::frameShown, this, [this](int frame) {
         if (plot_) {
             plot_->showCurrent(frame);

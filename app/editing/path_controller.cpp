@@ -26,7 +26,7 @@ PathController::PathController(CaseDocument& document, const Ui& ui, QObject* pa
       document_(document),
       ui_(ui),
       tool_(new ui::PathTool(ui.slices)),
-      preview_([this](const core::VesselPath& path) { tool_->showWay(path.branch.pointsInPatient); }),
+      preview_([this](const core::VesselPath& path) { tool_->showPath(path.branch.pointsInPatient); }),
       job_({[this](const core::VesselPath& path) { add(path); },
             [this](const core::Error& error) { emit failed(ui::messageText(error.message)); }})
 {
@@ -45,12 +45,12 @@ PathController::PathController(CaseDocument& document, const Ui& ui, QObject* pa
     connect(tool_, &ui::PathTool::chosen, this, [this](const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
         trace({from, to});
     });
-    connect(&document, &CaseDocument::changed, this, &PathController::followDocument);
-    followDocument();
+    connect(&document, &CaseDocument::changed, this, &PathController::updateFromDocument);
+    updateFromDocument();
 }
 
 /// Discards paths when the scan or the case has changed.
-void PathController::followDocument()
+void PathController::updateFromDocument()
 {
     const auto& scan = document_.current().vessels.scan;
     ui_.actions[ui::Command::TraceBetween]->setEnabled(scan != nullptr);
@@ -65,21 +65,21 @@ void PathController::followDocument()
         return;
     }
     preview_.setWork([scan](const Ends& ends, JobLink<double>& link) {
-        return core::vesselBetween(*scan, ends.from, ends.to, stopOf(link));
+        return core::traceVesselBetween(*scan, ends.from, ends.to, stopOf(link));
     });
 }
 
 void PathController::trace(const Ends& ends)
 {
     job_.start([scan = scan_, ends](JobLink<double>& link) {
-        return core::vesselBetween(*scan, ends.from, ends.to, stopOf(link));
+        return core::traceVesselBetween(*scan, ends.from, ends.to, stopOf(link));
     });
 }
 
 void PathController::add(const core::VesselPath& path)
 {
     const auto& tree = document_.current().vessels.tree;
-    auto added = core::withBranch(tree ? *tree : core::VesselTree(), path.branch);
+    auto added = core::attachBranch(tree ? *tree : core::VesselTree(), path.branch);
     if (!added) {
         emit failed(ui::messageText(added.error().message));
         return;

@@ -3,7 +3,7 @@
 #include "app/document/case_document.h"
 #include "app/jobs/newest_job.h"
 #include "core/tracing/volume/path/vessel_path.h"
-#include "ui/words/spoken.h"
+#include "ui/words/retranslation.h"
 
 #include <QObject>
 
@@ -38,7 +38,7 @@ private:
         Eigen::Vector3d from;
         Eigen::Vector3d to;
     };
-    void followDocument();
+    void updateFromDocument();
     void trace(const Ends& ends);
     void add(const core::VesselPath& path);
 

@@ -1,7 +1,7 @@
 #include "app/editing/pivot_controller.h"
 
 #include "app/document/edit_case.h"
-#include "core/vessel/place_on_tree.h"
+#include "core/vessel/tree_position.h"
 #include "ui/actions/window_actions.h"
 #include "ui/panels/pose_panel.h"
 #include "ui/views/angiogram_view.h"
@@ -15,32 +15,32 @@ PivotController::PivotController(CaseDocument& document, const Ui& ui, QObject* 
 {
     ui::bindTool(*ui_.actions[ui::Command::PickPivot], ui_.view, *tool_);
     connect(tool_, &ui::PivotTool::picked, this, &PivotController::pick);
-    connect(tool_, &ui::PivotTool::centroidWanted, this, &PivotController::backToCentroid);
-    connect(ui_.actions[ui::Command::CentroidPivot], &QAction::triggered, this, &PivotController::backToCentroid);
-    connect(&document, &CaseDocument::changed, this, &PivotController::followDocument);
-    followDocument();
+    connect(tool_, &ui::PivotTool::centroidWanted, this, &PivotController::resetToCentroid);
+    connect(ui_.actions[ui::Command::CentroidPivot], &QAction::triggered, this, &PivotController::resetToCentroid);
+    connect(&document, &CaseDocument::changed, this, &PivotController::updateFromDocument);
+    updateFromDocument();
 }
 
 void PivotController::pick(const Eigen::Vector3d& pointInPatient)
 {
     const auto& tree = document_.current().vessels.tree;
-    const auto place =
-        tree ? core::nearestOnTree(core::without(*tree, document_.current().vessels.hiddenBranchIds), pointInPatient)
-             : std::nullopt;
+    const auto place = tree ? core::nearestPointOnTree(
+                                  core::without(*tree, document_.current().vessels.hiddenBranchIds), pointInPatient)
+                            : std::nullopt;
     if (place) {
         change(
             *place, [] { return tr("Set rotation center"); }, tr("The vessels now rotate about the selected point."));
     }
 }
 
-void PivotController::pickIfWanted(const Eigen::Vector3d& pointInPatient)
+void PivotController::pickIfActive(const Eigen::Vector3d& pointInPatient)
 {
     if (ui_.actions[ui::Command::PickPivot]->isChecked()) {
         pick(pointInPatient);
     }
 }
 
-void PivotController::backToCentroid()
+void PivotController::resetToCentroid()
 {
     if (document_.current().vessels.pickedPivotInPatient) {
         change(
@@ -49,7 +49,8 @@ void PivotController::backToCentroid()
     }
 }
 
-void PivotController::change(const std::optional<Eigen::Vector3d>& pivot, const ui::Words& name, const QString& note)
+void PivotController::change(const std::optional<Eigen::Vector3d>& pivot, const ui::LocalizedText& name,
+                             const QString& note)
 {
     if (document_.push(std::make_unique<PickPivot>(document_, PickPivot::Values{pivot}, name))) {
         ui_.actions[ui::Command::PickPivot]->setChecked(false);
@@ -57,7 +58,7 @@ void PivotController::change(const std::optional<Eigen::Vector3d>& pivot, const 
     }
 }
 
-void PivotController::followDocument()
+void PivotController::updateFromDocument()
 {
     const core::Case& current = document_.current();
     if (current.vessels.tree != tree_ || current.vessels.hiddenBranchIds != hidden_) {

@@ -2,7 +2,7 @@
 
 #include "app/document/case_document.h"
 #include "ui/views/tools/pivot_tool.h"
-#include "ui/words/spoken.h"
+#include "ui/words/retranslation.h"
 
 #include <QObject>
 
@@ -30,15 +30,15 @@ public:
     PivotController(CaseDocument& document, const Ui& ui, QObject* parent = nullptr);
 
     void pick(const Eigen::Vector3d& pointInPatient);   ///< uses the point on the vessels nearest to the picked one
-    void pickIfWanted(const Eigen::Vector3d& pointInPatient);   ///< picks only while the pick command is on
-    void backToCentroid();
+    void pickIfActive(const Eigen::Vector3d& pointInPatient);   ///< picks only while the pick command is on
+    void resetToCentroid();
 
 signals:
     void reported(const QString& what);
 
 private:
-    void change(const std::optional<Eigen::Vector3d>& pivot, const ui::Words& name, const QString& note);
-    void followDocument();
+    void change(const std::optional<Eigen::Vector3d>& pivot, const ui::LocalizedText& name, const QString& note);
+    void updateFromDocument();
 
     CaseDocument& document_;
     Ui ui_;

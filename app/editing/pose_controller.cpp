@@ -40,7 +40,7 @@ std::optional<core::PoseOffset> PoseController::currentOffset() const
     return core::offsetBetween(context->initialPose, pose, context->pivotInPatient, context->camera);
 }
 
-bool PoseController::isMovedFromStart() const
+bool PoseController::differsFromInitialPose() const
 {
     const auto offset = currentOffset();
     return offset && std::ranges::any_of(ui::poseAxes, [&offset](ui::PoseAxis axis) {
@@ -71,7 +71,8 @@ void PoseController::nudge(const ui::Nudge& nudge)
 {
     const auto context = frame();
     if (!context) {
-        emit refused(tr("There is no pose to nudge yet. Provide vessels, an angiogram and the geometry first."));
+        emit refused(
+            tr("There is no pose to nudge yet. Open vessels and an angiogram and complete the geometry first."));
         return;
     }
     if (core::isLocked(locks(), nudge.axis)) {
@@ -91,7 +92,7 @@ void PoseController::reset()
 {
     if (frame()) {
         push(
-            core::atStart(document_.current()), [] { return tr("Reset to initial pose"); }, separateEdit);
+            core::viewsAtInitialPose(document_.current()), [] { return tr("Reset to initial pose"); }, noMergeId);
     }
 }
 
@@ -112,8 +113,8 @@ void PoseController::drag(const core::PoseOffset& sinceStart)
     if (!dragStart_ || !context) {
         return;
     }
-    dragged_ = core::applyOffset(*dragStart_, ui::withoutLocked(sinceStart, locks()), context->pivotInPatient,
-                                 context->camera);
+    dragged_ =
+        core::applyOffset(*dragStart_, ui::zeroLocked(sinceStart, locks()), context->pivotInPatient, context->camera);
     emit previewed(*dragged_);
 }
 
@@ -124,7 +125,7 @@ void PoseController::finishDrag()
     emit previewEnded();
     if (moved) {
         move(
-            *moved, [] { return tr("Move vessels"); }, separateEdit);
+            *moved, [] { return tr("Move vessels"); }, noMergeId);
     }
 }
 
@@ -135,20 +136,20 @@ void PoseController::cancelDrag()
     emit previewEnded();
 }
 
-void PoseController::move(const core::RigidTransform& pose, const ui::Words& name, int burst)
+void PoseController::move(const core::RigidTransform& pose, const ui::LocalizedText& name, int burst)
 {
-    push(core::movedAlong(document_.current(), pose), name, burst);
+    push(core::viewsAfterMotion(document_.current(), pose), name, burst);
 }
 
 /// Pushes the new pose of the displayed view, and those of the other views if all views move together.
-void PoseController::push(std::vector<core::View> moved, const ui::Words& name, int burst)
+void PoseController::push(std::vector<core::View> moved, const ui::LocalizedText& name, int burst)
 {
     const core::Case& current = document_.current();
     const core::RigidTransform pose = moved[current.shownView].cameraFromPatient;
     if ((pose.matrix() - current.shown().cameraFromPatient.matrix()).cwiseAbs().maxCoeff() == 0.0) {
         return;
     }
-    if (movesOthers()) {
+    if (movesOtherViews()) {
         document_.push(std::make_unique<ChangeViews>(document_, ChangeViews::Values{std::move(moved)}, name, burst));
     } else {
         document_.push(std::make_unique<MovePose>(document_, MovePose::Values{pose, std::nullopt, {}}, name, burst));

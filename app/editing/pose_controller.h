@@ -2,7 +2,7 @@
 
 #include "app/document/case_document.h"
 #include "ui/words/pose_axis.h"
-#include "ui/words/spoken.h"
+#include "ui/words/retranslation.h"
 
 #include <QElapsedTimer>
 #include <QObject>
@@ -19,7 +19,7 @@ public:
 
     /// Returns the pose relative to the initial pose; empty without a tree, a camera or an initial pose.
     std::optional<core::PoseOffset> currentOffset() const;
-    bool isMovedFromStart() const;
+    bool differsFromInitialPose() const;
     const ui::PoseLocks& locks() const { return document_.current().options.locks; }
     void setMovesAllViews(bool all) { movesAllViews_ = all; }   ///< whether edits move all views of the case together
     void setLocks(const ui::PoseLocks& locks);   ///< changes the locks in one undo step
@@ -45,9 +45,9 @@ private:
         Eigen::Vector3d pivotInPatient;
     };
     std::optional<Frame> frame() const;
-    void move(const core::RigidTransform& pose, const ui::Words& name, int burst);
-    void push(std::vector<core::View> moved, const ui::Words& name, int burst);
-    bool movesOthers() const { return movesAllViews_ && document_.current().views.size() > 1; }
+    void move(const core::RigidTransform& pose, const ui::LocalizedText& name, int burst);
+    void push(std::vector<core::View> moved, const ui::LocalizedText& name, int burst);
+    bool movesOtherViews() const { return movesAllViews_ && document_.current().views.size() > 1; }
     int burstFor(int kind);
 
     CaseDocument& document_;

@@ -33,7 +33,7 @@ bool SliceMeasureController::hasScan() const
 void SliceMeasureController::bind(MeasurementKind kind, QAction& action)
 {
     auto* tool = new ui::SliceMeasureTool(kind, ui_.slices);
-    tool->setWords(sliceLabel);
+    tool->setLabelFunction(sliceLabel);
     ui::bindSliceTool(action, ui_.slices, *tool);
     connect(tool, &ui::SliceMeasureTool::drawn, this, &SliceMeasureController::drawn);
     connect(tool, &ui::SliceMeasureTool::pointMoved, this, &SliceMeasureController::pointMoved);
@@ -52,12 +52,12 @@ std::vector<ui::MeasureRow> SliceMeasureController::rows() const
 
 void SliceMeasureController::show(const std::set<int>& chosen)
 {
-    std::vector<ui::MeasuredSlice> measured;
+    std::vector<ui::LabeledMeasurement> measured;
     for (std::size_t i = 0; i < measurements().size(); ++i) {
         const SliceMeasurement& each = measurements()[i];
         measured.push_back({each, sliceLabel(each), chosen.contains(static_cast<int>(i))});
     }
-    ui_.slices.setMeasured(std::move(measured));
+    ui_.slices.setMeasurements(std::move(measured));
 }
 
 void SliceMeasureController::goTo(int place)
@@ -70,7 +70,7 @@ void SliceMeasureController::goTo(int place)
     if (!ui_.slicesPage.isVisible()) {
         ui_.corner.showPlane(measurement.plane);
     }
-    ui_.slices.setCrosshair(core::middleOf(measurement));
+    ui_.slices.setCrosshair(core::centerOf(measurement));
 }
 
 }   // namespace angiopose::app

@@ -1,7 +1,7 @@
 #include "app/editing/subtraction_controller.h"
 
 #include "app/document/edit_case.h"
-#include "app/jobs/freed_elsewhere.h"
+#include "app/jobs/free_on_worker.h"
 #include "app/jobs/future_result.h"
 #include "app/jobs/guarded.h"
 #include "ui/actions/window_actions.h"
@@ -10,7 +10,7 @@
 #include "ui/views/angiogram_view.h"
 #include "ui/views/tools/bind_tool.h"
 #include "ui/words/message_text.h"
-#include "ui/words/spoken.h"
+#include "ui/words/retranslation.h"
 
 #include <QSignalBlocker>
 #include <QtConcurrentRun>
@@ -23,16 +23,16 @@ namespace {
 using namespace std::chrono_literals;
 
 core::Result<std::shared_ptr<const core::Angiogram>> make(const core::Angiogram& stored,
-                                                          const core::RunTreatment& treatment,
+                                                          const core::RunProcessing& treatment,
                                                           const std::atomic<bool>& stop)
 {
     return guarded<std::shared_ptr<const core::Angiogram>>(
         [&]() -> core::Result<std::shared_ptr<const core::Angiogram>> {
-            auto run = core::treatedRun(stored, treatment, [&stop] { return stop.load(); });
+            auto run = core::processRun(stored, treatment, [&stop] { return stop.load(); });
             if (!run) {
                 return run.error();
             }
-            return freedElsewhere(std::make_shared<const core::Angiogram>(std::move(run).value()));
+            return freeOnWorker(std::make_shared<const core::Angiogram>(std::move(run).value()));
         });
 }
 
@@ -54,9 +54,9 @@ SubtractionController::SubtractionController(const AngiogramParts& parts, QObjec
     connectShift();
     connect(&panel_, &ui::AngiogramPanel::treatmentEdited, this, &SubtractionController::change);
     connect(&run_, &QFutureWatcherBase::finished, this, &SubtractionController::publish);
-    connect(&document_, &CaseDocument::changed, this, &SubtractionController::follow);
-    connect(&sync_, &ViewSync::runMeasured, this, &SubtractionController::showState);
-    ui::speak(this, [this] { follow(); });
+    connect(&document_, &CaseDocument::changed, this, &SubtractionController::updateFromDocument);
+    connect(&sync_, &ViewSync::opacificationMeasured, this, &SubtractionController::showState);
+    ui::keepTranslated(this, [this] { updateFromDocument(); });
 }
 
 SubtractionController::~SubtractionController()
@@ -69,20 +69,21 @@ SubtractionController::~SubtractionController()
 void SubtractionController::connectCommands()
 {
     connect(actions_[ui::Command::Subtract], &QAction::triggered, this, [this](bool on) {
-        core::RunTreatment wanted = document_.current().shown().treatment;
+        core::RunProcessing wanted = document_.current().shown().treatment;
         wanted.isSubtracted = on;
         change(wanted, [on] { return on ? tr("Subtract mask") : tr("Show native frames"); });
     });
     connect(actions_[ui::Command::Composite], &QAction::triggered, this, [this](bool on) {
-        core::RunTreatment wanted = document_.current().shown().treatment;
+        core::RunProcessing wanted = document_.current().shown().treatment;
         wanted.isComposite = on;
-        change(wanted, [on] { return on ? tr("Peak-opacification image") : tr("One frame at a time"); });
+        change(wanted, [on] { return on ? tr("Peak-opacification image") : tr("Single frames"); });
     });
 }
 
 void SubtractionController::connectMasks()
 {
-    connect(actions_[ui::Command::MaskHere], &QAction::triggered, this, [this] { markMasks({sync_.shownFrame()}); });
+    connect(actions_[ui::Command::SetMaskFrame], &QAction::triggered, this,
+            [this] { markMasks({sync_.shownFrame()}); });
     connect(&strip_, &ui::BottomStrip::maskRangeMarked, this, [this](int first, int last) {
         std::vector<int> frames;
         for (int frame = first; frame <= last; ++frame) {
@@ -97,7 +98,7 @@ void SubtractionController::markMasks(const std::vector<int>& frames)
     if (!document_.current().shown().angiogram) {
         return;
     }
-    core::RunTreatment wanted = document_.current().shown().treatment;
+    core::RunProcessing wanted = document_.current().shown().treatment;
     wanted.plan.maskFrames = frames;
     wanted.plan.interval.reset();
     wanted.isSubtracted = true;
@@ -107,29 +108,29 @@ void SubtractionController::markMasks(const std::vector<int>& frames)
 void SubtractionController::connectShift()
 {
     ui::bindTool(*actions_[ui::Command::ShiftMask], view_, *shiftTool_);
-    connect(&panel_, &ui::AngiogramPanel::shiftByHandRequested, this, [this] {
+    connect(&panel_, &ui::AngiogramPanel::pixelShiftRequested, this, [this] {
         actions_[ui::Command::ShiftMask]->setChecked(true);
         view_.setFocus();
     });
     connect(shiftTool_, &ui::MaskShiftTool::begun, this, &SubtractionController::beginShift);
     connect(shiftTool_, &ui::MaskShiftTool::shifted, this, [this](const Eigen::Vector2d& shiftPx) {
         isShiftFound_ = true;
-        rest_.stop();
+        idleTimer_.stop();
         previewShift(shiftPx);
     });
-    connect(shiftTool_, &ui::MaskShiftTool::settled, &rest_, qOverload<>(&QTimer::start));
-    connect(shiftTool_, &ui::MaskShiftTool::ended, this, &SubtractionController::settleShift);
-    rest_.setSingleShot(true);
-    rest_.setInterval(600ms);
-    connect(&rest_, &QTimer::timeout, this, &SubtractionController::settleShift);
+    connect(shiftTool_, &ui::MaskShiftTool::settled, &idleTimer_, qOverload<>(&QTimer::start));
+    connect(shiftTool_, &ui::MaskShiftTool::ended, this, &SubtractionController::applyShift);
+    idleTimer_.setSingleShot(true);
+    idleTimer_.setInterval(600ms);
+    connect(&idleTimer_, &QTimer::timeout, this, &SubtractionController::applyShift);
     connect(&preview_, &QFutureWatcherBase::finished, this, &SubtractionController::showPreview);
 }
 
-void SubtractionController::change(const core::RunTreatment& wanted, const ui::Words& what)
+void SubtractionController::change(const core::RunProcessing& wanted, const ui::LocalizedText& what)
 {
     const core::Case& current = document_.current();
     if (!current.shown().angiogram || document_.isLocked()) {
-        notifications_.showNote(current.shown().angiogram ? tr("A registration is running. Stop it to edit.")
+        notifications_.showNote(current.shown().angiogram ? tr("A registration is running. Stop it before editing.")
                                                           : tr("Open an angiogram first."));
         showState();
         return;
@@ -138,9 +139,9 @@ void SubtractionController::change(const core::RunTreatment& wanted, const ui::W
     if (wanted == current.shown().treatment) {
         request_.reset();   // the request is the current treatment again, so nothing needs to be computed
     } else if (!wanted.changesFrames()) {
-        take(*std::exchange(request_, std::nullopt), nullptr);
-    } else if (const SharedRun known = made_.find(request_->stored, wanted)) {
-        take(*std::exchange(request_, std::nullopt), known);
+        applyRun(*std::exchange(request_, std::nullopt), nullptr);
+    } else if (const SharedRun known = treatedRuns_.find(request_->stored, wanted)) {
+        applyRun(*std::exchange(request_, std::nullopt), known);
     } else {
         compute();
     }
@@ -166,7 +167,7 @@ void SubtractionController::publish()
     const Request done = *std::exchange(computing_, std::nullopt);
     const auto& stored = core::storedRunOf(document_.current().shown());
     if (outcome && done.stored == stored) {   // otherwise another run has been opened in the meantime
-        made_.remember(done.stored, done.treatment, outcome.value());
+        treatedRuns_.remember(done.stored, done.treatment, outcome.value());
     }
     if (request_ && request_->stored != stored) {
         request_.reset();
@@ -183,12 +184,12 @@ void SubtractionController::publish()
     if (!outcome) {
         notifications_.showNote(ui::messageText(outcome.error().message));
     } else {
-        take(done, outcome.value());
+        applyRun(done, outcome.value());
     }
     showState();
 }
 
-void SubtractionController::take(const Request& request, const SharedRun& run)
+void SubtractionController::applyRun(const Request& request, const SharedRun& run)
 {
     document_.push(std::make_unique<ChangeTreatment>(
         document_,
@@ -203,27 +204,27 @@ void SubtractionController::beginShift()
     actions_[ui::Command::Cine]->setChecked(false);
     const auto& given = document_.current().shown().treatment.plan.maskShiftPx;
     isShiftFound_ = given.has_value();
-    isPreviewNew_ = true;
-    shiftBegan_ = given.value_or(Eigen::Vector2d(Eigen::Vector2d::Zero()));
-    shiftTool_->showShift(shiftBegan_);
+    isPreviewRangeChanged_ = true;
+    initialShift_ = given.value_or(Eigen::Vector2d(Eigen::Vector2d::Zero()));
+    shiftTool_->showShift(initialShift_);
     previewShift(given);
 }
 
 void SubtractionController::previewShift(const std::optional<Eigen::Vector2d>& shiftPx)
 {
-    wantedPreview_ = document_.current().shown().treatment.plan;
-    wantedPreview_->maskShiftPx = shiftPx;
+    pendingPreview_ = document_.current().shown().treatment.plan;
+    pendingPreview_->maskShiftPx = shiftPx;
     startPreview();
 }
 
 void SubtractionController::startPreview()
 {
     const core::Case& current = document_.current();
-    if (!wantedPreview_ || preview_.isRunning() || !current.shown().angiogram) {
+    if (!pendingPreview_ || preview_.isRunning() || !current.shown().angiogram) {
         return;
     }
     preview_.setFuture(QtConcurrent::run(
-        [stored = core::storedRunOf(current.shown()), plan = *std::exchange(wantedPreview_, std::nullopt),
+        [stored = core::storedRunOf(current.shown()), plan = *std::exchange(pendingPreview_, std::nullopt),
          frame = current.shown().frame, polarity = current.shown().angiogram->polarity]() -> Picture {
             auto picture = core::subtractFrame(stored->frames, polarity, plan, frame);
             if (!picture) {
@@ -243,39 +244,40 @@ void SubtractionController::showPreview()
             return;
         }
         view_.setFrame(picture.value()->frame);
-        if (std::exchange(isPreviewNew_, false)) {
+        if (std::exchange(isPreviewRangeChanged_, false)) {
             view_.autoWindowLevel();
         }
         if (!std::exchange(isShiftFound_, true)) {
             shiftTool_->showShift(picture.value()->maskShiftPx);
-            shiftBegan_ = picture.value()->maskShiftPx;
+            initialShift_ = picture.value()->maskShiftPx;
         }
     }
     startPreview();
 }
 
-void SubtractionController::settleShift()
+void SubtractionController::applyShift()
 {
-    rest_.stop();
-    if (shiftTool_->shiftPx() == shiftBegan_) {
+    idleTimer_.stop();
+    if (shiftTool_->shiftPx() == initialShift_) {
         sync_.showFrame(document_.current().shown().frame);   // replaces the preview by the actual frame
         view_.autoWindowLevel();
         return;
     }
-    shiftBegan_ = shiftTool_->shiftPx();
-    core::RunTreatment wanted = document_.current().shown().treatment;
+    initialShift_ = shiftTool_->shiftPx();
+    core::RunProcessing wanted = document_.current().shown().treatment;
     wanted.plan.maskShiftPx = shiftTool_->shiftPx();
     wanted.isSubtracted = true;
     change(wanted, [] { return tr("Pixel shift"); });
 }
 
-void SubtractionController::follow()
+void SubtractionController::updateFromDocument()
 {
     const core::Case& current = document_.current();
-    made_.forgetAllBut(core::storedRunOf(current.shown()));
-    if (view_.tool() == shiftTool_ && current.shown().treatment.plan.maskShiftPx && !rest_.isActive() && !request_) {
-        shiftBegan_ = *current.shown().treatment.plan.maskShiftPx;   // undo may have changed the shift
-        shiftTool_->showShift(shiftBegan_);
+    treatedRuns_.retainOnly(core::storedRunOf(current.shown()));
+    if (view_.tool() == shiftTool_ && current.shown().treatment.plan.maskShiftPx && !idleTimer_.isActive() &&
+        !request_) {
+        initialShift_ = *current.shown().treatment.plan.maskShiftPx;   // undo may have changed the shift
+        shiftTool_->showShift(initialShift_);
     }
     showState();
 }
@@ -298,7 +300,7 @@ void SubtractionController::showState()
     actions_[ui::Command::Composite]->setChecked(request_ ? request_->treatment.isComposite
                                                           : current.shown().treatment.isComposite);
     for (const ui::Command command :
-         {ui::Command::Subtract, ui::Command::Composite, ui::Command::ShiftMask, ui::Command::MaskHere}) {
+         {ui::Command::Subtract, ui::Command::Composite, ui::Command::ShiftMask, ui::Command::SetMaskFrame}) {
         actions_[command]->setEnabled(state.hasRun);
     }
 }

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "app/editing/angiogram_parts.h"
-#include "app/editing/treated_runs.h"
+#include "app/editing/treated_run_cache.h"
 #include "ui/views/tools/mask_shift_tool.h"
-#include "ui/words/spoken.h"
+#include "ui/words/retranslation.h"
 
 #include <QFutureWatcher>
 #include <QObject>
@@ -25,7 +25,7 @@ public:
     ~SubtractionController() override;   ///< stops a computation at its next frame and discards the result
 
     /// Requests the run with this treatment; a newer request replaces a pending one.
-    void change(const core::RunTreatment& wanted, const ui::Words& what);
+    void change(const core::RunProcessing& wanted, const ui::LocalizedText& what);
     bool isComputing() const { return request_.has_value(); }
     bool isFindingShift() const
     {
@@ -33,13 +33,13 @@ public:
     }   ///< true while the automatic shift is computed from which a manual pixel shift starts
 
 private:
-    using SharedRun = TreatedRuns::SharedRun;
+    using SharedRun = TreatedRunCache::SharedRun;
     using Outcome = core::Result<SharedRun>;
     using Picture = core::Result<std::shared_ptr<const core::SubtractedFrame>>;
     struct Request {
         SharedRun stored;
-        core::RunTreatment treatment;
-        ui::Words what;
+        core::RunProcessing treatment;
+        ui::LocalizedText what;
     };
 
     void connectCommands();
@@ -48,13 +48,13 @@ private:
     void markMasks(const std::vector<int>& frames);
     void compute();
     void publish();
-    void take(const Request& request, const SharedRun& run);
+    void applyRun(const Request& request, const SharedRun& run);
     void beginShift();
     void previewShift(const std::optional<Eigen::Vector2d>& shiftPx);
     void startPreview();
     void showPreview();
-    void settleShift();
-    void follow();
+    void applyShift();
+    void updateFromDocument();
     void showState();
 
     CaseDocument& document_;
@@ -69,13 +69,13 @@ private:
     std::optional<Request> computing_;
     std::shared_ptr<std::atomic<bool>> stop_;
     QFutureWatcher<Outcome> run_;
-    TreatedRuns made_;
+    TreatedRunCache treatedRuns_;
     QFutureWatcher<Picture> preview_;
-    std::optional<core::SubtractionPlan> wantedPreview_;
+    std::optional<core::SubtractionPlan> pendingPreview_;
     bool isShiftFound_ = true;   ///< false while the automatic shift of the frame is computed
-    Eigen::Vector2d shiftBegan_ = Eigen::Vector2d::Zero();   ///< shift of the case or from the search
-    QTimer rest_;
-    bool isPreviewNew_ = false;   ///< true if the gray values of the preview differ from those displayed
+    Eigen::Vector2d initialShift_ = Eigen::Vector2d::Zero();   ///< shift of the case or from the search
+    QTimer idleTimer_;
+    bool isPreviewRangeChanged_ = false;   ///< true if the gray values of the preview differ from those displayed
 };
 
 }   // namespace angiopose::app

@@ -2,7 +2,7 @@
 
 #include "app/document/edit_case.h"
 #include "core/messages/messages.h"
-#include "core/tracing/volume/lumen/blood_level.h"
+#include "core/tracing/volume/lumen/lumen_levels.h"
 #include "core/tracing/volume/tracing_warnings.h"
 #include "ui/actions/window_actions.h"
 #include "ui/panels/bottom_strip.h"
@@ -11,7 +11,7 @@
 #include "ui/words/language.h"
 #include "ui/words/message_text.h"
 #include "ui/words/number.h"
-#include "ui/words/spoken.h"
+#include "ui/words/retranslation.h"
 
 #include <algorithm>
 #include <utility>
@@ -28,7 +28,7 @@ std::optional<std::pair<double, double>> thresholdRange(const ui::SliceModel& sl
     if (slices.isHounsfield()) {
         return std::pair(-200.0, 1200.0);
     }
-    const ui::GrayWindow whole = ui::windowOfValues(*slices.volume());
+    const ui::GrayWindow whole = ui::autoWindow(*slices.volume());
     return std::pair(whole.level - whole.width, whole.level + whole.width);
 }
 
@@ -72,14 +72,14 @@ TracingController::TracingController(CaseDocument& document, const Ui& ui, QObje
       document_(document),
       ui_(ui),
       labels_(document, ui.actions, ui.panel.labels(), ui.slices),
-      level_([this](double threshold) { ui_.panel.showFound(threshold); })
+      thresholdJob_([this](double threshold) { ui_.panel.showAutomatic(threshold); })
 {
     connectPanel();
-    connect(&document, &CaseDocument::changed, this, &TracingController::followDocument);
+    connect(&document, &CaseDocument::changed, this, &TracingController::updateFromDocument);
     connect(&document, &CaseDocument::stateChanged, this, [this] {
-        showWhyNot();
-        if (waiting_ && !document_.isLocked()) {
-            finish(*std::exchange(waiting_, std::nullopt));
+        showBlockingReason();
+        if (pendingResult_ && !document_.isLocked()) {
+            finish(*std::exchange(pendingResult_, std::nullopt));
         }
     });
     connect(&job_, &VesselTraceJob::advanced, this, [this](double fraction) {
@@ -108,28 +108,28 @@ TracingController::TracingController(CaseDocument& document, const Ui& ui, QObje
     });
     connect(&ui_.slices, &ui::SliceModel::toolChanged, this, [this] {
         if (ui_.slices.tool()) {
-            dropPick();
+            endPicking();
         }
     });
-    connect(&labels_, &LabelController::edited, this, &TracingController::showWhyNot);
-    ui::speak(this, [this] { followDocument(); });
+    connect(&labels_, &LabelController::edited, this, &TracingController::showBlockingReason);
+    ui::keepTranslated(this, [this] { updateFromDocument(); });
 }
 
 void TracingController::connectPanel()
 {
     ui::TracingPanel& panel = ui_.panel;
     connect(&panel, &ui::TracingPanel::optionsEdited, this, &TracingController::setDraft);
-    connect(&panel, &ui::TracingPanel::pickWanted, this, &TracingController::setPick);
+    connect(&panel, &ui::TracingPanel::pickRequested, this, &TracingController::setPick);
     connect(&panel, &ui::TracingPanel::previewChanged, this, &TracingController::showPreview);
-    connect(&panel, &ui::TracingPanel::placeChosen, &ui_.slices, &ui::SliceModel::setCrosshair);
+    connect(&panel, &ui::TracingPanel::pointSelected, &ui_.slices, &ui::SliceModel::setCrosshair);
     connect(&panel, &ui::TracingPanel::traceRequested, this, &TracingController::start);
     connect(&panel, &ui::TracingPanel::stopRequested, this, &TracingController::stop);
-    connect(&panel, &ui::TracingPanel::otherLumenWanted, this, [this] {
-        if (otherLumen_) {
-            ui_.slices.setCrosshair(*otherLumen_);
+    connect(&panel, &ui::TracingPanel::falseLumenRequested, this, [this] {
+        if (falseLumen_) {
+            ui_.slices.setCrosshair(*falseLumen_);
         }
     });
-    connect(&panel, &ui::TracingPanel::otherLumenSeedWanted, this, &TracingController::seedOtherLumen);
+    connect(&panel, &ui::TracingPanel::falseLumenSeedRequested, this, &TracingController::seedFalseLumen);
     connect(&ui_.strip, &ui::BottomStrip::stopRequested, this, &TracingController::stop);
     for (const core::BodyPlane plane : core::bodyPlanes) {
         connect(&ui_.slicesPage.view(plane), &ui::SliceView::pointPicked, this,
@@ -137,19 +137,20 @@ void TracingController::connectPanel()
     }
 }
 
-QString TracingController::whyNot() const
+QString TracingController::blockingReason() const
 {
     const core::Case& current = document_.current();
     if (sourceOf(current).file.path.empty()) {
-        return tr("These vessels were not traced from an image: open a scan, a segmentation or a surface.");
+        return tr(
+            "These vessels were not traced from an image. To trace vessels, open a scan, a segmentation or a surface.");
     }
-    if (labels_.isNothingTicked()) {
-        return tr("No label is selected: select the labels that are vessels.");
+    if (labels_.isSelectionEmpty()) {
+        return tr("No label is selected. Select the labels that contain vessels.");
     }
     return document_.isLocked() ? tr("A registration is running. Stop it first.") : QString();
 }
 
-void TracingController::followDocument()
+void TracingController::updateFromDocument()
 {
     const core::Case& current = document_.current();
     ui::TracingPanel& panel = ui_.panel;
@@ -157,8 +158,8 @@ void TracingController::followDocument()
         sourceOf(current).input.kind == core::VesselInputKind::Volume ? current.vessels.scan : nullptr;
     if (traced != shownVolume_) {
         shownVolume_ = traced;
-        level_.drop();
-        panel.showFound(std::nullopt);
+        thresholdJob_.drop();
+        panel.showAutomatic(std::nullopt);
         panel.showRange(traced ? thresholdRange(ui_.slices) : std::nullopt, ui_.slices.isHounsfield());
         if (ui_.actions[ui::Command::SlicesLarge]->isChecked()) {
             findThreshold();
@@ -168,30 +169,30 @@ void TracingController::followDocument()
         shownInput_ = current.vessels.input;
         setDraft(shownInput_.tracing);
     }
-    if (current.vessels.tree != warnedOf_) {   // the warnings belong to a different tree
-        ui_.panel.showOtherLumen({});
-    } else if (otherLumen_) {
-        ui_.panel.showOtherLumen(ui::messagesText(warnings_));
+    if (current.vessels.tree != warnedTree_) {   // the warnings belong to a different tree
+        ui_.panel.showFalseLumen({});
+    } else if (falseLumen_) {
+        ui_.panel.showFalseLumen(ui::messagesText(warnings_));
     }
-    showWhyNot();
+    showBlockingReason();
     showPreview();
 }
 
-void TracingController::knowWarnings(const core::Messages& warnings)
+void TracingController::setWarnings(const core::Messages& warnings)
 {
     const auto about = std::ranges::find_if(
-        warnings, [](const core::Message& each) { return each.is(core::messages::otherLumenBeside); });
+        warnings, [](const core::Message& each) { return each.is(core::messages::possibleFalseLumen); });
     warnings_ = about == warnings.end() ? core::Messages() : core::Messages{*about};
-    otherLumen_ = core::otherLumenOf(warnings_);
-    warnedOf_ = document_.current().vessels.tree;
-    ui_.panel.showOtherLumen(ui::messagesText(warnings_));
+    falseLumen_ = core::adjacentLumenPosition(warnings_);
+    warnedTree_ = document_.current().vessels.tree;
+    ui_.panel.showFalseLumen(ui::messagesText(warnings_));
 }
 
 /// Adds seeds for the other lumen and for the traced one, since seeds select all that is traced.
-void TracingController::seedOtherLumen()
+void TracingController::seedFalseLumen()
 {
     const auto& tree = document_.current().vessels.tree;
-    if (!otherLumen_ || !tree) {
+    if (!falseLumen_ || !tree) {
         return;
     }
     core::VesselTracingOptions draft = draft_;
@@ -199,22 +200,22 @@ void TracingController::seedOtherLumen()
         Eigen::Vector3d nearest = tree->branches.front().pointsInPatient.front();
         for (const core::VesselBranch& branch : tree->branches) {
             for (const Eigen::Vector3d& point : branch.pointsInPatient) {
-                nearest = (point - *otherLumen_).norm() < (nearest - *otherLumen_).norm() ? point : nearest;
+                nearest = (point - *falseLumen_).norm() < (nearest - *falseLumen_).norm() ? point : nearest;
             }
         }
         draft.seedsInPatient.push_back(nearest);
     }
-    draft.seedsInPatient.push_back(*otherLumen_);
+    draft.seedsInPatient.push_back(*falseLumen_);
     setDraft(draft);
-    ui_.slices.setCrosshair(*otherLumen_);
-    otherLumen_.reset();
-    ui_.panel.showOtherLumen({});
+    ui_.slices.setCrosshair(*falseLumen_);
+    falseLumen_.reset();
+    ui_.panel.showFalseLumen({});
 }
 
-void TracingController::showWhyNot()
+void TracingController::showBlockingReason()
 {
-    const QString reason = whyNot();
-    ui_.panel.showWhyNot(reason);
+    const QString reason = blockingReason();
+    ui_.panel.showBlockingReason(reason);
     ui_.actions[ui::Command::TraceScan]->setEnabled(reason.isEmpty() && ui_.slices.hasScan());
 }
 
@@ -254,11 +255,11 @@ void TracingController::showPreview()
 
 void TracingController::findThreshold()
 {
-    if (!shownVolume_ || ui_.panel.thresholdShown() || level_.isRunning()) {
+    if (!shownVolume_ || ui_.panel.thresholdShown() || thresholdJob_.isRunning()) {
         return;
     }
-    level_.start([volume = shownVolume_](JobLink<double>&) -> core::Result<double> {
-        const auto level = core::findBloodLevel(*volume, core::patientAxisOrder(volume->geometry));
+    thresholdJob_.start([volume = shownVolume_](JobLink<double>&) -> core::Result<double> {
+        const auto level = core::findLumenLevels(*volume, core::patientAxisOrder(volume->geometry));
         if (!level) {
             return level.error();
         }
@@ -268,7 +269,7 @@ void TracingController::findThreshold()
 
 void TracingController::start()
 {
-    if (isRunning() || !whyNot().isEmpty()) {
+    if (isRunning() || !blockingReason().isEmpty()) {
         return;
     }
     setPick(ui::TracingPick::Nothing);
@@ -291,17 +292,17 @@ void TracingController::finish(const VesselTrace& result)
         return;   // another case has been opened in the meantime
     }
     if (document_.isLocked()) {
-        waiting_ = result;
+        pendingResult_ = result;
         return;
     }
     if (!draft_.threshold) {
-        ui_.panel.showFound(result.threshold);
+        ui_.panel.showAutomatic(result.threshold);
     }
-    if (!document_.push(takeTrace(document_, {source_, result.input, result.lumen, result.tree},
-                                  [] { return tr("Trace vessels"); }))) {
+    if (!document_.push(applyTrace(document_, {source_, result.input, result.lumen, result.tree},
+                                   [] { return tr("Trace vessels"); }))) {
         return;
     }
-    knowWarnings(result.warnings);
+    setWarnings(result.warnings);
     const int count = static_cast<int>(result.tree->branches.size());
     QStringList notes{count == 1 ? tr("Traced: 1 branch.") : tr("Traced: %1 branches.").arg(count)};
     for (const core::Message& warning : result.warnings) {

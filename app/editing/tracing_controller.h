@@ -36,9 +36,9 @@ public:
     bool isRunning() const { return job_.isRunning(); }
     void start();
     void stop() { job_.stop(); }
-    void dropPick() { setPick(ui::TracingPick::Nothing); }   ///< ends the mode in which clicks in a slice set points
+    void endPicking() { setPick(ui::TracingPick::Nothing); }   ///< ends the mode in which clicks in a slice set points
     void addPoint(ui::TracingPick kind, const Eigen::Vector3d& pointInPatient);
-    void knowWarnings(const core::Messages& warnings);   ///< takes the warnings from tracing the scan of the case
+    void setWarnings(const core::Messages& warnings);   ///< takes the warnings from tracing the scan of the case
 
 signals:
     void traced(const QString& note);
@@ -46,16 +46,16 @@ signals:
 
 private:
     void connectPanel();
-    void followDocument();
-    void showWhyNot();
+    void updateFromDocument();
+    void showBlockingReason();
     void setDraft(const core::VesselTracingOptions& draft);
     void setPick(ui::TracingPick pick);
     void showPreview();
     void findThreshold();   ///< computes the automatic threshold on a worker
     void finish(const VesselTrace& result);
     void ended();
-    void seedOtherLumen();
-    QString whyNot() const;
+    void seedFalseLumen();
+    QString blockingReason() const;
 
     CaseDocument& document_;
     Ui ui_;
@@ -67,11 +67,11 @@ private:
     CaseState startedFrom_;
     core::InputFile source_;   ///< input of the current trace
     core::Messages warnings_;
-    std::optional<Eigen::Vector3d> otherLumen_;   ///< position of the possible false lumen, from the warnings
-    std::shared_ptr<const core::VesselTree> warnedOf_;
-    std::optional<VesselTrace> waiting_;   ///< result of a trace, held back until the registration ends
+    std::optional<Eigen::Vector3d> falseLumen_;   ///< position of the possible false lumen, from the warnings
+    std::shared_ptr<const core::VesselTree> warnedTree_;
+    std::optional<VesselTrace> pendingResult_;   ///< result of a trace, held back until the registration ends
     ui::TracingPick pick_ = ui::TracingPick::Nothing;
-    Job<double> level_;
+    Job<double> thresholdJob_;
 };
 
 }   // namespace angiopose::app

@@ -10,7 +10,7 @@
 #include "ui/slices/slices_page.h"
 #include "ui/views/tree_view.h"
 #include "ui/words/number.h"
-#include "ui/words/spoken.h"
+#include "ui/words/retranslation.h"
 
 #include <QCoreApplication>
 #include <QListView>
@@ -29,9 +29,9 @@ constexpr std::array branchCommands{Command::RenameBranch,   Command::CutBranch,
                                     Command::SmoothBranches, Command::RootAtBranch,  Command::HideBranches,
                                     Command::DeleteBranches, Command::DeleteSubtrees};
 
-int countGone(const core::VesselTree& tree, const ui::PruneLimits& limits)
+int countPruned(const core::VesselTree& tree, const ui::PruneLimits& limits)
 {
-    const auto left = core::pruned(tree, limits.minLengthMm, limits.minRadiusMm);
+    const auto left = core::prunedTree(tree, limits.minLengthMm, limits.minRadiusMm);
     return left ? static_cast<int>(tree.branches.size() - left.value().branches.size()) : -1;
 }
 
@@ -67,16 +67,16 @@ TreeActions::TreeActions(CaseDocument& document, BranchController& branches, Tra
       tracing_(tracing),
       ui_(ui),
       tree_(document, branches),
-      advice_(document)
+      gapFinder_(document)
 {
     connectCommands();
     connectList();
     connectViews();
     connect(&tree_, &TreeController::refused, this, &TreeActions::refused);
-    connect(&advice_, &RepairAdvice::changed, this, &TreeActions::showAdvice);
+    connect(&gapFinder_, &TreeGapFinder::changed, this, &TreeActions::showAdvice);
     connect(&document, &CaseDocument::changed, this, &TreeActions::enableCommands);
     enableCommands();
-    ui::speak(this, [this] { showAdvice(); });
+    ui::keepTranslated(this, [this] { showAdvice(); });
 }
 
 void TreeActions::connectCommands()
@@ -92,8 +92,8 @@ void TreeActions::connectCommands()
     on(Command::RootAtBranch, [this] { tree_.rootAtSelected(); });
     on(Command::HideBranches, [this] { tree_.toggleHiddenSelected(); });
     on(Command::ShowAllBranches, [this] { tree_.showAll(); });
-    on(Command::PruneTree, [this] { askToPrune(); });
-    on(Command::MendGap, [this] { mendGap(); });
+    on(Command::PruneTree, [this] { openPruneDialog(); });
+    on(Command::BridgeGap, [this] { bridgeGap(); });
     on(Command::FindBranch, [this] { ui_.panel.focusFilter(); });
     on(Command::RenameBranch, [this] {
         const std::set<int>& selected = branches_.marks().selected;
@@ -115,13 +115,14 @@ void TreeActions::connectList()
     panel.setEditActions(actions);
     connect(&panel, &ui::BranchPanel::renamed, &tree_, &TreeController::rename);
     connect(&panel, &ui::BranchPanel::generationChosen, &tree_, &TreeController::setGeneration);
-    connect(&panel, &ui::BranchPanel::adviceTaken, this, &TreeActions::mendGap);
+    connect(&panel, &ui::BranchPanel::repairRequested, this, &TreeActions::bridgeGap);
     connect(&panel, &ui::BranchPanel::adviceShown, this, &TreeActions::goToGap);
 }
 
 void TreeActions::connectViews()
 {
-    connect(&ui_.slices, &ui::SliceModel::crosshairChanged, this, [this] { tree_.setPlace(ui_.slices.crosshair()); });
+    connect(&ui_.slices, &ui::SliceModel::crosshairChanged, this,
+            [this] { tree_.setClickedPoint(ui_.slices.crosshair()); });
     connect(&ui_.treeView, &ui::TreeView::branchMenuRequested, this, &TreeActions::openBranchMenu);
     std::vector<ui::SliceView*> views{&ui_.corner.slice()};
     for (const core::BodyPlane plane : core::bodyPlanes) {
@@ -143,13 +144,13 @@ void TreeActions::enableCommands()
     ui_.actions[Command::ShowAllBranches]->setEnabled(!document_.current().vessels.hiddenBranchIds.empty());
 }
 
-void TreeActions::askToPrune()
+void TreeActions::openPruneDialog()
 {
     const auto tree = document_.current().vessels.tree;
     if (!tree) {
         return;
     }
-    auto* dialog = new ui::PruneDialog([tree](const ui::PruneLimits& limits) { return countGone(*tree, limits); },
+    auto* dialog = new ui::PruneDialog([tree](const ui::PruneLimits& limits) { return countPruned(*tree, limits); },
                                        &ui_.dialogParent);
     connect(dialog, &ui::PruneDialog::pruneRequested, this,
             [this](const ui::PruneLimits& limits) { tree_.prune(limits.minLengthMm, limits.minRadiusMm); });
@@ -159,40 +160,40 @@ void TreeActions::askToPrune()
 void TreeActions::showAdvice()
 {
     const auto& tree = document_.current().vessels.tree;
-    const bool isBroken = tree && advice_.pieceCount() > 1;
-    const bool isMendable = isBroken && !advice_.gaps().empty();
-    ui_.actions[Command::MendGap]->setEnabled(isMendable);
+    const bool isBroken = tree && gapFinder_.pieceCount() > 1;
+    const bool isRepairable = isBroken && !gapFinder_.gaps().empty();
+    ui_.actions[Command::BridgeGap]->setEnabled(isRepairable);
     QString text;
-    if (isMendable) {
-        const core::TreeGap& gap = advice_.gaps().front();
+    if (isRepairable) {
+        const core::TreeGap& gap = gapFinder_.gaps().front();
         const auto nameOf = [&tree](int id) {
             return ui::displayName(*tree->find(id))
                 .replace(QLatin1Char(' '), QChar::Nbsp);   // prevents a line break within the name
         };
-        text = tr("%1 pieces · gap %2 mm: %3 – %4")
-                   .arg(advice_.pieceCount())
+        text = tr("%1 components · gap %2 mm: %3 – %4")
+                   .arg(gapFinder_.pieceCount())
                    .arg(ui::numberText(gap.distanceMm, 1))
                    .arg(nameOf(gap.fromBranchId), nameOf(gap.toBranchId));
     } else if (isBroken) {
-        text = tr("%1 pieces, too far apart to be joined").arg(advice_.pieceCount());
+        text = tr("%1 components, too far apart to join").arg(gapFinder_.pieceCount());
     }
-    ui_.panel.showAdvice(text, isMendable);
-    emit adviceChanged();
+    ui_.panel.showAdvice(text, isRepairable);
+    emit gapsChanged();
 }
 
 void TreeActions::goToGap()
 {
-    if (!advice_.gaps().empty()) {
-        const core::TreeGap& gap = advice_.gaps().front();
+    if (!gapFinder_.gaps().empty()) {
+        const core::TreeGap& gap = gapFinder_.gaps().front();
         branches_.select({gap.fromBranchId, gap.toBranchId});
         ui_.slices.setCrosshair(0.5 * (gap.fromInPatient + gap.toInPatient));
     }
 }
 
-void TreeActions::mendGap()
+void TreeActions::bridgeGap()
 {
-    if (!advice_.gaps().empty() && !advice_.isLooking()) {
-        tree_.mend(advice_.gaps().front());
+    if (!gapFinder_.gaps().empty() && !gapFinder_.isLooking()) {
+        tree_.bridge(gapFinder_.gaps().front());
     }
 }
 
@@ -202,12 +203,12 @@ void TreeActions::openBranchMenu(int branchId, const Eigen::Vector3d& pointInPat
         branches_.select({branchId});
     }
     ui_.slices.setCrosshair(pointInPatient);
-    tree_.setPlace(pointInPatient);
+    tree_.setClickedPoint(pointInPatient);
     auto* menu = new QMenu(&ui_.dialogParent);
     menu->addAction(ui_.actions[Command::ToggleAuxiliary]);
     menu->addAction(ui_.actions[Command::ToggleExcluded]);
     menu->addAction(tr("Rotate vessels about this point"), this,
-                    [this, pointInPatient] { emit pivotWanted(pointInPatient); });
+                    [this, pointInPatient] { emit pivotRequested(pointInPatient); });
     menu->addAction(ui_.actions[Command::GantryAngles]);
     menu->addSeparator();
     for (const Command command : branchCommands) {

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "app/editing/repair_advice.h"
 #include "app/editing/tracing_controller.h"
 #include "app/editing/tree_controller.h"
+#include "app/editing/tree_gap_finder.h"
 
 class QWidget;
 
@@ -35,12 +35,12 @@ public:
                 QObject* parent = nullptr);
 
     TreeController& tree() { return tree_; }
-    const RepairAdvice& advice() const { return advice_; }
+    const TreeGapFinder& gapFinder() const { return gapFinder_; }
 
 signals:
     void refused(const QString& why);
-    void adviceChanged();
-    void pivotWanted(const Eigen::Vector3d& pointInPatient);   ///< emitted when a menu requests the rotation center
+    void gapsChanged();
+    void pivotRequested(const Eigen::Vector3d& pointInPatient);   ///< emitted when a menu requests the rotation center
 
 private:
     void connectCommands();
@@ -49,8 +49,8 @@ private:
     void enableCommands();
     void showAdvice();
     void goToGap();
-    void mendGap();
-    void askToPrune();
+    void bridgeGap();
+    void openPruneDialog();
     void openBranchMenu(int branchId, const Eigen::Vector3d& pointInPatient, const QPoint& globalPosition);
     void openSliceMenu(const Eigen::Vector3d& pointInPatient, const QPoint& globalPosition);
 
@@ -59,7 +59,7 @@ private:
     TracingController& tracing_;
     Ui ui_;
     TreeController tree_;
-    RepairAdvice advice_;
+    TreeGapFinder gapFinder_;
 };
 
 }   // namespace angiopose::app

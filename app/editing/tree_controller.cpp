@@ -35,7 +35,7 @@ bool TreeController::hasSelection()
     return has;
 }
 
-std::optional<int> TreeController::onlySelected()
+std::optional<int> TreeController::singleSelectedBranch()
 {
     const std::set<int>& selected = branches_.marks().selected;
     if (!tree() || selected.size() != 1) {
@@ -45,19 +45,19 @@ std::optional<int> TreeController::onlySelected()
     return *selected.begin();
 }
 
-ui::Words TreeController::namesOf(const std::set<int>& branchIds) const
+ui::LocalizedText TreeController::branchNamesOf(const std::set<int>& branchIds) const
 {
-    return branchWords(*tree(), branchIds);
+    return branchNames(*tree(), branchIds);
 }
 
-ui::Words TreeController::joinName(int branchId, int otherId) const
+ui::LocalizedText TreeController::joinName(int branchId, int otherId) const
 {
-    return [first = namesOf({branchId}), second = namesOf({otherId})] {
+    return [first = branchNamesOf({branchId}), second = branchNamesOf({otherId})] {
         return tr("Join %1 and %2").arg(first(), second());
     };
 }
 
-bool TreeController::apply(const Edited& edited, const ui::Words& name)
+bool TreeController::apply(const EditResult& edited, const ui::LocalizedText& name)
 {
     if (!edited) {
         emit refused(words(edited.error()));
@@ -66,7 +66,7 @@ bool TreeController::apply(const Edited& edited, const ui::Words& name)
     return document_.push(editTree(document_, edited.value(), name));
 }
 
-void TreeController::relabel(const Edited& edited, const ui::Words& name)
+void TreeController::relabel(const EditResult& edited, const ui::LocalizedText& name)
 {
     if (!edited) {
         emit refused(words(edited.error()));
@@ -87,7 +87,7 @@ void TreeController::deleteSelected()
         emit refused(tr("At least one branch must remain."));
         return;
     }
-    apply(left, [names = namesOf(gone)] { return tr("Delete %1").arg(names()); });
+    apply(left, [names = branchNamesOf(gone)] { return tr("Delete %1").arg(names()); });
 }
 
 void TreeController::deleteSelectedSubtrees()
@@ -95,34 +95,35 @@ void TreeController::deleteSelectedSubtrees()
     if (!hasSelection()) {
         return;
     }
-    Edited left = *tree();
+    EditResult left = *tree();
     for (const int id : branches_.marks().selected) {
         if (left && left.value().find(id)) {   // otherwise already deleted as part of another subtree
-            left = core::withoutSubtree(left.value(), id);
+            left = core::removeSubtree(left.value(), id);
         }
     }
-    apply(left, [names = namesOf(branches_.marks().selected)] { return tr("Delete %1 and descendants").arg(names()); });
+    apply(left,
+          [names = branchNamesOf(branches_.marks().selected)] { return tr("Delete %1 and descendants").arg(names()); });
 }
 
 void TreeController::cutSelected()
 {
-    const auto id = onlySelected();
+    const auto id = singleSelectedBranch();
     if (!id) {
         return;
     }
-    if (!place_) {
-        emit refused(tr("Click the cut position first, in a slice or on the branch in the 3-D view."));
+    if (!clickedPoint_) {
+        emit refused(tr("First click the position of the cut, in a slice or on the branch in the 3-D view."));
         return;
     }
-    apply(core::cutAt(*tree(), *id, core::nearestPoint(*tree(), *id, *place_)),
-          [names = namesOf({*id})] { return tr("Cut %1").arg(names()); });
+    apply(core::splitAt(*tree(), *id, core::nearestPoint(*tree(), *id, *clickedPoint_)),
+          [names = branchNamesOf({*id})] { return tr("Cut %1").arg(names()); });
 }
 
 void TreeController::joinSelected()
 {
     const std::set<int> pair = branches_.marks().selected;
     if (!tree() || pair.size() != 2) {
-        emit refused(tr("Select the two branches to join: Ctrl adds the second one."));
+        emit refused(tr("Select two branches to join (Ctrl+click adds the second)."));
         return;
     }
     apply(core::joined(*tree(), *pair.begin(), *pair.rbegin()), joinName(*pair.begin(), *pair.rbegin()));
@@ -133,24 +134,24 @@ void TreeController::smoothSelected()
     if (!hasSelection()) {
         return;
     }
-    Edited smooth = *tree();
+    EditResult smooth = *tree();
     for (const int id : branches_.marks().selected) {
-        smooth = smooth ? core::smoothedBranch(smooth.value(), id, smoothWidthMm) : smooth;
+        smooth = smooth ? core::smoothBranch(smooth.value(), id, smoothWidthMm) : smooth;
     }
-    apply(smooth, [names = namesOf(branches_.marks().selected)] { return tr("Smooth %1").arg(names()); });
+    apply(smooth, [names = branchNamesOf(branches_.marks().selected)] { return tr("Smooth %1").arg(names()); });
 }
 
 void TreeController::rootAtSelected()
 {
-    const auto id = onlySelected();
+    const auto id = singleSelectedBranch();
     if (!id) {
         return;
     }
     const auto& points = tree()->find(*id)->pointsInPatient;
-    const Eigen::Vector3d place = place_.value_or(points.front());
+    const Eigen::Vector3d place = clickedPoint_.value_or(points.front());
     const bool isFront = (points.front() - place).norm() <= (points.back() - place).norm();
-    apply(core::rootedAt(*tree(), isFront ? points.front() : points.back()),
-          [names = namesOf({*id})] { return tr("Set root at %1").arg(names()); });
+    apply(core::rootTreeAt(*tree(), isFront ? points.front() : points.back()),
+          [names = branchNamesOf({*id})] { return tr("Set root at %1").arg(names()); });
 }
 
 void TreeController::toggleHiddenSelected()
@@ -164,7 +165,7 @@ void TreeController::toggleHiddenSelected()
     for (const int id : selected) {
         shows ? static_cast<void>(hidden.erase(id)) : static_cast<void>(hidden.insert(id));
     }
-    const auto name = [shows, names = namesOf(selected)] {
+    const auto name = [shows, names = branchNamesOf(selected)] {
         return shows ? tr("Show %1").arg(names()) : tr("Hide %1").arg(names());
     };
     document_.push(
@@ -184,9 +185,9 @@ void TreeController::prune(double minLengthMm, double minRadiusMm)
     if (!tree()) {
         return;
     }
-    const Edited left = core::pruned(*tree(), minLengthMm, minRadiusMm);
+    const EditResult left = core::prunedTree(*tree(), minLengthMm, minRadiusMm);
     if (left && left.value().branches.size() == tree()->branches.size()) {
-        emit refused(tr("No terminal branch is shorter or thinner than that."));
+        emit refused(tr("No terminal branch is below these limits."));
         return;
     }
     const auto gone = left ? tree()->branches.size() - left.value().branches.size() : 0;
@@ -199,7 +200,7 @@ void TreeController::rename(int branchId, const QString& name)
     const std::string wanted = name.trimmed().toStdString();
     if (branch && branch->name != wanted) {
         relabel(core::renamed(*tree(), branchId, wanted),
-                [names = namesOf({branchId})] { return tr("Rename %1").arg(names()); });
+                [names = branchNamesOf({branchId})] { return tr("Rename %1").arg(names()); });
     }
 }
 
@@ -208,22 +209,22 @@ void TreeController::setGeneration(const std::set<int>& branchIds, int generatio
     if (!tree() || branchIds.empty()) {
         return;
     }
-    Edited counted = *tree();
+    EditResult counted = *tree();
     for (const int id : branchIds) {
-        counted = counted ? core::withGeneration(counted.value(), id, generation) : counted;
+        counted = counted ? core::assignGeneration(counted.value(), id, generation) : counted;
     }
-    relabel(counted, [names = namesOf(branchIds)] { return tr("Set generation of %1").arg(names()); });
+    relabel(counted, [names = branchNamesOf(branchIds)] { return tr("Set generation of %1").arg(names()); });
 }
 
-void TreeController::mend(const core::TreeGap& gap)
+void TreeController::bridge(const core::TreeGap& gap)
 {
     if (!tree()) {
         return;
     }
-    Edited whole = core::mended(*tree(), gap);
+    EditResult whole = core::closeGap(*tree(), gap);
     const core::VesselBranch& first = tree()->branches.front();
     if (whole && first.generation >= 0) {   // renumbers the generations beyond the gap, starting at the root
-        whole = core::rootedAt(whole.value(), first.pointsInPatient.front());
+        whole = core::rootTreeAt(whole.value(), first.pointsInPatient.front());
     }
     apply(whole, joinName(gap.fromBranchId, gap.toBranchId));
 }

@@ -4,7 +4,7 @@
 #include "app/editing/branch_controller.h"
 #include "core/support/result.h"
 #include "core/vessel/tree_gaps.h"
-#include "ui/words/spoken.h"
+#include "ui/words/retranslation.h"
 
 #include <QObject>
 
@@ -20,11 +20,11 @@ public:
     TreeController(CaseDocument& document, BranchController& branches, QObject* parent = nullptr);
 
     /// Sets the point last clicked in a view, at which a branch is cut or a root is set.
-    void setPlace(const Eigen::Vector3d& pointInPatient) { place_ = pointInPatient; }
+    void setClickedPoint(const Eigen::Vector3d& pointInPatient) { clickedPoint_ = pointInPatient; }
 
     void deleteSelected();
     void deleteSelectedSubtrees();
-    void cutSelected();   ///< cuts the branch at the point of `setPlace`
+    void cutSelected();   ///< cuts the branch at the point of `setClickedPoint`
     void joinSelected();   ///< joins two branches at their nearest ends
     void smoothSelected();
     void rootAtSelected();   ///< sets the root at the end of the selected branch nearest to that point
@@ -33,25 +33,25 @@ public:
     void prune(double minLengthMm, double minRadiusMm);
     void rename(int branchId, const QString& name);
     void setGeneration(const std::set<int>& branchIds, int generation);
-    void mend(const core::TreeGap& gap);
+    void bridge(const core::TreeGap& gap);
 
 signals:
     void refused(const QString& why);
 
 private:
-    using Edited = core::Result<core::VesselTree>;
+    using EditResult = core::Result<core::VesselTree>;
     const core::VesselTree* tree() const { return document_.current().vessels.tree.get(); }
-    std::optional<int> onlySelected();
+    std::optional<int> singleSelectedBranch();
     bool hasSelection();
-    ui::Words namesOf(const std::set<int>& branchIds) const;
-    ui::Words joinName(int branchId, int otherId) const;
-    bool apply(const Edited& edited, const ui::Words& name);
-    void relabel(const Edited& edited,
-                 const ui::Words& name);   ///< changes only names and generations: the registration stays valid
+    ui::LocalizedText branchNamesOf(const std::set<int>& branchIds) const;
+    ui::LocalizedText joinName(int branchId, int otherId) const;
+    bool apply(const EditResult& edited, const ui::LocalizedText& name);
+    void relabel(const EditResult& edited,
+                 const ui::LocalizedText& name);   ///< changes only names and generations: the registration stays valid
 
     CaseDocument& document_;
     BranchController& branches_;
-    std::optional<Eigen::Vector3d> place_;
+    std::optional<Eigen::Vector3d> clickedPoint_;
 };
 
 }   // namespace angiopose::app

@@ -2,7 +2,7 @@
 
 #include "app/preferences/private_mode.h"
 #include "io/case/case_file.h"
-#include "io/case/save_over.h"
+#include "io/case/overwrite_case.h"
 #include "io/messages/messages.h"
 #include "io/support/atomic_file.h"
 #include "io/support/own_leftovers.h"
@@ -43,7 +43,7 @@ QString sidecarOf(const QString& path)
 }
 
 /// Returns the lock file of the session, which is the same for a case and for vessels without an angiogram.
-QString lockOf(const QString& path)
+QString lockPath(const QString& path)
 {
     const QFileInfo file(path);
     return file.dir().filePath(file.completeBaseName() + QStringLiteral(".angiopose.lock"));
@@ -70,12 +70,12 @@ core::Result<QString> write(const core::Case& snapshot, const QString& path, con
     }
     QFile::remove(vesselsBeside(path));
     const core::Status origin = io::writeAtomically(sidecarOf(path).toStdString(),
-                                                    original.toStdString() + '\n' + outgoingCase(snapshot).title);
+                                                    original.toStdString() + '\n' + caseForExport(snapshot).title);
     return origin ? core::Result<QString>(path) : origin.error();
 }
 
 /// Removes partially written files and the locks of killed sessions without a copy; the user decides about copies.
-void removeLeftovers()
+void removeStaleFiles()
 {
     const QDir folder = autosaveFolder();
     io::removeLeftoversOnce(folder.path().toStdString());
@@ -106,13 +106,13 @@ void removeCopy(const QString& path)
 }   // namespace
 
 Autosave::Autosave(const CaseDocument& document, QObject* parent)
-    : QObject(parent), document_(document), lock_(std::make_unique<QLockFile>(lockOf(path())))
+    : QObject(parent), document_(document), lock_(std::make_unique<QLockFile>(lockPath(path())))
 {
     lock_->setStaleLockTime(0);
     lock_->tryLock(0);
     files_.run(
         []() -> core::Result<QString> {
-            removeLeftovers();
+            removeStaleFiles();
             return QString();
         },
         {});
@@ -126,30 +126,30 @@ QString Autosave::path() const
     return autosaveFolder().filePath(QStringLiteral("session-%1.angiopose").arg(QCoreApplication::applicationPid()));
 }
 
-bool Autosave::isWorthCopying() const
+bool Autosave::needsAutosave() const
 {
     const core::Case& current = document_.current();
     if (document_.isEmpty() || !document_.isModified() || document_.isInTrial()) {
         return false;
     }
     // Centerlines that were only opened are still in their file; traced vessels would have to be recomputed.
-    return current.shown().angiogram || document_.holdsWork() ||
+    return current.shown().angiogram || document_.hasUnsavedWork() ||
            current.vessels.input.kind != core::VesselInputKind::Centerline;
 }
 
 void Autosave::saveSoon()
 {
     const int index = document_.undoStack().index();
-    if (files_.isBusy() || !isWorthCopying() || index == savedIndex_) {
+    if (files_.isBusy() || !needsAutosave() || index == savedIndex_) {
         return;
     }
     savedIndex_ = index;
     files_.run([snapshot = document_.current(), path = path(),
                 original = document_.path()] { return write(snapshot, path, original); },
-               [this](const core::Result<QString>& written) { take(written); });
+               [this](const core::Result<QString>& written) { finishSave(written); });
 }
 
-void Autosave::take(const core::Result<QString>& written)
+void Autosave::finishSave(const core::Result<QString>& written)
 {
     const bool wasFailing = std::exchange(isFailing_, !written);
     if (written) {
@@ -177,12 +177,12 @@ void Autosave::discard()
         });
 }
 
-std::vector<Leftover> Autosave::leftBehind()
+std::vector<RecoveryCopy> Autosave::recoveryCopies()
 {
-    std::vector<Leftover> copies;
+    std::vector<RecoveryCopy> copies;
     const QStringList names{QStringLiteral("session-*.angiopose"), QStringLiteral("session-*.vtp")};
     for (const QFileInfo& file : autosaveFolder().entryInfoList(names, QDir::Files)) {
-        QLockFile lock(lockOf(file.absoluteFilePath()));
+        QLockFile lock(lockPath(file.absoluteFilePath()));
         lock.setStaleLockTime(0);
         if (!lock.tryLock(0)) {
             continue;   // the session is still running
@@ -192,19 +192,19 @@ std::vector<Leftover> Autosave::leftBehind()
         copies.push_back(
             {file.absoluteFilePath(), origin.section(u'\n', 0, 0), origin.section(u'\n', 1), file.lastModified()});
     }
-    std::ranges::sort(copies, std::greater{}, &Leftover::when);
+    std::ranges::sort(copies, std::greater{}, &RecoveryCopy::savedAt);
     return copies;
 }
 
-void Autosave::forget(const Leftover& copy)
+void Autosave::forget(const RecoveryCopy& copy)
 {
     removeCopy(copy.path);
 }
 
-QString Autosave::keepVessels(const Leftover& copy)
+QString Autosave::adoptVessels(const RecoveryCopy& copy)
 {
     const QDir folder = dataFolder("recovered");
-    const QString name = QStringLiteral("vessels-") + copy.when.toString(QStringLiteral("yyyyMMdd-hhmmss"));
+    const QString name = QStringLiteral("vessels-") + copy.savedAt.toString(QStringLiteral("yyyyMMdd-hhmmss"));
     QString kept = folder.filePath(name + QStringLiteral(".vtp"));
     for (int i = 2; QFile::exists(kept); ++i) {
         kept = folder.filePath(QStringLiteral("%1-%2.vtp").arg(name).arg(i));
@@ -212,17 +212,17 @@ QString Autosave::keepVessels(const Leftover& copy)
     return QFile::rename(copy.path, kept) ? kept : copy.path;
 }
 
-CaseKeeper::CaseKeeper(const CaseDocument& document, FileQueue& files, QObject* parent)
+CaseFileGuard::CaseFileGuard(const CaseDocument& document, FileQueue& files, QObject* parent)
     : QObject(parent), document_(document), files_(files)
 {
-    connect(&document_, &CaseDocument::stateChanged, this, &CaseKeeper::follow);
+    connect(&document_, &CaseDocument::stateChanged, this, &CaseFileGuard::updateFromDocument);
 }
 
-std::function<core::Status()> CaseKeeper::saving(core::Case snapshot, const QString& path, Replaced replaced) const
+std::function<core::Status()> CaseFileGuard::saving(core::Case snapshot, const QString& path, Overwrite replaced) const
 {
-    return [kept = kept_, snapshot = std::move(snapshot), file = path.toStdString(), replaced]() -> core::Status {
-        const bool isCompared = replaced == Replaced::KnownContent && kept->path == file;
-        const auto saved = io::saveCaseOver(snapshot, file, isCompared ? kept->sha256 : std::string());
+    return [kept = fileState_, snapshot = std::move(snapshot), file = path.toStdString(), replaced]() -> core::Status {
+        const bool isCompared = replaced == Overwrite::KnownContent && kept->path == file;
+        const auto saved = io::overwriteCase(snapshot, file, isCompared ? kept->sha256 : std::string());
         if (!saved) {
             return saved.error();
         }
@@ -232,12 +232,12 @@ std::function<core::Status()> CaseKeeper::saving(core::Case snapshot, const QStr
     };
 }
 
-void CaseKeeper::expectUnchangedSince(const QDateTime& when)
+void CaseFileGuard::expectUnchangedSince(const QDateTime& savedAt)
 {
     files_.run(
-        [kept = kept_, when]() -> core::Result<QString> {
+        [kept = fileState_, savedAt]() -> core::Result<QString> {
             const QFileInfo file(QString::fromStdString(kept->path));
-            if (!kept->sha256.empty() && file.lastModified() > when) {
+            if (!kept->sha256.empty() && file.lastModified() > savedAt) {
                 kept->sha256 = "changed since";   // a value that matches no hash
             }
             return file.filePath();
@@ -246,7 +246,7 @@ void CaseKeeper::expectUnchangedSince(const QDateTime& when)
 }
 
 /// Handles a change of the open case or of its path.
-void CaseKeeper::follow()
+void CaseFileGuard::updateFromDocument()
 {
     const int caseNumber = document_.state().caseNumber;
     const bool isRead = caseNumber != caseNumber_;
@@ -257,15 +257,15 @@ void CaseKeeper::follow()
     path_ = document_.path();
     const auto holder = std::make_shared<std::optional<io::LockHolder>>();
     files_.run(
-        [kept = kept_, holder, path = path_, isRead]() -> core::Result<QString> {
+        [kept = fileState_, holder, path = path_, isRead]() -> core::Result<QString> {
             const std::string file = path.toStdString();
             kept->lock = io::CaseLock();
             if (isRead) {
                 kept->path = file;
-                kept->sha256 = file.empty() ? std::string() : io::contentOfCaseFile(file);
+                kept->sha256 = file.empty() ? std::string() : io::caseFileHash(file);
             }
             if (!file.empty()) {
-                *holder = io::holderOf(file);
+                *holder = io::lockHolderOf(file);
                 kept->lock = io::CaseLock(file);
             }
             return path;

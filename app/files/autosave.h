@@ -16,13 +16,13 @@
 namespace angiopose::app {
 
 /// Autosaved copy left by a session that did not close normally.
-struct Leftover {
+struct RecoveryCopy {
     QString path;   ///< path of the autosaved copy
     QString original;   ///< path of the case file; empty if it was never saved
     QString title;   ///< title of the case; empty if not known
-    QDateTime when;
+    QDateTime savedAt;
 
-    bool holdsVessels() const
+    bool isVesselsOnly() const
     {
         return path.endsWith(QLatin1String(".vtp"));
     }   ///< true for vessels without an angiogram, which are not a case
@@ -41,10 +41,10 @@ public:
     bool isFailing() const { return isFailing_; }   ///< true if the last attempt failed; an older copy may exist
 
     /// Lists the copies of sessions that are no longer running, newest first.
-    static std::vector<Leftover> leftBehind();
-    static void forget(const Leftover& copy);
+    static std::vector<RecoveryCopy> recoveryCopies();
+    static void forget(const RecoveryCopy& copy);
     /// Moves recovered vessels to a permanent file to which cases can refer; returns its path.
-    static QString keepVessels(const Leftover& copy);
+    static QString adoptVessels(const RecoveryCopy& copy);
 
 signals:
     void saved();
@@ -52,8 +52,8 @@ signals:
 
 private:
     QString path() const;   ///< path of the case copy; vessels without an angiogram are saved next to it
-    bool isWorthCopying() const;
-    void take(const core::Result<QString>& written);
+    bool needsAutosave() const;
+    void finishSave(const core::Result<QString>& written);
 
     const CaseDocument& document_;
     QTimer timer_;
@@ -66,34 +66,34 @@ private:
 
 /// Coordinates access to the file of the open case with other windows and programs: locks it, informs the user who else
 /// has it open, and determines which content a save may overwrite. All file access runs in the save queue.
-class CaseKeeper : public QObject {
+class CaseFileGuard : public QObject {
     Q_OBJECT
 public:
-    CaseKeeper(const CaseDocument& document, FileQueue& files, QObject* parent = nullptr);
+    CaseFileGuard(const CaseDocument& document, FileQueue& files, QObject* parent = nullptr);
 
-    enum class Replaced { KnownContent, AnyContent };   ///< content that a save may overwrite
+    enum class Overwrite { KnownContent, AnyContent };   ///< content that a save may overwrite
 
     /// Returns the job that writes a case. The job fails without writing if another program has changed the file.
-    std::function<core::Status()> saving(core::Case snapshot, const QString& path, Replaced replaced) const;
+    std::function<core::Status()> saving(core::Case snapshot, const QString& path, Overwrite replaced) const;
 
     /// Call for a case recovered from a copy written at `when`; a newer case file counts as changed by another program.
-    void expectUnchangedSince(const QDateTime& when);
+    void expectUnchangedSince(const QDateTime& savedAt);
 
 signals:
     void openElsewhere(const QString& words);   ///< the case just opened, saved or recovered is open elsewhere
 
 private:
     /// Accessed only by jobs of the queue.
-    struct Kept {
+    struct FileState {
         std::string path;
         std::string sha256;   ///< hash of the file at the last opening or saving here
         io::CaseLock lock;
     };
-    void follow();
+    void updateFromDocument();
 
     const CaseDocument& document_;
     FileQueue& files_;
-    std::shared_ptr<Kept> kept_ = std::make_shared<Kept>();
+    std::shared_ptr<FileState> fileState_ = std::make_shared<FileState>();
     QString path_;
     int caseNumber_ = 0;
 };

@@ -12,7 +12,7 @@ CloseController::CloseController(CaseDocument& document, SaveController& save, R
                                  const ui::WindowActions& actions, QWidget& dialogParent, QObject* parent)
     : QObject(parent), document_(document), save_(save), registration_(registration), dialogParent_(dialogParent)
 {
-    connect(actions[ui::Command::CloseCase], &QAction::triggered, this, [this] { requestClose(Closed::Case); });
+    connect(actions[ui::Command::CloseCase], &QAction::triggered, this, [this] { requestClose(CloseTarget::Case); });
     connect(&registration_, &RegistrationController::runningChanged, this, [this](bool running) {
         if (!running && closing_ != Closing::No) {
             // The same event also applies the solver's best pose, so close only after it.
@@ -21,14 +21,14 @@ CloseController::CloseController(CaseDocument& document, SaveController& save, R
     });
 }
 
-void CloseController::requestClose(Closed closed)
+void CloseController::requestClose(CloseTarget closed)
 {
     if (dialogParent_.findChild<QDialog*>(QStringLiteral("closeQuestion"))) {
         return;
     }
-    closed_ = closed;
+    target_ = closed;
     emit aboutToClose();
-    if (!registration_.isRunning() && !save_.holdsWork()) {
+    if (!registration_.isRunning() && !save_.hasUnsavedWork()) {
         close();
         return;
     }
@@ -40,7 +40,7 @@ void CloseController::requestClose(Closed closed)
     auto* dialog = new ui::QuestionDialog(words.message, verbs, &dialogParent_);
     dialog->setObjectName(QStringLiteral("closeQuestion"));
     const auto stays = std::ranges::find(words.answers, Closing::No, &std::pair<QString, Closing>::second);
-    dialog->setMeantByClosing(static_cast<int>(stays - words.answers.begin()));
+    dialog->setAnswerOnClose(static_cast<int>(stays - words.answers.begin()));
     connect(
         dialog, &ui::QuestionDialog::answered, this,
         [this, answers = words.answers](int index) { answerClose(answers.at(static_cast<std::size_t>(index)).second); },
@@ -66,11 +66,10 @@ CloseController::Question CloseController::question() const
                  {}},
                 {{tr("Save vessels and close"), AfterSaving}, {tr("Close without saving"), Now}, {tr("Cancel"), No}}};
         case SaveController::Savable::Nothing:
-            return {
-                {tr("Close without saving?"),
-                 tr("“%1” has no vessels yet, so there is no case to save. Work done here will be lost.").arg(title),
-                 {}},
-                {{tr("Cancel"), No}, {tr("Close without saving"), Now}}};
+            return {{tr("Close without saving?"),
+                     tr("“%1” has no vessels yet, so there is no case to save. Unsaved work will be lost.").arg(title),
+                     {}},
+                    {{tr("Cancel"), No}, {tr("Close without saving"), Now}}};
     }
     return {{tr("Save before closing?"), tr("“%1” has unsaved changes.").arg(title), {}},
             {{tr("Save and close"), AfterSaving}, {tr("Close without saving"), Now}, {tr("Cancel"), No}}};
@@ -93,7 +92,7 @@ void CloseController::close()
 {
     if (std::exchange(closing_, Closing::No) == Closing::AfterSaving) {
         // Edits made during saving are not in the file: ask again instead of discarding them.
-        const auto goOn = [this] { save_.holdsWork() ? requestClose(closed_) : close(); };
+        const auto goOn = [this] { save_.hasUnsavedWork() ? requestClose(target_) : close(); };
         if (save_.savable() == SaveController::Savable::Vessels) {
             save_.saveVessels(goOn);
         } else {
@@ -102,7 +101,7 @@ void CloseController::close()
         return;
     }
     save_.discardAutosave();
-    if (closed_ == Closed::Case) {
+    if (target_ == CloseTarget::Case) {
         document_.replace({}, {});
         return;
     }

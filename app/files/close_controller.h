@@ -27,7 +27,7 @@ public:
     CloseController(CaseDocument& document, SaveController& save, RegistrationController& registration,
                     const ui::WindowActions& actions, QWidget& dialogParent, QObject* parent = nullptr);
 
-    void closeWindow() { requestClose(Closed::Window); }
+    void closeWindow() { requestClose(CloseTarget::Window); }
 
 signals:
     void aboutToClose();   ///< emitted when the user requests closing; receivers end everything that must not stay open
@@ -35,14 +35,14 @@ signals:
 
 private:
     enum class Closing { No, Now, AfterSaving };
-    enum class Closed { Window, Case };
+    enum class CloseTarget { Window, Case };
 
     struct Question {
         ui::Message message;
         std::vector<std::pair<QString, Closing>> answers;   ///< the first answer is the default
     };
 
-    void requestClose(Closed closed);
+    void requestClose(CloseTarget closed);
     Question question() const;
     void answerClose(Closing closing);
     void close();
@@ -52,7 +52,7 @@ private:
     RegistrationController& registration_;
     QWidget& dialogParent_;
     Closing closing_ = Closing::No;
-    Closed closed_ = Closed::Window;   ///< window or case being closed
+    CloseTarget target_ = CloseTarget::Window;   ///< window or case being closed
 };
 
 }   // namespace angiopose::app

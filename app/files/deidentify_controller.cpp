@@ -15,17 +15,17 @@
 namespace angiopose::app {
 namespace {
 
-std::optional<io::Deidentification> deidentificationFor(const ui::PackChoice& choice)
+std::optional<io::DeidentificationOptions> deidentificationFor(const ui::ShareOptions& choice)
 {
-    return choice.identity == ui::Choice::On ? std::nullopt : std::optional(deidentificationOf(choice));
+    return choice.identity == ui::Toggle::On ? std::nullopt : std::optional(deidentificationOf(choice));
 }
 
 }   // namespace
 
-io::Deidentification deidentificationOf(const ui::PackChoice& choice)
+io::DeidentificationOptions deidentificationOf(const ui::ShareOptions& choice)
 {
-    return {choice.shiftedDates == ui::Choice::On ? io::DatePolicy::Shifted : io::DatePolicy::None,
-            choice.blackedOut == ui::Choice::On ? io::DrawnLetters::BlackedOut : io::DrawnLetters::Reported,
+    return {choice.shiftedDates == ui::Toggle::On ? io::DatePolicy::Shifted : io::DatePolicy::None,
+            choice.maskText == ui::Toggle::On ? io::BurnedInTextPolicy::Masked : io::BurnedInTextPolicy::Reported,
             choice.pseudonym.trimmed().toStdString()};
 }
 
@@ -33,8 +33,8 @@ DeidentifyController::DeidentifyController(ui::BottomStrip& strip, QWidget& dial
     : QObject(parent),
       strip_(strip),
       dialogParent_(dialogParent),
-      job_({[this](const io::DeidentifiedFiles& done) { take(done); },
-            [this](const core::Error& error) { giveUp(error); },
+      job_({[this](const io::DeidentifiedFiles& done) { reportOutcome(done); },
+            [this](const core::Error& error) { reportFailure(error); },
             [this](double fraction) {
                 strip_.showProgress(tr("De-identifying: %1 %").arg(ui::numberText(100.0 * fraction, 0)), fraction);
             }})
@@ -42,16 +42,16 @@ DeidentifyController::DeidentifyController(ui::BottomStrip& strip, QWidget& dial
     connect(&strip_, &ui::BottomStrip::stopRequested, this, [this] { job_.requestStop(); });
 }
 
-void DeidentifyController::ask()
+void DeidentifyController::openDialog()
 {
     if (job_.isRunning()) {
         emit failed(tr("Files are already being written. Wait for it to finish, or stop it."));
         return;
     }
     dialog_ = new ui::DeidentifyDialog(&dialogParent_);
-    connect(dialog_, &ui::DeidentifyDialog::filesWanted, this, &DeidentifyController::askFiles);
-    connect(dialog_, &ui::DeidentifyDialog::folderWanted, this, &DeidentifyController::askFolder);
-    connect(dialog_, &ui::DeidentifyDialog::outputWanted, this, &DeidentifyController::askOutput);
+    connect(dialog_, &ui::DeidentifyDialog::addFilesRequested, this, &DeidentifyController::askFiles);
+    connect(dialog_, &ui::DeidentifyDialog::addFolderRequested, this, &DeidentifyController::askFolder);
+    connect(dialog_, &ui::DeidentifyDialog::outputFolderRequested, this, &DeidentifyController::askOutput);
     connect(dialog_, &ui::DeidentifyDialog::chosen, this, &DeidentifyController::write);
     dialog_->open();
 }
@@ -83,7 +83,7 @@ void DeidentifyController::askOutput()
     folder->open();
 }
 
-void DeidentifyController::write(const ui::DeidentifyChoice& choice)
+void DeidentifyController::write(const ui::DeidentifyOptions& choice)
 {
     std::vector<std::string> paths;
     for (const QString& path : choice.paths) {
@@ -102,7 +102,7 @@ void DeidentifyController::write(const ui::DeidentifyChoice& choice)
     });
 }
 
-void DeidentifyController::take(const io::DeidentifiedFiles& done)
+void DeidentifyController::reportOutcome(const io::DeidentifiedFiles& done)
 {
     strip_.showIdle(tr("Ready"));
     rememberSaveFolder(output_);
@@ -112,22 +112,22 @@ void DeidentifyController::take(const io::DeidentifiedFiles& done)
         words << ui::messagesText(done.warnings);
     }
     emit written(output_, ui::joinedSentences(words));
-    if (!done.refused.empty()) {
+    if (!done.skipped.empty()) {
         QStringList lines;
-        for (const core::Message& refused : done.refused) {
-            lines << ui::messageText(refused);
+        for (const core::Message& skipped : done.skipped) {
+            lines << ui::messageText(skipped);
         }
-        emit partlyRefused(tr("%1 files were de-identified, %2 were not, for the reasons below. The output is in %3.")
-                               .arg(ui::numberText(static_cast<double>(done.written), 0),
-                                    ui::numberText(static_cast<double>(done.refused.size()), 0), output_),
-                           lines.join(QLatin1Char('\n')));
+        emit partlyRejected(tr("%1 files were de-identified; %2 were not, for the reasons below. The output is in %3.")
+                                .arg(ui::numberText(static_cast<double>(done.written), 0),
+                                     ui::numberText(static_cast<double>(done.skipped.size()), 0), output_),
+                            lines.join(QLatin1Char('\n')));
     }
 }
 
-void DeidentifyController::giveUp(const core::Error& error)
+void DeidentifyController::reportFailure(const core::Error& error)
 {
     strip_.showIdle(tr("Ready"));
-    if (error.isStop()) {
+    if (error.isCancellation()) {
         emit stopped();
     } else {
         emit failed(ui::messageText(error.message));
@@ -146,7 +146,7 @@ PackController::PackController(CaseDocument& document, ui::BottomStrip& strip, Q
             },
             [this](const core::Error& error) {
                 strip_.showIdle(tr("Ready"));
-                if (error.isStop()) {
+                if (error.isCancellation()) {
                     emit stopped();
                 } else {
                     emit failed(ui::messageText(error.message));
@@ -159,7 +159,7 @@ PackController::PackController(CaseDocument& document, ui::BottomStrip& strip, Q
     connect(&strip_, &ui::BottomStrip::stopRequested, this, [this] { job_.requestStop(); });
 }
 
-void PackController::ask()
+void PackController::openDialog()
 {
     const core::Case& current = document_.current();
     if (!current.vessels.tree || !current.shown().angiogram) {
@@ -176,7 +176,7 @@ void PackController::ask()
     dialog->open();
 }
 
-void PackController::askPath(const ui::PackChoice& choice)
+void PackController::askPath(const ui::ShareOptions& choice)
 {
     const QString proposed = QDir(saveFolder(document_.path())).filePath(QStringLiteral("case.zip"));
     auto* dialog = new QFileDialog(&dialogParent_, tr("Share case as ZIP"), proposed, tr("ZIP archives (*.zip)"));
@@ -187,7 +187,7 @@ void PackController::askPath(const ui::PackChoice& choice)
     dialog->open();
 }
 
-void PackController::write(const ui::PackChoice& choice, const QString& path)
+void PackController::write(const ui::ShareOptions& choice, const QString& path)
 {
     archive_ = path;
     strip_.showBusy(tr("Packing…"));

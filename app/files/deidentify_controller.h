@@ -18,7 +18,7 @@ class BottomStrip;
 namespace angiopose::app {
 
 /// Converts the de-identification options of the dialog.
-io::Deidentification deidentificationOf(const ui::PackChoice& choice);
+io::DeidentificationOptions deidentificationOf(const ui::ShareOptions& choice);
 
 /// De-identifies files and folders: asks for the options, then writes on a worker with progress and a Stop button.
 class DeidentifyController : public QObject {
@@ -26,13 +26,13 @@ class DeidentifyController : public QObject {
 public:
     DeidentifyController(ui::BottomStrip& strip, QWidget& dialogParent, QObject* parent = nullptr);
 
-    void ask();
-    void write(const ui::DeidentifyChoice& choice);   ///< returns at once
+    void openDialog();
+    void write(const ui::DeidentifyOptions& choice);   ///< returns at once
     bool isRunning() const { return job_.isRunning(); }
 
 signals:
     void written(const QString& folder, const QString& words);
-    void partlyRefused(const QString& words, const QString& details);   ///< `details` has one line per file
+    void partlyRejected(const QString& words, const QString& details);   ///< `details` has one line per file
     void stopped();
     void failed(const QString& reason);
 
@@ -40,8 +40,8 @@ private:
     void askFiles();
     void askFolder();
     void askOutput();
-    void take(const io::DeidentifiedFiles& done);
-    void giveUp(const core::Error& error);
+    void reportOutcome(const io::DeidentifiedFiles& done);
+    void reportFailure(const core::Error& error);
 
     ui::BottomStrip& strip_;
     QWidget& dialogParent_;
@@ -57,8 +57,8 @@ class PackController : public QObject {
 public:
     PackController(CaseDocument& document, ui::BottomStrip& strip, QWidget& dialogParent, QObject* parent = nullptr);
 
-    void ask();
-    void write(const ui::PackChoice& choice, const QString& path);   ///< returns at once
+    void openDialog();
+    void write(const ui::ShareOptions& choice, const QString& path);   ///< returns at once
     bool isRunning() const { return job_.isRunning(); }
 
 signals:
@@ -67,7 +67,7 @@ signals:
     void failed(const QString& reason);
 
 private:
-    void askPath(const ui::PackChoice& choice);
+    void askPath(const ui::ShareOptions& choice);
 
     CaseDocument& document_;
     ui::BottomStrip& strip_;

@@ -22,11 +22,11 @@ namespace {
 
 /// Returns a function that creates the same report as the menu command.
 std::function<core::Result<std::string>()> reportMaker(const core::Case& session, const core::Centerline2d& target,
-                                                       const OverlayPictureOptions& look)
+                                                       const OverlayImageOptions& look)
 {
     return [session, target, look, author = observerName(), typeface = QApplication::font().families(),
             page = settings::reportTemplate.read()]() -> core::Result<std::string> {
-        const auto views = judgedViews(session, target, look);
+        const auto views = evaluateViews(session, target, look);
         if (!views) {
             return views.error();
         }
@@ -48,7 +48,7 @@ DicomController::DicomController(CaseDocument& document, TargetProvider& target,
 {
 }
 
-std::vector<ui::DicomPart> DicomController::possibleParts() const
+std::vector<ui::DicomPart> DicomController::availableParts() const
 {
     using ui::DicomPart;
     const core::Case& current = document_.current();
@@ -66,14 +66,14 @@ std::vector<ui::DicomPart> DicomController::possibleParts() const
     if (current.vessels.lumen || current.vessels.scan) {
         parts.push_back(DicomPart::Segmentation);
     }
-    if (!io::reportedGroups(current).empty()) {
+    if (!io::reportGroups(current).empty()) {
         parts.push_back(DicomPart::Measurements);
     }
     return parts;
 }
 
 /// Opens the dialog; if there is no case yet, reports this and returns null.
-ui::DicomDialog* DicomController::askWhat(ui::DicomPurpose purpose)
+ui::DicomDialog* DicomController::createDialog(ui::DicomPurpose purpose)
 {
     const core::Case& current = document_.current();
     if (!current.vessels.tree || !current.shown().angiogram) {
@@ -82,27 +82,27 @@ ui::DicomDialog* DicomController::askWhat(ui::DicomPurpose purpose)
                         : tr("There is nothing to export yet. Open a vessel tree and an angiogram first."));
         return nullptr;
     }
-    auto* dialog = new ui::DicomDialog(possibleParts(), purpose, &dialogParent_);
+    auto* dialog = new ui::DicomDialog(availableParts(), purpose, &dialogParent_);
     dialog->open();
     return dialog;
 }
 
-void DicomController::ask()
+void DicomController::openDialog()
 {
-    if (const auto* dialog = askWhat(ui::DicomPurpose::Export)) {
+    if (const auto* dialog = createDialog(ui::DicomPurpose::Export)) {
         connect(dialog, &ui::DicomDialog::chosen, this, &DicomController::askFolder,
                 Qt::QueuedConnection);   // queued: this dialog closes before the next one opens
     }
 }
 
-void DicomController::askToSend()
+void DicomController::selectObjectsToSend()
 {
-    if (const auto* dialog = askWhat(ui::DicomPurpose::Send)) {
+    if (const auto* dialog = createDialog(ui::DicomPurpose::Send)) {
         connect(dialog, &ui::DicomDialog::chosen, this, &DicomController::wanted, Qt::QueuedConnection);
     }
 }
 
-void DicomController::askFolder(const ui::DicomChoice& choice)
+void DicomController::askFolder(const ui::DicomExportOptions& choice)
 {
     auto* dialog = new QFileDialog(&dialogParent_, tr("Folder for the DICOM objects"), saveFolder(document_.path()));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
@@ -112,17 +112,17 @@ void DicomController::askFolder(const ui::DicomChoice& choice)
     dialog->open();
 }
 
-DicomExport DicomController::exportFor(const ui::DicomChoice& choice) const
+DicomExport DicomController::exportOptions(const ui::DicomExportOptions& choice) const
 {
-    ui::ExportChoice picture;
+    ui::OverlayExportOptions picture;
     picture.widthPx = 0;
-    picture.residualColors = ui::Choice::On;
+    picture.residualColors = ui::Toggle::On;
     picture.identity = choice.identity;
     DicomExport wanted;
     for (const ui::DicomPart part : choice.parts) {
         wanted.kinds.push_back(static_cast<DicomKind>(part));
     }
-    wanted.look = exporting_.lookOf(picture);
+    wanted.look = exporting_.overlayOptions(picture);
     wanted.author = observerName().toStdString();
     if (target_.current()) {
         wanted.report = reportMaker(document_.current(), *target_.current(), wanted.look);
@@ -130,20 +130,20 @@ DicomExport DicomController::exportFor(const ui::DicomChoice& choice) const
     return wanted;
 }
 
-DicomController::Maker DicomController::makerOf(const ui::DicomChoice& choice) const
+DicomController::ObjectWriter DicomController::makeWriter(const ui::DicomExportOptions& choice) const
 {
-    return [session = document_.current(), target = target_.current(), wanted = exportFor(choice)](
+    return [session = document_.current(), target = target_.current(), wanted = exportOptions(choice)](
                const std::string& folder, const DicomObserver& observe) {
         return writeDicomObjects(session, target ? *target : core::Centerline2d{}, wanted, folder, observe);
     };
 }
 
-void DicomController::write(const ui::DicomChoice& choice, const QString& folder)
+void DicomController::write(const ui::DicomExportOptions& choice, const QString& folder)
 {
     emit started();
     const auto made = std::make_shared<DicomFiles>();
     files_.run(
-        [make = makerOf(choice), folder, made]() -> core::Result<QString> {
+        [make = makeWriter(choice), folder, made]() -> core::Result<QString> {
             auto files = make(folder.toStdString(), {});
             if (!files) {
                 return files.error();
@@ -173,7 +173,7 @@ ReportController::ReportController(CaseDocument& document, TargetProvider& targe
 {
 }
 
-void ReportController::ask()
+void ReportController::openDialog()
 {
     const core::Case& current = document_.current();
     if (!current.vessels.tree || !current.shown().angiogram || !target_.current()) {
@@ -181,7 +181,7 @@ void ReportController::ask()
         return;
     }
     // The identity option is off whenever the dialog opens; its state is not remembered.
-    auto* dialog = new ui::ReportDialog({ui::Choice::Off, settings::reportTemplate.read()}, &dialogParent_);
+    auto* dialog = new ui::ReportDialog({ui::Toggle::Off, settings::reportTemplate.read()}, &dialogParent_);
     connect(dialog, &ui::ReportDialog::templateWanted, this, [this, dialog] { askTemplate(*dialog); });
     connect(dialog, &ui::ReportDialog::copyWanted, this, &ReportController::askCopy);
     connect(dialog, &ui::ReportDialog::chosen, this, &ReportController::askFile,
@@ -206,21 +206,21 @@ void ReportController::askCopy()
                        [](const QString& path) { return writeBytes(builtInReportTemplate(), path); });
 }
 
-void ReportController::askFile(const ui::ReportChoice& choice)
+void ReportController::askFile(const ui::ReportOptions& choice)
 {
     settings::reportTemplate.write(choice.templatePath);
-    const core::Case current = outgoingCase(document_.current());
+    const core::Case current = caseForExport(document_.current());
     if (!target_.current()) {
         return;   // the target has been removed in the meantime
     }
-    ui::ExportChoice picture;
-    picture.residualColors = ui::Choice::On;
+    ui::OverlayExportOptions picture;
+    picture.residualColors = ui::Toggle::On;
     picture.identity = choice.identity;
     exporting_.askFile({tr("Export report"), tr("Reports (*.pdf *.html)"), QStringLiteral("pdf")},
-                       [current, target = *target_.current(), look = exporting_.lookOf(picture),
+                       [current, target = *target_.current(), look = exporting_.overlayOptions(picture),
                         author = observerName(), typeface = QApplication::font().families(),
                         templatePath = choice.templatePath](const QString& path) -> core::Status {
-                           const auto views = judgedViews(current, target, look);
+                           const auto views = evaluateViews(current, target, look);
                            if (!views) {
                                return views.error();
                            }

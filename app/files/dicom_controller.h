@@ -24,27 +24,28 @@ public:
     DicomController(CaseDocument& document, TargetProvider& target, ExportController& exporting, QWidget& dialogParent,
                     QObject* parent = nullptr);
 
-    void ask();
+    void openDialog();
     /// Asks which objects to send; emits `wanted` if the user selects any.
-    void askToSend();
+    void selectObjectsToSend();
 
     /// Creates the objects of the current case in a folder; may run on any thread.
-    using Maker = std::function<core::Result<DicomFiles>(const std::string& folder, const DicomObserver& observe)>;
-    Maker makerOf(const ui::DicomChoice& choice) const;
+    using ObjectWriter =
+        std::function<core::Result<DicomFiles>(const std::string& folder, const DicomObserver& observe)>;
+    ObjectWriter makeWriter(const ui::DicomExportOptions& choice) const;
 
-    void write(const ui::DicomChoice& choice, const QString& folder);   ///< returns at once
+    void write(const ui::DicomExportOptions& choice, const QString& folder);   ///< returns at once
 
 signals:
     void started();
     void written(const QString& folder, const QStringList& notes);
     void failed(const QString& reason);
-    void wanted(const ui::DicomChoice& choice);   ///< emitted with the objects to send
+    void wanted(const ui::DicomExportOptions& choice);   ///< emitted with the objects to send
 
 private:
-    ui::DicomDialog* askWhat(ui::DicomPurpose purpose);
-    std::vector<ui::DicomPart> possibleParts() const;
-    void askFolder(const ui::DicomChoice& choice);
-    DicomExport exportFor(const ui::DicomChoice& choice) const;
+    ui::DicomDialog* createDialog(ui::DicomPurpose purpose);
+    std::vector<ui::DicomPart> availableParts() const;
+    void askFolder(const ui::DicomExportOptions& choice);
+    DicomExport exportOptions(const ui::DicomExportOptions& choice) const;
 
     CaseDocument& document_;
     TargetProvider& target_;
@@ -62,7 +63,7 @@ public:
     ReportController(CaseDocument& document, TargetProvider& target, ExportController& exporting, QWidget& dialogParent,
                      QObject* parent = nullptr);
 
-    void ask();
+    void openDialog();
 
 signals:
     void failed(const QString& reason);
@@ -70,7 +71,7 @@ signals:
 private:
     void askTemplate(ui::ReportDialog& dialog);
     void askCopy();
-    void askFile(const ui::ReportChoice& choice);
+    void askFile(const ui::ReportOptions& choice);
 
     CaseDocument& document_;
     TargetProvider& target_;

@@ -6,7 +6,7 @@
 #include "app/preferences/save_folder.h"
 #include "app/preferences/settings.h"
 #include "app/texts/deformed_vessels.h"
-#include "app/texts/picture_file.h"
+#include "app/texts/image_file.h"
 #include "app/words/snapshot_texts.h"
 #include "app/words/view_words.h"
 #include "core/case/registration_input.h"
@@ -37,14 +37,14 @@
 namespace angiopose::app {
 namespace {
 
-core::Status writePdf(const core::Case& session, const core::Centerline2d& target, const OverlayPictureOptions& options,
-                      const PictureFile& file, const QString& path)
+core::Status writePdf(const core::Case& session, const core::Centerline2d& target, const OverlayImageOptions& options,
+                      const ImageFileOptions& file, const QString& path)
 {
-    const auto vectors = pictureVectors(session, target, options, file);
+    const auto vectors = imageVectors(session, target, options, file);
     if (!vectors) {
         return vectors.error();
     }
-    const QByteArray page = pdfOf(vectors.value(), factsOf(session, file));
+    const QByteArray page = toPdf(vectors.value(), svgMetadata(session, file));
     return io::writeAtomically(path.toStdString(), {page.constData(), static_cast<std::size_t>(page.size())});
 }
 
@@ -56,7 +56,7 @@ ExportController::ExportController(CaseDocument& document, TargetProvider& targe
 {
 }
 
-void ExportController::askFile(const FileQuestion& question, const Write& write, const Then& then)
+void ExportController::askFile(const FileQuestion& question, const Write& write, const Continuation& then)
 {
     askPath(question, [this, write, then, isOfCase = question.isOfCase](const QString& path) {
         run(path, write, then, isOfCase);
@@ -77,12 +77,12 @@ void ExportController::askPath(const FileQuestion& question, const std::function
     dialog->open();
 }
 
-void ExportController::writeFile(const QString& path, const Write& write, const Then& then)
+void ExportController::writeFile(const QString& path, const Write& write, const Continuation& then)
 {
     run(path, write, then, true);
 }
 
-void ExportController::run(const QString& path, const Write& write, const Then& then, bool isOfCase)
+void ExportController::run(const QString& path, const Write& write, const Continuation& then, bool isOfCase)
 {
     emit started();
     files_.run(
@@ -121,18 +121,18 @@ void ExportController::askOverlay()
     auto* dialog =
         new ui::ExportDialog(std::max(64, viewWidth), static_cast<double>(run.height()) / run.width(), &dialogParent_);
     dialog->offerCutout(view.cutout() != ui::Cutout::Shape::None);
-    const auto chosen = [](const Setting<bool>& setting) { return setting.read() ? ui::Choice::On : ui::Choice::Off; };
-    ui::ExportChoice usual{settings::exportWidthPx.read(), chosen(settings::exportResiduals), ui::Choice::Off,
-                           chosen(settings::exportEnglish)};
-    usual.format = static_cast<ui::PictureFormat>(std::clamp(settings::exportFormat.read(), 0, 2));
+    const auto chosen = [](const Setting<bool>& setting) { return setting.read() ? ui::Toggle::On : ui::Toggle::Off; };
+    ui::OverlayExportOptions usual{settings::exportWidthPx.read(), chosen(settings::exportResiduals), ui::Toggle::Off,
+                                   chosen(settings::exportEnglish)};
+    usual.format = static_cast<ui::ImageFileFormat>(std::clamp(settings::exportFormat.read(), 0, 2));
     usual.dotsPerInch = settings::exportDotsPerInch.read();
     dialog->showChoice(usual);
-    const auto ask = [this](const ui::ExportChoice& choice) {
+    const auto ask = [this](const ui::OverlayExportOptions& choice) {
         settings::exportWidthPx.write(choice.widthPx);
-        settings::exportResiduals.write(choice.residualColors == ui::Choice::On);
-        settings::exportEnglish.write(choice.english == ui::Choice::On);
+        settings::exportResiduals.write(choice.residualColors == ui::Toggle::On);
+        settings::exportEnglish.write(choice.english == ui::Toggle::On);
         settings::exportDotsPerInch.write(choice.dotsPerInch);
-        if (choice.part != ui::PicturePart::Frame16) {
+        if (choice.part != ui::ImageContent::Frame16) {
             settings::exportFormat.write(static_cast<int>(choice.format));
         }
         askFile(questionFor(choice.format), overlayWriter(choice));
@@ -142,20 +142,20 @@ void ExportController::askOverlay()
     dialog->open();
 }
 
-OverlayPictureOptions ExportController::lookOf(const ui::ExportChoice& choice) const
+OverlayImageOptions ExportController::overlayOptions(const ui::OverlayExportOptions& choice) const
 {
     ui::AngiogramView& view = view_;
     const OverlayColoring coloring = preview_.isMotionColored() ? OverlayColoring::Motion : OverlayColoring::Residuals;
-    OverlayPictureOptions options{choice.widthPx,
-                                  choice.residualColors == ui::Choice::On ? coloring : OverlayColoring::Branches,
-                                  choice.identity == ui::Choice::On ? Identity::Shown : Identity::Hidden,
-                                  choice.english == ui::Choice::On ? englishTexts : windowTexts};
+    OverlayImageOptions options{choice.widthPx,
+                                choice.residualColors == ui::Toggle::On ? coloring : OverlayColoring::Branches,
+                                choice.identity == ui::Toggle::On ? Identity::Shown : Identity::Hidden,
+                                choice.english == ui::Toggle::On ? englishTexts : windowTexts};
     options.vessels = view.scene().mode();   // exports use the displayed vessel style
     options.range = view.shownRange();
     options.depthCue = view.scene().depthCue();
     options.shape = preview_.shape();
-    options.cutout = choice.cutout == ui::Choice::On ? view.scene().cutout() : ui::Cutout{};
-    options.isStartBeside = choice.startBeside == ui::Choice::On;
+    options.cutout = choice.cutout == ui::Toggle::On ? view.scene().cutout() : ui::Cutout{};
+    options.isInitialPoseShown = choice.startBeside == ui::Toggle::On;
     if (view.scene().hasDrr()) {
         const core::Centerline2d target = target_.current() ? *target_.current() : core::Centerline2d{};
         if (auto input = core::registrationInputOf(document_.current(), target)) {
@@ -166,33 +166,33 @@ OverlayPictureOptions ExportController::lookOf(const ui::ExportChoice& choice) c
     return options;
 }
 
-ExportController::FileQuestion ExportController::questionFor(ui::PictureFormat format)
+ExportController::FileQuestion ExportController::questionFor(ui::ImageFileFormat format)
 {
     switch (format) {
-        case ui::PictureFormat::Svg:
+        case ui::ImageFileFormat::Svg:
             return {tr("Export overlay"), tr("Vector graphics (*.svg)"), QStringLiteral("svg")};
-        case ui::PictureFormat::Pdf:
+        case ui::ImageFileFormat::Pdf:
             return {tr("Export overlay"), tr("PDF documents (*.pdf)"), QStringLiteral("pdf")};
-        case ui::PictureFormat::Png:
+        case ui::ImageFileFormat::Png:
             break;
     }
     return {tr("Export overlay"), tr("PNG images (*.png)"), QStringLiteral("png")};
 }
 
-ExportController::Write ExportController::overlayWriter(const ui::ExportChoice& choice) const
+ExportController::Write ExportController::overlayWriter(const ui::OverlayExportOptions& choice) const
 {
-    const OverlayPictureOptions options = lookOf(choice);
-    const PictureFile file{static_cast<PictureContent>(choice.part), static_cast<double>(choice.dotsPerInch)};
-    return
-        [snapshot = outgoingCase(document_.current()), target = target_.current(), options, file](const QString& path) {
-            const core::Centerline2d traced = target ? *target : core::Centerline2d{};
-            return path.endsWith(QLatin1String(".pdf"), Qt::CaseInsensitive)
-                       ? writePdf(snapshot, traced, options, file, path)
-                       : writePictureFile(snapshot, traced, options, file, path.toStdString());
-        };
+    const OverlayImageOptions options = overlayOptions(choice);
+    const ImageFileOptions file{static_cast<ImageFileContent>(choice.part), static_cast<double>(choice.dotsPerInch)};
+    return [snapshot = caseForExport(document_.current()), target = target_.current(), options,
+            file](const QString& path) {
+        const core::Centerline2d traced = target ? *target : core::Centerline2d{};
+        return path.endsWith(QLatin1String(".pdf"), Qt::CaseInsensitive)
+                   ? writePdf(snapshot, traced, options, file, path)
+                   : writeImageFile(snapshot, traced, options, file, path.toStdString());
+    };
 }
 
-void ExportController::exportOverlay(const ui::ExportChoice& choice, const QString& path)
+void ExportController::exportOverlay(const ui::OverlayExportOptions& choice, const QString& path)
 {
     writeFile(path, overlayWriter(choice));
 }
@@ -251,7 +251,7 @@ void ExportController::askMeasurements()
             });
 }
 
-void ExportController::askCheckPoints()
+void ExportController::askTargetPoints()
 {
     if (document_.current().vessels.marks.empty()) {
         emit failed(tr("No target points or rings have been set yet."));
@@ -261,15 +261,15 @@ void ExportController::askCheckPoints()
     askFile({tr("Export target points"), filters, QStringLiteral("checkpoints.csv")},
             [snapshot = document_.current()](const QString& path) {
                 return path.endsWith(QStringLiteral(".csv"), Qt::CaseInsensitive)
-                           ? io::writeCheckPoints(snapshot, path.toStdString())
-                           : io::writeFiducials(io::pointsOf(snapshot), path.toStdString());
+                           ? io::writeTargetPoints(snapshot, path.toStdString())
+                           : io::writeFiducials(io::caseFiducials(snapshot), path.toStdString());
             });
 }
 
 void ExportController::askDeformed()
 {
     const core::Case& current = document_.current();
-    const auto deformed = drawableDeformation(current.shown(), current.vessels, current.shown().cameraFromPatient);
+    const auto deformed = deformationForPose(current.shown(), current.vessels, current.shown().cameraFromPatient);
     if (!deformed) {
         emit failed(tr("There are no deformed vessels for this pose. Register first (R)."));
         return;
@@ -292,7 +292,7 @@ void ExportController::askMask()
             });
 }
 
-void ExportController::askVessels(const Then& then)
+void ExportController::askVessels(const Continuation& then)
 {
     if (!document_.current().vessels.tree) {
         emit failed(tr("There are no vessels yet. Open a centerline, or trace a scan."));

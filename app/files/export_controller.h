@@ -4,7 +4,7 @@
 #include "app/jobs/file_queue.h"
 #include "app/registration/target_provider.h"
 #include "app/showing/pose_preview.h"
-#include "app/texts/overlay_picture.h"
+#include "app/texts/overlay_image.h"
 #include "ui/dialogs/export_dialog.h"
 
 #include <QObject>
@@ -34,22 +34,22 @@ public:
     };
     /// Writes one file on a worker; holds copies of all its data.
     using Write = std::function<core::Status(const QString& path)>;
-    using Then = std::function<void()>;   ///< called after the file is written
-    void askFile(const FileQuestion& question, const Write& write, const Then& then = {});
+    using Continuation = std::function<void()>;   ///< called after the file is written
+    void askFile(const FileQuestion& question, const Write& write, const Continuation& then = {});
     void askPath(const FileQuestion& question, const std::function<void(const QString& path)>& use);
     void writeFile(const QString& path, const Write& write,
-                   const Then& then = {});   ///< writes a file with data from the case; returns at once
+                   const Continuation& then = {});   ///< writes a file with data from the case; returns at once
 
     void askOverlay();
-    OverlayPictureOptions lookOf(const ui::ExportChoice& choice) const;   ///< appearance as in the window
-    void exportOverlay(const ui::ExportChoice& choice, const QString& path);   ///< returns at once
+    OverlayImageOptions overlayOptions(const ui::OverlayExportOptions& choice) const;   ///< appearance as in the window
+    void exportOverlay(const ui::OverlayExportOptions& choice, const QString& path);   ///< returns at once
     void askResult();
     void askPose();
     void askTrace();
     void askMeasurements();
-    void askCheckPoints();
+    void askTargetPoints();
     void askMask();   ///< exports the lumen as a label image
-    void askVessels(const Then& then = {});
+    void askVessels(const Continuation& then = {});
     void askDeformed();   ///< exports the deformed tree or the displacement of each of its points
 
 signals:
@@ -59,9 +59,9 @@ signals:
     void failed(const QString& reason);
 
 private:
-    static FileQuestion questionFor(ui::PictureFormat format);
-    Write overlayWriter(const ui::ExportChoice& choice) const;
-    void run(const QString& path, const Write& write, const Then& then, bool isOfCase);
+    static FileQuestion questionFor(ui::ImageFileFormat format);
+    Write overlayWriter(const ui::OverlayExportOptions& choice) const;
+    void run(const QString& path, const Write& write, const Continuation& then, bool isOfCase);
 
     CaseDocument& document_;
     TargetProvider& target_;

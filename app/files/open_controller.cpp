@@ -39,8 +39,8 @@ OpenController::OpenController(CaseDocument& document, QObject* parent) : QObjec
 
 void OpenController::open(const QStringList& paths)
 {
-    original_.reset();
-    asView_ = false;
+    originalPath_.reset();
+    opensAsView_ = false;
     furtherRuns_.clear();
     io::OpenHints hints{{}, {}, foldersInUse()};
     hints.scanUse = scanUse();
@@ -50,8 +50,8 @@ void OpenController::open(const QStringList& paths)
 
 void OpenController::openStudy(const StudyChoice& choice)
 {
-    original_.reset();
-    asView_ = false;
+    originalPath_.reset();
+    opensAsView_ = false;
     furtherRuns_ = choice.runs.mid(1);
     io::OpenHints hints{choice.seriesId.toStdString(), {}, foldersInUse()};
     hints.scanUse = scanUse();
@@ -73,14 +73,14 @@ io::ScanUse OpenController::scanUse() const
 
 void OpenController::openScan(io::ScanUse use)
 {
-    io::OpenHints hints{askedSeries_.toStdString(), {}, {}};
+    io::OpenHints hints{pendingSeries_.toStdString(), {}, {}};
     hints.scanUse = use;
-    load(askedPaths_, hints);
+    load(pendingPaths_, hints);
 }
 
 void OpenController::openView(const QStringList& paths)
 {
-    asView_ = true;
+    opensAsView_ = true;
     furtherRuns_.clear();
     load(paths, {{}, {}, foldersInUse()});
 }
@@ -93,10 +93,10 @@ void OpenController::openNextRun()
     }
     if (!document_.current().vessels.tree || !document_.current().shown().angiogram) {
         furtherRuns_.clear();
-        emit opened({tr("Additional runs can become views once there are vessels. Open them again then.")});
+        emit opened({tr("Additional runs can be added as views once the case has vessels. Open them again then.")});
         return;
     }
-    asView_ = true;
+    opensAsView_ = true;
     load({furtherRuns_.takeFirst()}, {{}, {}, foldersInUse()});
 }
 
@@ -106,10 +106,10 @@ void OpenController::openCopy(const QString& copy, const QString& original)
     if (!original.isEmpty()) {
         hints.searchFolders.insert(hints.searchFolders.begin(), QFileInfo(original).absolutePath().toStdString());
     }
-    asView_ = false;
+    opensAsView_ = false;
     furtherRuns_.clear();
-    original_ = original;
-    copy_ = copy;
+    originalPath_ = original;
+    copyPath_ = copy;
     load({copy}, hints);
 }
 
@@ -118,60 +118,60 @@ void OpenController::openInUnit(double unitMm)
     io::OpenHints hints{{}, {}, foldersInUse()};
     hints.scanUse = scanUse();
     hints.unitMm = unitMm;
-    load(askedPaths_, hints);
+    load(pendingPaths_, hints);
 }
 
 void OpenController::openSeries(const QString& seriesId)
 {
     io::OpenHints hints{seriesId.toStdString(), {}, {}};
     hints.scanUse = scanUse();
-    load(askedPaths_, hints);
+    load(pendingPaths_, hints);
 }
 
 void OpenController::openWithInputs(const io::MovedInputs& moved, const QString& searchFolder)
 {
-    io::OpenHints hints{{}, moved_, foldersInUse()};
+    io::OpenHints hints{{}, movedInputs_, foldersInUse()};
     hints.moved.insert(moved.begin(), moved.end());
     if (!searchFolder.isEmpty()) {
         hints.searchFolders.insert(hints.searchFolders.begin(), searchFolder.toStdString());
     }
-    load(askedPaths_, hints);
+    load(pendingPaths_, hints);
 }
 
 void OpenController::openWithoutOptional()
 {
-    io::OpenHints hints{{}, moved_, {}};
-    hints.withoutOptional = true;
-    load(askedPaths_, hints);
+    io::OpenHints hints{{}, movedInputs_, {}};
+    hints.skipsOptionalInputs = true;
+    load(pendingPaths_, hints);
 }
 
-void OpenController::addWaitingView()
+void OpenController::addPendingView()
 {
-    if (auto opening = std::exchange(waiting_, std::nullopt)) {
-        opening->way = Opening::Way::AddView;
-        admit(*opening);
+    if (auto opening = std::exchange(pendingOpening_, std::nullopt)) {
+        opening->mode = Opening::Mode::AddView;
+        confirmPatient(*opening);
     }
 }
 
 void OpenController::replaceImage()
 {
-    if (const auto opening = std::exchange(waiting_, std::nullopt)) {
-        admit(*opening);
+    if (const auto opening = std::exchange(pendingOpening_, std::nullopt)) {
+        confirmPatient(*opening);
     }
 }
 
 void OpenController::replaceOpenCase()
 {
-    if (const auto opening = std::exchange(waiting_, std::nullopt)) {
-        admit(*opening);
+    if (const auto opening = std::exchange(pendingOpening_, std::nullopt)) {
+        confirmPatient(*opening);
     }
 }
 
 void OpenController::openMismatched(bool isSamePatient)
 {
-    if (auto opening = std::exchange(waiting_, std::nullopt)) {
+    if (auto opening = std::exchange(pendingOpening_, std::nullopt)) {
         opening->isSamePatient = isSamePatient;
-        carryOut(*opening);
+        apply(*opening);
     }
 }
 
@@ -192,7 +192,7 @@ void OpenController::load(const QStringList& paths, const io::OpenHints& hints)
     job_ = new LoadJob(this);
     connect(job_, &LoadJob::finished, this, [this, paths, series = hints.seriesId](const io::LoadedInputs& inputs) {
         finish();
-        askedSeries_ = QString::fromStdString(series);
+        pendingSeries_ = QString::fromStdString(series);
         take(inputs, paths);
     });
     connect(job_, &LoadJob::failed, this, [this, paths](const core::Message& reason) {
@@ -210,8 +210,8 @@ void OpenController::abandon()
     if (job_) {
         finish();
     }
-    waiting_.reset();
-    waitingPose_.reset();
+    pendingOpening_.reset();
+    pendingPose_.reset();
 }
 
 void OpenController::finish()
@@ -224,33 +224,33 @@ void OpenController::finish()
 
 /// If reading stopped because a decision is needed, asks the user for the series, the use of the scan or the location
 /// of missing inputs. Returns whether it asked.
-bool OpenController::asksFirst(const io::LoadedInputs& inputs, const QStringList& paths)
+bool OpenController::requestDecision(const io::LoadedInputs& inputs, const QStringList& paths)
 {
-    if (inputs.isStudyOffered) {
+    if (inputs.isStudyChoiceNeeded) {
         emit studyOffered(paths.front());
         return true;
     }
     if (!inputs.offered.empty()) {
-        askedPaths_ = paths;
+        pendingPaths_ = paths;
         emit seriesChoiceNeeded(paths.join(QStringLiteral(", ")), inputs.offered);
         return true;
     }
-    if (inputs.askedUnitsAcross) {
-        askedPaths_ = paths;
-        emit unitNeeded(namesOf(paths), *inputs.askedUnitsAcross);
+    if (inputs.extentInUnknownUnits) {
+        pendingPaths_ = paths;
+        emit unitNeeded(namesOf(paths), *inputs.extentInUnknownUnits);
         return true;
     }
-    if (inputs.isScanAsked) {
-        askedPaths_ = paths;
+    if (inputs.isScanUseUndecided) {
+        pendingPaths_ = paths;
         emit scanChoiceNeeded(namesOf(paths));
         return true;
     }
     if (!inputs.missing.empty()) {
-        askedPaths_ = paths;
-        moved_ = inputs.moved;
+        pendingPaths_ = paths;
+        movedInputs_ = inputs.moved;
         QStringList missing;
-        for (const io::MissingInput& each : inputs.missing) {
-            missing << QString::fromStdString(each.path);
+        for (const io::MissingInput& missingInput : inputs.missing) {
+            missing << QString::fromStdString(missingInput.path);
         }
         emit inputsMissing(paths.front(), missing, std::ranges::all_of(inputs.missing, &io::MissingInput::isOptional));
         return true;
@@ -269,36 +269,36 @@ void OpenController::take(const io::LoadedInputs& inputs, const QStringList& pat
                     paths);
         return;
     }
-    if (asksFirst(inputs, paths)) {
+    if (requestDecision(inputs, paths)) {
         return;
     }
     if (inputs.pose || !inputs.fiducials.empty()) {
-        takeShared(inputs, paths);
+        applyShared(inputs, paths);
         return;
     }
-    const bool replaces = inputs.wholeCase || io::makesNewCase(inputs);
-    Opening opening{inputs, paths, replaces ? Opening::Way::Replace : Opening::Way::Join, original_};
-    if (std::exchange(asView_, false)) {
-        opening.way = Opening::Way::AddView;
+    const bool replaces = inputs.loadedCase || io::isCompleteCase(inputs);
+    Opening opening{inputs, paths, replaces ? Opening::Mode::Replace : Opening::Mode::Join, originalPath_};
+    if (std::exchange(opensAsView_, false)) {
+        opening.mode = Opening::Mode::AddView;
     } else if (isAnotherView(document_.current(), inputs)) {
-        waiting_ = std::move(opening);
+        pendingOpening_ = std::move(opening);
         emit viewChoiceNeeded(namesOf(paths));
         return;
     }
-    if (opening.way == Opening::Way::Replace && document_.isModified()) {
-        waiting_ = std::move(opening);
+    if (opening.mode == Opening::Mode::Replace && document_.isModified()) {
+        pendingOpening_ = std::move(opening);
         emit replacementNeedsConsent();
         return;
     }
-    admit(opening);
+    confirmPatient(opening);
 }
 
 /// Applies a pose or points to the open case, of which their file does not become an input.
-void OpenController::takeShared(const io::LoadedInputs& inputs, const QStringList& paths)
+void OpenController::applyShared(const io::LoadedInputs& inputs, const QStringList& paths)
 {
-    asView_ = false;
+    opensAsView_ = false;
     if (!inputs.pose) {
-        const auto notes = takePoints(document_, inputs.fiducials, namesOf(paths));
+        const auto notes = addTargetPoints(document_, inputs.fiducials, namesOf(paths));
         if (notes) {
             emit poseOpened(notes.value());
         } else {
@@ -306,54 +306,54 @@ void OpenController::takeShared(const io::LoadedInputs& inputs, const QStringLis
         }
         return;
     }
-    const PoseFit fit = poseFit(document_.current(), *inputs.pose);
+    const PoseCompatibility fit = checkPoseCompatibility(document_.current(), *inputs.pose);
     if (!fit.refusal.isEmpty()) {
         emit failed(fit.refusal, paths);
         return;
     }
     if (!fit.isOtherCamera) {
-        finishPose(*inputs.pose, ArrivingCamera::OfCase, namesOf(paths));
+        applyOpenedPose(*inputs.pose, IncomingCamera::OfCase, namesOf(paths));
         return;
     }
-    waitingPose_ = inputs.pose;
-    waitingPoseName_ = namesOf(paths);
-    emit cameraChoiceNeeded(waitingPoseName_);
+    pendingPose_ = inputs.pose;
+    pendingPoseName_ = namesOf(paths);
+    emit cameraChoiceNeeded(pendingPoseName_);
 }
 
-void OpenController::openWaitingPose(ArrivingCamera camera)
+void OpenController::openPendingPose(IncomingCamera camera)
 {
-    if (const auto pose = std::exchange(waitingPose_, std::nullopt); pose && !document_.isLocked()) {
-        finishPose(*pose, camera, waitingPoseName_);
+    if (const auto pose = std::exchange(pendingPose_, std::nullopt); pose && !document_.isLocked()) {
+        applyOpenedPose(*pose, camera, pendingPoseName_);
     }
 }
 
-void OpenController::finishPose(const io::PoseWithCamera& pose, ArrivingCamera camera, const QString& name)
+void OpenController::applyOpenedPose(const io::PoseWithCamera& pose, IncomingCamera camera, const QString& name)
 {
-    const QStringList notes = takePose(document_, pose, camera, name);
+    const QStringList notes = applyPose(document_, pose, camera, name);
     emit poseOpened(QStringList{tr("Pose from %1 applied.").arg(name)} + notes);
 }
 
 /// Adds the opened files to the case; asks first if they seem to belong to another patient.
-void OpenController::admit(const Opening& opening)
+void OpenController::confirmPatient(const Opening& opening)
 {
-    const auto wanted = caseWith(document_.current(), opening);
+    const auto wanted = resultingCase(document_.current(), opening);
     const io::LoadedInputs& inputs = opening.inputs;
-    const bool saysWhose = inputs.angiogram || inputs.volume || inputs.wholeCase;
+    const bool saysWhose = inputs.angiogram || inputs.volume || inputs.loadedCase;
     const core::Messages mismatch = wanted && saysWhose ? core::findMismatch(wanted.value()) : core::Messages();
     if (mismatch.empty()) {
-        carryOut(opening);
+        apply(opening);
         return;
     }
-    waiting_ = opening;
+    pendingOpening_ = opening;
     emit mismatchNeedsConsent(namesOf(opening.paths), mismatch, wanted.value());
 }
 
-void OpenController::carryOut(const Opening& opening)
+void OpenController::apply(const Opening& opening)
 {
-    const auto notes = takeIn(document_, opening);
+    const auto notes = addToCase(document_, opening);
     if (notes) {
         if (opening.inputs.tree) {
-            emit tookIn(opening.inputs.warnings);
+            emit inputsAdded(opening.inputs.warnings);
         }
         emit opened(notes.value());
         openNextRun();

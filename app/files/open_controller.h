@@ -36,23 +36,23 @@ public:
     /// Answers `scanChoiceNeeded`.
     void openScan(io::ScanUse use);
     /// Answers `viewChoiceNeeded`.
-    void addWaitingView();
+    void addPendingView();
     void replaceImage();
     /// Answers `mismatchNeedsConsent`.
     void openMismatched(bool isSamePatient);
     /// Answers `cameraChoiceNeeded`.
-    void openWaitingPose(ArrivingCamera camera);
+    void openPendingPose(IncomingCamera camera);
     /// Answers `inputsMissing`: opens the case without optional inputs.
     void openWithoutOptional();
     /// Answers `inputsMissing` with the locations of some inputs, or with another folder to search.
     void openWithInputs(const io::MovedInputs& moved, const QString& searchFolder = {});
     /// Path of the copy from which the open case was read; empty if it was not read from a copy.
-    QString openedCopy() const { return original_ ? copy_ : QString(); }
+    QString openedCopy() const { return originalPath_ ? copyPath_ : QString(); }
     void abandon();
     bool isLoading() const { return job_ != nullptr; }
 
 signals:
-    void tookIn(const core::Messages& warnings);   ///< warnings about files that are now part of the case
+    void inputsAdded(const core::Messages& warnings);   ///< warnings about files that are now part of the case
     void started(const QString& what);
     void advanced(const QString& what, double fraction);
     /// Emitted if a DICOM folder contains several series; answer with `openSeries` or ignore.
@@ -68,9 +68,9 @@ signals:
     /// Emitted if vessels without a unit are implausibly small or large in mm; answer with `openInUnit` or ignore.
     void unitNeeded(const QString& name, double unitsAcross);
     /// Emitted if an angiogram was opened while the case already has one. The question is whether to add a view or to
-    /// replace the image; answer with `addWaitingView`, `replaceImage` or ignore.
+    /// replace the image; answer with `addPendingView`, `replaceImage` or ignore.
     void viewChoiceNeeded(const QString& name);
-    /// Emitted if a pose comes with a camera other than that of the case; answer with `openWaitingPose` or ignore.
+    /// Emitted if a pose comes with a camera other than that of the case; answer with `openPendingPose` or ignore.
     void cameraChoiceNeeded(const QString& name);
     /// Emitted if the opened files seem to belong to another patient or to the other body side; answer with
     /// `openMismatched` or ignore.
@@ -86,28 +86,28 @@ public slots:
 
 private:
     void load(const QStringList& paths, const io::OpenHints& hints);
-    bool asksFirst(const io::LoadedInputs& inputs, const QStringList& paths);
+    bool requestDecision(const io::LoadedInputs& inputs, const QStringList& paths);
     void take(const io::LoadedInputs& inputs, const QStringList& paths);
-    void admit(const Opening& opening);
-    void carryOut(const Opening& opening);
-    void takeShared(const io::LoadedInputs& inputs, const QStringList& paths);
-    void finishPose(const io::PoseWithCamera& pose, ArrivingCamera camera, const QString& name);
+    void confirmPatient(const Opening& opening);
+    void apply(const Opening& opening);
+    void applyShared(const io::LoadedInputs& inputs, const QStringList& paths);
+    void applyOpenedPose(const io::PoseWithCamera& pose, IncomingCamera camera, const QString& name);
     void openNextRun();
     io::ScanUse scanUse() const;
     void finish();
 
     CaseDocument& document_;
     LoadJob* job_ = nullptr;
-    std::optional<Opening> waiting_;   ///< files that have been read and await the user's consent
-    std::optional<io::PoseWithCamera> waitingPose_;   ///< has a camera other than that of the case
-    QString waitingPoseName_;
-    QString askedSeries_;   ///< series of the scan about which the user is asked
+    std::optional<Opening> pendingOpening_;   ///< files that have been read and await the user's consent
+    std::optional<io::PoseWithCamera> pendingPose_;   ///< has a camera other than that of the case
+    QString pendingPoseName_;
+    QString pendingSeries_;   ///< series of the scan about which the user is asked
     QStringList furtherRuns_;   ///< runs of a study, to be opened as views
-    QStringList askedPaths_;   ///< paths for which the user is asked about the series or missing inputs
-    bool asView_ = false;   ///< true if the files being opened become another view
-    io::MovedInputs moved_;   ///< inputs located so far, for a case with missing inputs
-    std::optional<QString> original_;   ///< for a recovered copy, the path of its case
-    QString copy_;
+    QStringList pendingPaths_;   ///< paths for which the user is asked about the series or missing inputs
+    bool opensAsView_ = false;   ///< true if the files being opened become another view
+    io::MovedInputs movedInputs_;   ///< inputs located so far, for a case with missing inputs
+    std::optional<QString> originalPath_;   ///< for a recovered copy, the path of its case
+    QString copyPath_;
 };
 
 }   // namespace angiopose::app

@@ -78,12 +78,12 @@ OpenDialogs::OpenDialogs(CaseDocument& document, OpenController& open, SaveContr
 {
     connect(&open_, &OpenController::seriesChoiceNeeded, this, &OpenDialogs::chooseSeries);
     connect(&open_, &OpenController::inputsMissing, this, &OpenDialogs::askForInputs);
-    connect(&open_, &OpenController::scanChoiceNeeded, this, &OpenDialogs::askWhatScan);
+    connect(&open_, &OpenController::scanChoiceNeeded, this, &OpenDialogs::askScanUse);
     connect(&open_, &OpenController::unitNeeded, this, &OpenDialogs::askUnit);
     connect(&open_, &OpenController::viewChoiceNeeded, this, &OpenDialogs::askWhichView);
     connect(&open_, &OpenController::cameraChoiceNeeded, this, &OpenDialogs::askWhichCamera);
-    connect(&open_, &OpenController::mismatchNeedsConsent, this, &OpenDialogs::askAboutPatient);
-    connect(&open_, &OpenController::replacementNeedsConsent, this, &OpenDialogs::askToReplace);
+    connect(&open_, &OpenController::mismatchNeedsConsent, this, &OpenDialogs::confirmPatientMismatch);
+    connect(&open_, &OpenController::replacementNeedsConsent, this, &OpenDialogs::confirmReplace);
     connect(&ui_.welcome, &ui::WelcomePage::openRequested, this, &OpenDialogs::askFiles);
     connect(&ui_.welcome, &ui::WelcomePage::folderRequested, this, &OpenDialogs::askFolder);
     connect(&ui_.welcome, &ui::WelcomePage::sampleRequested, this, &OpenDialogs::openSample);
@@ -152,7 +152,7 @@ void OpenDialogs::askWhichView(const QString& name)
     question->setObjectName(QStringLiteral("viewQuestion"));
     connect(question, &ui::QuestionDialog::answered, this, [this](int index) {
         if (index == 0) {
-            open_.addWaitingView();
+            open_.addPendingView();
         } else if (index == 1) {
             open_.replaceImage();
         } else {
@@ -166,24 +166,24 @@ void OpenDialogs::askWhichCamera(const QString& name)
 {
     auto* question =
         new ui::QuestionDialog({tr("Which camera should be used?"),
-                                tr("“%1” contains a camera that differs from the camera of the case. A pose shows the "
-                                   "vessels in the right place only with its own camera.")
+                                tr("“%1” contains a camera that differs from the camera of the case. The pose is valid "
+                                   "only with the camera it was registered with.")
                                     .arg(name),
                                 {}},
                                {tr("Use pose and camera"), tr("Use pose only"), tr("Cancel")}, &ui_.dialogParent);
     question->setObjectName(QStringLiteral("cameraQuestion"));
-    question->setMeantByClosing(2);
+    question->setAnswerOnClose(2);
     connect(question, &ui::QuestionDialog::answered, this, [this](int index) {
         if (index == 2) {
             open_.abandon();
         } else {
-            open_.openWaitingPose(index == 0 ? ArrivingCamera::OfPose : ArrivingCamera::OfCase);
+            open_.openPendingPose(index == 0 ? IncomingCamera::OfPose : IncomingCamera::OfCase);
         }
     });
     question->open();
 }
 
-void OpenDialogs::askAboutPatient(const QString& names, const core::Messages& mismatch, const core::Case& wanted)
+void OpenDialogs::confirmPatientMismatch(const QString& names, const core::Messages& mismatch, const core::Case& wanted)
 {
     const bool isHidden = ui_.actions[ui::Command::HideIdentity]->isChecked();
     const QString patients =
@@ -191,13 +191,13 @@ void OpenDialogs::askAboutPatient(const QString& names, const core::Messages& mi
     auto* question = new ui::QuestionDialog(
         {tr("Different patient?"),
          ui::messagesText(mismatch) + patients + QStringLiteral("\n\n") +
-             tr("If you open “%1” anyway, every image and report of the case states this, and no registration of its "
-                "images counts as reliable. Open it as the same patient if only the pseudonyms differ.")
+             tr("If you open “%1” anyway, every image and report of the case will carry a warning, and no registration "
+                "of its images will count as reliable. If only the pseudonyms differ, open it as the same patient.")
                  .arg(names),
          {}},
         {tr("Do not open"), tr("Open anyway"), tr("Open as same patient")}, &ui_.dialogParent);
     question->setObjectName(QStringLiteral("patientQuestion"));
-    question->setMeantByClosing(0);
+    question->setAnswerOnClose(0);
     connect(question, &ui::QuestionDialog::answered, this, [this](int index) {
         if (index > 0) {
             open_.openMismatched(index == 2);
@@ -208,7 +208,7 @@ void OpenDialogs::askAboutPatient(const QString& names, const core::Messages& mi
     question->open();
 }
 
-void OpenDialogs::askWhatScan(const QString& name)
+void OpenDialogs::askScanUse(const QString& name)
 {
     auto* question =
         new ui::QuestionDialog({tr("Show the scan with the current vessels?"),
@@ -220,7 +220,7 @@ void OpenDialogs::askWhatScan(const QString& name)
     question->setObjectName(QStringLiteral("scanQuestion"));
     connect(question, &ui::QuestionDialog::answered, this, [this](int index) {
         if (index < 2) {
-            open_.openScan(index == 0 ? io::ScanUse::Beside : io::ScanUse::Trace);
+            open_.openScan(index == 0 ? io::ScanUse::ShowWithVessels : io::ScanUse::Trace);
         }
     });
     question->open();
@@ -237,12 +237,13 @@ void OpenDialogs::askUnit(const QString& name, double unitsAcross)
                                           : tr("%1 m across").arg(ui::numberText(mm / 1000.0, 0));
         verbs << tr("%1: %2").arg(QString::fromUtf8(unit.name), size);
     }
-    auto* question = new ui::QuestionDialog({tr("Which unit does the file use?"),
-                                             tr("“%1” does not state the unit of its points. In millimeters, it would "
-                                                "be unusually small or large for vessels. The case stores your choice.")
-                                                 .arg(name),
-                                             {}},
-                                            verbs + QStringList{tr("Cancel")}, &ui_.dialogParent);
+    auto* question =
+        new ui::QuestionDialog({tr("Which unit does the file use?"),
+                                tr("“%1” does not specify the unit of its coordinates. If it were millimeters, the "
+                                   "vessels would be unusually small or large. Your choice is stored in the case.")
+                                    .arg(name),
+                                {}},
+                               verbs + QStringList{tr("Cancel")}, &ui_.dialogParent);
     question->setObjectName(QStringLiteral("unitQuestion"));
     connect(question, &ui::QuestionDialog::answered, this, [this, units](int index) {
         if (index >= 0 && index < static_cast<int>(units.size())) {
@@ -256,8 +257,8 @@ void OpenDialogs::askForInputs(const QString& casePath, const QStringList& missi
 {
     const QFileInfo file(casePath);
     auto* dialog = new ui::MissingInputs(file.fileName(), missing, file.absolutePath(), &ui_.dialogParent);
-    dialog->offerWithout(areOptional);
-    connect(dialog, &ui::MissingInputs::withoutRequested, &open_, &OpenController::openWithoutOptional);
+    dialog->offerOpenWithout(areOptional);
+    connect(dialog, &ui::MissingInputs::openWithoutRequested, &open_, &OpenController::openWithoutOptional);
     connect(dialog, &ui::MissingInputs::located, this, [this](const std::map<QString, QString>& places) {
         io::MovedInputs moved;
         for (const auto& [wanted, place] : places) {
@@ -286,9 +287,9 @@ void OpenDialogs::openSample()
     });
 }
 
-void OpenDialogs::askToReplace()
+void OpenDialogs::confirmReplace()
 {
-    if (!save_.holdsWork()) {
+    if (!save_.hasUnsavedWork()) {
         open_.replaceOpenCase();
         return;
     }
@@ -296,20 +297,19 @@ void OpenDialogs::askToReplace()
     const QString title = QString::fromStdString(document_.current().title);
     auto* question = new ui::QuestionDialog(
         {isSavable ? tr("Save the open case first?") : tr("Discard unsaved work?"),
-         isSavable
-             ? tr("“%1” has unsaved changes.").arg(title)
-             : tr("“%1” has no vessels yet, so there is no case to save. Work done here will be lost.").arg(title),
+         isSavable ? tr("“%1” has unsaved changes.").arg(title)
+                   : tr("“%1” has no vessels yet, so there is no case to save. Unsaved work will be lost.").arg(title),
          {}},
         isSavable ? QStringList{tr("Save"), tr("Discard changes"), tr("Keep current case")}
                   : QStringList{tr("Keep current case"), tr("Discard changes")},
         &ui_.dialogParent);
     const int keep = isSavable ? 2 : 0;
-    question->setMeantByClosing(keep);
+    question->setAnswerOnClose(keep);
     connect(question, &ui::QuestionDialog::answered, this, [this, keep](int index) {
         if (index == keep) {
             open_.abandon();
         } else if (index == 0) {
-            save_.save([this] { askToReplace(); });   // no further question if nothing remains unsaved
+            save_.save([this] { confirmReplace(); });   // no further question if nothing remains unsaved
         } else {
             open_.replaceOpenCase();
         }

@@ -43,10 +43,10 @@ private:
     void askForInputs(const QString& casePath, const QStringList& missing, bool areOptional);
     void askWhichView(const QString& name);
     void askWhichCamera(const QString& name);
-    void askAboutPatient(const QString& names, const core::Messages& mismatch, const core::Case& wanted);
-    void askWhatScan(const QString& name);
+    void confirmPatientMismatch(const QString& names, const core::Messages& mismatch, const core::Case& wanted);
+    void askScanUse(const QString& name);
     void askUnit(const QString& name, double unitsAcross);
-    void askToReplace();
+    void confirmReplace();
 
     CaseDocument& document_;
     OpenController& open_;

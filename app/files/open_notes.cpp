@@ -28,17 +28,16 @@ QString namesOf(const QStringList& paths)
     return names.join(QStringLiteral(", "));
 }
 
-QStringList notesOf(const io::LoadedInputs& inputs, const core::Case& opened)
+QStringList openNotes(const io::LoadedInputs& inputs, const core::Case& opened)
 {
     QStringList notes;
     for (const core::Message& warning : inputs.warnings) {
         notes << ui::messageText(warning);
     }
-    if (!inputs.wholeCase && inputs.vesselInput.unitMm > 0.0) {
-        notes << NoteWords::tr("One unit of the file is %1 mm, as you selected.")
-                     .arg(ui::briefNumber(inputs.vesselInput.unitMm, 6));
+    if (!inputs.loadedCase && inputs.vesselInput.unitMm > 0.0) {
+        notes << NoteWords::tr("File unit: %1 mm, as selected.").arg(ui::briefNumber(inputs.vesselInput.unitMm, 6));
     }
-    if (!inputs.wholeCase) {   // for a complete case file, the images were compared while loading
+    if (!inputs.loadedCase) {   // for a complete case file, the images were compared while loading
         for (const core::Message& mismatch : core::findMismatch(opened)) {
             notes << ui::messageText(mismatch);
         }
@@ -46,17 +45,17 @@ QStringList notesOf(const io::LoadedInputs& inputs, const core::Case& opened)
     return notes;
 }
 
-QStringList notesOnScan(const io::LoadedInputs& inputs, const core::Case& opened)
+QStringList scanNotes(const io::LoadedInputs& inputs, const core::Case& opened)
 {
     if (inputs.volume && !opened.vessels.tree) {
-        return {NoteWords::tr(
-                    "The scan has no traced vessels: place a seed or set the threshold in the slices (%1), then trace.")
+        return {NoteWords::tr("No vessels have been traced in the scan yet. Place a seed or set the threshold in the "
+                              "slices (%1), then trace.")
                     .arg(ui::keyOf(ui::Command::SlicesLarge))};
     }
     const bool isBeside = inputs.volume && !inputs.tree && opened.vessels.tree;
-    return isBeside && !io::liesIn(inputs.volume->geometry, *opened.vessels.tree)
-               ? QStringList(NoteWords::tr(
-                     "The vessels do not lie in this scan: it may be a different scan or use different axes."))
+    return isBeside && !io::isInsideScan(inputs.volume->geometry, *opened.vessels.tree)
+               ? QStringList(NoteWords::tr("The vessels lie outside this scan: it may be a different scan or use a "
+                                           "different coordinate system."))
                : QStringList();
 }
 

@@ -11,9 +11,9 @@ namespace angiopose::app {
 QString namesOf(const QStringList& paths);
 
 /// Returns remarks on the opened files and on how they fit the case to which they now belong.
-QStringList notesOf(const io::LoadedInputs& inputs, const core::Case& opened);
+QStringList openNotes(const io::LoadedInputs& inputs, const core::Case& opened);
 
 /// Returns remarks on a scan opened with vessels from another file, which must use the same patient coordinates.
-QStringList notesOnScan(const io::LoadedInputs& inputs, const core::Case& opened);
+QStringList scanNotes(const io::LoadedInputs& inputs, const core::Case& opened);
 
 }   // namespace angiopose::app

@@ -5,7 +5,7 @@
 #include "app/files/open_notes.h"
 #include "app/files/recent_cases.h"
 #include "core/case/case_views.h"
-#include "core/vessel/place_on_tree.h"
+#include "core/vessel/tree_position.h"
 #include "io/opening/assemble_case.h"
 #include "io/opening/view_from_inputs.h"
 
@@ -18,7 +18,7 @@ namespace {
 
 QStringList replaceCase(CaseDocument& document, const core::Case& wanted, const Opening& opening)
 {
-    const QString path = opening.inputs.wholeCase ? opening.original.value_or(opening.paths.front()) : QString();
+    const QString path = opening.inputs.loadedCase ? opening.original.value_or(opening.paths.front()) : QString();
     document.replace(wanted, path);
     if (!path.isEmpty()) {
         rememberCase(path);
@@ -26,7 +26,7 @@ QStringList replaceCase(CaseDocument& document, const core::Case& wanted, const 
     if (opening.original || !opening.inputs.moved.empty()) {
         document.markUnsaved();   // the open case differs from its file
     }
-    return notesOf(opening.inputs, document.current());
+    return openNotes(opening.inputs, document.current());
 }
 
 QStringList joinCase(CaseDocument& document, const core::Case& wanted, const Opening& opening)
@@ -35,25 +35,25 @@ QStringList joinCase(CaseDocument& document, const core::Case& wanted, const Ope
         document.undoStack().count() == 0) {   // replacing would otherwise discard a mask painted on a scan alone
         document.replace(wanted, {});
     } else {
-        document.push(joinInputs(
-            document, wanted, [names = namesOf(opening.paths)] { return OpenController::tr("Open %1").arg(names); }));
+        document.push(addInputs(document, wanted,
+                                [names = namesOf(opening.paths)] { return OpenController::tr("Open %1").arg(names); }));
     }
-    return notesOf(opening.inputs, document.current()) + notesOnScan(opening.inputs, document.current());
+    return openNotes(opening.inputs, document.current()) + scanNotes(opening.inputs, document.current());
 }
 
 QStringList addView(CaseDocument& document, const core::Case& wanted, const Opening& opening)
 {
-    const QStringList notes = notesOf(opening.inputs, core::showingView(wanted, wanted.views.size() - 1));
+    const QStringList notes = openNotes(opening.inputs, core::withShownView(wanted, wanted.views.size() - 1));
     document.push(std::make_unique<ChangeViews>(
         document, ChangeViews::valuesOf(wanted),
         [names = namesOf(opening.paths)] { return OpenController::tr("Add view %1").arg(names); }));
-    return notes + QStringList{OpenController::tr("View added: click it in the strip above the image to show it.")};
+    return notes + QStringList{OpenController::tr("View added: to show it, click it in the strip above the image.")};
 }
 
 constexpr double farFromVesselsMm = 50.0;
 
 /// Returns the camera from the file with the image size of the view.
-core::ProjectionCamera arrivingCamera(const core::View& view, core::ProjectionCamera camera)
+core::ProjectionCamera incomingCamera(const core::View& view, core::ProjectionCamera camera)
 {
     camera.width = view.angiogram->width();
     camera.height = view.angiogram->height();
@@ -76,7 +76,7 @@ QString whyCameraDoesNotFit(const core::View& view, const core::ProjectionCamera
     if (own && (own.value().fx < 0.0) != (camera.fx < 0.0)) {
         return OpenController::tr(
             "The camera of the pose is mirrored relative to the angiogram: one is viewed from the detector, the other "
-            "from the source. Mirror the image, or set this in the geometry.");
+            "from the source. Mirror the image, or change the viewing side in the geometry.");
     }
     return {};
 }
@@ -107,20 +107,20 @@ QStringList notesOnInputs(const core::Case& open, const io::PoseWithCamera& pose
 bool isAnotherView(const core::Case& open, const io::LoadedInputs& inputs)
 {
     const bool isNew = inputs.imageFile.path != open.shown().imageFile.path;
-    return inputs.angiogram && !inputs.tree && !inputs.wholeCase && open.vessels.tree && open.shown().angiogram &&
+    return inputs.angiogram && !inputs.tree && !inputs.loadedCase && open.vessels.tree && open.shown().angiogram &&
            isNew;
 }
 
-core::Result<core::Case> caseWith(const core::Case& open, const Opening& opening)
+core::Result<core::Case> resultingCase(const core::Case& open, const Opening& opening)
 {
     const io::LoadedInputs& inputs = opening.inputs;
     core::Case wanted = open;
-    if (opening.way == Opening::Way::Replace) {
-        wanted = inputs.wholeCase ? *inputs.wholeCase : io::withInputs({}, inputs);
-    } else if (opening.way == Opening::Way::Join) {
+    if (opening.mode == Opening::Mode::Replace) {
+        wanted = inputs.loadedCase ? *inputs.loadedCase : io::withInputs({}, inputs);
+    } else if (opening.mode == Opening::Mode::Join) {
         wanted = io::withInputs(open, inputs);
     } else {
-        auto added = io::viewFrom(open, inputs, opening.paths.front().toStdString());
+        auto added = io::viewFromInputs(open, inputs, opening.paths.front().toStdString());
         if (!added) {
             return added.error();
         }
@@ -132,56 +132,57 @@ core::Result<core::Case> caseWith(const core::Case& open, const Opening& opening
     return wanted;
 }
 
-core::Result<QStringList> takeIn(CaseDocument& document, const Opening& opening)
+core::Result<QStringList> addToCase(CaseDocument& document, const Opening& opening)
 {
-    const auto wanted = caseWith(document.current(), opening);
+    const auto wanted = resultingCase(document.current(), opening);
     if (!wanted) {
         return wanted.error();
     }
-    switch (opening.way) {
-        case Opening::Way::Replace:
+    switch (opening.mode) {
+        case Opening::Mode::Replace:
             return replaceCase(document, wanted.value(), opening);
-        case Opening::Way::AddView:
+        case Opening::Mode::AddView:
             return addView(document, wanted.value(), opening);
-        case Opening::Way::Join:
+        case Opening::Mode::Join:
             break;
     }
     return joinCase(document, wanted.value(), opening);
 }
 
-PoseFit poseFit(const core::Case& open, const io::PoseWithCamera& pose)
+PoseCompatibility checkPoseCompatibility(const core::Case& open, const io::PoseWithCamera& pose)
 {
-    PoseFit fit;
+    PoseCompatibility fit;
     const core::View& view = open.shown();
     if (!open.vessels.tree || !view.angiogram) {
-        fit.refusal =
-            OpenController::tr("A pose belongs to a case. Open vessels and an angiogram first, then the pose.");
+        fit.refusal = OpenController::tr(
+            "A pose can be opened only in a case. Open vessels and an angiogram first, then the pose.");
         return fit;
     }
     if (liesBehindSource(open, pose.cameraFromPatient)) {
         fit.refusal = OpenController::tr(
-            "At this pose, the vessels lie behind the X-ray source. The pose may belong to another patient, or map "
-            "camera to patient: in that case, invert it.");
+            "At this pose, the vessels lie behind the X-ray source. The pose may belong to another patient, or it may "
+            "map camera to patient; in the latter case, invert it.");
         return fit;
     }
     if (pose.camera) {
         fit.refusal = whyCameraDoesNotFit(view, *pose.camera);
         const auto own = core::cameraOf(view);
-        fit.isOtherCamera = own && !io::isSameCamera(own.value(), arrivingCamera(view, *pose.camera));
+        fit.isOtherCamera = own && !io::isSameCamera(own.value(), incomingCamera(view, *pose.camera));
     }
     fit.notes = notesOnInputs(open, pose);
     return fit;
 }
 
-QStringList takePose(CaseDocument& document, const io::PoseWithCamera& pose, ArrivingCamera camera, const QString& name)
+QStringList applyPose(CaseDocument& document, const io::PoseWithCamera& pose, IncomingCamera camera,
+                      const QString& name)
 {
     const core::View& view = document.current().shown();
-    QStringList notes = poseFit(document.current(), pose).notes;
+    QStringList notes = checkPoseCompatibility(document.current(), pose).notes;
     core::ViewGeometry geometry = view.geometry;
     const bool isMissing = !core::cameraOf(view);
-    if (pose.camera && (camera == ArrivingCamera::OfPose || isMissing)) {
-        geometry.cameraOverride = arrivingCamera(view, *pose.camera);
-        notes << OpenController::tr("The camera of the pose is now in use. To revert, use the geometry panel.");
+    if (pose.camera && (camera == IncomingCamera::OfPose || isMissing)) {
+        geometry.cameraOverride = incomingCamera(view, *pose.camera);
+        notes << OpenController::tr("The camera of the pose is now in use. You can revert this in the geometry panel.");
     }
     document.push(std::make_unique<ChangeGeometry>(
         document, ChangeGeometry::Values{std::move(geometry), pose.cameraFromPatient, std::nullopt, {}},
@@ -189,13 +190,15 @@ QStringList takePose(CaseDocument& document, const io::PoseWithCamera& pose, Arr
     return notes;
 }
 
-core::Result<QStringList> takePoints(CaseDocument& document, const std::vector<io::Fiducial>& points,
-                                     const QString& name)
+core::Result<QStringList> addTargetPoints(CaseDocument& document, const std::vector<io::Fiducial>& points,
+                                          const QString& name)
 {
     const core::Case& open = document.current();
     if (!open.vessels.tree) {
         return core::Error(core::Message::verbatim(
-            OpenController::tr("Points belong to vessels. Open the vessels first, then the points.").toStdString()));
+            OpenController::tr(
+                "Points can be opened only together with vessels. Open the vessels first, then the points.")
+                .toStdString()));
     }
     std::vector<core::VesselMark> marks = open.vessels.marks;
     bool isNear = false;
@@ -205,13 +208,14 @@ core::Result<QStringList> takePoints(CaseDocument& document, const std::vector<i
         mark.name = point.name.empty() ? std::to_string(mark.id) : point.name;
         mark.pointInPatient = point.pointInPatient;
         marks.push_back(std::move(mark));
-        const auto nearest = core::nearestOnTree(*open.vessels.tree, point.pointInPatient);
+        const auto nearest = core::nearestPointOnTree(*open.vessels.tree, point.pointInPatient);
         isNear = isNear || (nearest && (*nearest - point.pointInPatient).norm() < farFromVesselsMm);
     }
     QStringList notes{OpenController::tr("Target points added: %1.").arg(points.size())};
     if (!isNear) {
         notes << OpenController::tr(
-            "None of them lies near the vessels. They may belong to another patient or use other coordinates.");
+            "None of them is near the vessels. They may belong to another patient or use a different coordinate "
+            "system.");
     }
     document.push(std::make_unique<ChangeMarks>(document, ChangeMarks::Values{std::move(marks)},
                                                 [name] { return OpenController::tr("Open points %1").arg(name); }));

@@ -12,11 +12,11 @@ namespace angiopose::app {
 
 /// Files that have been read, and how they are added to the case.
 struct Opening {
-    enum class Way { Replace, Join, AddView };   ///< replaces the open case, adds inputs to it, or adds a view
+    enum class Mode { Replace, Join, AddView };   ///< replaces the open case, adds inputs to it, or adds a view
 
     io::LoadedInputs inputs;
     QStringList paths;
-    Way way = Way::Join;
+    Mode mode = Mode::Join;
     std::optional<QString> original;   ///< for a copy, path of its case (empty: never saved)
     std::optional<bool> isSamePatient{};   ///< the user's answer for all images; empty: not asked
 };
@@ -25,29 +25,29 @@ struct Opening {
 bool isAnotherView(const core::Case& open, const io::LoadedInputs& inputs);
 
 /// Returns the case that would result from opening.
-core::Result<core::Case> caseWith(const core::Case& open, const Opening& opening);
+core::Result<core::Case> resultingCase(const core::Case& open, const Opening& opening);
 
 /// Adds the files to the document, as one undo step unless the case is replaced. Returns remarks for the user.
-core::Result<QStringList> takeIn(CaseDocument& document, const Opening& opening);
+core::Result<QStringList> addToCase(CaseDocument& document, const Opening& opening);
 
 /// Camera to use after opening a pose whose camera differs from that of the case.
-enum class ArrivingCamera { OfCase, OfPose };
+enum class IncomingCamera { OfCase, OfPose };
 
 /// Compatibility of a pose from a file with the displayed view.
-struct PoseFit {
+struct PoseCompatibility {
     QString refusal;   ///< reason why the pose cannot be used; empty if it can
     bool isOtherCamera = false;   ///< true if its camera differs from that of the case, so the user must choose one
     QStringList notes;   ///< remarks for the user, even if the pose is refused
 };
-PoseFit poseFit(const core::Case& open, const io::PoseWithCamera& pose);
+PoseCompatibility checkPoseCompatibility(const core::Case& open, const io::PoseWithCamera& pose);
 
 /// Sets the pose of the displayed view as one undo step. Returns remarks for the user.
-QStringList takePose(CaseDocument& document, const io::PoseWithCamera& pose, ArrivingCamera camera,
-                     const QString& name);
+QStringList applyPose(CaseDocument& document, const io::PoseWithCamera& pose, IncomingCamera camera,
+                      const QString& name);
 
 /// Adds the points to the case as target points in one undo step. Returns remarks for the user; fails if the points
 /// cannot be used.
-core::Result<QStringList> takePoints(CaseDocument& document, const std::vector<io::Fiducial>& points,
-                                     const QString& name);
+core::Result<QStringList> addTargetPoints(CaseDocument& document, const std::vector<io::Fiducial>& points,
+                                          const QString& name);
 
 }   // namespace angiopose::app

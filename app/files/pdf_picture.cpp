@@ -15,7 +15,7 @@ constexpr double screenDotsPerInch = 96.0;
 constexpr double pointsPerInch = 72.0;
 
 /// Writes the texts separately, since Qt draws SVG texts as outlines; right-aligned texts end at their position.
-void writeTexts(QPainter& painter, const ui::VectorPicture& picture)
+void writeTexts(QPainter& painter, const ui::VectorImage& picture)
 {
     QFont font;
     font.setFamilies({QStringLiteral("Inter"), QStringLiteral("Noto Sans CJK SC"), QStringLiteral("sans-serif")});
@@ -32,11 +32,11 @@ void writeTexts(QPainter& painter, const ui::VectorPicture& picture)
 
 }   // namespace
 
-QByteArray pdfOf(const ui::VectorPicture& picture, const SvgFacts& facts)
+QByteArray toPdf(const ui::VectorImage& picture, const SvgMetadata& facts)
 {
-    ui::VectorPicture withoutTexts = picture;
+    ui::VectorImage withoutTexts = picture;
     withoutTexts.texts.clear();
-    QSvgRenderer renderer(QByteArray::fromStdString(svgOf(withoutTexts, facts)));
+    QSvgRenderer renderer(QByteArray::fromStdString(toSvgDocument(withoutTexts, facts)));
     if (!renderer.isValid()) {
         return {};
     }

@@ -8,6 +8,6 @@ namespace angiopose::app {
 
 /// Returns the image as a PDF page of the same size, with paths as vectors and texts as text. The provenance is an
 /// attached file. Empty if Qt cannot read the intermediate SVG.
-QByteArray pdfOf(const ui::VectorPicture& picture, const SvgFacts& facts);
+QByteArray toPdf(const ui::VectorImage& picture, const SvgMetadata& facts);
 
 }   // namespace angiopose::app

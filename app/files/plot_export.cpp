@@ -98,12 +98,12 @@ void PlotExport::showMenu(QWidget& plot, const QPoint& position)
     auto* menu = new QMenu(&plot);
     menu->setAttribute(Qt::WA_DeleteOnClose);
     menu->addAction(tr("Copy image"), this, [&plot] { QGuiApplication::clipboard()->setImage(imageOf(plot)); });
-    menu->addAction(tr("Export as SVG…"), this, [this, &plot] { ask(plot, Format::Svg); });
-    menu->addAction(tr("Export as PNG…"), this, [this, &plot] { ask(plot, Format::Png); });
+    menu->addAction(tr("Export as SVG…"), this, [this, &plot] { openDialog(plot, Format::Svg); });
+    menu->addAction(tr("Export as PNG…"), this, [this, &plot] { openDialog(plot, Format::Png); });
     menu->popup(plot.mapToGlobal(position));
 }
 
-void PlotExport::ask(QWidget& plot, Format format)
+void PlotExport::openDialog(QWidget& plot, Format format)
 {
     const QByteArray bytes = format == Format::Svg ? plotAsSvg(plot) : plotAsPng(plot);
     const bool isSvg = format == Format::Svg;

@@ -24,7 +24,7 @@ public:
 
 private:
     enum class Format { Svg, Png };
-    void ask(QWidget& plot, Format format);
+    void openDialog(QWidget& plot, Format format);
 
     ExportController& exporting_;
 };

@@ -6,7 +6,7 @@
 #include "app/preferences/settings.h"
 #include "ui/dialogs/message_dialog.h"
 #include "ui/words/message_text.h"
-#include "ui/words/spoken.h"
+#include "ui/words/retranslation.h"
 
 #include <QAction>
 #include <QFileDialog>
@@ -28,8 +28,8 @@ PrivacyController::PrivacyController(QAction& mode, QWidget& dialogParent, QObje
     : QObject(parent), mode_(mode), dialogParent_(dialogParent)
 {
     mode_.setChecked(isPrivate());
-    ui::withTip(&mode_, [] {
-        return tr("No list or thumbnails of recent cases, no names in the title bar, no remembered folders.");
+    ui::withToolTip(&mode_, [] {
+        return tr("No list or thumbnails of recent cases, no names in the title bar, no stored folders.");
     });
     connect(&mode_, &QAction::triggered, this, &PrivacyController::choose);
 }
@@ -37,7 +37,7 @@ PrivacyController::PrivacyController(QAction& mode, QWidget& dialogParent, QObje
 PrivacyController::~PrivacyController()
 {
     if (isPrivate()) {
-        forgetFileDialogs();
+        clearFileDialogHistory();
     }
 }
 
@@ -48,10 +48,10 @@ void PrivacyController::choose(bool on)
         return;
     }
     auto* question = new ui::QuestionDialog(
-        {tr("Turn private mode on?"),
-         tr("The list of recent cases, including pinned ones, their thumbnails, and the folders and names stored so "
-            "far are deleted permanently. Nothing of this kind is stored until private mode is turned off. Automatic "
-            "copies of unsaved work are still made, and are deleted when a case is closed."),
+        {tr("Turn on private mode?"),
+         tr("The list of recent cases (including pinned ones), their thumbnails, and all stored folders and names are "
+            "deleted permanently. Nothing of this kind is stored until private mode is turned off. Unsaved work is "
+            "still autosaved; the copies are deleted when the case is closed."),
          {}},
         {tr("Turn on"), tr("Cancel")}, &dialogParent_);
     question->setObjectName(QStringLiteral("privacyDialog"));
@@ -68,16 +68,16 @@ void PrivacyController::choose(bool on)
 void PrivacyController::turnOn()
 {
     settings::privateMode.write(true);
-    forgetTraces();
-    keepCasePictures({});
-    ui::speakAgain();
+    clearStoredData();
+    pruneCaseThumbnails({});
+    ui::retranslate();
     emit changed();
 }
 
 void PrivacyController::turnOff()
 {
     settings::privateMode.write(false);
-    ui::speakAgain();
+    ui::retranslate();
     emit changed();
 }
 
@@ -86,11 +86,11 @@ AuditController::AuditController(const CaseDocument& document, QAction& keep, QW
 {
     keep_.setChecked(!auditPath().isEmpty());
     keep_.setEnabled(
-        io::auditFileOfEnvironment().empty());   // an audit file set by the environment cannot be switched off here
-    ui::withTip(&keep_, [] {
+        io::auditFileFromEnvironment().empty());   // an audit file set by the environment cannot be switched off here
+    ui::withToolTip(&keep_, [] {
         const QString kept = auditPath();
         return kept.isEmpty()
-                   ? tr("Logs one line for each file opened, saved or exported: time, user, and SHA-256 of the files.")
+                   ? tr("Writes one line for each file opened, saved or exported: time, user, and SHA-256 of the file.")
                    : tr("Written to %1").arg(kept);
     });
     connect(&keep_, &QAction::triggered, this, &AuditController::choose);
@@ -100,7 +100,7 @@ void AuditController::choose(bool on)
 {
     if (!on) {
         settings::auditFile.write({});
-        ui::speakAgain();
+        ui::retranslate();
         return;
     }
     keep_.setChecked(false);   // stays off until a file has been chosen
@@ -113,7 +113,7 @@ void AuditController::choose(bool on)
     connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& chosen) {
         settings::auditFile.write(chosen);
         keep_.setChecked(true);
-        ui::speakAgain();
+        ui::retranslate();
     });
     dialog->open();
 }

@@ -2,7 +2,7 @@
 
 #include "app/preferences/private_mode.h"
 #include "app/preferences/settings.h"
-#include "app/texts/overlay_picture.h"
+#include "app/texts/overlay_image.h"
 #include "core/support/quantile.h"
 #include "core/tracing/angiogram/frame/burned_in_text.h"
 #include "io/image_file.h"
@@ -38,7 +38,7 @@ std::shared_ptr<const core::Angiogram> withoutLetters(const core::Angiogram& run
     shown.cArm = run.cArm;
     shown.frames = {run.frames[static_cast<std::size_t>(frame)]};
     core::ImageF& picture = shown.frames.front();
-    const core::Mask2d letters = core::burnedInText(picture, core::informativeLetterShare);
+    const core::Mask2d letters = core::burnedInTextMask(picture, core::thoroughMaxLetterHeight);
     const auto gray =
         static_cast<float>(core::quantile(std::vector<double>(picture.pixels.begin(), picture.pixels.end()), 0.5));
     for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
@@ -64,18 +64,18 @@ void store(const QStringList& cases)
 {
     if (cases != settings::recentCases.read()) {
         settings::recentCases.write(cases);
-        keepCasePictures(cases);
+        pruneCaseThumbnails(cases);
     }
 }
 
 }   // namespace
 
-QString casePicturePath(const QString& casePath)
+QString caseThumbnailPath(const QString& casePath)
 {
     return folderName() + QLatin1Char('/') + pictureName(casePath);
 }
 
-bool storeCasePicture(const core::Case& session, const QString& casePath)
+bool storeCaseThumbnail(const core::Case& session, const QString& casePath)
 {
     const auto& run = session.shown().angiogram;
     const int frame = session.shown().frame;
@@ -85,23 +85,23 @@ bool storeCasePicture(const core::Case& session, const QString& casePath)
     core::Case pictured = session;
     pictured.shown().angiogram = withoutLetters(*run, frame);
     pictured.shown().frame = 0;
-    const auto picture = drawThumbnail(pictured, casePictureWidthPx);
+    const auto picture = drawThumbnail(pictured, caseThumbnailWidthPx);
     if (!picture || !QDir().mkpath(folderName())) {
         return false;
     }
     QFile::setPermissions(folderName(), QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
-    const std::string path = casePicturePath(casePath).toStdString();
+    const std::string path = caseThumbnailPath(casePath).toStdString();
     const bool isWritten = static_cast<bool>(io::writePng(picture.value(), path));
     markAsOf(path, casePath.toStdString());
     return isWritten;
 }
 
-QImage casePicture(const QString& casePath)
+QImage caseThumbnail(const QString& casePath)
 {
-    return QImage(casePicturePath(casePath));
+    return QImage(caseThumbnailPath(casePath));
 }
 
-void keepCasePictures(const QStringList& casePaths)
+void pruneCaseThumbnails(const QStringList& casePaths)
 {
     QStringList kept;
     for (const QString& path : casePaths) {
@@ -156,7 +156,7 @@ void forgetRecentCases()
     QStringList cases = settings::recentCases.read();
     cases.removeIf([&pinned](const QString& path) { return !pinned.contains(path); });
     settings::recentCases.write(cases);
-    keepCasePictures(cases);
+    pruneCaseThumbnails(cases);
 }
 
 bool isPinned(const QString& path)

@@ -11,19 +11,19 @@ namespace angiopose::app {
 /// with burned-in text masked, and are removed with the list of recent cases.
 
 /// Width of a thumbnail, device pixels.
-inline constexpr int casePictureWidthPx = 192;
+inline constexpr int caseThumbnailWidthPx = 192;
 
 /// Creates and stores the thumbnail of a case file; call on a worker. Returns false if there is nothing to show yet.
-bool storeCasePicture(const core::Case& session, const QString& casePath);
+bool storeCaseThumbnail(const core::Case& session, const QString& casePath);
 
 /// Reads the thumbnail of a case; null if there is none.
-QImage casePicture(const QString& casePath);
+QImage caseThumbnail(const QString& casePath);
 
 /// Returns the path of the thumbnail of a case, if it has one; the file name reveals nothing about the case.
-QString casePicturePath(const QString& casePath);
+QString caseThumbnailPath(const QString& casePath);
 
 /// Removes all thumbnails except those of the given cases.
-void keepCasePictures(const QStringList& casePaths);
+void pruneCaseThumbnails(const QStringList& casePaths);
 
 /// Paths of recently opened or saved cases: pinned cases first, each group from newest to oldest.
 QStringList recentCases();

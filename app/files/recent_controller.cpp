@@ -7,7 +7,7 @@
 #include "io/case/moved_inputs.h"
 #include "ui/actions/window_actions.h"
 #include "ui/panels/welcome_page.h"
-#include "ui/words/spoken.h"
+#include "ui/words/retranslation.h"
 
 #include <QFileInfo>
 #include <QMenu>
@@ -30,7 +30,7 @@ constexpr int pollMs = 33;
 constexpr auto graceAtEnd = std::chrono::milliseconds(200);   // wait for threads that are about to finish
 constexpr std::uintmax_t maxPictureBytes = 1 << 20;
 
-struct Asked {
+struct CheckRequest {
     QString path;
     std::string casePath, picturePath;
 };
@@ -47,7 +47,7 @@ std::string contentOf(const std::string& path)
 }
 
 /// Returns whether the thumbnail has the time stamp of the case file.
-bool isOfSameTime(const std::string& casePath, const std::string& picturePath)
+bool hasSameTimestamp(const std::string& casePath, const std::string& picturePath)
 {
     std::error_code failed, alsoFailed;
     const auto ofCase = std::filesystem::last_write_time(casePath, failed);
@@ -70,31 +70,32 @@ ui::RecentCase::State stateOf(CasePresence state)
 
 }   // namespace
 
-CaseLook lookAtCase(const std::string& casePath, const std::string& picturePath)
+RecentCaseStatus checkRecentCase(const std::string& casePath, const std::string& picturePath)
 {
     std::error_code failed;
     if (!std::filesystem::is_regular_file(casePath, failed)) {
         return {CasePresence::Missing, {}};
     }
-    const auto missing = io::missingInputs(casePath);   // fails for an unreadable case, which is reported when opened
+    const auto missing =
+        io::findMissingInputs(casePath);   // fails for an unreadable case, which is reported when opened
     const bool isWhole = !missing || missing.value().empty();
     return {isWhole ? CasePresence::Present : CasePresence::InputsMissing,
-            isOfSameTime(casePath, picturePath) ? contentOf(picturePath) : std::string()};
+            hasSameTimestamp(casePath, picturePath) ? contentOf(picturePath) : std::string()};
 }
 
 /// State shared by the threads and the lookup object; lives as long as any of them.
-struct CaseLookup::Shared {
+struct RecentCaseChecker::Shared {
     std::mutex mutex;
     std::condition_variable ended;
     int threads = 0;
     std::set<QString> underWay;
     std::set<QString> askedAgain;   ///< requested again during a check, whose result may then be outdated
-    std::vector<std::pair<QString, CaseLook>> answers;
+    std::vector<std::pair<QString, RecentCaseStatus>> answers;
 
-    void answer(const Asked& asked, const Look& look)
+    void answer(const CheckRequest& asked, const CheckFunction& look)
     {
         for (bool isNews = true; isNews;) {
-            CaseLook found = look(asked.casePath, asked.picturePath);
+            RecentCaseStatus found = look(asked.casePath, asked.picturePath);
             const std::lock_guard lock(mutex);
             isNews = askedAgain.erase(asked.path) > 0;
             if (!isNews) {
@@ -105,22 +106,22 @@ struct CaseLookup::Shared {
     }
 };
 
-CaseLookup::CaseLookup(Look look, QObject* parent)
-    : QObject(parent), look_(std::move(look)), shared_(std::make_shared<Shared>())
+RecentCaseChecker::RecentCaseChecker(CheckFunction look, QObject* parent)
+    : QObject(parent), check_(std::move(look)), shared_(std::make_shared<Shared>())
 {
     poll_.setInterval(pollMs);
-    connect(&poll_, &QTimer::timeout, this, &CaseLookup::publish);
+    connect(&poll_, &QTimer::timeout, this, &RecentCaseChecker::publish);
 }
 
-CaseLookup::~CaseLookup()
+RecentCaseChecker::~RecentCaseChecker()
 {
     std::unique_lock lock(shared_->mutex);
     shared_->ended.wait_for(lock, graceAtEnd, [this] { return shared_->threads == 0; });
 }
 
-void CaseLookup::look(const QStringList& paths)
+void RecentCaseChecker::look(const QStringList& paths)
 {
-    std::map<QString, std::vector<Asked>> byFolder;
+    std::map<QString, std::vector<CheckRequest>> byFolder;
     {
         const std::lock_guard lock(shared_->mutex);
         for (const QString& path : paths) {
@@ -128,15 +129,15 @@ void CaseLookup::look(const QStringList& paths)
                 shared_->askedAgain.insert(path);
             } else {
                 byFolder[QFileInfo(path).path()].push_back(
-                    {path, path.toStdString(), casePicturePath(path).toStdString()});
+                    {path, path.toStdString(), caseThumbnailPath(path).toStdString()});
             }
         }
         shared_->threads += static_cast<int>(byFolder.size());
     }
     for (auto& [folder, asked] : byFolder) {
-        std::thread([shared = shared_, look = look_, asked = std::move(asked)] {
-            for (const Asked& each : asked) {
-                shared->answer(each, look);
+        std::thread([shared = shared_, look = check_, asked = std::move(asked)] {
+            for (const CheckRequest& request : asked) {
+                shared->answer(request, look);
             }
             const std::lock_guard lock(shared->mutex);
             --shared->threads;
@@ -146,9 +147,9 @@ void CaseLookup::look(const QStringList& paths)
     poll_.start();
 }
 
-void CaseLookup::publish()
+void RecentCaseChecker::publish()
 {
-    std::vector<std::pair<QString, CaseLook>> answers;
+    std::vector<std::pair<QString, RecentCaseStatus>> answers;
     bool isDone = false;
     {
         const std::lock_guard lock(shared_->mutex);
@@ -166,8 +167,9 @@ void CaseLookup::publish()
     }
 }
 
-RecentController::RecentController(const CaseDocument& document, const Ui& ui, CaseLookup::Look look, QObject* parent)
-    : QObject(parent), document_(document), ui_(ui), lookup_(std::move(look))
+RecentController::RecentController(const CaseDocument& document, const Ui& ui, RecentCaseChecker::CheckFunction look,
+                                   QObject* parent)
+    : QObject(parent), document_(document), ui_(ui), checker_(std::move(look))
 {
     const ui::RecentList& list = ui_.welcome.recent();
     connect(&list, &ui::RecentList::openRequested, this, &RecentController::openRequested);
@@ -187,28 +189,29 @@ RecentController::RecentController(const CaseDocument& document, const Ui& ui, C
             show();
         },
         Qt::QueuedConnection);
-    connect(&list, &ui::RecentList::picturesToggled, this, &RecentController::setPictures, Qt::QueuedConnection);
-    connect(&lookup_, &CaseLookup::found, this, &RecentController::take);
-    connect(&lookup_, &CaseLookup::reported, this, &RecentController::showNews);
-    ui::speak(this, [this] { fill(); });
+    connect(&list, &ui::RecentList::thumbnailsToggled, this, &RecentController::setThumbnailsShown,
+            Qt::QueuedConnection);
+    connect(&checker_, &RecentCaseChecker::found, this, &RecentController::updateCase);
+    connect(&checker_, &RecentCaseChecker::reported, this, &RecentController::showUpdates);
+    ui::keepTranslated(this, [this] { rebuild(); });
 }
 
-void RecentController::fill()
+void RecentController::rebuild()
 {
     show();
-    lookup_.look(recentCases());
+    checker_.look(recentCases());
 }
 
 void RecentController::show()
 {
     const QStringList cases = recentCases();
-    const bool hasPictures = settings::recentPictures.read();
+    const bool hasThumbnails = settings::recentThumbnails.read();
     std::vector<ui::RecentCase> rows;
     for (const QString& path : cases) {
-        const Known known = known_.value(path);
-        rows.push_back({path, hasPictures ? known.picture : QImage(), stateOf(known.state), isPinned(path)});
+        const KnownCase known = knownCases_.value(path);
+        rows.push_back({path, hasThumbnails ? known.picture : QImage(), stateOf(known.state), isPinned(path)});
     }
-    ui_.welcome.recent().showCases(rows, hasPictures);
+    ui_.welcome.recent().showCases(rows, hasThumbnails);
     fillMenu(cases);
 }
 
@@ -216,13 +219,13 @@ void RecentController::fillMenu(const QStringList& cases)
 {
     QMenu* menu = ui_.actions.recentMenu();
     menu->clear();
-    const bool hasPictures = settings::recentPictures.read();
+    const bool hasThumbnails = settings::recentThumbnails.read();
     for (const QString& path : cases) {
-        const Known known = known_.value(path);
+        const KnownCase known = knownCases_.value(path);
         QAction* action = menu->addAction(ui::RecentList::labelOf(path, stateOf(known.state)));
         action->setToolTip(path);
         action->setEnabled(known.state != CasePresence::Missing);
-        if (hasPictures && !known.picture.isNull()) {
+        if (hasThumbnails && !known.picture.isNull()) {
             action->setIcon(QIcon(QPixmap::fromImage(known.picture)));
         }
         connect(action, &QAction::triggered, this, [this, path] { emit openRequested(path); });
@@ -234,18 +237,18 @@ void RecentController::fillMenu(const QStringList& cases)
     }
 }
 
-void RecentController::take(const QString& path, const CaseLook& look)
+void RecentController::updateCase(const QString& path, const RecentCaseStatus& look)
 {
-    Known& known = known_[path];
+    KnownCase& known = knownCases_[path];
     const QImage picture = QImage::fromData(QByteArray::fromStdString(look.picture));
-    isNews_ = isNews_ || known.state != look.state || known.picture != picture;
+    hasUpdates_ = hasUpdates_ || known.state != look.state || known.picture != picture;
     known = {look.state, picture};
 }
 
 /// Rebuilds the rows only if something has changed, since the mouse may be over one of them.
-void RecentController::showNews()
+void RecentController::showUpdates()
 {
-    if (std::exchange(isNews_, false)) {
+    if (std::exchange(hasUpdates_, false)) {
         show();
     }
 }
@@ -257,34 +260,35 @@ void RecentController::clear()
 }
 
 /// Switches thumbnails on or off; switching off deletes the stored ones.
-void RecentController::setPictures(bool wanted)
+void RecentController::setThumbnailsShown(bool wanted)
 {
-    settings::recentPictures.write(wanted);
+    settings::recentThumbnails.write(wanted);
     if (!wanted) {
-        keepCasePictures({});
-        known_.clear();
+        pruneCaseThumbnails({});
+        knownCases_.clear();
     }
-    fill();
+    rebuild();
 }
 
-void RecentController::pictureOpened()
+void RecentController::makeThumbnail()
 {
     const QString path = document_.path();
-    if (path.isEmpty() || isPrivate() || !settings::recentPictures.read()) {
+    if (path.isEmpty() || isPrivate() || !settings::recentThumbnails.read()) {
         return;
     }
     pictures_.run(
         [snapshot = document_.current(), path]() -> core::Result<QString> {
-            if (!storeCasePicture(snapshot, path)) {
+            if (!storeCaseThumbnail(snapshot, path)) {
                 return core::Error(messages::notShown());
             }
             return path;
         },
         [this](const core::Result<QString>& stored) {
-            keepCasePictures(settings::recentPictures.read() ? recentCases()
-                                                             : QStringList());   // according to the current setting
+            pruneCaseThumbnails(settings::recentThumbnails.read()
+                                    ? recentCases()
+                                    : QStringList());   // according to the current setting
             if (stored) {
-                fill();
+                rebuild();
             }
         });
 }

@@ -22,35 +22,35 @@ namespace angiopose::app {
 enum class CasePresence { Present, Missing, InputsMissing };
 
 /// State of a case in the list of recent cases.
-struct CaseLook {
+struct RecentCaseStatus {
     CasePresence state = CasePresence::Present;
     std::string picture;   ///< content of the thumbnail file; empty if there is none
 };
 
 /// Checks whether the case file and its inputs exist, and reads the thumbnail of the case.
-CaseLook lookAtCase(const std::string& casePath, const std::string& picturePath);
+RecentCaseStatus checkRecentCase(const std::string& casePath, const std::string& picturePath);
 
 /// Checks cases on separate threads, one per folder, so that an unresponsive drive blocks neither the window nor the
 /// other folders. The program does not wait for these threads when it exits.
-class CaseLookup : public QObject {
+class RecentCaseChecker : public QObject {
     Q_OBJECT
 public:
-    using Look = std::function<CaseLook(const std::string& casePath, const std::string& picturePath)>;
-    explicit CaseLookup(Look look, QObject* parent = nullptr);
-    ~CaseLookup() override;
+    using CheckFunction = std::function<RecentCaseStatus(const std::string& casePath, const std::string& picturePath)>;
+    explicit RecentCaseChecker(CheckFunction look, QObject* parent = nullptr);
+    ~RecentCaseChecker() override;
 
     /// Checks the cases; if a check is already in progress for a case, checks that case again afterwards.
     void look(const QStringList& paths);
 
 signals:
-    void found(const QString& path, const CaseLook& look);
+    void found(const QString& path, const RecentCaseStatus& look);
     void reported();   ///< emitted when all results so far have been reported
 
 private:
     struct Shared;
     void publish();
 
-    Look look_;
+    CheckFunction check_;
     std::shared_ptr<Shared> shared_;
     QTimer poll_;
 };
@@ -65,33 +65,33 @@ public:
         ui::WindowActions& actions;
         ui::WelcomePage& welcome;
     };
-    RecentController(const CaseDocument& document, const Ui& ui, CaseLookup::Look look = lookAtCase,
-                     QObject* parent = nullptr);
+    RecentController(const CaseDocument& document, const Ui& ui,
+                     RecentCaseChecker::CheckFunction look = checkRecentCase, QObject* parent = nullptr);
 
-    void fill();   ///< rebuilds the list and starts a check of every case in it
-    void pictureOpened();   ///< creates the thumbnail of the case that was just opened
+    void rebuild();   ///< rebuilds the list and starts a check of every case in it
+    void makeThumbnail();   ///< creates the thumbnail of the case that was just opened
 
 signals:
     void openRequested(const QString& path);
 
 private:
-    struct Known {
+    struct KnownCase {
         CasePresence state = CasePresence::Present;
         QImage picture;
     };
     void show();
     void fillMenu(const QStringList& cases);
-    void showNews();
-    void take(const QString& path, const CaseLook& look);
+    void showUpdates();
+    void updateCase(const QString& path, const RecentCaseStatus& look);
     void clear();
-    void setPictures(bool wanted);
+    void setThumbnailsShown(bool wanted);
 
     const CaseDocument& document_;
     Ui ui_;
-    CaseLookup lookup_;
+    RecentCaseChecker checker_;
     FileQueue pictures_;
-    QHash<QString, Known> known_;
-    bool isNews_ = false;   ///< true if something has changed since the list was last shown
+    QHash<QString, KnownCase> knownCases_;
+    bool hasUpdates_ = false;   ///< true if something has changed since the list was last shown
 };
 
 }   // namespace angiopose::app

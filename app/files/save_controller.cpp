@@ -4,7 +4,7 @@
 #include "app/preferences/save_folder.h"
 #include "app/preferences/settings.h"
 #include "io/case/case_file.h"
-#include "io/case/save_over.h"
+#include "io/case/overwrite_case.h"
 #include "ui/dialogs/message_dialog.h"
 #include "ui/dialogs/recovery_dialog.h"
 #include "ui/words/language.h"
@@ -38,11 +38,11 @@ SaveController::SaveController(CaseDocument& document, ExportController& files, 
       export_(files),
       window_(window),
       autosave_(document),
-      keeper_(document, files_)
+      fileGuard_(document, files_)
 {
     connect(&autosave_, &Autosave::saved, this, &SaveController::forgetRecovered);
     connect(&autosave_, &Autosave::failed, this, &SaveController::autosaveFailed);
-    connect(&keeper_, &CaseKeeper::openElsewhere, this, &SaveController::openElsewhere);
+    connect(&fileGuard_, &CaseFileGuard::openElsewhere, this, &SaveController::openElsewhere);
 }
 
 void SaveController::save(const std::function<void()>& whenSaved)
@@ -62,30 +62,30 @@ SaveController::Savable SaveController::savable() const
                                                              : Savable::Nothing;
 }
 
-bool SaveController::holdsWork() const
+bool SaveController::hasUnsavedWork() const
 {
-    const bool isKept = savable() == Savable::Vessels && keptVessels_ == document_.state();
-    return document_.holdsWork() && !isKept && givenUp_ != document_.state();
+    const bool isKept = savable() == Savable::Vessels && savedVesselsState_ == document_.state();
+    return document_.hasUnsavedWork() && !isKept && discardedState_ != document_.state();
 }
 
 void SaveController::saveVessels(const std::function<void()>& whenSaved)
 {
     export_.askVessels([this, state = document_.state(), whenSaved] {
-        keptVessels_ = state;
+        savedVesselsState_ = state;
         if (whenSaved) {
             whenSaved();
         }
     });
 }
 
-void SaveController::offerVessels(const std::function<void()>& whenSaved)
+void SaveController::offerToSaveVessels(const std::function<void()>& whenSaved)
 {
-    auto* question =
-        new ui::QuestionDialog({tr("No angiogram yet"),
-                                tr("A case needs vessels and an angiogram. Until there is an angiogram, save only the "
-                                   "vessels, as centerlines. Opened together with any angiogram, they form a case."),
-                                {}},
-                               {tr("Save vessels…"), tr("Cancel")}, &window_);
+    auto* question = new ui::QuestionDialog(
+        {tr("No angiogram yet"),
+         tr("A case requires vessels and an angiogram. Without an angiogram, only the vessels can be saved, as "
+            "centerlines. To create a case later, open them together with an angiogram."),
+         {}},
+        {tr("Save vessels…"), tr("Cancel")}, &window_);
     question->setObjectName(QStringLiteral("vesselsQuestion"));
     connect(
         question, &ui::QuestionDialog::answered, this,
@@ -99,13 +99,13 @@ void SaveController::offerVessels(const std::function<void()>& whenSaved)
 }
 
 /// Rejects a case that cannot be saved before asking for a file name.
-bool SaveController::refusesToSave(const std::function<void()>& whenSaved)
+bool SaveController::cannotSave(const std::function<void()>& whenSaved)
 {
     if (savable() == Savable::Vessels) {
-        offerVessels(whenSaved);
+        offerToSaveVessels(whenSaved);
         return true;
     }
-    QString why = ui::messageText(io::findUnsavable(document_.current()));
+    QString why = ui::messageText(io::findSaveObstacle(document_.current()));
     if (!why.isEmpty()) {
         why[0] = why[0].toUpper();
         emit failed(why);
@@ -115,7 +115,7 @@ bool SaveController::refusesToSave(const std::function<void()>& whenSaved)
 
 void SaveController::saveAs(const std::function<void()>& whenSaved)
 {
-    if (refusesToSave(whenSaved)) {
+    if (cannotSave(whenSaved)) {
         return;
     }
     auto* dialog = new QFileDialog(&window_, tr("Save case"), suggestedCasePath(document_), tr("Cases (*.angiopose)"));
@@ -127,7 +127,8 @@ void SaveController::saveAs(const std::function<void()>& whenSaved)
     dialog->open();
 }
 
-void SaveController::saveTo(const QString& path, const std::function<void()>& whenSaved, CaseKeeper::Replaced replaced)
+void SaveController::saveTo(const QString& path, const std::function<void()>& whenSaved,
+                            CaseFileGuard::Overwrite replaced)
 {
     if (document_.isInTrial()) {
         emit failed(tr("A blind trial is in progress. End it before saving."));
@@ -135,28 +136,29 @@ void SaveController::saveTo(const QString& path, const std::function<void()>& wh
     }
     emit started();
     files_.run(
-        [save = keeper_.saving(document_.current(), path, replaced), snapshot = document_.current(), path,
-         withPicture = settings::recentPictures.read()]() -> core::Result<QString> {
+        [save = fileGuard_.saving(document_.current(), path, replaced), snapshot = document_.current(), path,
+         withPicture = settings::recentThumbnails.read()]() -> core::Result<QString> {
             if (const auto written = save(); !written) {
                 return written.error();
             }
             if (withPicture) {
-                storeCasePicture(snapshot, path);
+                storeCaseThumbnail(snapshot, path);
             }
             return path;
         },
         [this, path, state = document_.state(), whenSaved](const core::Result<QString>& written) {
-            if (!written && io::isChangedElsewhere(written.error())) {
-                askAboutChange(path, whenSaved);
+            if (!written && io::isConcurrentChange(written.error())) {
+                confirmOverwrite(path, whenSaved);
                 return;
             }
             if (!written) {
                 emit failed(ui::messageText(written.error().message));
                 return;
             }
-            take(path, state);
-            keepCasePictures(settings::recentPictures.read() ? recentCases()
-                                                             : QStringList());   // according to the current setting
+            finishSave(path, state);
+            pruneCaseThumbnails(settings::recentThumbnails.read()
+                                    ? recentCases()
+                                    : QStringList());   // according to the current setting
             if (whenSaved) {
                 whenSaved();
             }
@@ -164,7 +166,7 @@ void SaveController::saveTo(const QString& path, const std::function<void()>& wh
 }
 
 /// Asks before overwriting changes that another window or program has saved.
-void SaveController::askAboutChange(const QString& path, const std::function<void()>& whenSaved)
+void SaveController::confirmOverwrite(const QString& path, const std::function<void()>& whenSaved)
 {
     auto* question =
         new ui::QuestionDialog({tr("Changed elsewhere"),
@@ -180,17 +182,17 @@ void SaveController::askAboutChange(const QString& path, const std::function<voi
             if (index == 0) {
                 saveAs(whenSaved);
             } else if (index == 1) {
-                saveTo(path, whenSaved, CaseKeeper::Replaced::AnyContent);
+                saveTo(path, whenSaved, CaseFileGuard::Overwrite::AnyContent);
             } else if (index == 2) {
-                givenUp_ = document_.state();
-                emit reloadWanted(path);
+                discardedState_ = document_.state();
+                emit reloadRequested(path);
             }
         },
         Qt::QueuedConnection);   // queued: this dialog closes before another one opens
     question->open();
 }
 
-void SaveController::take(const QString& path, const CaseState& written)
+void SaveController::finishSave(const QString& path, const CaseState& written)
 {
     document_.markSaved(path, written);
     forgetRecovered();
@@ -204,21 +206,21 @@ void SaveController::take(const QString& path, const CaseState& written)
 
 void SaveController::offerRecovery()
 {
-    const std::vector<Leftover> copies = Autosave::leftBehind();
+    const std::vector<RecoveryCopy> copies = Autosave::recoveryCopies();
     if (copies.empty()) {
         return;
     }
     std::vector<ui::RecoveryRow> rows;
-    for (const Leftover& copy : copies) {
+    for (const RecoveryCopy& copy : copies) {
         const QFileInfo original(copy.original);
         const QString title = copy.title.isEmpty() ? tr("Untitled case") : tr("%1 (not saved)").arg(copy.title);
-        const QString untitled = copy.holdsVessels() ? tr("Vessels without an angiogram") : title;
+        const QString untitled = copy.isVesselsOnly() ? tr("Vessels without an angiogram") : title;
         rows.push_back({copy.path, copy.original.isEmpty() ? untitled : original.fileName(),
-                        ui::languageLocale().toString(copy.when, QLocale::ShortFormat),
+                        ui::languageLocale().toString(copy.savedAt, QLocale::ShortFormat),
                         copy.original.isEmpty() ? QString() : original.absolutePath()});
     }
     auto* dialog = new ui::RecoveryDialog(rows, &window_);
-    const auto copyAt = [copies](const QString& path) { return *std::ranges::find(copies, path, &Leftover::path); };
+    const auto copyAt = [copies](const QString& path) { return *std::ranges::find(copies, path, &RecoveryCopy::path); };
     connect(dialog, &ui::RecoveryDialog::recoverRequested, this,
             [this, copyAt](const QString& path) { recover(copyAt(path)); });
     connect(dialog, &ui::RecoveryDialog::discardRequested, this, [copyAt](const QStringList& paths) {
@@ -229,23 +231,23 @@ void SaveController::offerRecovery()
     dialog->open();
 }
 
-void SaveController::recover(const Leftover& copy)
+void SaveController::recover(const RecoveryCopy& copy)
 {
-    if (copy.holdsVessels()) {
-        recoveredVessels_ = Autosave::keepVessels(copy);
+    if (copy.isVesselsOnly()) {
+        recoveredVessels_ = Autosave::adoptVessels(copy);
         emit vesselsRecovered(recoveredVessels_);
         return;
     }
-    wanted_ = copy;
-    emit recoveryWanted(copy);
+    requestedCopy_ = copy;
+    emit recoveryRequested(copy);
 }
 
 void SaveController::noteOpened(const QString& copy)
 {
-    const auto wanted = std::exchange(wanted_, std::nullopt);
-    recovered_ = wanted && wanted->path == copy ? wanted : std::nullopt;
-    if (recovered_) {
-        keeper_.expectUnchangedSince(recovered_->when);
+    const auto wanted = std::exchange(requestedCopy_, std::nullopt);
+    recoveredCopy_ = wanted && wanted->path == copy ? wanted : std::nullopt;
+    if (recoveredCopy_) {
+        fileGuard_.expectUnchangedSince(recoveredCopy_->savedAt);
         autosave_.saveSoon();
     }
     const QString vessels = std::exchange(recoveredVessels_, {});
@@ -256,8 +258,8 @@ void SaveController::noteOpened(const QString& copy)
 
 void SaveController::forgetRecovered()
 {
-    if (recovered_) {
-        Autosave::forget(*std::exchange(recovered_, std::nullopt));
+    if (recoveredCopy_) {
+        Autosave::forget(*std::exchange(recoveredCopy_, std::nullopt));
     }
 }
 
@@ -269,17 +271,17 @@ QString SaveController::saveState() const
     if (!document_.isModified()) {
         return tr("All changes saved");
     }
-    if (savable() == Savable::Vessels && keptVessels_ == document_.state()) {
+    if (savable() == Savable::Vessels && savedVesselsState_ == document_.state()) {
         return tr("Vessels saved as centerlines");
     }
     if (autosave_.isFailing()) {
         return tr("Not autosaved");
     }
-    if (const auto when = autosave_.lastSaved()) {
-        const qint64 seconds = when->secsTo(QDateTime::currentDateTime());
+    if (const auto savedAt = autosave_.lastSaved()) {
+        const qint64 seconds = savedAt->secsTo(QDateTime::currentDateTime());
         return seconds < 90 ? tr("Autosaved %1 s ago").arg(seconds) : tr("Autosaved %1 min ago").arg(seconds / 60);
     }
-    return document_.holdsWork() ? tr("Unsaved changes") : tr("Not saved yet");
+    return document_.hasUnsavedWork() ? tr("Unsaved changes") : tr("Not saved yet");
 }
 
 }   // namespace angiopose::app

@@ -22,17 +22,17 @@ public:
     /// Part of the open case that can be saved: a case has vessels and an angiogram; vessels alone are centerlines.
     enum class Savable { Case, Vessels, Nothing };
     Savable savable() const;
-    bool holdsWork() const;   ///< true if there is work that no file contains
+    bool hasUnsavedWork() const;   ///< true if there is work that no file contains
 
     void save(const std::function<void()>& whenSaved = {});   ///< asks for a name if the case has none
     void saveVessels(const std::function<void()>& whenSaved = {});   ///< saves centerlines; asks for a name
     void saveAs(const std::function<void()>& whenSaved = {});
     /// Saves in the background. Asks the user if the file was changed elsewhere since it was opened.
     void saveTo(const QString& path, const std::function<void()>& whenSaved = {},
-                CaseKeeper::Replaced replaced = CaseKeeper::Replaced::KnownContent);
+                CaseFileGuard::Overwrite replaced = CaseFileGuard::Overwrite::KnownContent);
     bool isSaving() const { return files_.isBusy(); }
     void offerRecovery();
-    void keepWork() { givenUp_.reset(); }   ///< call if the file that should replace the case was not opened
+    void retainWork() { discardedState_.reset(); }   ///< call if the file that should replace the case was not opened
     void noteOpened(const QString& copy);   ///< call when another case is open; `copy` is the recovered copy, or empty
     void autosaveSoon() { autosave_.saveSoon(); }
     void discardAutosave() { autosave_.discard(); }
@@ -44,29 +44,29 @@ signals:
     void saved();
     void autosaveFailed(const QString& reason);   ///< emitted when autosave fails; autosave keeps trying
     void openElsewhere(const QString& words);   ///< emitted if the open case is also open in another window or program
-    void reloadWanted(const QString& path);   ///< emitted to load changes made elsewhere instead of overwriting them
-    void recoveryWanted(const app::Leftover& copy);
+    void reloadRequested(const QString& path);   ///< emitted to load changes made elsewhere instead of overwriting them
+    void recoveryRequested(const app::RecoveryCopy& copy);
     void vesselsRecovered(const QString& path);   ///< vessels without an angiogram and their new file
 
 private:
-    bool refusesToSave(const std::function<void()>& whenSaved);   ///< states the reason, or offers to save a part
-    void offerVessels(const std::function<void()>& whenSaved);
-    void askAboutChange(const QString& path, const std::function<void()>& whenSaved);
-    void recover(const Leftover& copy);
+    bool cannotSave(const std::function<void()>& whenSaved);   ///< states the reason, or offers to save a part
+    void offerToSaveVessels(const std::function<void()>& whenSaved);
+    void confirmOverwrite(const QString& path, const std::function<void()>& whenSaved);
+    void recover(const RecoveryCopy& copy);
     void forgetRecovered();
-    void take(const QString& path, const CaseState& written);
+    void finishSave(const QString& path, const CaseState& written);
 
     CaseDocument& document_;
     ExportController& export_;
     QWidget& window_;
     Autosave autosave_;
     FileQueue files_;
-    CaseKeeper keeper_;
-    std::optional<CaseState> keptVessels_;   ///< state of the case last saved as a centerline file
-    std::optional<CaseState> givenUp_;   ///< state that the user agreed to discard in favor of the saved file
+    CaseFileGuard fileGuard_;
+    std::optional<CaseState> savedVesselsState_;   ///< state of the case last saved as a centerline file
+    std::optional<CaseState> discardedState_;   ///< state that the user agreed to discard in favor of the saved file
     QString recoveredVessels_;   ///< path of the recovered vessels
-    std::optional<Leftover> wanted_;   ///< recovered copy that is being opened
-    std::optional<Leftover> recovered_;   ///< recovered copy that is open; removed after the next autosave
+    std::optional<RecoveryCopy> requestedCopy_;   ///< recovered copy that is being opened
+    std::optional<RecoveryCopy> recoveredCopy_;   ///< recovered copy that is open; removed after the next autosave
 };
 
 }   // namespace angiopose::app

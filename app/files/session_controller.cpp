@@ -40,7 +40,7 @@ SessionController::SessionController(CaseDocument& document, TargetProvider& tar
           ArchiveController::Ui{*ui.actions[ui::Command::HideIdentity], ui.dialogParent})),
       sender_(std::make_unique<ArchiveSender>(archive_->list(), ui.dialogParent)),
       privacy_(*ui.actions[ui::Command::PrivateMode], ui.dialogParent),
-      audit_(document, *ui.actions[ui::Command::KeepAudit], ui.dialogParent)
+      audit_(document, *ui.actions[ui::Command::WriteAuditLog], ui.dialogParent)
 {
     connectFiles();
     connectOpening();
@@ -75,14 +75,14 @@ void SessionController::start(const QStringList& paths)
     if (paths.isEmpty()) {
         save_.offerRecovery();
     } else {
-        offersRecovery_ = true;   // recovery is offered after the questions from opening have been answered
+        isRecoveryPending_ = true;   // recovery is offered after the questions from opening have been answered
         open(paths);
     }
 }
 
-void SessionController::offerRecoveryOnce()
+void SessionController::offerRecoveryIfPending()
 {
-    if (std::exchange(offersRecovery_, false)) {
+    if (std::exchange(isRecoveryPending_, false)) {
         save_.offerRecovery();
     }
 }
@@ -98,7 +98,7 @@ void SessionController::showNotice(const QStringList& paths)
 {
     auto* notice = new ui::QuestionDialog(
         {tr("Not for clinical use"),
-         tr("AngioPose is a research program, not a medical device: do not use it for diagnosis, treatment or "
+         tr("AngioPose is research software, not a medical device: do not use it for diagnosis, treatment or "
             "navigation. Results can be wrong; a single projection cannot fully determine depth."),
          {}},
         {tr("I understand")}, &ui_.dialogParent);
@@ -107,7 +107,7 @@ void SessionController::showNotice(const QStringList& paths)
         settings::noticeAccepted.write(true);
         start(paths);
         if (paths.isEmpty()) {
-            emit restarted();
+            emit firstStarted();
         }
     });
     notice->open();
@@ -131,15 +131,15 @@ void SessionController::connectOpening()
     connect(&open_, &OpenController::ended, this, [this] { ui_.strip.showIdle(tr("Ready")); });
     connect(&open_, &OpenController::opened, this, [this](const QStringList& notes) {
         save_.noteOpened(open_.openedCopy());
-        recent_.fill();
-        recent_.pictureOpened();
+        recent_.rebuild();
+        recent_.makeThumbnail();
         openingNotes_ = notes;
         if (notes.isEmpty()) {
             notifications_.showNote(tr("Opened"));
         } else {
             notifications_.showWarnings(ui::joinedSentences(notes));
         }
-        offerRecoveryOnce();
+        offerRecoveryIfPending();
     });
     connect(&open_, &OpenController::poseOpened, this, [this](const QStringList& notes) {
         if (notes.size() == 1) {
@@ -151,8 +151,8 @@ void SessionController::connectOpening()
     connect(&open_, &OpenController::failed, this, [this](const QString& reason, const QStringList& paths) {
         notifications_.showProblem(paths.size() == 1 ? tr("Could not open the file") : tr("Could not open the files"),
                                    reason, paths);
-        save_.keepWork();
-        offerRecoveryOnce();
+        save_.retainWork();
+        offerRecoveryIfPending();
     });
 }
 
@@ -166,7 +166,7 @@ void SessionController::connectSaving()
     });
     connect(&save_, &SaveController::started, this, [this] { notifications_.showNote(tr("Saving…")); });
     connect(&save_, &SaveController::saved, this, [this] {
-        recent_.fill();
+        recent_.rebuild();
         notifications_.showNote(tr("Saved"));
     });
     connect(&save_, &SaveController::autosaveFailed, this, [this](const QString& reason) {
@@ -175,9 +175,9 @@ void SessionController::connectSaving()
     connect(&save_, &SaveController::openElsewhere, this, [this](const QString& words) {
         notifications_.showWarnings(ui::joinedSentences(QStringList{words} + openingNotes_));
     });
-    connect(&save_, &SaveController::reloadWanted, this, [this](const QString& path) { open({path}); });
-    connect(&save_, &SaveController::recoveryWanted, this,
-            [this](const Leftover& copy) { open_.openCopy(copy.path, copy.original); });
+    connect(&save_, &SaveController::reloadRequested, this, [this](const QString& path) { open({path}); });
+    connect(&save_, &SaveController::recoveryRequested, this,
+            [this](const RecoveryCopy& copy) { open_.openCopy(copy.path, copy.original); });
     connect(&save_, &SaveController::vesselsRecovered, this, [this](const QString& path) { open_.open({path}); });
 }
 
@@ -185,13 +185,14 @@ void SessionController::connectExporting()
 {
     ui::WindowActions& actions = ui_.actions;
     connect(actions[ui::Command::ExportOverlay], &QAction::triggered, &export_, &ExportController::askOverlay);
-    connect(actions[ui::Command::ExportReport], &QAction::triggered, &report_, &ReportController::ask);
+    connect(actions[ui::Command::ExportReport], &QAction::triggered, &report_, &ReportController::openDialog);
     connect(actions[ui::Command::ExportResult], &QAction::triggered, &export_, &ExportController::askResult);
     connect(actions[ui::Command::ExportPose], &QAction::triggered, &export_, &ExportController::askPose);
     connect(actions[ui::Command::ExportTrace], &QAction::triggered, &export_, &ExportController::askTrace);
     connect(actions[ui::Command::ExportMeasurements], &QAction::triggered, &export_,
             &ExportController::askMeasurements);
-    connect(actions[ui::Command::ExportCheckPoints], &QAction::triggered, &export_, &ExportController::askCheckPoints);
+    connect(actions[ui::Command::ExportTargetPoints], &QAction::triggered, &export_,
+            &ExportController::askTargetPoints);
     connect(actions[ui::Command::ExportDeformed], &QAction::triggered, &export_, &ExportController::askDeformed);
     connect(actions[ui::Command::ExportMask], &QAction::triggered, &export_, &ExportController::askMask);
     connect(actions[ui::Command::ExportVessels], &QAction::triggered, this, [this] { save_.saveVessels(); });
@@ -208,17 +209,17 @@ void SessionController::connectExporting()
 
 void SessionController::connectDicom()
 {
-    connect(ui_.actions[ui::Command::ExportDicom], &QAction::triggered, &dicom_, &DicomController::ask);
+    connect(ui_.actions[ui::Command::ExportDicom], &QAction::triggered, &dicom_, &DicomController::openDialog);
     connect(&dicom_, &DicomController::started, this, [this] { notifications_.showNote(tr("Writing…")); });
     connect(&dicom_, &DicomController::written, this, [this](const QString& folder, const QStringList& notes) {
-        tellWritten(tr("DICOM objects written: %1").arg(QFileInfo(folder).fileName()), notes);
+        reportWritten(tr("DICOM objects written: %1").arg(QFileInfo(folder).fileName()), notes);
     });
     connect(&dicom_, &DicomController::failed, this,
             [this](const QString& reason) { notifications_.showProblem(tr("Could not export"), reason); });
 }
 
 /// Reports the written file, with remarks.
-void SessionController::tellWritten(const QString& there, const QStringList& notes)
+void SessionController::reportWritten(const QString& there, const QStringList& notes)
 {
     if (notes.isEmpty()) {
         notifications_.showNote(there);
@@ -230,11 +231,11 @@ void SessionController::tellWritten(const QString& there, const QStringList& not
 
 void SessionController::connectPacking()
 {
-    connect(ui_.actions[ui::Command::PackCase], &QAction::triggered, &pack_, &PackController::ask);
+    connect(ui_.actions[ui::Command::ShareCase], &QAction::triggered, &pack_, &PackController::openDialog);
     connect(&pack_, &PackController::stopped, this,
             [this] { notifications_.showNote(tr("Stopped; nothing was written.")); });
     connect(&pack_, &PackController::written, this, [this](const QString& path, const QStringList& notes) {
-        tellWritten(tr("Case bundle saved: %1").arg(QFileInfo(path).fileName()), notes);
+        reportWritten(tr("Case bundle saved: %1").arg(QFileInfo(path).fileName()), notes);
     });
     connect(&pack_, &PackController::failed, this, [this](const QString& reason) {
         notifications_.showProblem(tr("Could not save the case bundle"), reason);
@@ -243,21 +244,23 @@ void SessionController::connectPacking()
 
 void SessionController::connectArchives()
 {
-    connect(ui_.actions[ui::Command::OpenArchive], &QAction::triggered, archive_.get(), &ArchiveController::show);
-    connect(archive_.get(), &ArchiveController::retrieved, &studies_, &StudyController::lookAtAll);
+    connect(ui_.actions[ui::Command::QueryPacs], &QAction::triggered, archive_.get(), &ArchiveController::show);
+    connect(archive_.get(), &ArchiveController::retrieved, &studies_, &StudyController::openFolders);
     connect(archive_.get(), &ArchiveController::reported, &notifications_, &Notifications::showNote);
-    connect(ui_.actions[ui::Command::SendToArchive], &QAction::triggered, &dicom_, &DicomController::askToSend);
+    connect(ui_.actions[ui::Command::SendToArchive], &QAction::triggered, &dicom_,
+            &DicomController::selectObjectsToSend);
     connect(&dicom_, &DicomController::wanted, this,
-            [this](const ui::DicomChoice& choice) { sender_->ask(dicom_.makerOf(choice)); });
-    connect(sender_.get(), &ArchiveSender::sent, this, &SessionController::tellWritten);
+            [this](const ui::DicomExportOptions& choice) { sender_->openDialog(dicom_.makeWriter(choice)); });
+    connect(sender_.get(), &ArchiveSender::sent, this, &SessionController::reportWritten);
 }
 
 void SessionController::connectDeidentifying()
 {
-    connect(ui_.actions[ui::Command::DeidentifyFiles], &QAction::triggered, &deidentify_, &DeidentifyController::ask);
+    connect(ui_.actions[ui::Command::DeidentifyFiles], &QAction::triggered, &deidentify_,
+            &DeidentifyController::openDialog);
     connect(&deidentify_, &DeidentifyController::written, this,
             [this](const QString&, const QString& words) { notifications_.showWarnings(words); });
-    connect(&deidentify_, &DeidentifyController::partlyRefused, this,
+    connect(&deidentify_, &DeidentifyController::partlyRejected, this,
             [this](const QString& words, const QString& lines) {
                 ui::MessageDialog::show({tr("Some files were skipped"), words, lines}, &ui_.dialogParent);
             });
@@ -296,7 +299,7 @@ void SessionController::openNewWindow()
 {
     if (!QProcess::startDetached(QCoreApplication::applicationFilePath(), {})) {
         notifications_.showProblem(tr("Could not open another window"),
-                                   tr("Could not start AngioPose again. Start it from the system menu."));
+                                   tr("Could not start another AngioPose process. Start it from the system menu."));
     }
 }
 

@@ -56,7 +56,7 @@ public:
     void open(const QStringList& paths) { open_.open(paths); }
     void closeWindow() { close_.closeWindow(); }   ///< asks first if work would be lost
     void abandonLoading();
-    bool isLoading() const { return open_.isLoading() || studies_.isLooking(); }
+    bool isLoading() const { return open_.isLoading() || studies_.isReading(); }
     bool isWriting() const { return pack_.isRunning() || deidentify_.isRunning(); }   ///< jobs that may take long
 
     SaveController& saving() { return save_; }
@@ -65,7 +65,7 @@ public:
     OpenController& opening() { return open_; }
 
 signals:
-    void restarted();   ///< emitted on the first start, after the notice, if no files are opened
+    void firstStarted();   ///< emitted on the first start, after the notice, if no files are opened
     void exported();
     void aboutToClose();   ///< emitted when the user requests closing; receivers end everything that must not stay open
     void windowMayClose();   ///< emitted when the window can close without loss
@@ -80,11 +80,11 @@ private:
     void connectArchives();
     void connectDeidentifying();
     void connectAudit(RegistrationController& registration);
-    void tellWritten(const QString& there, const QStringList& notes);
+    void reportWritten(const QString& there, const QStringList& notes);
     void start(const QStringList& paths);
     void showNotice(const QStringList& paths);
     void openNewWindow();
-    void offerRecoveryOnce();
+    void offerRecoveryIfPending();
 
     CaseDocument& document_;
     Notifications& notifications_;
@@ -104,7 +104,7 @@ private:
     std::unique_ptr<ArchiveSender> sender_;
     PrivacyController privacy_;
     AuditController audit_;
-    bool offersRecovery_ =
+    bool isRecoveryPending_ =
         false;   ///< recovery is offered once the files from the command line have been opened or have failed to open
     QStringList openingNotes_;
 };

@@ -18,9 +18,9 @@
 namespace angiopose::app {
 namespace {
 
-constexpr int patienceMs = 700;   // time in which a folder with one series is read and opened without a list
+constexpr int showBrowserDelayMs = 700;   // time in which a folder with one series is read and opened without a list
 constexpr int restShare = 10;   // minimum pause between list updates, as a multiple of the duration of an update
-constexpr int picturePx = 2 * ui::StudyList::pictureSize;   // high enough for 200 % display scaling
+constexpr int picturePx = 2 * ui::StudyList::thumbnailSize;   // high enough for 200 % display scaling
 
 std::vector<const io::StudySeries*> usableOf(const io::StudyTree& tree)
 {
@@ -53,12 +53,12 @@ QImage imageOf(const core::ImageF& picture)
 StudyController::StudyController(OpenController& open, Notifications& notifications, const Ui& ui, QObject* parent)
     : QObject(parent), open_(open), notifications_(notifications), ui_(ui), pictures_(picturePx, this)
 {
-    patience_.setSingleShot(true);
-    patience_.setInterval(patienceMs);
-    connect(&patience_, &QTimer::timeout, this, &StudyController::showBrowser);
-    connect(&open_, &OpenController::studyOffered, this, &StudyController::look);
+    showBrowserTimer_.setSingleShot(true);
+    showBrowserTimer_.setInterval(showBrowserDelayMs);
+    connect(&showBrowserTimer_, &QTimer::timeout, this, &StudyController::showBrowser);
+    connect(&open_, &OpenController::studyOffered, this, &StudyController::openFolder);
     connect(&job_, &StudyJob::advanced, this, &StudyController::follow);
-    connect(&job_, &StudyJob::finished, this, &StudyController::take);
+    connect(&job_, &StudyJob::finished, this, &StudyController::showResult);
     connect(&job_, &StudyJob::failed, this, [this](const core::Message& reason) {
         ui_.strip.showIdle(tr("Ready"));
         abandon();
@@ -69,24 +69,24 @@ StudyController::StudyController(OpenController& open, Notifications& notificati
             showTree(tree_);
         }
     });
-    connect(&pictures_, &SeriesPictures::made, this, [this](const QString& key, const core::ImageF& picture) {
+    connect(&pictures_, &SeriesThumbnails::made, this, [this](const QString& key, const core::ImageF& picture) {
         if (browser_) {
-            browser_->showPicture(key, imageOf(picture));
+            browser_->showThumbnail(key, imageOf(picture));
         }
     });
-    connect(&pictures_, &SeriesPictures::failed, this, [this](const QString& key) {
+    connect(&pictures_, &SeriesThumbnails::failed, this, [this](const QString& key) {
         if (browser_) {
-            browser_->showPicture(key, {});
+            browser_->showThumbnail(key, {});
         }
     });
 }
 
-void StudyController::look(const QString& place)
+void StudyController::openFolder(const QString& place)
 {
     begin({place}, QDir::toNativeSeparators(place));
 }
 
-void StudyController::lookAtAll(const QStringList& folders, const QString& name)
+void StudyController::openFolders(const QStringList& folders, const QString& name)
 {
     begin(folders, name);
 }
@@ -97,23 +97,23 @@ void StudyController::begin(const QStringList& folders, const QString& name)
     folders_ = folders;
     name_ = name;
     tree_.reset();
-    makeBrowser();
-    patience_.start();
-    start(io::StudyReach::Listed);
+    createBrowser();
+    showBrowserTimer_.start();
+    start(io::StudyScope::Listed);
 }
 
-void StudyController::makeBrowser()
+void StudyController::createBrowser()
 {
     browser_ = new ui::StudyBrowser(name_, &ui_.dialogParent);
     browser_->addAction(&ui_.hideIdentity);
     connect(browser_, &ui::StudyBrowser::stopRequested, &job_, &StudyJob::requestStop);
-    connect(browser_, &ui::StudyBrowser::allFilesRequested, this, [this] { start(io::StudyReach::AllFiles); });
-    connect(browser_, &ui::StudyBrowser::picturesWanted, this, &StudyController::wantPictures);
+    connect(browser_, &ui::StudyBrowser::allFilesRequested, this, [this] { start(io::StudyScope::AllFiles); });
+    connect(browser_, &ui::StudyBrowser::thumbnailsRequested, this, &StudyController::requestThumbnails);
     connect(browser_, &ui::StudyBrowser::chosen, this, &StudyController::open);
-    connect(browser_, &QDialog::finished, this, &StudyController::leave);
+    connect(browser_, &QDialog::finished, this, &StudyController::stopReading);
 }
 
-void StudyController::start(io::StudyReach reach)
+void StudyController::start(io::StudyScope reach)
 {
     isComplete_ = false;
     reach_ = reach;
@@ -123,10 +123,10 @@ void StudyController::start(io::StudyReach reach)
 }
 
 /// Stops reading the folder and the thumbnails.
-void StudyController::leave()
+void StudyController::stopReading()
 {
-    patience_.stop();
-    pictures_.want({});
+    showBrowserTimer_.stop();
+    pictures_.request({});
     if (job_.isRunning()) {
         job_.abandon();
         ui_.strip.showIdle(tr("Ready"));
@@ -135,7 +135,7 @@ void StudyController::leave()
 
 void StudyController::abandon()
 {
-    leave();
+    stopReading();
     if (browser_) {
         browser_->disconnect(this);
         browser_->hide();
@@ -151,32 +151,32 @@ void StudyController::follow(const io::StudyProgress& progress)
     }
     browser_->showProgress(static_cast<qsizetype>(progress.read), static_cast<qsizetype>(progress.found));
     const bool isDue =
-        !shown_.isValid() || shown_.elapsed() > restShare * showingMs_;   // updates long lists less often
-    if (progress.tree && progress.tree != tree_ && reach_ == io::StudyReach::Listed && isDue) {
+        !sinceRebuild_.isValid() || sinceRebuild_.elapsed() > restShare * rebuildMs_;   // updates long lists less often
+    if (progress.tree && progress.tree != tree_ && reach_ == io::StudyScope::Listed && isDue) {
         QElapsedTimer took;
         took.start();
         showTree(progress.tree);
-        showingMs_ = took.elapsed();
-        shown_.start();
+        rebuildMs_ = took.elapsed();
+        sinceRebuild_.start();
         if (usableOf(*tree_).size() > 1) {
             showBrowser();
         }
     }
 }
 
-void StudyController::take(const SharedStudies& tree)
+void StudyController::showResult(const SharedStudies& tree)
 {
     if (!browser_) {
         return;
     }
-    patience_.stop();
+    showBrowserTimer_.stop();
     ui_.strip.showIdle(tr("Ready"));
     isComplete_ = !tree->isStopped;
     showTree(tree);
     const auto usable = usableOf(*tree);
     const auto& directory = tree->directory;
     const bool isAsListed = !directory || (directory->unlistedFiles == 0 && directory->missingFiles == 0);
-    const bool isAllRead = !tree->isStopped && !tree->isCutOff && tree->damaged.empty() && isAsListed;
+    const bool isAllRead = !tree->isStopped && !tree->isTruncated && tree->damaged.empty() && isAsListed;
     if (tree->patients.empty() && !isBrowserShown()) {
         abandon();
         notifications_.showProblem(tr("The folder could not be opened"),
@@ -195,7 +195,7 @@ void StudyController::take(const SharedStudies& tree)
                          isRun ? QStringList{QString::fromStdString(only.place)} : QStringList()});
         return;
     }
-    showEnd();
+    showSummary();
     if (usable.size() == 1) {
         browser_->choose(keyOf(*usable.front()));
     }
@@ -206,23 +206,23 @@ void StudyController::showTree(const SharedStudies& tree)
 {
     tree_ = tree;
     browser_->showRows(studyRows(*tree, ui_.hideIdentity.isChecked() ? IdentityShown::No : IdentityShown::Yes,
-                                 isComplete_ ? Numbering::Final : Numbering::Passing));
+                                 isComplete_ ? Numbering::Final : Numbering::Provisional));
 }
 
 /// Reports the number of files read, and which files are damaged or missing from the DICOMDIR.
-void StudyController::showEnd()
+void StudyController::showSummary()
 {
     const QLocale locale;
     const auto read = locale.toString(static_cast<qulonglong>(tree_->readFiles));
     const auto found = locale.toString(static_cast<qulonglong>(tree_->foundFiles));
     QStringList words{tree_->isStopped ? tr("Stopped after %1 of %2 files.").arg(read, found)
                                        : tr("%1 files read.").arg(read)};
-    if (tree_->isCutOff) {
-        words << tr("The folder holds too many files to list: choose the folder of a single study.");
+    if (tree_->isTruncated) {
+        words << tr("The folder contains too many files to list. Choose the folder of a single study.");
     }
     QString offer;
     if (const auto& directory = tree_->directory; directory && directory->damage) {
-        words << tr("The DICOMDIR is unusable (%1): the files themselves were read.")
+        words << tr("The DICOMDIR is unusable (%1); the files were read directly.")
                      .arg(ui::messageText(directory->damage));
     } else if (directory) {
         if (directory->missingFiles > 0) {
@@ -240,12 +240,12 @@ void StudyController::showEnd()
     for (const io::DamagedFile& file : tree_->damaged) {
         damaged << QStringLiteral("%1: %2").arg(QString::fromStdString(file.path), ui::messageText(file.reason));
     }
-    browser_->showEnd(words.join(u' '), damaged, offer);
+    browser_->showSummary(words.join(u' '), damaged, offer);
 }
 
 void StudyController::showBrowser()
 {
-    patience_.stop();
+    showBrowserTimer_.stop();
     if (browser_ && !browser_->isVisible()) {
         browser_->open();
     }
@@ -275,15 +275,15 @@ const io::StudySeries* StudyController::find(const QString& key) const
     return nullptr;
 }
 
-void StudyController::wantPictures(const QStringList& keys)
+void StudyController::requestThumbnails(const QStringList& keys)
 {
-    std::deque<SeriesPictures::Wanted> wanted;
+    std::deque<SeriesThumbnails::Request> wanted;
     for (const QString& key : keys) {
         if (const io::StudySeries* series = find(key)) {
             wanted.push_back({key, {tree_, &series->series}});
         }
     }
-    pictures_.want(std::move(wanted));
+    pictures_.request(std::move(wanted));
 }
 
 void StudyController::open(const QString& vessels, const QStringList& views)
@@ -299,7 +299,7 @@ void StudyController::open(const QString& vessels, const QStringList& views)
             choice.runs << QString::fromStdString(series->place);
         }
     }
-    leave();
+    stopReading();
     open_.openStudy(choice);
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/files/open_controller.h"
-#include "app/jobs/series_pictures.h"
+#include "app/jobs/series_thumbnails.h"
 #include "app/jobs/study_job.h"
 #include "app/showing/notifications.h"
 
@@ -33,25 +33,25 @@ public:
     };
     StudyController(OpenController& open, Notifications& notifications, const Ui& ui, QObject* parent = nullptr);
 
-    void look(const QString& place);
+    void openFolder(const QString& place);
     /// Lists the series of several folders together under one name.
-    void lookAtAll(const QStringList& folders, const QString& name);
+    void openFolders(const QStringList& folders, const QString& name);
     void abandon();
-    bool isLooking() const { return job_.isRunning(); }
+    bool isReading() const { return job_.isRunning(); }
 
 private:
     void begin(const QStringList& folders, const QString& name);
-    void makeBrowser();
-    void start(io::StudyReach reach);
-    void leave();
+    void createBrowser();
+    void start(io::StudyScope reach);
+    void stopReading();
     void follow(const io::StudyProgress& progress);
-    void take(const SharedStudies& tree);
+    void showResult(const SharedStudies& tree);
     void showTree(const SharedStudies& tree);
     QString placeFolder() const;
-    void showEnd();
+    void showSummary();
     void showBrowser();
     bool isBrowserShown() const;
-    void wantPictures(const QStringList& keys);
+    void requestThumbnails(const QStringList& keys);
     void open(const QString& vessels, const QStringList& views);
     const io::StudySeries* find(const QString& key) const;
 
@@ -62,13 +62,13 @@ private:
     QString name_;   ///< display name of all folders together
     SharedStudies tree_;
     QPointer<ui::StudyBrowser> browser_;
-    io::StudyReach reach_ = io::StudyReach::Listed;
+    io::StudyScope reach_ = io::StudyScope::Listed;
     bool isComplete_ = false;   ///< true if all files within `reach_` have been read
-    QElapsedTimer shown_;   ///< time since the list was last rebuilt
-    qint64 showingMs_ = 0;   ///< duration of the last rebuild
-    QTimer patience_;   ///< on timeout, shows the browser with whatever was found so far
+    QElapsedTimer sinceRebuild_;   ///< time since the list was last rebuilt
+    qint64 rebuildMs_ = 0;   ///< duration of the last rebuild
+    QTimer showBrowserTimer_;   ///< on timeout, shows the browser with whatever was found so far
     StudyJob job_;
-    SeriesPictures pictures_;
+    SeriesThumbnails pictures_;
 };
 
 }   // namespace angiopose::app

@@ -70,20 +70,20 @@ QString sizeOf(const io::DicomSeries& series)
 }
 
 /// Adds the slice spacing, or the frame rate of a run.
-void addPace(const io::StudySeries& each, ui::StudySeriesRow& row)
+void addPace(const io::StudySeries& studySeries, ui::StudySeriesRow& row)
 {
-    if (each.use == io::SeriesUse::Vessels) {
-        row.paceValue = each.series.stack.geometry.spacingMm.z();
-        row.pace = StudyWords::tr("%1 mm").arg(ui::numberText(row.paceValue, 2));
-    } else if (each.use == io::SeriesUse::View && each.frameTimeMs > 0.0 && each.imageCount > 1) {
-        row.paceValue = 1000.0 / each.frameTimeMs;
-        row.pace = StudyWords::tr("%1 frames/s").arg(ui::numberText(row.paceValue, 1));
+    if (studySeries.use == io::SeriesUse::Vessels) {
+        row.sortValue = studySeries.series.stack.geometry.spacingMm.z();
+        row.pace = StudyWords::tr("%1 mm").arg(ui::numberText(row.sortValue, 2));
+    } else if (studySeries.use == io::SeriesUse::View && studySeries.frameTimeMs > 0.0 && studySeries.imageCount > 1) {
+        row.sortValue = 1000.0 / studySeries.frameTimeMs;
+        row.pace = StudyWords::tr("%1 frames/s").arg(ui::numberText(row.sortValue, 1));
     }
 }
 
 QString passingWords()
 {
-    return StudyWords::tr("Not all files have been read yet, so the part of the series is still unknown.");
+    return StudyWords::tr("Not all files have been read yet, so it is not yet known which part of the series this is.");
 }
 
 QString missingWords(std::size_t files)
@@ -104,29 +104,29 @@ ui::StudySeriesRow::Use useOf(io::SeriesUse use)
     return ui::StudySeriesRow::Use::None;
 }
 
-ui::StudySeriesRow rowOf(const io::StudySeries& each, Numbering numbering)
+ui::StudySeriesRow rowOf(const io::StudySeries& studySeries, Numbering numbering)
 {
     ui::StudySeriesRow row;
-    row.key = keyOf(each);
-    row.use = useOf(each.use);
-    row.number = each.series.number;
-    row.modality = QString::fromStdString(each.series.identity.modality);
-    row.description = descriptionOf(each.series);
-    row.imageCount = each.imageCount;
-    row.size = sizeOf(each.series);
-    row.bodyPart = QString::fromStdString(each.bodyPart);
-    addPace(each, row);
-    if (each.series.part && numbering == Numbering::Passing) {
+    row.key = keyOf(studySeries);
+    row.use = useOf(studySeries.use);
+    row.number = studySeries.series.number;
+    row.modality = QString::fromStdString(studySeries.series.identity.modality);
+    row.description = descriptionOf(studySeries.series);
+    row.imageCount = studySeries.imageCount;
+    row.size = sizeOf(studySeries.series);
+    row.bodyPart = QString::fromStdString(studySeries.bodyPart);
+    addPace(studySeries, row);
+    if (studySeries.series.part && numbering == Numbering::Provisional) {
         row.use = ui::StudySeriesRow::Use::None;
         row.notes << passingWords();
     }
-    if (each.reason) {
-        row.notes << ui::messageText(each.reason);
+    if (studySeries.reason) {
+        row.notes << ui::messageText(studySeries.reason);
     }
-    if (each.missingFiles > 0) {
-        row.notes << missingWords(each.missingFiles);
+    if (studySeries.missingFiles > 0) {
+        row.notes << missingWords(studySeries.missingFiles);
     }
-    for (const core::Message& warning : each.series.warnings) {
+    for (const core::Message& warning : studySeries.series.warnings) {
         row.notes << ui::messageText(warning);
     }
     return row;
@@ -134,11 +134,13 @@ ui::StudySeriesRow rowOf(const io::StudySeries& each, Numbering numbering)
 
 }   // namespace
 
-QString keyOf(const io::StudySeries& each)
+QString keyOf(const io::StudySeries& studySeries)
 {
     // The number of a part may change while reading; the slice count keeps a check mark with its part.
-    const std::string size = each.series.part ? "|" + std::to_string(each.series.slices.size()) : std::string();
-    return QString::fromStdString(each.series.id + "|" + each.series.identity.modality + "|" + each.place + size);
+    const std::string size =
+        studySeries.series.part ? "|" + std::to_string(studySeries.series.slices.size()) : std::string();
+    return QString::fromStdString(studySeries.series.id + "|" + studySeries.series.identity.modality + "|" +
+                                  studySeries.place + size);
 }
 
 std::vector<ui::PatientRow> studyRows(const io::StudyTree& tree, IdentityShown shown, Numbering numbering)

@@ -9,7 +9,7 @@ namespace angiopose::app {
 
 enum class IdentityShown { Yes, No };
 
-enum class Numbering { Final, Passing };   ///< numbers of the parts of a series; `Passing` if more may follow
+enum class Numbering { Final, Provisional };   ///< numbers of the parts of a series; `Provisional` if more may follow
 
 /// Builds the list rows of the studies; if the identity is hidden, without names, IDs, dates of birth and accession
 /// numbers. A part of a series can be opened once its number is final.

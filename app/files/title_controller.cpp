@@ -3,7 +3,7 @@
 #include "app/preferences/private_mode.h"
 #include "ui/panels/bottom_strip.h"
 #include "ui/panels/header_bar.h"
-#include "ui/words/spoken.h"
+#include "ui/words/retranslation.h"
 
 namespace angiopose::app {
 
@@ -20,13 +20,13 @@ TitleController::TitleController(CaseDocument& document, SaveController& saving,
     clock_.setInterval(5s);
     connect(&clock_, &QTimer::timeout, this, &TitleController::showSaveState);
     clock_.start();
-    ui::speak(this, [this] { show(); });
+    ui::keepTranslated(this, [this] { show(); });
 }
 
 void TitleController::show()
 {
     const QString name = isPrivate() ? tr("Case") : QString::fromStdString(document_.current().title);
-    const QString star = document_.holdsWork() ? QStringLiteral("*") : QString();
+    const QString star = document_.hasUnsavedWork() ? QStringLiteral("*") : QString();
     const QString shown = document_.isEmpty() ? QString() : (name.isEmpty() ? tr("Untitled case") : name) + star;
     window_.setWindowTitle(shown.isEmpty() ? tr("AngioPose · not for clinical use")
                                            : tr("%1 · AngioPose · not for clinical use").arg(shown));

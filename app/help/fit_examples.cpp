@@ -1,6 +1,6 @@
 #include "app/help/fit_examples.h"
 
-#include "app/texts/overlay_picture.h"
+#include "app/texts/overlay_image.h"
 #include "core/geometry/pose_offset.h"
 #include "core/simulation/simulated_case.h"
 #include "io/image_file.h"
@@ -28,7 +28,7 @@ core::DsaOptions imageOf(ui::FitExample example)
 }
 
 /// Returns the pose error of the example relative to the ground truth.
-core::PoseOffset errorOf(ui::FitExample example)
+core::PoseOffset poseErrorOf(ui::FitExample example)
 {
     core::PoseOffset error;
     switch (example) {
@@ -59,14 +59,14 @@ core::Case caseOf(const core::SimulatedCase& simulated, ui::FitExample example)
     core::View& view = session.shown();
     view.angiogram = std::make_shared<const core::Angiogram>(std::move(single));
     view.geometry = {simulated.angiogram.cArm, simulated.camera};
-    view.cameraFromPatient = core::applyOffset(simulated.trueCameraFromPatient, errorOf(example),
+    view.cameraFromPatient = core::applyOffset(simulated.trueCameraFromPatient, poseErrorOf(example),
                                                core::centroidInPatient(simulated.tree), simulated.camera);
     return session;
 }
 
 }   // namespace
 
-core::Result<QString> fitExamplePicture(ui::FitExample example)
+core::Result<QString> fitExampleImage(ui::FitExample example)
 {
     const QDir folder(QStandardPaths::writableLocation(QStandardPaths::CacheLocation) +
                       QStringLiteral("/fit-pictures-" ANGIOPOSE_VERSION));

@@ -22,7 +22,7 @@ HelpController::HelpController(ui::MainWindow& window, QObject* parent) : QObjec
     const ui::WindowActions& actions = window.actions();
     connect(actions[ui::Command::PanelHelp], &QAction::triggered, this, &HelpController::showPage);
     connect(actions[ui::Command::Tour], &QAction::triggered, this, &HelpController::startTour);
-    connect(actions[ui::Command::GoodFit], &QAction::triggered, this, &HelpController::showGoodFit);
+    connect(actions[ui::Command::GoodFit], &QAction::triggered, this, &HelpController::showFitExamples);
     connect(actions[ui::Command::Messages], &QAction::triggered, this,
             [this] { (new ui::MessageHistory(window_.strip().reported(), &window_))->open(); });
     connect(actions[ui::Command::About], &QAction::triggered, this, &HelpController::showAbout);
@@ -41,7 +41,7 @@ void HelpController::showPage()
 
 void HelpController::offerTour()
 {
-    if (!settings::tourSeen.read()) {
+    if (!settings::isTourCompleted.read()) {
         startTour();
     }
 }
@@ -51,40 +51,42 @@ void HelpController::startTour()
     if (tour_) {
         return;
     }
-    settings::tourSeen.write(true);
+    settings::isTourCompleted.write(true);
     for (const ui::ColumnSide side :
          {ui::ColumnSide::Left, ui::ColumnSide::Right}) {   // the tour points at visible panels only
         window_.column(side).setFolded(false);
     }
     ui::TourStop start{&window_.angiogramView(), tr("Start here"),
                        tr("Drop a case, or vessels and an angiogram, anywhere in the window. “Open the sample case” "
-                          "needs no data of your own.")};
+                          "requires no data of your own.")};
     if (!window_.angiogramView().isVisible()) {   // without a case, the parts that the tour explains are hidden
         start.target = &window_.welcome();
-        start.way = tr("Open the sample case");
+        start.leaveLabel = tr("Open the sample case");
         start.onLeave = [this] { window_.actions()[ui::Command::OpenSample]->trigger(); };
     }
     tour_ = new ui::Tour(
         {start,
          {&window_.steps(), tr("Steps to a result"),
-          tr("Each step shows a check mark, or its tooltip names what is missing. Click the steps in any order.")},
+          tr("Each step shows a check mark when complete; otherwise, its tooltip lists what is missing. The steps can "
+             "be clicked in any order.")},
          {&window_.branches(), tr("The vessel tree"),
-          tr("Its branches with their length and distance to the image. A adds a branch to the auxiliary subset, X "
-             "excludes it.")},
+          tr("Lists the branches with their lengths and distances to the image. A adds a branch to the auxiliary "
+             "branches, X excludes it.")},
          {&window_.angiogramView(), tr("The angiogram"),
-          tr("The projected tree overlays it, colored by distance. Wheel: scroll frames. N: move the tree with arrows "
-             "or mouse. H: hide it.")},
+          tr("The projected tree is overlaid on it, colored by distance. Wheel: scroll through frames. N: move the "
+             "tree with arrow keys or mouse. H: hide it.")},
          {&window_.registration(), tr("Register"),
-          tr("R finds the pose. Stop keeps the best pose so far; Ctrl+Z restores the previous one.")},
+          tr("R finds the pose. Stop keeps the best pose found so far; Ctrl+Z restores the previous one.")},
          {&window_.result(), tr("Is the result reliable?"),
-          tr("Distances in mm, and notes on what the image cannot determine. Shift+F1 shows good and bad fits.")},
+          tr("Distances in mm, and notes on what this image cannot determine. Shift+F1 shows examples of good and bad "
+             "fits.")},
          {&window_.header(), tr("Getting help"),
           tr("F1 explains the item under the mouse pointer, ? lists and edits all shortcuts. This tour is in the Help "
              "menu.")}},
         &window_);
 }
 
-void HelpController::showGoodFit()
+void HelpController::showFitExamples()
 {
     if (goodFit_) {
         return;
@@ -92,20 +94,20 @@ void HelpController::showGoodFit()
     goodFit_ = new ui::GoodFit(&window_);
     goodFit_->open();
     for (int i = 0; i < ui::fitExampleCount; ++i) {
-        fillGoodFit(i);
+        loadFitExample(i);
     }
 }
 
-void HelpController::fillGoodFit(int index)
+void HelpController::loadFitExample(int index)
 {
     const auto example = static_cast<ui::FitExample>(index);
-    pictures_.run([example] { return fitExamplePicture(example); },
+    pictures_.run([example] { return fitExampleImage(example); },
                   [this, example](const core::Result<QString>& path) {
                       if (!goodFit_) {
                           return;
                       }
                       if (path) {
-                          goodFit_->showPicture(example, QImage(path.value()));
+                          goodFit_->showExample(example, QImage(path.value()));
                       } else {
                           goodFit_->showProblem(ui::messageText(path.error().message));
                       }
@@ -113,13 +115,13 @@ void HelpController::fillGoodFit(int index)
 }
 
 /// Describes the renderer and the OpenGL driver, for reports of display errors.
-QString HelpController::drawnBy() const
+QString HelpController::rendererDescription() const
 {
     const ui::GlDriver& driver = ui::glDriver();
     const QString renderer = ui::chosenRenderer() == ui::Renderer::Vtk
                                  ? tr("The angiogram is rendered by VTK (OpenGL).")
                                  : tr("The angiogram is rendered by the CPU.");
-    return driver.isThere()
+    return driver.isAvailable()
                ? QStringLiteral("%1\nOpenGL %2: %3, %4").arg(renderer, driver.version, driver.vendor, driver.renderer)
                : renderer;
 }
@@ -128,9 +130,9 @@ void HelpController::showAbout()
 {
     ui::MessageDialog::show({tr("AngioPose %1").arg(QCoreApplication::applicationVersion()),
                              tr("Registers a 3-D vessel tree to a 2-D angiogram without correspondences.\n\nNot for "
-                                "clinical use: AngioPose is a research program, not a medical device.\n\nApache "
-                                "License 2.0. Built on Qt, VTK, ITK, OpenCV, NLopt, Eigen and nanoflann."),
-                             drawnBy()},
+                                "clinical use: AngioPose is research software, not a medical device.\n\nApache License "
+                                "2.0. Built on Qt, VTK, ITK, OpenCV, NLopt, Eigen and nanoflann."),
+                             rendererDescription()},
                             &window_);
 }
 

@@ -24,10 +24,10 @@ public:
 private:
     void showPage();
     void startTour();
-    void showGoodFit();
-    void fillGoodFit(int index);
+    void showFitExamples();
+    void loadFitExample(int index);
     void showAbout();
-    QString drawnBy() const;
+    QString rendererDescription() const;
 
     ui::MainWindow& window_;
     QPointer<ui::Tour> tour_;

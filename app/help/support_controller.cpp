@@ -6,7 +6,7 @@
 #include "core/messages/catalog.h"
 #include "io/messages/catalog.h"
 #include "io/sharing/case_summary.h"
-#include "io/sharing/known_words.h"
+#include "io/sharing/vocabulary.h"
 #include "io/support/crash_dumps.h"
 #include "ui/actions/command_table.h"
 #include "ui/actions/window_actions.h"
@@ -32,7 +32,7 @@ namespace {
 constexpr std::array namedSettings{"window/theme", "window/colors", "window/language", "window/mouse"};
 
 /// Words of transient status notes, which are not in the message catalogs.
-constexpr std::array wordsThatMayPass{
+constexpr std::array allowedStatusWords{
     "opened saved saving written writing packed packing ready stopped finished failed traced tracing registered",
     "could not export open save the file files case pack with without identity converged iterations median trustworthy "
     "reliable unreliable",
@@ -75,7 +75,7 @@ std::string windowFacts()
                      .arg(screen->size().height())
                      .arg(screen->devicePixelRatio());
     }
-    facts += driver.isThere()
+    facts += driver.isAvailable()
                  ? QStringLiteral("OpenGL: %1, %2, %3\n").arg(driver.version, driver.vendor, driver.renderer)
                  : QStringLiteral("OpenGL: none\n");
     facts += QStringLiteral("angiogram renderer: %1\n")
@@ -98,9 +98,9 @@ std::string settingsText()
 }
 
 /// Collects all words of the message catalogs, in English and in the window's language, and of the menus.
-io::KnownWords wordsOfProgram()
+io::Vocabulary knownProgramWords()
 {
-    io::KnownWords words;
+    io::Vocabulary words;
     for (const auto& catalog : {core::messageCatalog(), io::messageCatalog(), messageCatalog()}) {
         for (const core::MessageEntry* entry : catalog) {
             words.add(entry->english);
@@ -112,7 +112,7 @@ io::KnownWords wordsOfProgram()
             words.add(row.text);
         }
     }
-    for (const char* each : wordsThatMayPass) {
+    for (const char* each : allowedStatusWords) {
         words.add(each);
     }
     words.add("name path file uid date");   // names used as placeholders for redacted text
@@ -137,25 +137,25 @@ SupportController::SupportController(const CaseDocument& document, const Ui& ui,
     : QObject(parent),
       document_(document),
       ui_(ui),
-      texts_({[this](const SharedTexts& texts) { show(texts); },
-              [this](const core::Error& error) { emit failed(ui::messageText(error.message)); }}),
-      writing_({[this](const QString& path) { emit written(path); },
-                [this](const core::Error& error) { emit failed(ui::messageText(error.message)); }})
+      collectJob_({[this](const SharedTexts& texts) { show(texts); },
+                   [this](const core::Error& error) { emit failed(ui::messageText(error.message)); }}),
+      writeJob_({[this](const QString& path) { emit written(path); },
+                 [this](const core::Error& error) { emit failed(ui::messageText(error.message)); }})
 {
-    connect(ui_.actions[ui::Command::SupportBundle], &QAction::triggered, this, &SupportController::prepare);
-    connect(&ui_.faults, &ui::FaultBar::bundleRequested, this, &SupportController::prepare);
+    connect(ui_.actions[ui::Command::SupportBundle], &QAction::triggered, this, &SupportController::collect);
+    connect(&ui_.faults, &ui::FaultBar::bundleRequested, this, &SupportController::collect);
     connect(&document_, &CaseDocument::changed, this, &SupportController::rememberCase);
 }
 
-void SupportController::tellOfFault()
+void SupportController::reportCrash()
 {
     const auto dumps = io::crashDumps("angiopose");
     if (dumps.empty()) {
         return;
     }
     const QString name = QString::fromStdString(dumps.front().filename().string());
-    if (name != settings::seenFault.read()) {
-        settings::seenFault.write(name);
+    if (name != settings::lastReportedCrash.read()) {
+        settings::lastReportedCrash.write(name);
         ui_.faults.showFault(QString::fromStdString(dumps.front().string()));
     }
 }
@@ -165,10 +165,10 @@ void SupportController::tellOfFault()
 void SupportController::rememberCase()
 {
     const QStringList inputs = inputsOf(document_);
-    if (inputs == newest_) {
+    if (inputs == latestInputs_) {
         return;
     }
-    newest_ = inputs;
+    latestInputs_ = inputs;
     io::addIdentifiers(document_.current(), redaction_);
     for (const QString& path : inputs) {
         if (!inputs_.contains(path)) {
@@ -181,38 +181,38 @@ std::string SupportController::logText() const
 {
     std::string log;
     for (const ui::LoggedMessage& reported : ui_.strip.reported().all()) {
-        const qint64 seconds = begun_.secsTo(reported.time);
+        const qint64 seconds = sessionStart_.secsTo(reported.time);
         log += QStringLiteral("+%1:%2 ").arg(seconds / 60).arg(seconds % 60, 2, 10, QLatin1Char('0')).toStdString() +
                reported.text.toStdString() + '\n';
     }
     return log;
 }
 
-void SupportController::prepare()
+void SupportController::collect()
 {
-    if (texts_.isRunning()) {
+    if (collectJob_.isRunning()) {
         return;
     }
     io::addIdentifiers(document_.current(), redaction_);
-    texts_.start([facts = windowFacts(), preferences = settingsText(), log = logText(), words = wordsOfProgram(),
-                  session = document_.current(), redaction = redaction_,
-                  inputs = inputs_](JobLink<double>&) mutable -> core::Result<SharedTexts> {
+    collectJob_.start([facts = windowFacts(), preferences = settingsText(), log = logText(),
+                       words = knownProgramWords(), session = document_.current(), redaction = redaction_,
+                       inputs = inputs_](JobLink<double>&) mutable -> core::Result<SharedTexts> {
         for (const QString& path : inputs) {
             io::addIdentifiersOfFile(path.toStdString(), redaction);
         }
-        auto texts = io::programTexts(facts);
+        auto texts = io::diagnosticFiles(facts);
         texts.push_back({"settings.txt", preferences});
         texts.push_back({"case.txt", io::caseSummary(session)});
-        texts = io::cleaned(std::move(texts), redaction);
-        texts.push_back({"log.txt", words.only(redaction.cleaned(log))});
-        return SharedTexts(std::make_shared<const std::vector<io::SupportText>>(std::move(texts)));
+        texts = io::redact(std::move(texts), redaction);
+        texts.push_back({"log.txt", words.only(redaction.redact(log))});
+        return SharedTexts(std::make_shared<const std::vector<io::SupportFile>>(std::move(texts)));
     });
 }
 
 void SupportController::show(const SharedTexts& texts)
 {
     std::vector<ui::SupportPart> parts;
-    for (const io::SupportText& each : *texts) {
+    for (const io::SupportFile& each : *texts) {
         parts.push_back({QString::fromStdString(each.name), QString::fromStdString(each.text)});
     }
     auto* dialog = new ui::SupportDialog(std::move(parts), &ui_.dialogParent);
@@ -235,7 +235,7 @@ void SupportController::askPath(const SharedTexts& texts)
 
 void SupportController::write(const SharedTexts& texts, const QString& path)
 {
-    writing_.start([texts, path](JobLink<double>&) -> core::Result<QString> {
+    writeJob_.start([texts, path](JobLink<double>&) -> core::Result<QString> {
         const core::Status written = io::writeSupportBundle(*texts, path.toStdString());
         return written ? core::Result<QString>(path) : written.error();
     });

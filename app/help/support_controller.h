@@ -22,7 +22,7 @@ class WindowActions;
 
 namespace angiopose::app {
 
-using SharedTexts = std::shared_ptr<const std::vector<io::SupportText>>;
+using SharedTexts = std::shared_ptr<const std::vector<io::SupportFile>>;
 
 /// Support bundle: collects diagnostic data about the program, removes the identity of all patients of the session,
 /// shows the result and writes it to a file that the user chooses. Reports the crash that ended the last session.
@@ -38,7 +38,7 @@ public:
     };
     SupportController(const CaseDocument& document, const Ui& ui, QObject* parent = nullptr);
 
-    void tellOfFault();   ///< reports each crash only once
+    void reportCrash();   ///< reports each crash only once
 
 signals:
     void written(const QString& path);
@@ -46,7 +46,7 @@ signals:
 
 private:
     void rememberCase();
-    void prepare();
+    void collect();
     void show(const SharedTexts& texts);
     void askPath(const SharedTexts& texts);
     void write(const SharedTexts& texts, const QString& path);
@@ -54,12 +54,12 @@ private:
 
     const CaseDocument& document_;
     Ui ui_;
-    QDateTime begun_ = QDateTime::currentDateTime();
+    QDateTime sessionStart_ = QDateTime::currentDateTime();
     io::Redaction redaction_;   ///< contains the identifiers of every case of this session
     QStringList inputs_;   ///< input files of all cases of this session
-    QStringList newest_;
-    Job<SharedTexts> texts_;
-    Job<QString> writing_;
+    QStringList latestInputs_;
+    Job<SharedTexts> collectJob_;
+    Job<QString> writeJob_;
 };
 
 }   // namespace angiopose::app

@@ -9,11 +9,11 @@ namespace angiopose::app {
 DrrJob::DrrJob(QObject* parent)
     : QObject(parent),
       job_({[this](const core::ImageF& picture) {
-                startWaiting();
-                emit made(picture);
+                startPending();
+                emit rendered(picture);
             },
             [this](const core::Error& error) {
-                startWaiting();
+                startPending();
                 emit failed(error.message);
             }})
 {
@@ -33,14 +33,14 @@ void DrrJob::clear()
 
 void DrrJob::cancel()
 {
-    waiting_.reset();
+    pending_.reset();
     job_.drop();
 }
 
 void DrrJob::request(const core::RigidTransform& cameraFromPatient)
 {
     if (job_.isRunning()) {
-        waiting_ = cameraFromPatient;
+        pending_ = cameraFromPatient;
     } else if (source_) {
         start(cameraFromPatient);
     }
@@ -51,9 +51,9 @@ void DrrJob::start(const core::RigidTransform& cameraFromPatient)
     job_.start([source = source_, cameraFromPatient](JobLink<double>&) { return source->from(cameraFromPatient); });
 }
 
-void DrrJob::startWaiting()
+void DrrJob::startPending()
 {
-    if (const auto next = std::exchange(waiting_, std::nullopt)) {
+    if (const auto next = std::exchange(pending_, std::nullopt)) {
         start(*next);
     }
 }

@@ -27,16 +27,16 @@ public:
     void clear();   ///< drops the pending request, the computation in progress and the input
 
 signals:
-    void made(const core::ImageF& picture);   ///< vessels bright on 0, at half the image's resolution
+    void rendered(const core::ImageF& picture);   ///< vessels bright on 0, at half the image's resolution
     void failed(const core::Message& reason);
 
 private:
     void cancel();   ///< drops the pending request and the computation in progress
     void start(const core::RigidTransform& cameraFromPatient);
-    void startWaiting();
+    void startPending();
 
     std::shared_ptr<DrrSource> source_;
-    std::optional<core::RigidTransform> waiting_;
+    std::optional<core::RigidTransform> pending_;
     Job<core::ImageF> job_;
 };
 

@@ -2,7 +2,7 @@
 
 #include "app/jobs/future_result.h"
 #include "app/jobs/guarded.h"
-#include "core/support/verdict.h"
+#include "core/support/observer_decision.h"
 
 #include <QFutureWatcher>
 #include <QObject>
@@ -24,13 +24,16 @@ class JobLink {
 public:
     /// Reports progress; the worker may call it at any rate, since only the newest report is delivered. Returns Stop
     /// after a stop request.
-    core::Verdict tell(Report report)
+    core::ObserverDecision tell(Report report)
     {
         const std::lock_guard lock(mutex_);
         report_ = std::move(report);
         return verdict();
     }
-    core::Verdict verdict() const { return isStopRequested_ ? core::Verdict::Stop : core::Verdict::Continue; }
+    core::ObserverDecision verdict() const
+    {
+        return isStopRequested_ ? core::ObserverDecision::Stop : core::ObserverDecision::Continue;
+    }
 
     void requestStop() { isStopRequested_ = true; }
     std::optional<Report> takeReport()
@@ -55,20 +58,20 @@ public:
     using Outcome = core::Result<Found>;
     using Work = std::function<Outcome(Link&)>;   ///< holds copies of all data; exceptions become errors
 
-    struct Answers {
+    struct Callbacks {
         std::function<void(const Found&)> finished;
         std::function<void(const core::Error&)> failed;   ///< the work failed or was stopped before it had a result
         std::function<void(const Report&)> advanced = {};
     };
 
-    explicit Job(Answers answers) : answers_(std::move(answers))
+    explicit Job(Callbacks answers) : callbacks_(std::move(answers))
     {
         poll_.setInterval(33);   // 33 ms, i.e. about 30 updates per second
-        QObject::connect(&poll_, &QTimer::timeout, &poll_, [this] { tellNews(); });
+        QObject::connect(&poll_, &QTimer::timeout, &poll_, [this] { deliverReport(); });
     }
     /// Creates a job whose result is optional: failures are ignored.
     explicit Job(std::function<void(const Found&)> finished)
-        : Job(Answers{std::move(finished), [](const core::Error&) {}})
+        : Job(Callbacks{std::move(finished), [](const core::Error&) {}})
     {
     }
     ~Job() { drop(); }
@@ -105,17 +108,17 @@ public:
     bool isRunning() const { return link_ != nullptr; }
 
 private:
-    void tellNews()
+    void deliverReport()
     {
-        if (auto report = link_->takeReport(); report && answers_.advanced) {
-            answers_.advanced(*report);
+        if (auto report = link_->takeReport(); report && callbacks_.advanced) {
+            callbacks_.advanced(*report);
         }
     }
 
     void publish()
     {
         const auto link = link_;
-        tellNews();
+        deliverReport();
         if (link != link_) {
             return;   // a receiver of the report has dropped the job
         }
@@ -124,13 +127,13 @@ private:
         poll_.stop();
         watcher_.release()->deleteLater();   // deleted later, since its signal is still being delivered
         if (outcome) {
-            answers_.finished(outcome.value());
+            callbacks_.finished(outcome.value());
         } else {
-            answers_.failed(outcome.error());
+            callbacks_.failed(outcome.error());
         }
     }
 
-    Answers answers_;
+    Callbacks callbacks_;
     QTimer poll_;
     std::shared_ptr<Link> link_;   ///< link to the task in progress; null if there is none
     std::unique_ptr<QFutureWatcher<Outcome>> watcher_;
@@ -139,9 +142,9 @@ private:
 /// Forwards the answers as signals of `owner`: finished(found), failed(message) and advanced(report), the last only if
 /// `owner` has this signal.
 template <class Found, class Report = double, class Owner>
-typename Job<Found, Report>::Answers signalsOf(Owner& owner)
+typename Job<Found, Report>::Callbacks emitAsSignals(Owner& owner)
 {
-    typename Job<Found, Report>::Answers answers{
+    typename Job<Found, Report>::Callbacks answers{
         [&owner](const Found& found) { emit owner.finished(found); },
         [&owner](const core::Error& error) { emit owner.failed(error.message); }};
     if constexpr (requires(const Report& report) { owner.advanced(report); }) {

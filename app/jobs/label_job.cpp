@@ -10,16 +10,16 @@ core::Result<LabelOverview> readOverview(const std::string& path, const io::Read
         return read.error();
     }
     io::LabelOverview overview = std::move(read).value();
-    const std::vector<int> vessels = io::vesselsByName(overview.labels);
+    const std::vector<int> vessels = io::vesselLabelsByName(overview.labels);
     return LabelOverview{std::move(overview.labels),
                          {vessels.begin(), vessels.end()},
                          std::make_shared<const core::VoxelMask>(std::move(overview.rows.rows)),
-                         std::move(overview.rows.middlesInPatient)};
+                         std::move(overview.rows.centersInPatient)};
 }
 
 }   // namespace
 
-LabelJob::LabelJob(QObject* parent) : QObject(parent), job_(signalsOf<LabelOverview>(*this)) {}
+LabelJob::LabelJob(QObject* parent) : QObject(parent), job_(emitAsSignals<LabelOverview>(*this)) {}
 
 void LabelJob::start(const std::string& path)
 {

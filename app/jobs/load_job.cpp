@@ -1,10 +1,10 @@
 #include "app/jobs/load_job.h"
 
-#include "app/jobs/freed_elsewhere.h"
+#include "app/jobs/free_on_worker.h"
 
 namespace angiopose::app {
 
-LoadJob::LoadJob(QObject* parent) : QObject(parent), job_(signalsOf<io::LoadedInputs>(*this)) {}
+LoadJob::LoadJob(QObject* parent) : QObject(parent), job_(emitAsSignals<io::LoadedInputs>(*this)) {}
 
 void LoadJob::start(const QStringList& paths, const io::OpenHints& hints)
 {
@@ -19,7 +19,7 @@ void LoadJob::start(const QStringList& paths, const io::OpenHints& hints)
         if (!inputs) {
             return inputs;
         }
-        return freedElsewhere(std::move(inputs).value());
+        return freeOnWorker(std::move(inputs).value());
     });
 }
 

@@ -30,7 +30,7 @@ signals:
 
 private:
     /// Outcome of one method.
-    struct Ended {
+    struct MethodOutcome {
         std::string methodId;
         core::Result<core::RegistrationResult> outcome;
     };
@@ -38,7 +38,7 @@ private:
     struct Report {
         std::string methodId;
         double progress = 0.0;
-        std::vector<Ended> ended;
+        std::vector<MethodOutcome> ended;
     };
     static core::Result<core::Done> solve(const core::RegistrationInput& input, core::RegistrationOptions options,
                                           const std::vector<std::string>& methodIds, JobLink<Report>& link);

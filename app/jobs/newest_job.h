@@ -18,10 +18,10 @@ public:
     /// `made` is called with each result on the thread that created the job. Failures are ignored.
     explicit NewestJob(std::function<void(const Found&)> made)
         : job_({[this, made = std::move(made)](const Found& found) {
-                    startWaiting();
+                    startPending();
                     made(found);
                 },
-                [this](const core::Error&) { startWaiting(); }})
+                [this](const core::Error&) { startPending(); }})
     {
     }
 
@@ -36,20 +36,20 @@ public:
     void request(Request wanted)
     {
         if (job_.isRunning()) {
-            waiting_ = std::move(wanted);
+            pending_ = std::move(wanted);
         } else if (work_) {
             start(std::move(wanted));
         }
     }
     /// Abandons the request in progress and starts this one at once.
-    void requestInstead(Request wanted)
+    void replaceWith(Request wanted)
     {
         drop();
         request(std::move(wanted));
     }
     void drop()
     {
-        waiting_.reset();
+        pending_.reset();
         job_.drop();
     }
 
@@ -58,15 +58,15 @@ private:
     {
         job_.start([work = work_, wanted = std::move(wanted)](JobLink<double>& link) { return work(wanted, link); });
     }
-    void startWaiting()
+    void startPending()
     {
-        if (auto next = std::exchange(waiting_, std::nullopt)) {
+        if (auto next = std::exchange(pending_, std::nullopt)) {
             start(*std::move(next));
         }
     }
 
     Work work_;
-    std::optional<Request> waiting_;
+    std::optional<Request> pending_;
     Job<Found> job_;
 };
 

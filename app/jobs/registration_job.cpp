@@ -5,7 +5,7 @@
 namespace angiopose::app {
 
 RegistrationJob::RegistrationJob(QObject* parent)
-    : QObject(parent), job_(signalsOf<core::RegisteredCase, RunReport>(*this))
+    : QObject(parent), job_(emitAsSignals<core::RegisteredCase, RunReport>(*this))
 {
 }
 

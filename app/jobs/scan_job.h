@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/jobs/newest_job.h"
-#include "core/viewing/scan/cast_scan.h"
+#include "core/viewing/scan/render_scan.h"
 
 #include <QObject>
 
@@ -12,14 +12,14 @@ namespace angiopose::app {
 enum class ScanDetail { Rough, Fine };
 
 /// Request to render the scan: appearance, view and level of detail.
-struct ScanPictureRequest {
-    core::ScanRequest look;
-    core::ParallelSight sight;
+struct ScanRenderRequest {
+    core::AppearanceOptions look;
+    core::ParallelProjection sight;
     ScanDetail detail = ScanDetail::Rough;
 };
 
-struct CastPicture {
-    core::ParallelSight sight;
+struct ScanRendering {
+    core::ParallelProjection sight;
     core::Image2d<core::Rgba> pixels;
     ScanDetail detail = ScanDetail::Rough;
 };
@@ -32,33 +32,33 @@ class ScanJob : public QObject {
 public:
     explicit ScanJob(QObject* parent = nullptr);
 
-    void prepare(core::VolumeToPrepare what,
+    void prepare(core::VolumePreparation what,
                  std::optional<double> threshold);   ///< discards the previously prepared scan
     void clear();
-    bool isReady() const { return ready_ != nullptr; }
+    bool isReady() const { return preparedScan_ != nullptr; }
     bool isHu() const;   ///< valid once the scan is ready
     Eigen::AlignedBox3d boxInPatient() const;   ///< bounding box of the prepared scan
 
-    void request(const ScanPictureRequest& wanted);   ///< valid once the scan is ready
+    void request(const ScanRenderRequest& wanted);   ///< valid once the scan is ready
 
 signals:
     void prepared();
     void failed(const core::Message& reason);   ///< emitted if there is nothing to show
-    void made(const CastPicture& picture);
+    void made(const ScanRendering& picture);
 
 private:
-    struct Ready;
-    static core::Result<std::shared_ptr<const Ready>> madeReady(const core::VolumeToPrepare& what,
-                                                                std::optional<double> threshold,
-                                                                const std::function<bool()>& shouldContinue);
-    static core::Result<CastPicture> cast(const Ready& ready, const ScanPictureRequest& wanted,
-                                          const std::function<bool()>& shouldContinue);
-    void take(const std::shared_ptr<const Ready>& ready);
+    struct PreparedScan;
+    static core::Result<std::shared_ptr<const PreparedScan>> prepareScan(const core::VolumePreparation& what,
+                                                                         std::optional<double> threshold,
+                                                                         const std::function<bool()>& shouldContinue);
+    static core::Result<ScanRendering> render(const PreparedScan& ready, const ScanRenderRequest& wanted,
+                                              const std::function<bool()>& shouldContinue);
+    void setPrepared(const std::shared_ptr<const PreparedScan>& ready);
 
-    std::shared_ptr<const Ready> ready_;
-    bool isFineUnderWay_ = false;
-    Job<std::shared_ptr<const Ready>> preparation_;
-    NewestJob<ScanPictureRequest, CastPicture> pictures_;
+    std::shared_ptr<const PreparedScan> preparedScan_;
+    bool isRenderingFine_ = false;
+    Job<std::shared_ptr<const PreparedScan>> preparation_;
+    NewestJob<ScanRenderRequest, ScanRendering> pictures_;
 };
 
 }   // namespace angiopose::app

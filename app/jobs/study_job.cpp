@@ -1,12 +1,12 @@
 #include "app/jobs/study_job.h"
 
-#include "app/jobs/freed_elsewhere.h"
+#include "app/jobs/free_on_worker.h"
 
 namespace angiopose::app {
 
-StudyJob::StudyJob(QObject* parent) : QObject(parent), job_(signalsOf<SharedStudies, io::StudyProgress>(*this)) {}
+StudyJob::StudyJob(QObject* parent) : QObject(parent), job_(emitAsSignals<SharedStudies, io::StudyProgress>(*this)) {}
 
-void StudyJob::start(const QStringList& places, io::StudyReach reach)
+void StudyJob::start(const QStringList& places, io::StudyScope reach)
 {
     std::vector<std::string> paths;
     for (const QString& place : places) {
@@ -14,14 +14,14 @@ void StudyJob::start(const QStringList& places, io::StudyReach reach)
     }
     job_.start([paths, reach](JobLink<io::StudyProgress>& link) -> core::Result<SharedStudies> {
         const io::StudyObserver observe = [&link](const io::StudyProgress& progress) {
-            return link.tell({progress.read, progress.found, freedElsewhere(progress.tree)});
+            return link.tell({progress.read, progress.found, freeOnWorker(progress.tree)});
         };
         auto tree =
             paths.size() == 1 ? io::readStudies(paths.front(), reach, observe) : io::readSeriesFolders(paths, observe);
         if (!tree) {
             return tree.error();
         }
-        return freedElsewhere(SharedStudies(std::make_shared<const io::StudyTree>(std::move(tree).value())));
+        return freeOnWorker(SharedStudies(std::make_shared<const io::StudyTree>(std::move(tree).value())));
     });
 }
 

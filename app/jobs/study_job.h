@@ -18,7 +18,7 @@ public:
     explicit StudyJob(QObject* parent = nullptr);
 
     /// Several places must be folders of series; all their files are read.
-    void start(const QStringList& places, io::StudyReach reach);
+    void start(const QStringList& places, io::StudyScope reach);
     void requestStop() { job_.requestStop(); }
     void abandon() { job_.drop(); }   ///< abandons the search without further signals
     bool isRunning() const { return job_.isRunning(); }

@@ -1,6 +1,6 @@
 #include "app/jobs/trace_job.h"
 
-#include "app/jobs/freed_elsewhere.h"
+#include "app/jobs/free_on_worker.h"
 
 #include <utility>
 
@@ -14,14 +14,14 @@ core::Result<SharedTrace> trace(const TraceRequest& request)
         return traced.error();
     }
     core::AngiogramTrace found = std::move(traced).value();
-    return freedElsewhere(SharedTrace(
+    return freeOnWorker(SharedTrace(
         std::make_shared<TracedFrame>(TracedFrame{std::move(found.centerline), std::move(found.suspectCurves),
                                                   std::move(found.warnings), std::move(found.fieldMask)})));
 }
 
 }   // namespace
 
-TraceJob::TraceJob(QObject* parent) : QObject(parent), job_(signalsOf<SharedTrace>(*this)) {}
+TraceJob::TraceJob(QObject* parent) : QObject(parent), job_(emitAsSignals<SharedTrace>(*this)) {}
 
 void TraceJob::start(TraceRequest request)
 {

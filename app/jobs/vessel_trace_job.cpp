@@ -17,7 +17,7 @@ core::Result<VesselTrace> traceVessels(const VesselTraceRequest& request, const 
     io::LoadedVessels vessels = std::move(outcome).value();
     VesselTrace traced;
     traced.input = vessels.input;
-    traced.lumen = io::sharedLumen(vessels);
+    traced.lumen = io::takeSharedLumen(vessels);
     traced.tree = std::make_shared<const core::VesselTree>(std::move(vessels.tree));
     traced.threshold = vessels.threshold;
     traced.warnings = vessels.warnings;
@@ -29,7 +29,7 @@ core::Result<VesselTrace> traceVessels(const VesselTraceRequest& request, const 
 VesselTraceJob::VesselTraceJob(QObject* parent) : QObject(parent), job_(answers()) {}
 
 /// After a stop request, emits only `stopped`, even if the trace has completed in the meantime.
-Job<VesselTrace>::Answers VesselTraceJob::answers()
+Job<VesselTrace>::Callbacks VesselTraceJob::answers()
 {
     const auto unlessStopped = [this](const auto& answer) {
         if (stopRequested_) {

@@ -43,7 +43,7 @@ signals:
     void stopped();
 
 private:
-    Job<VesselTrace>::Answers answers();
+    Job<VesselTrace>::Callbacks answers();
 
     bool stopRequested_ = false;
     Job<VesselTrace> job_;

@@ -1,7 +1,7 @@
 #include "angiopose/angiogram.h"
 
 #include "app/library/conversions.h"
-#include "app/library/relay.h"
+#include "app/library/observer_adapter.h"
 #include "core/tracing/angiogram/run/suggest_frame.h"
 #include "io/angiogram_file.h"
 

@@ -2,7 +2,7 @@
 
 #include "app/library/case_content.h"
 #include "app/library/conversions.h"
-#include "app/library/relay.h"
+#include "app/library/observer_adapter.h"
 #include "core/messages/messages.h"
 
 namespace angiopose::library {
@@ -13,7 +13,7 @@ void checkBranches(const core::VesselTree& tree, const std::vector<int>& ids)
 {
     for (const int id : ids) {
         if (tree.find(id) == nullptr) {
-            raise(core::messages::noSuchBranch(id));
+            throwError(core::messages::noSuchBranch(id));
         }
     }
 }
@@ -28,9 +28,9 @@ Case::Case(const VesselTree& tree, const Angiogram& angiogram) : content_(std::m
     core::Case& values = content_->values;
     values.vessels.tree = std::make_shared<const core::VesselTree>(library::toCore(tree));
     if (const auto problem = core::findProblem(*values.vessels.tree)) {
-        library::raise(*problem);
+        library::throwError(*problem);
     }
-    library::putAngiogram(values, angiogram.content());
+    library::addAngiogram(values, angiogram.content());
 }
 
 Case::Case(std::unique_ptr<Content> content) : content_(std::move(content)) {}
@@ -95,7 +95,7 @@ void Case::setCamera(const ProjectionCamera& camera)
     core::View view = content_->values.shown();
     view.geometry.cameraOverride = library::toCore(camera);
     library::valueOf(core::cameraOf(view));   // throws if the camera is invalid for this image
-    core::forgetFindings(view);
+    core::discardResults(view);
     content_->values.shown() = std::move(view);
 }
 
@@ -109,7 +109,7 @@ void Case::setCArm(const CArm& cArm)
     core::View& view = content_->values.shown();
     view.geometry = {library::toCore(cArm), {}};
     view.initialCameraFromPatient.reset();
-    core::forgetFindings(view);
+    core::discardResults(view);
     if (const auto start = core::initialPoseOf(content_->values)) {
         view.cameraFromPatient = start.value();
     }
@@ -134,7 +134,7 @@ Pose Case::cameraFromPatient() const
 void Case::setCameraFromPatient(const Pose& cameraFromPatient)
 {
     content_->values.shown().cameraFromPatient = library::toCore(cameraFromPatient);
-    core::forgetFindings(content_->values.shown());
+    core::discardResults(content_->values.shown());
 }
 
 RegistrationOptions Case::options() const

@@ -19,7 +19,7 @@ struct Case::Content {
 namespace library {
 
 /// Adds an angiogram to a case that has vessels, with its geometry and suggested frame and, if known, the initial pose.
-void putAngiogram(core::Case& values, const std::shared_ptr<const core::Angiogram>& angiogram);
+void addAngiogram(core::Case& values, const std::shared_ptr<const core::Angiogram>& angiogram);
 
 }   // namespace library
 }   // namespace angiopose

@@ -1,8 +1,8 @@
 #include "app/library/case_content.h"
 #include "app/library/conversions.h"
-#include "app/library/relay.h"
+#include "app/library/observer_adapter.h"
 #include "io/angiogram_file.h"
-#include "io/case/save_over.h"
+#include "io/case/overwrite_case.h"
 #include "io/opening/assemble_case.h"
 #include "io/opening/read_case_inputs.h"
 #include "io/opening/read_inputs.h"
@@ -23,40 +23,40 @@ std::string absolute(const std::string& path)
 }
 
 /// Returns the path of a file next to the case at `casePath`, with the same base name.
-std::string besideCase(const std::string& casePath, const std::string& ending)
+std::string siblingPath(const std::string& casePath, const std::string& ending)
 {
     return fs::path(absolute(casePath)).replace_extension(ending).string();
 }
 
 /// Writes the vessels and the angiogram to files if they are not stored in files yet.
-void keepInputs(core::Case& values, const std::string& casePath)
+void storeInputs(core::Case& values, const std::string& casePath)
 {
     core::Vessels& vessels = values.vessels;
     core::View& view = values.shown();
     if (vessels.file.path.empty()) {
-        const std::string path = besideCase(casePath, ".tree.vtp");
+        const std::string path = siblingPath(casePath, ".tree.vtp");
         check(io::writeVesselTree(*vessels.tree, path));
         vessels.file = {path, {}};
     }
     if (view.imageFile.path.empty()) {
-        const std::string path = besideCase(casePath, ".angiogram.dcm");
+        const std::string path = siblingPath(casePath, ".angiogram.dcm");
         check(io::writeAngiogram(*view.angiogram, path));
         view.imageFile = {path, {}};
     }
 }
 
 /// Throws the error that explains why the two files are not vessels and an angiogram.
-[[noreturn]] void throwWhyNoCase(const std::string& vesselPath, const core::VesselInput& input,
-                                 const std::string& imagePath)
+[[noreturn]] void throwNotACase(const std::string& vesselPath, const core::VesselInput& input,
+                                const std::string& imagePath)
 {
     (void)valueOf(io::readVessels(vesselPath, input));
     (void)valueOf(io::readAngiogram(imagePath));
-    raise(io::messages::openNoAngiogram().about(imagePath));
+    throwError(io::messages::openNoAngiogram().about(imagePath));
 }
 
 }   // namespace
 
-void putAngiogram(core::Case& values, const std::shared_ptr<const core::Angiogram>& angiogram)
+void addAngiogram(core::Case& values, const std::shared_ptr<const core::Angiogram>& angiogram)
 {
     core::View& view = values.shown();
     view.angiogram = angiogram;
@@ -74,10 +74,10 @@ namespace angiopose {
 Case readCase(const std::string& path, const Observer& observe)
 {
     auto content = std::make_unique<Case::Content>();
-    library::Relay relay(observe);
+    library::ObserverAdapter relay(observe);
     content->path = library::absolute(path);
-    content->sha256 = io::contentOfCaseFile(path);
-    content->values = relay.take(io::openCase(path, content->warnings, relay.reading("reading")));
+    content->sha256 = io::caseFileHash(path);
+    content->values = relay.resultOf(io::openCase(path, content->warnings, relay.reading("reading")));
     return Case(std::move(content));
 }
 
@@ -85,14 +85,14 @@ Case readCase(const std::string& vesselPath, const std::string& imagePath, const
               const Observer& observe)
 {
     auto content = std::make_unique<Case::Content>();
-    library::Relay relay(observe);
+    library::ObserverAdapter relay(observe);
     io::OpenHints hints;
     hints.vessels = library::vesselInputOf(vesselPath, options);
     hints.seriesId = hints.vessels->seriesId;
-    const io::LoadedInputs inputs = relay.take(
+    const io::LoadedInputs inputs = relay.resultOf(
         io::readInputs({library::absolute(vesselPath), library::absolute(imagePath)}, hints, relay.reading("reading")));
-    if (!io::makesNewCase(inputs)) {
-        library::throwWhyNoCase(vesselPath, *hints.vessels, imagePath);
+    if (!io::isCompleteCase(inputs)) {
+        library::throwNotACase(vesselPath, *hints.vessels, imagePath);
     }
     content->warnings = inputs.warnings;
     content->values = io::withInputs({}, inputs);
@@ -104,8 +104,8 @@ void writeCase(Case& session, const std::string& path)
     Case::Content& content = session.content();
     const std::string target = library::absolute(path);
     const std::string known = content.path == target ? content.sha256 : std::string();
-    library::keepInputs(content.values, path);
-    content.sha256 = library::valueOf(io::saveCaseOver(content.values, path, known));
+    library::storeInputs(content.values, path);
+    content.sha256 = library::valueOf(io::overwriteCase(content.values, path, known));
     content.path = target;
 }
 

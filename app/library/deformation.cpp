@@ -1,7 +1,7 @@
 #include "angiopose/deformation.h"
 
 #include "app/library/conversions.h"
-#include "app/library/relay.h"
+#include "app/library/observer_adapter.h"
 #include "core/registration/deformable/deformed_tree.h"
 
 namespace angiopose::library {
@@ -23,7 +23,7 @@ DeformationVerdict publicVerdict(core::DeformationVerdict verdict)
 void appendMotions(const core::VesselTree& tree, const core::DeformableResult& deformed, DeformedVessels& converted)
 {
     for (const core::VesselBranch& branch : tree.branches) {
-        const core::BranchMotion& motion = *core::motionOf(deformed, branch.id);
+        const core::BranchMotion& motion = *core::findMotion(deformed, branch.id);
         converted.displacementMm.insert(converted.displacementMm.end(), motion.displacementMm.begin(),
                                         motion.displacementMm.end());
         converted.covarianceMm2.insert(converted.covarianceMm2.end(), motion.covariance.begin(),

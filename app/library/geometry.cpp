@@ -1,7 +1,7 @@
 #include "angiopose/geometry.h"
 
 #include "app/library/conversions.h"
-#include "app/library/relay.h"
+#include "app/library/observer_adapter.h"
 
 namespace angiopose::library {
 namespace {

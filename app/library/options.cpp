@@ -1,7 +1,7 @@
 #include "angiopose/options.h"
 
 #include "app/library/conversions.h"
-#include "app/library/relay.h"
+#include "app/library/observer_adapter.h"
 #include "core/geometry/pose_axis.h"
 #include "core/registration/methods/method_info.h"
 #include "core/registration/options/option_text.h"
@@ -110,7 +110,7 @@ std::vector<MethodInfo> methods()
     for (const core::MethodInfo& method : core::methodInfos()) {
         MethodInfo info{std::string(method.id), std::string(method.label), std::string(method.summary), {}};
         for (const core::OptionField& field : core::optionFields()) {
-            if (core::isFor(field, method.id)) {
+            if (core::appliesTo(field, method.id)) {
                 info.options.push_back(library::infoOf(field));
             }
         }

@@ -1,7 +1,7 @@
 #include "angiopose/registration.h"
 #include "app/library/case_content.h"
 #include "app/library/conversions.h"
-#include "app/library/relay.h"
+#include "app/library/observer_adapter.h"
 #include "core/case/registration_input.h"
 #include "core/workflow/register_case.h"
 #include "io/pose_file.h"
@@ -10,7 +10,7 @@ namespace angiopose::library {
 namespace {
 
 /// Throws if the view has no initial pose, since registration would otherwise start from the identity.
-void requireStart(const core::View& view, const core::Vessels& vessels)
+void requireInitialPose(const core::View& view, const core::Vessels& vessels)
 {
     if (auto start = core::initialPoseOf(view, vessels); !start) {
         throw Error("library.no-start",
@@ -20,23 +20,23 @@ void requireStart(const core::View& view, const core::Vessels& vessels)
 
 core::RegistrationInput coreInputOf(const core::Case& values)
 {
-    requireStart(values.shown(), values.vessels);
+    requireInitialPose(values.shown(), values.vessels);
     return valueOf(core::registrationInputOf(values, valueOf(core::targetOf(values.shown(), values.options.method))));
 }
 
 /// Throws if a view with an image lacks an initial pose; the registration itself reports views without an image.
-void requireStarts(const core::Case& values)
+void requireInitialPoses(const core::Case& values)
 {
     for (const core::View& view : values.views) {
         if (view.angiogram) {
-            requireStart(view, values.vessels);
+            requireInitialPose(view, values.vessels);
         }
     }
 }
 
-core::RegisteredCase registered(const core::Case& values, Relay& relay)
+core::RegisteredCase registered(const core::Case& values, ObserverAdapter& relay)
 {
-    return relay.take(core::registerCase(values, {}, relay.working()));
+    return relay.resultOf(core::registerCase(values, {}, relay.working()));
 }
 
 }   // namespace
@@ -190,9 +190,9 @@ RegistrationResult registerVessels(const RegistrationInput& input, const Registr
                                    const Observer& observe)
 {
     const core::RegistrationInput problem = library::toCore(input);
-    library::Relay relay(observe);
-    return library::toPublic(relay.take(core::registerVessels(problem, library::toCore(options), relay.iterations())),
-                             problem.tree);
+    library::ObserverAdapter relay(observe);
+    return library::toPublic(
+        relay.resultOf(core::registerVessels(problem, library::toCore(options), relay.iterations())), problem.tree);
 }
 
 RegistrationResult evaluatePose(const RegistrationInput& input, const Pose& cameraFromPatient)
@@ -210,9 +210,9 @@ MultiViewResult registerViews(const std::vector<RegistrationInput>& views, const
     for (const RegistrationInput& view : views) {
         inputs.push_back(library::toCore(view));
     }
-    library::Relay relay(observe);
+    library::ObserverAdapter relay(observe);
     core::MultiViewResult joint =
-        relay.take(core::registerViews(inputs, library::toCore(options), {}, relay.iterations()));
+        relay.resultOf(core::registerViews(inputs, library::toCore(options), {}, relay.iterations()));
     return library::toPublic(joint, inputs.front().tree);   // not empty: registerViews fails for fewer than two views
 }
 
@@ -258,8 +258,8 @@ RegistrationResult registerCase(Case& session, const Observer& observe)
         throw Error("library.several-views", "The case has " + std::to_string(session.viewCount()) +
                                                  " views of the vessels. Register them jointly with registerViews.");
     }
-    library::requireStarts(values);
-    library::Relay relay(observe);
+    library::requireInitialPoses(values);
+    library::ObserverAdapter relay(observe);
     values = library::registered(values, relay).session;
     return library::toPublic(*values.shown().result, *values.vessels.tree);
 }
@@ -270,8 +270,8 @@ MultiViewResult registerViews(Case& session, const Observer& observe)
     if (values.views.size() < 2) {
         throw Error("library.one-view", "The case has one view of the vessels. Register it with registerCase.");
     }
-    library::requireStarts(values);
-    library::Relay relay(observe);
+    library::requireInitialPoses(values);
+    library::ObserverAdapter relay(observe);
     core::RegisteredCase run = library::registered(values, relay);
     values = std::move(run.session);
     return library::toPublic(*run.joint, *values.vessels.tree);

@@ -1,7 +1,7 @@
 #include "angiopose/vessel_tree.h"
 
 #include "app/library/conversions.h"
-#include "app/library/relay.h"
+#include "app/library/observer_adapter.h"
 #include "core/vessel/chain_points.h"
 #include "io/centerline2d_file.h"
 #include "io/vessel_tree_file.h"
@@ -78,7 +78,7 @@ void append(std::vector<double>& all, const std::vector<double>& radii, std::siz
 }
 
 /// Clears the array if all radii are unknown.
-void forgetUnknown(std::vector<double>& radii)
+void clearIfUnknown(std::vector<double>& radii)
 {
     if (std::all_of(radii.begin(), radii.end(), [](double radius) { return std::isnan(radius); })) {
         radii.clear();
@@ -139,7 +139,7 @@ VesselTree toPublic(const core::VesselTree& tree)
             converted.labels.push_back({branch.id, branch.name, branch.generation});
         }
     }
-    forgetUnknown(converted.radiusMm);
+    clearIfUnknown(converted.radiusMm);
     return converted;
 }
 
@@ -151,7 +151,7 @@ Centerline2d toPublic(const core::Centerline2d& centerline)
         converted.curveIds.insert(converted.curveIds.end(), curve.pointsPx.size(), curve.id);
         append(converted.radiusPx, curve.radiusPx, curve.pointsPx.size());
     }
-    forgetUnknown(converted.radiusPx);
+    clearIfUnknown(converted.radiusPx);
     return converted;
 }
 

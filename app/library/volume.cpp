@@ -1,7 +1,7 @@
 #include "angiopose/volume.h"
 
 #include "app/library/conversions.h"
-#include "app/library/relay.h"
+#include "app/library/observer_adapter.h"
 #include "io/vessel_input_file.h"
 #include "io/volume_file.h"
 
@@ -129,8 +129,8 @@ double Volume::intercept() const
 
 Volume readVolume(const std::string& path, const std::string& seriesId, const Observer& observe)
 {
-    library::Relay relay(observe);
-    io::LoadedVolume loaded = relay.take(io::readVolume(path, seriesId, relay.reading("reading")));
+    library::ObserverAdapter relay(observe);
+    io::LoadedVolume loaded = relay.resultOf(io::readVolume(path, seriesId, relay.reading("reading")));
     return Volume(std::make_shared<const core::Volume>(std::move(loaded.volume)));
 }
 
@@ -141,9 +141,9 @@ void writeVolume(const Volume& volume, const std::string& path)
 
 TracedVessels traceVessels(const Volume& volume, const VesselTracingOptions& options, const Observer& observe)
 {
-    library::Relay relay(observe);
+    library::ObserverAdapter relay(observe);
     return library::publicVessels(
-        relay.take(core::traceVessels(*volume.content(), library::toCore(options), relay.tracing())));
+        relay.resultOf(core::traceVessels(*volume.content(), library::toCore(options), relay.tracing())));
 }
 
 TracedVessels traceMask(std::span<const std::uint8_t> mask, const VolumeGeometry& geometry,
@@ -153,15 +153,15 @@ TracedVessels traceMask(std::span<const std::uint8_t> mask, const VolumeGeometry
     core::VoxelMask voxels;
     voxels.geometry = library::toCore(geometry);
     voxels.voxels.assign(mask.begin(), mask.end());
-    library::Relay relay(observe);
-    return library::publicVessels(relay.take(core::traceMask(voxels, library::toCore(options), relay.tracing())));
+    library::ObserverAdapter relay(observe);
+    return library::publicVessels(relay.resultOf(core::traceMask(voxels, library::toCore(options), relay.tracing())));
 }
 
 TracedVessels readVessels(const std::string& path, const VesselReadOptions& options, const Observer& observe)
 {
     const core::VesselInput input = library::vesselInputOf(path, options);
-    library::Relay relay(observe);
-    io::LoadedVessels loaded = relay.take(io::readVessels(path, input, relay.reading("reading")));
+    library::ObserverAdapter relay(observe);
+    io::LoadedVessels loaded = relay.resultOf(io::readVessels(path, input, relay.reading("reading")));
     return library::publicVessels(loaded.tree, std::move(loaded.lumen), loaded.threshold, loaded.warnings);
 }
 

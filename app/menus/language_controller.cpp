@@ -1,12 +1,12 @@
 #include "app/menus/language_controller.h"
 
-#include "app/preferences/applied_choices.h"
+#include "app/preferences/apply_settings.h"
 #include "app/preferences/settings.h"
 #include "ui/actions/window_actions.h"
 #include "ui/theme/active_theme.h"
 #include "ui/views/angiogram_view.h"
 #include "ui/views/tree_view.h"
-#include "ui/words/spoken.h"
+#include "ui/words/retranslation.h"
 
 #include <QDialog>
 #include <algorithm>
@@ -60,11 +60,11 @@ void LanguageController::choose(const QString& code)
     for (QDialog* open : window_.findChildren<QDialog*>()) {
         open->reject();   // the dialog is reopened in the new language
     }
-    applyChosenLanguage();
-    ui::speakAgain();
+    applyLanguageSetting();
+    ui::retranslate();
 }
 
-void applyChosenColors()
+void applyColorSetting()
 {
     ui::setColorScheme(chosenColors().scheme);
 }

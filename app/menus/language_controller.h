@@ -26,7 +26,7 @@ private:
 };
 
 /// Applies the user's color scheme for vessels and residuals; for images rendered without a window.
-void applyChosenColors();
+void applyColorSetting();
 
 /// Provides the menu of color schemes for vessels and residuals, all readable with any type of color vision.
 class ColorController : public QObject {

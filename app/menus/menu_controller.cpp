@@ -38,7 +38,7 @@ MenuController::MenuController(BranchController& branches, ui::WindowActions& ac
 }
 
 /// Creates the menu, starting with the commands for the branch under the mouse, which is also selected.
-QMenu* MenuController::makeMenu(std::optional<int> branchId)
+QMenu* MenuController::createMenu(std::optional<int> branchId)
 {
     auto* menu = new QMenu(&menuParent_);
     menu->setObjectName(QStringLiteral("contextMenu"));
@@ -56,45 +56,45 @@ QMenu* MenuController::makeMenu(std::optional<int> branchId)
 void MenuController::showAngiogramMenu(const QPoint& globalPosition, std::optional<int> branchId)
 {
     using enum ui::Command;
-    QMenu* menu = makeMenu(branchId);
+    QMenu* menu = createMenu(branchId);
     addCommands(menu, actions_, {Nudge, PickPivot, CentroidPivot, ResetPose, Register});
     addCommands(menu, actions_, {Fit, WorstBranch, AutoWindow, Invert});
     addCommands(menu, actions_, {Outline, Swipe, Flicker, ShowTrace});
-    addCommands(menu, actions_, {ExportOverlay, CopyWindow});
+    addCommands(menu, actions_, {ExportOverlay, CopyScreenshot});
     menu->popup(globalPosition);
 }
 
 void MenuController::showTreeMenu(const QPoint& globalPosition, std::optional<int> branchId)
 {
     using enum ui::Command;
-    QMenu* menu = makeMenu(branchId);
-    addCommands(menu, actions_, {SelectAll, AuxiliaryInView, AuxiliaryWide});
-    addCommands(menu, actions_, {ResetTreeView, CopyWindow});
+    QMenu* menu = createMenu(branchId);
+    addCommands(menu, actions_, {SelectAll, AuxiliaryInView, AuxiliaryLargeVessels});
+    addCommands(menu, actions_, {ResetTreeView, CopyScreenshot});
     menu->popup(globalPosition);
 }
 
-PictureController::PictureController(ui::WindowActions& actions, ui::BottomStrip& strip, QWidget& window,
-                                     QObject* parent)
+ScreenshotController::ScreenshotController(ui::WindowActions& actions, ui::BottomStrip& strip, QWidget& window,
+                                           QObject* parent)
     : QObject(parent), strip_(strip), window_(window)
 {
-    connect(actions[ui::Command::CopyWindow], &QAction::triggered, this, &PictureController::copy);
-    connect(actions[ui::Command::SaveWindow], &QAction::triggered, this, &PictureController::askFile);
+    connect(actions[ui::Command::CopyScreenshot], &QAction::triggered, this, &ScreenshotController::copy);
+    connect(actions[ui::Command::SaveScreenshot], &QAction::triggered, this, &ScreenshotController::askFile);
 }
 
-void PictureController::copy()
+void ScreenshotController::copy()
 {
     QGuiApplication::clipboard()->setPixmap(window_.grab());
     strip_.showStatus(tr("Screenshot copied to the clipboard"));
 }
 
-void PictureController::askFile()
+void ScreenshotController::askFile()
 {
     const QPixmap picture = window_.grab();   // captured before the dialog covers the window
     QMetaObject::invokeMethod(
         this, [this, picture] { askFileFor(picture); }, Qt::QueuedConnection);
 }
 
-void PictureController::askFileFor(const QPixmap& picture)
+void ScreenshotController::askFileFor(const QPixmap& picture)
 {
     const QString suggested = suggestedPath({}, QStringLiteral("angiopose.png"));
     auto* dialog = new QFileDialog(&window_, tr("Save screenshot"), suggested, tr("PNG images (*.png)"));

@@ -29,7 +29,7 @@ public:
 private:
     void showAngiogramMenu(const QPoint& globalPosition, std::optional<int> branchId);
     void showTreeMenu(const QPoint& globalPosition, std::optional<int> branchId);
-    QMenu* makeMenu(std::optional<int> branchId);
+    QMenu* createMenu(std::optional<int> branchId);
 
     BranchController& branches_;
     ui::WindowActions& actions_;
@@ -37,10 +37,11 @@ private:
 };
 
 /// Takes screenshots of the whole window, to the clipboard or to a file.
-class PictureController : public QObject {
+class ScreenshotController : public QObject {
     Q_OBJECT
 public:
-    PictureController(ui::WindowActions& actions, ui::BottomStrip& strip, QWidget& window, QObject* parent = nullptr);
+    ScreenshotController(ui::WindowActions& actions, ui::BottomStrip& strip, QWidget& window,
+                         QObject* parent = nullptr);
 
 private:
     void copy();

@@ -1,10 +1,10 @@
 #include "app/menus/shortcut_controller.h"
 
-#include "app/preferences/applied_choices.h"
+#include "app/preferences/apply_settings.h"
 #include "app/preferences/settings.h"
 #include "ui/actions/window_actions.h"
 #include "ui/views/angiogram_view.h"
-#include "ui/words/spoken.h"
+#include "ui/words/retranslation.h"
 
 #include <QSettings>
 #include <algorithm>
@@ -46,12 +46,13 @@ QList<QKeySequence> keysOf(const QString& stored)
 
 }   // namespace
 
-ui::MousePreset chosenMouse()
+ui::MousePreset mousePresetSetting()
 {
     return chosenMouseChoice().preset;
 }
 
-MouseController::MouseController(ui::WindowActions& actions, ui::AngiogramView& view, QObject* parent) : QObject(parent)
+MousePresetController::MousePresetController(ui::WindowActions& actions, ui::AngiogramView& view, QObject* parent)
+    : QObject(parent)
 {
     for (const MouseChoice& choice : mouseChoices) {
         connect(actions[choice.command], &QAction::triggered, this, [&view, &choice] {
@@ -60,30 +61,30 @@ MouseController::MouseController(ui::WindowActions& actions, ui::AngiogramView& 
         });
     }
     actions[chosenMouseChoice().command]->setChecked(true);
-    view.setMousePreset(chosenMouse());
+    view.setMousePreset(mousePresetSetting());
 }
 
 ShortcutController::ShortcutController(ui::WindowActions& actions, QWidget& dialogParent, QObject* parent)
     : QObject(parent), actions_(actions), dialogParent_(dialogParent)
 {
-    for (const ui::KeyLine& line : keyLines()) {
+    for (const ui::ShortcutRow& line : keyLines()) {
         if (line.action) {
-            usual_[line.action] = line.action->shortcuts();
+            defaultShortcuts_[line.action] = line.action->shortcuts();
         }
     }
-    readStored();
+    loadStored();
     connect(actions_[ui::Command::Keys], &QAction::triggered, this, &ShortcutController::openSheet);
 }
 
-std::vector<ui::KeyLine> ShortcutController::keyLines() const
+std::vector<ui::ShortcutRow> ShortcutController::keyLines() const
 {
-    return actions_.keySheet(chosenMouse());
+    return actions_.keySheet(mousePresetSetting());
 }
 
-void ShortcutController::readStored()
+void ShortcutController::loadStored()
 {
     const QSettings stored;
-    for (const auto& [action, keys] : usual_) {
+    for (const auto& [action, keys] : defaultShortcuts_) {
         const QVariant chosen = stored.value(settingOf(action));
         action->setShortcuts(chosen.isValid() ? keysOf(chosen.toString()) : keys);
     }
@@ -98,9 +99,9 @@ void ShortcutController::openSheet()
     connect(sheet_, &ui::KeySheet::keyChosen, this, &ShortcutController::choose);
     connect(sheet_, &ui::KeySheet::resetRequested, this, &ShortcutController::resetAll);
     connect(sheet_, &QDialog::finished, this, [this] {
-        if (std::exchange(areNew_, false)) {   // updates the shortcuts shown on buttons and in tooltips
-            applyChosenKeys();
-            ui::speakAgain();
+        if (std::exchange(shortcutsChanged_, false)) {   // updates the shortcuts shown on buttons and in tooltips
+            applyShortcutSettings();
+            ui::retranslate();
         }
     });
     connect(sheet_, &QObject::destroyed, this, [this] { sheet_ = nullptr; });
@@ -114,7 +115,7 @@ void ShortcutController::choose(QAction* action, const QKeySequence& key)
         to->setShortcuts(keys);
         stored.setValue(settingOf(to), QKeySequence::listToString(keys));
     };
-    for (const auto& [other, usual] : usual_) {
+    for (const auto& [other, usual] : defaultShortcuts_) {
         QList<QKeySequence> keys = other->shortcuts();
         if (other != action && !key.isEmpty() && keys.removeAll(key) > 0) {
             give(other, keys);
@@ -127,13 +128,13 @@ void ShortcutController::choose(QAction* action, const QKeySequence& key)
 void ShortcutController::resetAll()
 {
     QSettings().remove(QStringLiteral("keys"));
-    readStored();
+    loadStored();
     refresh();
 }
 
 void ShortcutController::refresh()
 {
-    areNew_ = true;
+    shortcutsChanged_ = true;
     if (sheet_) {
         sheet_->showLines(keyLines());
     }

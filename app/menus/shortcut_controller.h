@@ -20,13 +20,13 @@ class WindowActions;
 namespace angiopose::app {
 
 /// Returns the mouse preset that the user chose.
-ui::MousePreset chosenMouse();
+ui::MousePreset mousePresetSetting();
 
 /// Provides the mouse menu, which assigns actions to the mouse buttons on the angiogram.
-class MouseController : public QObject {
+class MousePresetController : public QObject {
     Q_OBJECT
 public:
-    MouseController(ui::WindowActions& actions, ui::AngiogramView& view, QObject* parent = nullptr);
+    MousePresetController(ui::WindowActions& actions, ui::AngiogramView& view, QObject* parent = nullptr);
 };
 
 /// Shortcut sheet and the user-defined shortcuts: stored between sessions, at most one per command.
@@ -38,17 +38,17 @@ public:
     void openSheet();
 
 private:
-    std::vector<ui::KeyLine> keyLines() const;
-    void readStored();
+    std::vector<ui::ShortcutRow> keyLines() const;
+    void loadStored();
     void choose(QAction* action, const QKeySequence& key);
     void resetAll();
     void refresh();
 
     ui::WindowActions& actions_;
     QWidget& dialogParent_;
-    std::map<QAction*, QList<QKeySequence>> usual_;   ///< default shortcuts of the program
+    std::map<QAction*, QList<QKeySequence>> defaultShortcuts_;   ///< default shortcuts of the program
     ui::KeySheet* sheet_ = nullptr;
-    bool areNew_ = false;   ///< true if shortcuts have changed since the sheet was opened
+    bool shortcutsChanged_ = false;   ///< true if shortcuts have changed since the sheet was opened
 };
 
 }   // namespace angiopose::app

@@ -33,10 +33,10 @@ public:
 private:
     ColorController colors_;
     LanguageController language_;
-    MouseController mouse_;
+    MousePresetController mouse_;
     ShortcutController shortcuts_;
     MenuController menus_;
-    PictureController pictures_;
+    ScreenshotController pictures_;
 };
 
 }   // namespace angiopose::app

@@ -9,7 +9,7 @@ bool isPrivate()
     return settings::privateMode.read();
 }
 
-core::Case outgoingCase(const core::Case& session)
+core::Case caseForExport(const core::Case& session)
 {
     core::Case outgoing = session;
     if (isPrivate()) {
@@ -18,7 +18,7 @@ core::Case outgoingCase(const core::Case& session)
     return outgoing;
 }
 
-void forgetFileDialogs()
+void clearFileDialogHistory()
 {
     QSettings dialogs(QSettings::UserScope, QStringLiteral("QtProject"));
     for (const char* key : {"FileDialog/history", "FileDialog/lastVisited"}) {
@@ -26,12 +26,12 @@ void forgetFileDialogs()
     }
 }
 
-void forgetTraces()
+void clearStoredData()
 {
-    forgetFileDialogs();
-    for (const Setting<QString>* informative : {&settings::lastFolder, &settings::saveFolder, &settings::observer,
+    clearFileDialogHistory();
+    for (const Setting<QString>* sensitivity : {&settings::lastFolder, &settings::saveFolder, &settings::observer,
                                                 &settings::trialLog, &settings::reportTemplate}) {
-        informative->forget();
+        sensitivity->forget();
     }
     settings::recentCases.forget();
     settings::pinnedCases.forget();

@@ -8,12 +8,12 @@ namespace angiopose::app {
 bool isPrivate();
 
 /// Case for exported images, reports and their metadata: in private mode without the title that the user typed.
-core::Case outgoingCase(const core::Case& session);
+core::Case caseForExport(const core::Case& session);
 
 /// Clears the folder history of Qt's file dialogs, for all programs of this user.
-void forgetFileDialogs();
+void clearFileDialogHistory();
 
 /// Clears all stored data about earlier cases and people: lists, thumbnails, folders and names.
-void forgetTraces();
+void clearStoredData();
 
 }   // namespace angiopose::app

@@ -12,7 +12,7 @@ namespace {
 
 /// Returns whether the folder belongs to the program's own files (including the sample case), where users would not
 /// look for an export.
-bool isOurs(const QString& folder)
+bool isProgramFolder(const QString& folder)
 {
     const QString ours = QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation);
     return folder == ours || folder.startsWith(ours + QLatin1Char('/'));
@@ -21,7 +21,7 @@ bool isOurs(const QString& folder)
 bool canHold(const QString& folder)
 {
     const QFileInfo info(folder);
-    return !folder.isEmpty() && info.isDir() && info.isWritable() && !isOurs(info.absoluteFilePath());
+    return !folder.isEmpty() && info.isDir() && info.isWritable() && !isProgramFolder(info.absoluteFilePath());
 }
 
 }   // namespace
@@ -50,7 +50,7 @@ void rememberSaveFolder(const QString& writtenPath)
 
 QString auditPath()
 {
-    const std::string forced = io::auditFileOfEnvironment();
+    const std::string forced = io::auditFileFromEnvironment();
     return forced.empty() ? settings::auditFile.read() : QString::fromStdString(forced);
 }
 

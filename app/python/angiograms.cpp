@@ -1,6 +1,6 @@
 #include "angiopose/angiogram.h"
 
-#include "app/python/fixed.h"
+#include "app/python/read_only.h"
 #include "app/python/work.h"
 
 namespace angiopose::python {
@@ -23,7 +23,7 @@ Angiogram angiogramOf(const Array<float>& frames, Polarity polarity, const CArm&
         const float* first = frames.data() + i * size;
         images.push_back({width, height, {first, first + size}});
     }
-    return withoutLock([&] { return Angiogram(images, polarity, cArm); });
+    return withoutGil([&] { return Angiogram(images, polarity, cArm); });
 }
 
 void bindRun(py::module_& module)
@@ -44,11 +44,11 @@ void bindRun(py::module_& module)
             py::arg("frame"), "(height, width) float32: a read-only view of the stored values.")
         .def_property_readonly("polarity", &Angiogram::polarity, "whether vessels are dark or bright")
         .def_property_readonly(
-            "cArm", [](const Angiogram& run) { return Fixed<CArm>(run.cArm()); }, "from the header; a copy")
+            "cArm", [](const Angiogram& run) { return ReadOnly<CArm>(run.cArm()); }, "from the header; a copy")
         .def_property_readonly("frameTimeMs", &Angiogram::frameTimeMs, "time between frames; 0: unknown")
         .def_property_readonly("suggestedFrame", &Angiogram::suggestedFrame, "the peak-opacification frame")
         .def_property_readonly(
-            "warnings", [](const Angiogram& run) { return fixedList(run.warnings()); },
+            "warnings", [](const Angiogram& run) { return readOnlyTuple(run.warnings()); },
             "warnings from reading the file");
 }
 
@@ -73,7 +73,7 @@ void bindTrace(py::module_& module)
         .def_readwrite("minBranchLengthPx", &TraceOptions::minBranchLengthPx, "shorter spurs are removed")
         .def_readwrite("minComponentLengthPx", &TraceOptions::minComponentLengthPx, "shorter components are removed")
         .def_readwrite("sensitivity", &TraceOptions::sensitivity, "above 1: also detect fainter vessels");
-    bindFixed<TraceOptions>(module, "_FixedTraceOptions");
+    bindReadOnly<TraceOptions>(module, "_FixedTraceOptions");
 
     py::class_<AngiogramTrace>(module, "AngiogramTrace", "Result of tracing one frame. Arrays are read-only views.")
         .def_readonly("centerline", &AngiogramTrace::centerline, "the vessels as curves, px")
@@ -117,7 +117,7 @@ void bindAngiograms(py::module_& module)
         "traceAngiogram",
         [](const Array<float>& frame, Polarity polarity, const TraceOptions& options) {
             const Image image = imageOf(frame, "frame");
-            return withoutLock([&] { return traceAngiogram(image, polarity, options); });
+            return withoutGil([&] { return traceAngiogram(image, polarity, options); });
         },
         py::arg("frame"), py::arg("polarity") = Polarity::VesselsDark,
         py::arg_v("options", TraceOptions(), "TraceOptions()"), "Traces the vessels of one image (height, width).");

@@ -1,6 +1,6 @@
 #include "angiopose/case.h"
 
-#include "app/python/fixed.h"
+#include "app/python/read_only.h"
 #include "app/python/work.h"
 
 namespace angiopose::python {
@@ -20,33 +20,33 @@ void bindCase(py::module_& module)
         .def_property("frame", &Case::frame, &Case::setFrame,
                       "counted from 0; poses rotate with the gantry if it moved")
         .def_property(
-            "camera", [](const Case& session) { return Fixed<ProjectionCamera>(session.camera()); }, &Case::setCamera,
-            "same size as the angiogram; assign to change it")
+            "camera", [](const Case& session) { return ReadOnly<ProjectionCamera>(session.camera()); },
+            &Case::setCamera, "same size as the angiogram; assign to change it")
         .def_property(
-            "cArm", [](const Case& session) { return Fixed<CArm>(session.cArm()); }, &Case::setCArm,
+            "cArm", [](const Case& session) { return ReadOnly<CArm>(session.cArm()); }, &Case::setCArm,
             "assign to change it: recomputes camera and initial pose, replacing earlier values")
         .def_property(
-            "startPose", [](const Case& session) { return fixedArray(session.initialPose()); }, &Case::setInitialPose,
-            "(4, 4), the initial pose; setting it also sets the current pose")
+            "startPose", [](const Case& session) { return readOnlyArray(session.initialPose()); },
+            &Case::setInitialPose, "(4, 4), the initial pose; setting it also sets the current pose")
         .def_property(
-            "cameraFromPatient", [](const Case& session) { return fixedArray(session.cameraFromPatient()); },
+            "cameraFromPatient", [](const Case& session) { return readOnlyArray(session.cameraFromPatient()); },
             &Case::setCameraFromPatient, "(4, 4), the current pose; registrations start from it")
         .def_property(
-            "options", [](const Case& session) { return Fixed<RegistrationOptions>(session.options()); },
+            "options", [](const Case& session) { return ReadOnly<RegistrationOptions>(session.options()); },
             &Case::setOptions, "method, settings, locks; assign to change them")
         .def_property(
-            "traceOptions", [](const Case& session) { return Fixed<TraceOptions>(session.traceOptions()); },
+            "traceOptions", [](const Case& session) { return ReadOnly<TraceOptions>(session.traceOptions()); },
             &Case::setTraceOptions, "tracing options for frames without a target; assign to change them")
         .def_property(
-            "excludedBranchIds", [](const Case& session) { return fixedList(session.excludedBranchIds()); },
+            "excludedBranchIds", [](const Case& session) { return readOnlyTuple(session.excludedBranchIds()); },
             &Case::setExcludedBranchIds, "excluded branches")
         .def_property(
-            "auxiliaryBranchIds", [](const Case& session) { return fixedList(session.auxiliaryBranchIds()); },
+            "auxiliaryBranchIds", [](const Case& session) { return readOnlyTuple(session.auxiliaryBranchIds()); },
             &Case::setAuxiliaryBranchIds, "branches that alternating methods solve first")
         .def("setTarget", &Case::setTarget, py::arg("target"),
              "Sets the image points of this frame, instead of tracing it.")
         .def_property_readonly(
-            "warnings", [](const Case& session) { return fixedList(session.warnings()); },
+            "warnings", [](const Case& session) { return readOnlyTuple(session.warnings()); },
             "warnings from reading the case and its files")
         .def("__repr__",
              [](const Case& session) {
@@ -64,7 +64,7 @@ void bindReading(py::module_& module)
         "readCase",
         [](const Path& vesselPath, const Path& imagePath, const VesselReadOptions& options, const py::object& observe) {
             const Observer observer = observerOf(observe);
-            return withoutLock([&] { return readCase(vesselPath.string(), imagePath.string(), options, observer); });
+            return withoutGil([&] { return readCase(vesselPath.string(), imagePath.string(), options, observer); });
         },
         py::arg("vesselPath"), py::arg("imagePath"), py::arg_v("options", VesselReadOptions(), "VesselReadOptions()"),
         py::arg("observe") = py::none(),
@@ -73,7 +73,7 @@ void bindReading(py::module_& module)
         "readCase",
         [](const Path& path, const py::object& observe) {
             const Observer observer = observerOf(observe);
-            return withoutLock([&] { return readCase(path.string(), observer); });
+            return withoutGil([&] { return readCase(path.string(), observer); });
         },
         py::arg("path"), py::arg("observe") = py::none(),
         "Reads a case file and the files it refers to; vessels given as a scan, a label image or a surface are "
@@ -102,7 +102,7 @@ void bindWork(py::module_& module)
         "registerCase",
         [](Case& session, const py::object& observe) {
             const Observer observer = observerOf(observe);
-            return withoutLock([&] { return registerCase(session, observer); });
+            return withoutGil([&] { return registerCase(session, observer); });
         },
         py::arg("session"), py::arg("observe") = py::none(),
         "Registers the case with its options and stores the pose in it. Raises for a case of several views.");
@@ -110,7 +110,7 @@ void bindWork(py::module_& module)
         "registerViews",
         [](Case& session, const py::object& observe) {
             const Observer observer = observerOf(observe);
-            return withoutLock([&] { return registerViews(session, observer); });
+            return withoutGil([&] { return registerViews(session, observer); });
         },
         py::arg("session"), py::arg("observe") = py::none(),
         "Registers all views of a case jointly and stores the poses in it.");
@@ -135,7 +135,8 @@ void bindSimulation(py::module_& module)
                        "vessels of the image that are not in the tree, per branch, 0...1")
         .def_readwrite("frameCount", &SimulationOptions::frameCount, "number of frames of the run");
     py::class_<SimulatedCase>(module, "SimulatedCase", "A case with known ground truth.")
-        .def_readonly("session", &SimulatedCase::session, "the case, with an initial pose as a header gives it")
+        .def_readonly("session", &SimulatedCase::session,
+                      "the case, with an initial pose derived from the header values")
         .def_property_readonly("trueCameraFromPatient", asArray<&SimulatedCase::trueCameraFromPatient>(),
                                "(4, 4), patient LPS mm to camera mm")
         .def_readonly("trueTarget", &SimulatedCase::trueTarget,

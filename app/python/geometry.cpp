@@ -1,6 +1,6 @@
 #include "angiopose/geometry.h"
 
-#include "app/python/fixed.h"
+#include "app/python/read_only.h"
 #include "app/python/work.h"
 
 namespace angiopose::python {
@@ -28,7 +28,7 @@ void bindCamera(py::module_& module)
         .def_readwrite("cy", &ProjectionCamera::cy, "px")
         .def_readwrite("width", &ProjectionCamera::width, "columns of the image")
         .def_readwrite("height", &ProjectionCamera::height, "rows of the image");
-    bindFixed<ProjectionCamera>(module, "_FixedCamera");
+    bindReadOnly<ProjectionCamera>(module, "_FixedCamera");
 }
 
 using Length = std::optional<double>;
@@ -64,7 +64,7 @@ void bindCArm(py::module_& module)
         .def_readwrite("mirrored", &CArm::mirrored, "True: shown as seen from the source")
         .def_property("isocentreInPatientMm", asArray<&CArm::isocenterInPatientMm>(),
                       assign<&CArm::isocenterInPatientMm>(), "(3,), patient LPS; None: unknown");
-    bindFixed<CArm>(module, "_FixedCArm");
+    bindReadOnly<CArm>(module, "_FixedCArm");
 }
 
 py::object projected(const ProjectionCamera& camera, const Pose& cameraFromPatient, const Array<double>& points)
@@ -87,7 +87,7 @@ py::object projected(const ProjectionCamera& camera, const Pose& cameraFromPatie
 
 void bindGeometry(py::module_& module)
 {
-    py::enum_<Verdict>(module, "Verdict", "Answer of a progress observer; None counts as Continue.")
+    py::enum_<Verdict>(module, "Verdict", "Return value of a progress observer; None counts as Continue.")
         .value("Continue", Verdict::Continue)
         .value("Stop", Verdict::Stop);
     py::class_<Progress>(module, "Progress",

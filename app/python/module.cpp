@@ -1,6 +1,6 @@
 #include "angiopose/error.h"
 #include "angiopose/version.h"
-#include "app/python/fixed.h"
+#include "app/python/read_only.h"
 #include "app/python/work.h"
 
 namespace angiopose::python {
@@ -17,7 +17,7 @@ void raise(const py::handle& type, const Error& error)
 
 void bindErrors(py::module_& module)
 {
-    py::class_<Message>(module, "Message", "A message for the user: `id` is stable when the wording changes.")
+    py::class_<Message>(module, "Message", "Message for the user; `id` remains stable when the wording changes.")
         .def_readonly("id", &Message::id, "For programs; \"text.plain\" if the sentence has no id of its own.")
         .def_readonly("text", &Message::text, "The English sentence.")
         .def_property_readonly("arguments", asTuple<&Message::arguments>(),

@@ -1,6 +1,6 @@
 #include "angiopose/options.h"
 
-#include "app/python/fixed.h"
+#include "app/python/read_only.h"
 #include "app/python/work.h"
 
 namespace angiopose::python {
@@ -29,7 +29,7 @@ RegistrationOptions optionsOf(const std::string& method, const std::vector<std::
 }
 
 /// Returns a read-only dict; settings are changed with `set`.
-py::object fixedDict(const std::map<std::string, std::string>& values)
+py::object readOnlyDict(const std::map<std::string, std::string>& values)
 {
     return py::module_::import("types").attr("MappingProxyType")(py::cast(values));
 }
@@ -37,7 +37,7 @@ py::object fixedDict(const std::map<std::string, std::string>& values)
 py::str textOf(const RegistrationOptions& options)
 {
     return py::str("RegistrationOptions({!r}, locks={!r}, **{!r})")
-        .format(options.method, fixedList(options.locks), py::cast(options.values));
+        .format(options.method, readOnlyTuple(options.locks), py::cast(options.values));
 }
 
 }   // namespace
@@ -52,7 +52,7 @@ void bindOptions(py::module_& module)
              "name:\nRegistrationOptions(\"angiopose\", maxIterations=40, search=True).")
         .def_readwrite("method", &RegistrationOptions::method, "the id of one of methods()")
         .def_property(
-            "values", [](const RegistrationOptions& options) { return fixedDict(options.values); },
+            "values", [](const RegistrationOptions& options) { return readOnlyDict(options.values); },
             assign<&RegistrationOptions::values>(), "settings as strings, by key; read-only: see set")
         .def_property("locks", asTuple<&RegistrationOptions::locks>(), assign<&RegistrationOptions::locks>(),
                       "locked degrees of freedom")
@@ -66,9 +66,10 @@ void bindOptions(py::module_& module)
             "Sets a number, True or False, or a choice by name; returns the options, so calls can be chained.")
         .def("__copy__", [](const RegistrationOptions& options) { return options; })
         .def("__repr__", &textOf);
-    bindFixed<RegistrationOptions>(module, "_FixedOptions")
-        .def("set",
-             [](const Fixed<RegistrationOptions>&, const std::string& key, const py::object&) { refuseToSet(key); });
+    bindReadOnly<RegistrationOptions>(module, "_FixedOptions")
+        .def("set", [](const ReadOnly<RegistrationOptions>&, const std::string& key, const py::object&) {
+            throwReadOnlyError(key);
+        });
 
     py::class_<OptionInfo>(module, "OptionInfo", "One setting of a method.")
         .def_readonly("key", &OptionInfo::key, "name as on the command line")

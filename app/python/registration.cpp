@@ -1,6 +1,6 @@
 #include "angiopose/registration.h"
 #include "angiopose/deformation.h"
-#include "app/python/fixed.h"
+#include "app/python/read_only.h"
 #include "app/python/work.h"
 
 namespace angiopose::python {
@@ -38,7 +38,7 @@ void bindInput(py::module_& module)
 {
     using Input = RegistrationInput;
     py::class_<Input>(module, "RegistrationInput",
-                      "Everything one registration needs; the first four arguments define the problem.")
+                      "Input of one registration; the first four arguments define the problem.")
         .def(py::init(&inputFrom), py::arg("tree"), py::arg("target"), py::arg("camera"),
              py::arg("initialCameraFromPatient"), py::kw_only(), py::arg("excludedBranchIds") = std::vector<int>(),
              py::arg("auxiliaryBranchIds") = std::vector<int>(), py::arg("image") = py::none(),
@@ -127,21 +127,22 @@ void bindMetrics(py::module_& module)
         .def_readonly("p95Px", &BranchResidual::p95Px, "95th percentile of that distance")
         .def_readonly("agreement", &BranchResidual::agreement, "share of its points within 3 px, 0...1");
 
-    py::class_<Hypothesis>(module, "Hypothesis", "Another pose that explains the image nearly as well.")
+    py::class_<Hypothesis>(module, "Hypothesis", "Another pose that fits the image nearly as well.")
         .def_property_readonly("cameraFromPatient", asArray<&Hypothesis::cameraFromPatient>(),
                                "(4, 4), patient LPS mm to camera mm")
         .def_readonly("score", &Hypothesis::score, "0...1, higher is better");
 
     py::class_<WirePath>(module, "WirePath", "A possible path of a guidewire or catheter through the tree.")
         .def_property_readonly("branchIds", asTuple<&WirePath::branchIds>(),
-                               "in the order along the wire; its tip lies in the last")
-        .def_property_readonly("tipInPatient", asArray<&WirePath::tipInPatient>(), "(3,), LPS mm, on the branch's axis")
+                               "in order along the guidewire, whose tip lies in the last branch")
+        .def_property_readonly("tipInPatient", asArray<&WirePath::tipInPatient>(),
+                               "(3,), LPS mm, on the centerline of the branch")
         .def_readonly("probability", &WirePath::probability,
                       "0...1, among all paths considered and the possibility of none")
         .def_readonly("offAxisMm", &WirePath::offAxisMm,
-                      "rms distance of the wire from the axes of the branches, in the image")
+                      "RMS distance of the guidewire from the branch centerlines in the image")
         .def_readonly("followedShare", &WirePath::followedShare,
-                      "share of the wire's length in the image that follows the path, 0...1")
+                      "share of the guidewire length in the image that follows the path, 0...1")
         .def_property_readonly("cameraFromPatient", asArray<&WirePath::cameraFromPatient>(),
                                "(4, 4), patient LPS mm to camera mm");
 }
@@ -185,7 +186,7 @@ void bindResults(py::module_& module)
             [](const MultiViewResult& result) {
                 py::list corrections;
                 for (const Vector6d& correction : result.corrections) {
-                    corrections.append(fixedArray(correction));
+                    corrections.append(readOnlyArray(correction));
                 }
                 return py::tuple(corrections);
             },
@@ -215,13 +216,13 @@ void bindRegistration(py::module_& module)
         "registerVessels",
         [](const RegistrationInput& input, const RegistrationOptions& options, const py::object& observe) {
             const Observer observer = observerOf(observe);
-            return withoutLock([&] { return registerVessels(input, options, observer); });
+            return withoutGil([&] { return registerVessels(input, options, observer); });
         },
         py::arg("input"), py::arg_v("options", RegistrationOptions(), "RegistrationOptions()"),
         py::arg("observe") = py::none(),
-        "Finds the pose that aligns the projected tree with the image points. The same input gives the same "
-        "bits.\n`observe(progress)` may return Verdict.Stop: the result keeps the best pose. Raises Error on unusable "
-        "input.");
+        "Finds the pose that aligns the projected tree with the image points. The same input yields bit-identical "
+        "results.\n`observe(progress)` may return Verdict.Stop: the result keeps the best pose. Raises Error on "
+        "unusable input.");
     module.def("evaluatePose", &evaluatePose, py::arg("input"), py::arg("cameraFromPatient"),
                py::call_guard<py::gil_scoped_release>(),
                "Evaluates a pose (4, 4) without moving it: metrics, residuals of the branches, covariance, warnings.");
@@ -229,7 +230,7 @@ void bindRegistration(py::module_& module)
         "registerViews",
         [](const std::vector<RegistrationInput>& views, const RegistrationOptions& options, const py::object& observe) {
             const Observer observer = observerOf(observe);
-            return withoutLock([&] { return registerViews(views, options, observer); });
+            return withoutGil([&] { return registerViews(views, options, observer); });
         },
         py::arg("views"), py::arg_v("options", RegistrationOptions(), "RegistrationOptions()"),
         py::arg("observe") = py::none(),
@@ -276,7 +277,7 @@ void bindDeformation(py::module_& module)
             [](const Deformed& deformed) {
                 py::list poses;
                 for (const Pose& pose : deformed.viewPoses) {
-                    poses.append(fixedArray(pose));
+                    poses.append(readOnlyArray(pose));
                 }
                 return py::tuple(poses);
             },
@@ -292,7 +293,8 @@ void bindDeformation(py::module_& module)
         .def_readonly("rigidOffMostAtBranch", &Deformed::rigidOffMostAtBranch, "id of that branch")
         .def_readonly("explainedShare", &Deformed::explainedShare, "share of the visible tree's length, 0...1")
         .def_readonly("noisePx", &Deformed::noisePx, "estimated noise of a traced vessel")
-        .def_property_readonly("messages", asTuple<&Deformed::messages>(), "the motion in words; why it is unsure")
+        .def_property_readonly("messages", asTuple<&Deformed::messages>(),
+                               "description of the motion; reasons for the uncertainty")
         .def("__repr__", [](const Deformed& deformed) {
             return py::str("<BentVessels: {}, {:.3g} mm in the mean>")
                 .format(toText(deformed.verdict), deformed.meanMotionMm);

@@ -1,6 +1,6 @@
 #include "angiopose/vessel_tree.h"
 
-#include "app/python/fixed.h"
+#include "app/python/read_only.h"
 #include "app/python/work.h"
 
 #include <set>

@@ -1,6 +1,6 @@
 #include "angiopose/volume.h"
 
-#include "app/python/fixed.h"
+#include "app/python/read_only.h"
 #include "app/python/work.h"
 
 namespace angiopose::python {
@@ -47,10 +47,10 @@ void bindVolume(py::module_& module)
 {
     py::class_<Volume>(module, "Volume", "A CT volume of 16-bit voxels; value (HU) = voxel * slope + intercept.")
         .def(py::init([](const py::object& given, const VolumeGeometry& geometry, double slope, double intercept) {
-                 const auto voxels = wholeNumbers<std::int16_t>(given, "voxels");
+                 const auto voxels = toIntegerArray<std::int16_t>(given, "voxels");
                  checkSize(voxels, geometry, "voxels");
                  const std::span content(voxels.data(), static_cast<std::size_t>(voxels.size()));
-                 return withoutLock([&] { return Volume(content, geometry, slope, intercept); });
+                 return withoutGil([&] { return Volume(content, geometry, slope, intercept); });
              }),
              py::arg("voxels"), py::arg("geometry"), py::arg("slope") = 1.0, py::arg("intercept") = 0.0,
              "voxels: (k, j, i) int16, copied once.")
@@ -95,7 +95,7 @@ auto assignPlaces(const char* name)
 void bindOptionsOfTracing(py::module_& module)
 {
     using Options = VesselTracingOptions;
-    py::enum_<TracedPieces>(module, "TracedPieces", "Pieces that are traced without a seed.")
+    py::enum_<TracedPieces>(module, "TracedPieces", "Components that are traced without a seed.")
         .value("Usual", TracedPieces::Usual)
         .value("All", TracedPieces::All)
         .value("Largest", TracedPieces::Largest);
@@ -131,7 +131,7 @@ void bindOptionsOfTracing(py::module_& module)
              "seeds.\nthreads: 0: all; the result does not depend on it.\npieces: which are traced without seeds; "
              "Usual: all of a mask, or that of the great vessel of a scan.")
         .def_readwrite("threshold", &Options::threshold,
-                       "minimum value of the lumen in the scan (HU for CT); None: estimated from the blood")
+                       "minimum value of the lumen in the scan (HU for CT); None: estimated from the opacified lumen")
         .def_property("seedsInPatient", asPlaces<&Options::seedsInPatient>(),
                       assignPlaces<&Options::seedsInPatient>("seedsInPatient"),
                       "(n, 3): only vessels connected to one; none: the great vessel found automatically")
@@ -147,7 +147,7 @@ void bindOptionsOfTracing(py::module_& module)
         .def_readwrite("tubesOnly", &Options::tubesOnly,
                        "only thin vessels, from the seeds; tracing ends at chambers, organs and wide vessels")
         .def_readwrite("threads", &Options::threads, "0: all processors; the result does not depend on it")
-        .def_readwrite("pieces", &Options::pieces, "pieces that are traced without a seed")
+        .def_readwrite("pieces", &Options::pieces, "components that are traced without a seed")
         .def_readwrite("loops", &Options::loops, "treatment of vessels that form a loop");
 
     py::class_<VesselReadOptions>(module, "VesselReadOptions", "Options for reading the vessels of a file.")
@@ -179,23 +179,23 @@ void bindTraced(py::module_& module)
             "(k, j, i) uint8, not 0: traced lumen; a read-only view, (0, 0, 0) if nothing was traced")
         .def_readonly("threshold", &TracedVessels::threshold, "minimum value of the lumen; 0.5 for masks")
         .def_property_readonly("warnings", asTuple<&TracedVessels::warnings>(),
-                               "warnings: pieces that were left out, loops that were opened, ...");
+                               "warnings: components that were omitted, loops that were cut, ...");
 }
 
 TracedVessels traced(const Volume& volume, const VesselTracingOptions& options, const py::object& observe)
 {
     const Observer observer = observerOf(observe);
-    return withoutLock([&] { return traceVessels(volume, options, observer); });
+    return withoutGil([&] { return traceVessels(volume, options, observer); });
 }
 
 TracedVessels tracedMask(const py::object& given, const VolumeGeometry& geometry, const VesselTracingOptions& options,
                          const py::object& observe)
 {
-    const auto mask = wholeNumbers<std::uint8_t>(given, "mask");
+    const auto mask = toIntegerArray<std::uint8_t>(given, "mask");
     checkSize(mask, geometry, "mask");
     const Observer observer = observerOf(observe);
     const std::span voxels(mask.data(), static_cast<std::size_t>(mask.size()));
-    return withoutLock([&] { return traceMask(voxels, geometry, options, observer); });
+    return withoutGil([&] { return traceMask(voxels, geometry, options, observer); });
 }
 
 }   // namespace
@@ -210,7 +210,7 @@ void bindVolumes(py::module_& module)
         "readVolume",
         [](const Path& path, const std::string& seriesId, const py::object& observe) {
             const Observer observer = observerOf(observe);
-            return withoutLock([&] { return readVolume(path.string(), seriesId, observer); });
+            return withoutGil([&] { return readVolume(path.string(), seriesId, observer); });
         },
         py::arg("path"), py::arg("seriesId") = "", py::arg("observe") = py::none(),
         "Reads NIfTI, NRRD, MetaImage or DICOM (a slice, an enhanced file, a folder).");
@@ -229,7 +229,7 @@ void bindVolumes(py::module_& module)
         "readVessels",
         [](const Path& path, const VesselReadOptions& options, const py::object& observe) {
             const Observer observer = observerOf(observe);
-            return withoutLock([&] { return readVessels(path.string(), options, observer); });
+            return withoutGil([&] { return readVessels(path.string(), options, observer); });
         },
         py::arg("path"), py::arg_v("options", VesselReadOptions(), "VesselReadOptions()"),
         py::arg("observe") = py::none(),

@@ -37,7 +37,7 @@ inline Observer observerOf(pybind11::handle observe)
 
 /// Runs the work without the GIL and returns its result.
 template <class Work>
-auto withoutLock(const Work& work)
+auto withoutGil(const Work& work)
 {
     const pybind11::gil_scoped_release unlocked;
     return work();

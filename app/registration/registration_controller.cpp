@@ -15,14 +15,14 @@ RegistrationController::RegistrationController(CaseDocument& document, TargetPro
     connect(&target_, &TargetProvider::changed, this, &RegistrationController::continueAfterTracing);
     connect(&job_, &RegistrationJob::advanced, this, &RegistrationController::advanced);
     connect(&job_, &RegistrationJob::finished, this, &RegistrationController::apply);
-    connect(&job_, &RegistrationJob::failed, this, &RegistrationController::giveUp);
+    connect(&job_, &RegistrationJob::failed, this, &RegistrationController::reportFailure);
 }
 
-QString RegistrationController::whyNotReady() const
+QString RegistrationController::notReadyReason() const
 {
     const core::Case& current = document_.current();
     if (document_.isInTrial()) {
-        return tr("Fit a blind trial manually.");
+        return tr("In a blind trial, align the vessels manually.");
     }
     if (!current.vessels.tree) {
         return tr("Open a vessel centerline first.");
@@ -44,7 +44,7 @@ void RegistrationController::start()
     if (isRunning() || document_.isInTrial()) {
         return;
     }
-    if (const QString why = whyNotReady(); !why.isEmpty()) {
+    if (const QString why = notReadyReason(); !why.isEmpty()) {
         emit failed(why);
         return;
     }
@@ -53,7 +53,7 @@ void RegistrationController::start()
     document_.setLocked(true);
     emit runningChanged(true);
     emit tracingStarted();
-    target_.want(document_.current());
+    target_.setCase(document_.current());
     continueAfterTracing();
 }
 
@@ -81,8 +81,9 @@ void RegistrationController::continueAfterTracing()
         return;
     }
     phase_ = Phase::Solving;
-    using Views = core::RegistrationPlan::Views;   // `Loaded` skips views whose image is missing, which the view strip marks
-    job_.start(document_.current(), {.views = allViews_ ? Views::Loaded : Views::Shown,
+    using Views =
+        core::RegistrationPlan::Views;   // `Loaded` skips views whose image is missing, which the view strip marks
+    job_.start(document_.current(), {.views = registersAllViews_ ? Views::Loaded : Views::Shown,
                                      .shownTarget = *target_.current(),
                                      .author = observerName().toStdString(),
                                      .time = core::utcNow()});
@@ -92,20 +93,20 @@ void RegistrationController::apply(const core::RegisteredCase& registered)
 {
     end();
     std::vector<core::View> views = document_.current().views;   // includes snapshots saved during the registration
-    for (const std::size_t place : registered.places) {
+    for (const std::size_t place : registered.viewIndices) {
         core::View& view = views[place];
-        core::takeOver(view, registered.session.views[place]);
+        core::applyRegistration(view, registered.session.views[place]);
         view.snapshots = core::withSnapshot(std::move(view.snapshots), snapshotOfRun(*view.result, view.frame));
     }
     const bool areSeveral = registered.joint.has_value();
     document_.push(std::make_unique<ChangeViews>(
         document_, ChangeViews::Values{std::move(views)}, [areSeveral, method = registered.result().method] {
-            return areSeveral ? tr("Register all views") : tr("Register (%1)").arg(ui::methodWords(method));
+            return areSeveral ? tr("Register all views") : tr("Register (%1)").arg(ui::methodName(method));
         }));
     emit finished(registered.result());
 }
 
-void RegistrationController::giveUp(const core::Message& reason)
+void RegistrationController::reportFailure(const core::Message& reason)
 {
     end();
     if (!stopRequested_) {   // if stopped before any pose was found, there is nothing to report

@@ -16,11 +16,11 @@ public:
     RegistrationController(CaseDocument& document, TargetProvider& target, QObject* parent = nullptr);
 
     /// Returns the reason why the case cannot be registered yet; empty if it can be registered.
-    QString whyNotReady() const;
+    QString notReadyReason() const;
     bool isRunning() const { return phase_ != Phase::Idle; }
     void start();
     void stop();   ///< returns at once
-    void setAllViews(bool together) { allViews_ = together; }   ///< for cases with several views
+    void setAllViews(bool together) { registersAllViews_ = together; }   ///< for cases with several views
 
 signals:
     void runningChanged(bool running);
@@ -33,13 +33,13 @@ private:
     enum class Phase { Idle, Tracing, Solving };
     void continueAfterTracing();
     void apply(const core::RegisteredCase& registered);
-    void giveUp(const core::Message& reason);
+    void reportFailure(const core::Message& reason);
     void end();
 
     CaseDocument& document_;
     TargetProvider& target_;
     RegistrationJob job_;
-    bool allViews_ = true;
+    bool registersAllViews_ = true;
     bool stopRequested_ = false;
     Phase phase_ = Phase::Idle;
 };

@@ -6,7 +6,7 @@
 namespace angiopose::app {
 namespace {
 
-constexpr std::size_t rememberedBytes = 16U << 20U;   // cache size, dominated by the masks: 64 frames of 512 × 512
+constexpr std::size_t maxCacheBytes = 16U << 20U;   // cache size, dominated by the masks: 64 frames of 512 × 512
 
 std::size_t bytesOf(const SharedTrace& trace)
 {
@@ -28,92 +28,92 @@ TargetProvider::TargetProvider(QObject* parent) : QObject(parent)
 {
     const auto goOn = [this] {
         const SharedCenterline before = current_;
-        if (wanted_) {   // not set if curves were provided in the meantime or the image is gone
-            startWanted();
+        if (pendingRequest_) {   // not set if curves were provided in the meantime or the image is gone
+            startRequested();
         }
         if (current_ == before) {
             emit changed();   // `isTracing` may have changed
         }
     };
     connect(&job_, &TraceJob::finished, this, [this, goOn](const SharedTrace& traced) {
-        remember(*std::exchange(asked_, std::nullopt), traced);
+        addToCache(*std::exchange(activeRequest_, std::nullopt), traced);
         goOn();
     });
     connect(&job_, &TraceJob::failed, this, [this, goOn](const core::Message& reason) {
-        if (wanted_ == std::exchange(asked_, std::nullopt)) {
-            settle(SharedTrace(), reason);
+        if (pendingRequest_ == std::exchange(activeRequest_, std::nullopt)) {
+            setTarget(SharedTrace(), reason);
         } else {
             goOn();
         }
     });
 }
 
-void TargetProvider::want(const core::Case& session)
+void TargetProvider::setCase(const core::Case& session)
 {
     if (const auto given = core::givenTargetOf(session.shown())) {
-        wanted_.reset();
-        settleGiven(given);
+        pendingRequest_.reset();
+        setStoredTarget(given);
         return;
     }
     const auto request = requestFor(session);
-    if (request && request == wanted_) {
+    if (request && request == pendingRequest_) {
         return;
     }
-    wanted_ = request;
-    startWanted();
+    pendingRequest_ = request;
+    startRequested();
 }
 
-void TargetProvider::startWanted()
+void TargetProvider::startRequested()
 {
-    if (!wanted_) {
-        settle(SharedTrace(), std::nullopt);
+    if (!pendingRequest_) {
+        setTarget(SharedTrace(), std::nullopt);
         return;
     }
-    if (const SharedTrace trace = known(*wanted_)) {
-        settle(trace, std::nullopt);
+    if (const SharedTrace trace = findCached(*pendingRequest_)) {
+        setTarget(trace, std::nullopt);
         return;
     }
-    settle(SharedTrace(), std::nullopt);
+    setTarget(SharedTrace(), std::nullopt);
     if (!job_.isRunning()) {
-        asked_ = wanted_;
-        job_.start(*wanted_);
+        activeRequest_ = pendingRequest_;
+        job_.start(*pendingRequest_);
     }
 }
 
-SharedTrace TargetProvider::known(const TraceRequest& request)
+SharedTrace TargetProvider::findCached(const TraceRequest& request)
 {
-    std::erase_if(traced_, [](const Remembered& one) { return one.run.expired(); });
-    const auto found = std::ranges::find_if(traced_, [&request](const Remembered& one) {
+    std::erase_if(cache_, [](const CachedTrace& one) { return one.run.expired(); });
+    const auto found = std::ranges::find_if(cache_, [&request](const CachedTrace& one) {
         return one.run.lock() == request.angiogram && one.frame == request.frame && one.options == request.options;
     });
-    return found == traced_.end() ? nullptr : found->trace;
+    return found == cache_.end() ? nullptr : found->trace;
 }
 
-void TargetProvider::remember(const TraceRequest& asked, const SharedTrace& traced)
+void TargetProvider::addToCache(const TraceRequest& asked, const SharedTrace& traced)
 {
-    traced_.push_back({asked.angiogram, asked.frame, asked.options, traced});
+    cache_.push_back({asked.angiogram, asked.frame, asked.options, traced});
     std::size_t bytes = 0;
-    for (const Remembered& one : traced_) {
+    for (const CachedTrace& one : cache_) {
         bytes += bytesOf(one.trace);
     }
-    while (bytes > rememberedBytes && traced_.size() > 1) {
-        bytes -= bytesOf(traced_.front().trace);
-        traced_.pop_front();
+    while (bytes > maxCacheBytes && cache_.size() > 1) {
+        bytes -= bytesOf(cache_.front().trace);
+        cache_.pop_front();
     }
 }
 
-void TargetProvider::settle(const SharedTrace& trace, const std::optional<core::Message>& problem)
+void TargetProvider::setTarget(const SharedTrace& trace, const std::optional<core::Message>& problem)
 {
-    settle(trace ? SharedCenterline(trace, &trace->centerline) : nullptr, trace, problem);
+    setTarget(trace ? SharedCenterline(trace, &trace->centerline) : nullptr, trace, problem);
 }
 
-void TargetProvider::settleGiven(const SharedCenterline& given)
+void TargetProvider::setStoredTarget(const SharedCenterline& given)
 {
-    settle(given, nullptr, std::nullopt);
+    setTarget(given, nullptr, std::nullopt);
 }
 
-void TargetProvider::settle(const SharedCenterline& target, const SharedTrace& trace,
-                            const std::optional<core::Message>& problem)
+void TargetProvider::setTarget(const SharedCenterline& target, const SharedTrace& trace,
+                               const std::optional<core::Message>& problem)
 {
     if (target == current_ && problem == problem_) {
         return;

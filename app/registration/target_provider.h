@@ -18,7 +18,7 @@ class TargetProvider : public QObject {
 public:
     explicit TargetProvider(QObject* parent = nullptr);
 
-    void want(const core::Case& session);
+    void setCase(const core::Case& session);
     const SharedCenterline& current() const { return current_; }   ///< null until ready
     const SharedTrace& trace() const { return trace_; }   ///< null if the target is stored in the case or not ready
     const std::optional<core::Message>& problem() const { return problem_; }   ///< reason why there is no target
@@ -28,24 +28,25 @@ signals:
     void changed();   ///< emitted when `current`, `problem` or `isTracing` may have changed
 
 private:
-    struct Remembered {
+    struct CachedTrace {
         std::weak_ptr<const core::Angiogram> run;   ///< weak, because only the case and its undo history own the run
         int frame = 0;
         core::TraceOptions options;
         SharedTrace trace;
     };
 
-    void startWanted();
-    SharedTrace known(const TraceRequest& request);
-    void remember(const TraceRequest& asked, const SharedTrace& traced);
-    void settle(const SharedTrace& trace, const std::optional<core::Message>& problem);
-    void settleGiven(const SharedCenterline& given);
-    void settle(const SharedCenterline& target, const SharedTrace& trace, const std::optional<core::Message>& problem);
+    void startRequested();
+    SharedTrace findCached(const TraceRequest& request);
+    void addToCache(const TraceRequest& asked, const SharedTrace& traced);
+    void setTarget(const SharedTrace& trace, const std::optional<core::Message>& problem);
+    void setStoredTarget(const SharedCenterline& given);
+    void setTarget(const SharedCenterline& target, const SharedTrace& trace,
+                   const std::optional<core::Message>& problem);
 
     TraceJob job_;
-    std::optional<TraceRequest> wanted_;
-    std::optional<TraceRequest> asked_;   ///< request being processed
-    std::deque<Remembered> traced_;   ///< cached traces, newest last
+    std::optional<TraceRequest> pendingRequest_;
+    std::optional<TraceRequest> activeRequest_;   ///< request being processed
+    std::deque<CachedTrace> cache_;   ///< cached traces, newest last
     SharedCenterline current_;
     SharedTrace trace_;
     std::optional<core::Message> problem_;

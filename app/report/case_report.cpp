@@ -2,7 +2,7 @@
 
 #include "app/report/report_captions.h"
 #include "app/report/report_page.h"
-#include "app/texts/word_of_run.h"
+#include "app/texts/pose_origin.h"
 #include "core/case/registration_input.h"
 
 #include <QAbstractTextDocumentLayout>
@@ -29,34 +29,34 @@ core::Result<core::RegistrationResult> judgementOfView(const core::Case& session
     if (!input) {
         return input.error();
     }
-    auto judged = core::evaluatePose(input.value(), session.shown().cameraFromPatient);
-    if (!judged) {
-        return judged.error();
+    auto evaluated = core::evaluatePose(input.value(), session.shown().cameraFromPatient);
+    if (!evaluated) {
+        return evaluated.error();
     }
-    core::RegistrationResult result = std::move(judged).value();
-    takeWordOfRun(result, session.shown());
+    core::RegistrationResult result = std::move(evaluated).value();
+    addRegistrationResult(result, session.shown());
     return result;
 }
 
 core::Result<ReportedView> judgedView(const core::Case& session, const core::Result<core::Centerline2d>& target,
-                                      const OverlayPictureOptions& look)
+                                      const OverlayImageOptions& look)
 {
     if (!target) {
         return target.error();
     }
-    const auto judgement = judgementOfView(session, target.value());
-    if (!judgement) {
-        return judgement.error();
+    const auto evaluation = judgementOfView(session, target.value());
+    if (!evaluation) {
+        return evaluation.error();
     }
-    return ReportedView{session, look, target.value(), judgement.value(), {}};
+    return ReportedView{session, look, target.value(), evaluation.value(), {}};
 }
 
 /// Draws the overlay image, side by side with the initial pose if that differs.
 core::Result<QImage> pictureOf(const ReportedView& view)
 {
-    OverlayPictureOptions look = view.look;
+    OverlayImageOptions look = view.look;
     look.widthPx = pictureWidthPx;
-    look.isStartBeside = hasStartBeside(view);
+    look.isInitialPoseShown = showsInitialPose(view);
     const auto drawn = drawOverlay(view.session, view.target, look);
     if (!drawn) {
         return drawn.error();
@@ -68,7 +68,7 @@ core::Result<QImage> pictureOf(const ReportedView& view)
 }
 
 /// Returns the logo of the program, large enough for print.
-QImage mark()
+QImage programLogo()
 {
     QImageReader reader(QStringLiteral(":/icons/angiopose.svg"));
     reader.setScaledSize({markPx, markPx});
@@ -80,7 +80,7 @@ QString nameInDocument(std::size_t picture)
     return QStringLiteral("picture%1").arg(picture);
 }
 
-QByteArray pdfOf(const CaseReport& report, const ReportTemplate& page, const ReportPictures& pictures)
+QByteArray toPdf(const CaseReport& report, const ReportTemplate& page, const ReportPictures& pictures)
 {
     QByteArray bytes;
     QBuffer buffer(&bytes);
@@ -122,14 +122,14 @@ QByteArray htmlOf(const CaseReport& report, const ReportTemplate& page, const Re
 
 }   // namespace
 
-core::Result<std::vector<ReportedView>> judgedViews(const core::Case& session, const core::Centerline2d& shownTarget,
-                                                    const OverlayPictureOptions& look)
+core::Result<std::vector<ReportedView>> evaluateViews(const core::Case& session, const core::Centerline2d& shownTarget,
+                                                      const OverlayImageOptions& look)
 {
     auto shown = judgedView(session, shownTarget, look);
     if (!shown) {
         return shown.error();
     }
-    OverlayPictureOptions ofOthers = look;
+    OverlayImageOptions ofOthers = look;
     ofOthers.range.reset();
     ofOthers.drr = nullptr;
     ofOthers.cutout = {};
@@ -161,9 +161,9 @@ core::Result<QByteArray> reportBytes(const CaseReport& report, ReportKind kind)
         }
         pictures.push_back(picture ? picture.value() : QImage());
     }
-    pictures.push_back(mark());
+    pictures.push_back(programLogo());
     pictures.insert(pictures.end(), page.value().pictures.begin(), page.value().pictures.end());
-    return kind == ReportKind::Pdf ? pdfOf(report, page.value(), pictures) : htmlOf(report, page.value(), pictures);
+    return kind == ReportKind::Pdf ? toPdf(report, page.value(), pictures) : htmlOf(report, page.value(), pictures);
 }
 
 }   // namespace angiopose::app

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/texts/overlay_picture.h"
+#include "app/texts/overlay_image.h"
 #include "core/case/case.h"
 
 #include <QByteArray>
@@ -15,9 +15,9 @@ namespace angiopose::app {
 /// One view of the case as it appears in the report.
 struct ReportedView {
     core::Case session;   ///< case that displays this view
-    OverlayPictureOptions look;
+    OverlayImageOptions look;
     core::Centerline2d target;
-    core::RegistrationResult judgement;   ///< evaluation of the view's current pose
+    core::RegistrationResult evaluation;   ///< evaluation of the view's current pose
     std::optional<core::Message>
         problem;   ///< reason why the view cannot be evaluated; if set, the three members above are empty
 };
@@ -35,8 +35,8 @@ struct CaseReport {
 /// Evaluates every view: from the registration that found its pose, or else against its target (`shownTarget` for the
 /// shown view, the trace for other views). `look` applies to the shown view; the other views have no DRR and an
 /// automatic window/level. Fails if the shown view cannot be evaluated. Slow; call it on a worker thread.
-core::Result<std::vector<ReportedView>> judgedViews(const core::Case& session, const core::Centerline2d& shownTarget,
-                                                    const OverlayPictureOptions& look);
+core::Result<std::vector<ReportedView>> evaluateViews(const core::Case& session, const core::Centerline2d& shownTarget,
+                                                      const OverlayImageOptions& look);
 
 enum class ReportKind { Pdf, Html };
 

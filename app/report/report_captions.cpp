@@ -39,15 +39,15 @@ QString sample(const ui::Color& color, const QString& meaning)
 
 }   // namespace
 
-bool hasStartBeside(const ReportedView& view)
+bool showsInitialPose(const ReportedView& view)
 {
     const auto start = core::initialPoseOf(view.session);
     return start && start.value().matrix() != view.session.shown().cameraFromPatient.matrix();
 }
 
-QString captionsOf(const ReportedView& view, int widthPx)
+QString pairCaptions(const ReportedView& view, int widthPx)
 {
-    if (!hasStartBeside(view)) {
+    if (!showsInitialPose(view)) {
         return {};
     }
     const QString after =
@@ -58,7 +58,7 @@ QString captionsOf(const ReportedView& view, int widthPx)
         .arg(QString::number(widthPx), PageWords::tr("Before: initial pose").toHtmlEscaped(), after.toHtmlEscaped());
 }
 
-QString colorLineOf(const ReportedView& view)
+QString colorLegend(const ReportedView& view)
 {
     if (!showsResiduals(view)) {
         return {};

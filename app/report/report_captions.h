@@ -5,12 +5,12 @@
 namespace angiopose::app {
 
 /// Whether the image of a view includes the initial pose next to it: the view has one and its pose differs.
-bool hasStartBeside(const ReportedView& view);
+bool showsInitialPose(const ReportedView& view);
 
 /// Returns the HTML above the image of a view that names its two halves; empty for a single image.
-QString captionsOf(const ReportedView& view, int widthPx);
+QString pairCaptions(const ReportedView& view, int widthPx);
 
 /// Returns the HTML below the image that explains the vessel colors; empty if the colors do not show distances.
-QString colorLineOf(const ReportedView& view);
+QString colorLegend(const ReportedView& view);
 
 }   // namespace angiopose::app

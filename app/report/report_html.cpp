@@ -20,7 +20,7 @@ QString table(const ReportRows& rows, const char* moreStyle)
     return text + QStringLiteral("</table>");
 }
 
-QString card(const QStringList& sentences, const Ground& ground, const QString& verdict)
+QString card(const QStringList& sentences, const CardColors& ground, const QString& verdict)
 {
     const QString first = verdict.isEmpty() ? QString()
                                             : QStringLiteral(
@@ -31,11 +31,11 @@ QString card(const QStringList& sentences, const Ground& ground, const QString& 
                                : QStringLiteral(
                                      "<table width=\"100%\" cellspacing=\"0\" cellpadding=\"5\"><tr>"
                                      "<td style=\"background-color:%1; color:%2\">%3</td></tr></table>")
-                                     .arg(QLatin1String(ground.color), QLatin1String(ground.ink),
+                                     .arg(QLatin1String(ground.color), QLatin1String(ground.textColor),
                                           first + ui::joinedSentences(sentences).toHtmlEscaped());
 }
 
-QString beside(const QString& left, const QString& right)
+QString sideBySideTable(const QString& left, const QString& right)
 {
     return QStringLiteral(
                "<table width=\"100%\"><tr><td width=\"50%\" valign=\"top\">%1</td>"

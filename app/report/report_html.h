@@ -14,17 +14,17 @@ QString heading(const QString& text, const char* moreStyle = "");
 QString table(const ReportRows& rows, const char* moreStyle = "");
 
 /// Background color, as in the result card of the window, with its text color.
-struct Ground {
+struct CardColors {
     const char* color;
-    const char* ink;
+    const char* textColor;
 };
-inline constexpr Ground certainGround{"#e3f2e6", "#14532d"};
-inline constexpr Ground doubtfulGround{"#fbefd9", "#7a4a00"};
+inline constexpr CardColors reliableColors{"#e3f2e6", "#14532d"};
+inline constexpr CardColors unreliableColors{"#fbefd9", "#7a4a00"};
 
 /// Returns a prominent verdict followed by sentences, on a colored background; empty if there are none.
-QString card(const QStringList& sentences, const Ground& ground, const QString& verdict = {});
+QString card(const QStringList& sentences, const CardColors& ground, const QString& verdict = {});
 
 /// Returns two sections side by side.
-QString beside(const QString& left, const QString& right);
+QString sideBySideTable(const QString& left, const QString& right);
 
 }   // namespace angiopose::app::report

@@ -16,7 +16,7 @@ constexpr double minStenosisPercent = 10.0;
 
 }   // namespace
 
-ReportRows measuredRows(const core::Case& session)
+ReportRows measurementRows(const core::Case& session)
 {
     const core::View& view = session.shown();
     ReportRows rows;
@@ -32,9 +32,9 @@ ReportRows measuredRows(const core::Case& session)
     return rows;
 }
 
-ReportRows checkedRows(const core::Case& session)
+ReportRows targetPointRows(const core::Case& session)
 {
-    const auto checked = core::checkedPoints(session);
+    const auto checked = core::evaluateTargetPoints(session);
     ReportRows rows;
     for (const core::VesselMark& mark : session.vessels.marks) {
         const ui::MarkRow row = markRow(mark, checked, session.shownView);
@@ -43,7 +43,7 @@ ReportRows checkedRows(const core::Case& session)
     return rows;
 }
 
-QString widthWords(const core::VesselBranch& branch)
+QString diameterText(const core::VesselBranch& branch)
 {
     const auto profile = core::profileOf(branch);
     if (!profile || !profile.value().meanDiameterMm) {

@@ -44,7 +44,7 @@ QString imageTag(const QString& url, const QSize& size, int width)
 
 int widthOf(const ReportedView& view)
 {
-    return hasStartBeside(view) ? shownWidth : shownWidthOfOne;
+    return showsInitialPose(view) ? shownWidth : shownWidthOfOne;
 }
 
 QString programWords()
@@ -81,21 +81,21 @@ QString patientWords(const ReportedView& view)
 enum class ReportPlace { Alone, First, Further };
 
 /// Section on one view. Every view after the first starts a new page, which keeps its image and heading together.
-QString viewPart(const ReportedView& view, const QString& picture, ReportPlace place)
+QString viewSection(const ReportedView& view, const QString& picture, ReportPlace place)
 {
     const core::Case& session = view.session;
     const QString title = numberedTitle(session.views, session.shownView);
     if (view.problem) {
-        return heading(title) + card({ui::messageText(*view.problem)}, doubtfulGround);
+        return heading(title) + card({ui::messageText(*view.problem)}, unreliableColors);
     }
     const QString above = place == ReportPlace::Alone   ? QString()
                           : place == ReportPlace::First ? heading(title)
                                                         : heading(title, "; page-break-before:always");
-    const QString seen = captionsOf(view, widthOf(view)) + picture + colorLineOf(view);
-    const QString verdict = verdictPart(view);   // placed first if it is negative
-    return above + (view.judgement.trustworthy ? seen + verdict : verdict + seen) +
-           beside(resultPart(view) + branchPart(view), geometryPart(session) + posePart(session)) +
-           measuredPart(session) + checkedPart(session);
+    const QString seen = pairCaptions(view, widthOf(view)) + picture + colorLegend(view);
+    const QString verdict = verdictSection(view);   // placed first if it is negative
+    return above + (view.evaluation.trustworthy ? seen + verdict : verdict + seen) +
+           sideBySideTable(resultSection(view) + branchSection(view), geometrySection(session) + poseSection(session)) +
+           measurementSection(session) + targetPointSection(session);
 }
 
 QString inputPart(const CaseReport& report)
@@ -120,11 +120,11 @@ QString inputPart(const CaseReport& report)
         const core::View& view = session.views[place];
         const QString number = session.views.size() > 1 ? QStringLiteral(" %1").arg(place + 1) : QString();
         add(PageWords::tr("Angiogram") + number, view.imageFile);
-        add(PageWords::tr("Traced vessels") + number, io::exportedFileOf(view.target));
+        add(PageWords::tr("Traced vessels") + number, io::exportedFile(view.target));
     }
     rows.emplace_back(PageWords::tr("Program"), programWords());
     rows.emplace_back(PageWords::tr("Created"),
-                      timeWords(QDateTime::currentDateTime()) +
+                      timestampText(QDateTime::currentDateTime()) +
                           (report.author.isEmpty() ? QString() : QStringLiteral(" · ") + report.author));
     return heading(PageWords::tr("Inputs")) + table(rows);
 }
@@ -147,11 +147,12 @@ QString reportPage(const CaseReport& report, const ReportTemplate& page, const R
     QString views;
     for (std::size_t i = 0; i < report.views.size(); ++i) {
         const QImage& picture = pictures[i];
-        views += viewPart(report.views[i],
-                          picture.isNull() ? QString() : imageTag(urlOf(i), picture.size(), widthOf(report.views[i])),
-                          report.views.size() == 1 ? ReportPlace::Alone
-                          : i == 0                 ? ReportPlace::First
-                                                   : ReportPlace::Further);
+        views +=
+            viewSection(report.views[i],
+                        picture.isNull() ? QString() : imageTag(urlOf(i), picture.size(), widthOf(report.views[i])),
+                        report.views.size() == 1 ? ReportPlace::Alone
+                        : i == 0                 ? ReportPlace::First
+                                                 : ReportPlace::Further);
     }
     const std::size_t mark = report.views.size();
     const QHash<QString, QString> parts{
@@ -162,12 +163,12 @@ QString reportPage(const CaseReport& report, const ReportTemplate& page, const R
         {QStringLiteral("views"), views},
         {QStringLiteral("inputs"), inputPart(report)},
         {QStringLiteral("signature"), PageWords::tr("Signature").toHtmlEscaped()},
-        {QStringLiteral("date"), timeWords(QDateTime::currentDateTime())},
+        {QStringLiteral("date"), timestampText(QDateTime::currentDateTime())},
         {QStringLiteral("author"), report.author.toHtmlEscaped()},
         {QStringLiteral("program"), programWords()},
         {QStringLiteral("mark"), imageTag(urlOf(mark), pictures[mark].size(), markWidth)},
         {QStringLiteral("typeface"), typefaceOf(report).toHtmlEscaped()}};
-    return filledPage(page, parts, [&](std::size_t own) { return urlOf(mark + 1 + own); });
+    return fillTemplate(page, parts, [&](std::size_t own) { return urlOf(mark + 1 + own); });
 }
 
 }   // namespace angiopose::app

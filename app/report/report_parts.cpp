@@ -4,7 +4,7 @@
 #include "app/report/page_words.h"
 #include "app/report/report_html.h"
 #include "app/report/report_measures.h"
-#include "app/texts/fit_words.h"
+#include "app/texts/fit_basis_lines.h"
 #include "app/words/geometry_state.h"
 #include "app/words/view_words.h"
 #include "ui/panels/result_sentences.h"
@@ -24,7 +24,7 @@ namespace {
 using Rows = ReportRows;
 
 constexpr std::size_t branchesListed = 12;
-constexpr const char* doubtfulTone = "; color:#9a5b00";   // amber that is dark enough for print
+constexpr const char* unreliableStyle = "; color:#9a5b00";   // amber that is dark enough for print
 
 double mmPerPxOf(const core::Case& session)
 {
@@ -33,9 +33,9 @@ double mmPerPxOf(const core::Case& session)
     return camera ? core::millimetersPerPixel(camera.value(), std::max(depthMm, core::minProjectableDepthMm)) : 0.0;
 }
 
-QString methodWordsOf(const core::RegistrationResult& judged)
+QString methodWordsOf(const core::RegistrationResult& evaluated)
 {
-    return ui::methodWords(judged.method) + QStringLiteral(" · ") + ui::termText(core::toText(judged.stopReason));
+    return ui::methodName(evaluated.method) + QStringLiteral(" · ") + ui::termText(core::toText(evaluated.stopReason));
 }
 
 /// Returns the rows that describe the origin of the pose.
@@ -54,10 +54,10 @@ Rows originRows(const ReportedView& view)
     if (found.isValid()) {
         const QString& author = QString::fromStdString(result->provenance.author);
         rows.emplace_back(PageWords::tr("Registered"),
-                          timeWords(found) + (author.isEmpty() ? QString() : QStringLiteral(" · ") + author));
+                          timestampText(found) + (author.isEmpty() ? QString() : QStringLiteral(" · ") + author));
     }
     if (!core::resultOfShownFrame(view.session.shown())) {
-        rows.emplace_back(PageWords::tr("Registered in"), PageWords::tr("frame %1; image and values are from frame %2")
+        rows.emplace_back(PageWords::tr("Registered in"), PageWords::tr("frame %1; image and values from frame %2")
                                                               .arg(result->provenance.frame.value_or(0) + 1)
                                                               .arg(view.session.shown().frame + 1));
     }
@@ -66,7 +66,7 @@ Rows originRows(const ReportedView& view)
 
 }   // namespace
 
-QString timeWords(const QDateTime& time)
+QString timestampText(const QDateTime& time)
 {
     const int minutes = time.offsetFromUtc() / 60;
     const QString zone = minutes == 0 ? QString()
@@ -77,9 +77,9 @@ QString timeWords(const QDateTime& time)
     return time.toString(QStringLiteral("yyyy-MM-dd HH:mm")) + QStringLiteral(" UTC") + zone;
 }
 
-QString resultPart(const ReportedView& view)
+QString resultSection(const ReportedView& view)
 {
-    const core::DistanceMetrics& metrics = view.judgement.metrics;
+    const core::DistanceMetrics& metrics = view.evaluation.metrics;
     Rows rows{
         {PageWords::tr("Median distance"),
          PageWords::tr("%1 mm (%2 px)").arg(ui::numberText(metrics.medianMm, 2), ui::numberText(metrics.medianPx, 2))},
@@ -90,32 +90,33 @@ QString resultPart(const ReportedView& view)
     const Rows origin = originRows(view);
     rows.insert(rows.end(), origin.begin(), origin.end());
     QStringList basis;
-    if (const auto known = core::fitBasis(view.session, view.judgement, view.target)) {
-        for (const core::Message& words : fitWords(*known, view.session.vessels)) {
+    if (const auto known = core::fitBasis(view.session, view.evaluation, view.target)) {
+        for (const core::Message& words : fitBasisLines(*known, view.session.vessels)) {
             basis << ui::messageText(words);
         }
     }
-    const char* const tone = view.judgement.trustworthy ? "" : doubtfulTone;
-    return heading(PageWords::tr("Result"), tone) + table(rows, tone) + card(basis, doubtfulGround);
+    const char* const tone = view.evaluation.trustworthy ? "" : unreliableStyle;
+    return heading(PageWords::tr("Result"), tone) + table(rows, tone) + card(basis, unreliableColors);
 }
 
-QString verdictPart(const ReportedView& view)
+QString verdictSection(const ReportedView& view)
 {
-    const ui::ResultSentences said =
-        ui::sentencesOf(view.judgement, *view.session.vessels.tree, mmPerPxOf(view.session));
-    if (!view.judgement.trustworthy) {
+    const ui::ResultSentences sentences =
+        ui::sentencesOf(view.evaluation, *view.session.vessels.tree, mmPerPxOf(view.session));
+    if (!view.evaluation.trustworthy) {
         const QString meaning = PageWords::tr("This pose may be wrong. Do not use it without verification.");
-        return heading(ui::messageText(messages::notReliable()), doubtfulTone) +
-               card(QStringList{meaning} + said.certain + said.doubtful, doubtfulGround, PageWords::tr("Not reliable"));
+        return heading(ui::messageText(messages::notReliable()), unreliableStyle) +
+               card(QStringList{meaning} + sentences.certain + sentences.doubtful, unreliableColors,
+                    PageWords::tr("Not reliable"));
     }
     const QString meaning = PageWords::tr("All checks passed. This is not proof: inspect the overlay.");
-    return card(QStringList{meaning} + said.certain, certainGround, PageWords::tr("Reliable")) +
-           card(said.doubtful, doubtfulGround);
+    return card(QStringList{meaning} + sentences.certain, reliableColors, PageWords::tr("Reliable")) +
+           card(sentences.doubtful, unreliableColors);
 }
 
-QString branchPart(const ReportedView& view)
+QString branchSection(const ReportedView& view)
 {
-    std::vector<core::BranchResidual> worstFirst = view.judgement.branches;
+    std::vector<core::BranchResidual> worstFirst = view.evaluation.branches;
     std::ranges::stable_sort(worstFirst, std::greater{}, &core::BranchResidual::medianPx);
     const std::size_t count = std::min(worstFirst.size(), branchesListed);
     Rows rows;
@@ -125,7 +126,7 @@ QString branchPart(const ReportedView& view)
                               PageWords::tr("%1 mm median · %2 mm long")
                                       .arg(ui::numberText(residual.medianPx * mmPerPxOf(view.session), 2),
                                            ui::numberText(branch->lengthMm(), 0)) +
-                                  widthWords(*branch));
+                                  diameterText(*branch));
         }
     }
     const QString name = worstFirst.size() > count
@@ -134,19 +135,19 @@ QString branchPart(const ReportedView& view)
     return heading(name) + table(rows);
 }
 
-QString measuredPart(const core::Case& session)
+QString measurementSection(const core::Case& session)
 {
-    const Rows rows = measuredRows(session);
+    const Rows rows = measurementRows(session);
     return rows.empty() ? QString() : heading(PageWords::tr("Measured in the image")) + table(rows);
 }
 
-QString checkedPart(const core::Case& session)
+QString targetPointSection(const core::Case& session)
 {
-    const Rows rows = checkedRows(session);
+    const Rows rows = targetPointRows(session);
     return rows.empty() ? QString() : heading(PageWords::tr("Target points and rings")) + table(rows);
 }
 
-QString geometryPart(const core::Case& session)
+QString geometrySection(const core::Case& session)
 {
     const ui::GeometryState state = geometryState(session);
     Rows rows;
@@ -156,20 +157,19 @@ QString geometryPart(const core::Case& session)
         if (!shown.value || shown.origin == core::Origin::Missing) {
             continue;
         }
-        const ui::GeometryValueKind& kind = ui::kindOf(value);
+        const ui::GeometryValueInfo& kind = ui::infoOf(value);
         const bool isAngle = kind.format.unit == QStringLiteral("°");   // no space before the unit
         rows.emplace_back(QCoreApplication::translate("angiopose::ui::GeometryPanel", kind.label),
                           ui::numberText(*shown.value, kind.format.decimals) +
                               (isAngle ? QString() : QStringLiteral(" ")) + kind.format.unit +
-                              QStringLiteral(" (%1)").arg(ui::messageText(originWord(shown.origin))));
+                              QStringLiteral(" (%1)").arg(ui::messageText(originMessage(shown.origin))));
     }
     return heading(PageWords::tr("Geometry")) + table(rows);
 }
 
-QString posePart(const core::Case& session)
+QString poseSection(const core::Case& session)
 {
-    QString text =
-        heading(PageWords::tr("Pose: camera from patient, mm")) + QStringLiteral("<table cellpadding=\"3\">");
+    QString text = heading(PageWords::tr("Pose (patient to camera), mm")) + QStringLiteral("<table cellpadding=\"3\">");
     for (int row = 0; row < 4; ++row) {
         text += QStringLiteral("<tr>");
         for (int column = 0; column < 4; ++column) {

@@ -9,18 +9,18 @@
 namespace angiopose::app::report {
 
 /// Formats the time in ISO 8601 with the time zone, independent of the locale.
-QString timeWords(const QDateTime& time);
+QString timestampText(const QDateTime& time);
 
 /// Returns whether the pose is reliable, what that means, and the warnings of the registration.
-QString verdictPart(const ReportedView& view);
+QString verdictSection(const ReportedView& view);
 
 /// Returns the residuals and the origin of the pose.
-QString resultPart(const ReportedView& view);
+QString resultSection(const ReportedView& view);
 
-QString branchPart(const ReportedView& view);
-QString measuredPart(const core::Case& session);
-QString checkedPart(const core::Case& session);
-QString geometryPart(const core::Case& session);
-QString posePart(const core::Case& session);
+QString branchSection(const ReportedView& view);
+QString measurementSection(const core::Case& session);
+QString targetPointSection(const core::Case& session);
+QString geometrySection(const core::Case& session);
+QString poseSection(const core::Case& session);
 
 }   // namespace angiopose::app::report

@@ -63,7 +63,7 @@ bool isTaken(QImageReader& reader)
 }
 
 /// Decodes an image embedded in the template.
-QImage pictureWithin(const QString& url)
+QImage decodeEmbeddedPicture(const QString& url)
 {
     QByteArray bytes = QByteArray::fromBase64(url.mid(url.indexOf(QLatin1Char(',')) + 1).toLatin1());
     QBuffer buffer(&bytes);
@@ -72,7 +72,7 @@ QImage pictureWithin(const QString& url)
 }
 
 /// Loads an image from the folder of the template or a folder below it; refuses all other locations and the network.
-QImage pictureBeside(const QFileInfo& page, const QString& name)
+QImage loadTemplatePicture(const QFileInfo& page, const QString& name)
 {
     const QFileInfo file(page.dir(), name);
     const QString folder = page.dir().canonicalPath() + QLatin1Char('/');
@@ -84,7 +84,7 @@ QImage pictureBeside(const QFileInfo& page, const QString& name)
 }
 
 /// Loads the template's images and replaces the references to them by placeholders.
-core::Status takePictures(ReportTemplate& page, const QString& path)
+core::Status loadPictures(ReportTemplate& page, const QString& path)
 {
     static const QRegularExpression source(QStringLiteral("\\bsrc\\s*=\\s*(?:\"([^\"]*)\"|'([^']*)'|([^\\s\"'>]+))"),
                                            QRegularExpression::CaseInsensitiveOption);
@@ -93,8 +93,8 @@ core::Status takePictures(ReportTemplate& page, const QString& path)
     for (auto found = source.globalMatch(page.html); found.hasNext();) {
         const QRegularExpressionMatch match = found.next();
         const QString name = match.captured(1) + match.captured(2) + match.captured(3);
-        QImage picture =
-            name.startsWith(QLatin1String("data:image/")) ? pictureWithin(name) : pictureBeside(QFileInfo(path), name);
+        QImage picture = name.startsWith(QLatin1String("data:image/")) ? decodeEmbeddedPicture(name)
+                                                                       : loadTemplatePicture(QFileInfo(path), name);
         if (picture.isNull()) {
             return core::Error(messages::reportTemplatePicture(name.left(80).toStdString()));
         }
@@ -114,7 +114,7 @@ const QRegularExpression& markPattern()
 }
 
 /// Checks that the template contains all required placeholders, and none that are unknown and would remain unfilled.
-core::Status checkMarks(const QString& html)
+core::Status checkPlaceholders(const QString& html)
 {
     QStringList found;
     for (auto marks = markPattern().globalMatch(html); marks.hasNext();) {
@@ -157,17 +157,17 @@ core::Result<ReportTemplate> readReportTemplate(const QString& path)
     if (const auto found = fetching.match(page.html); found.hasMatch()) {
         return core::Error(messages::reportTemplateFetches(found.captured().trimmed().toStdString()));
     }
-    if (const auto checked = checkMarks(page.html); !checked) {
+    if (const auto checked = checkPlaceholders(page.html); !checked) {
         return checked.error();
     }
-    if (const auto taken = takePictures(page, path); !taken) {
-        return taken.error();
+    if (const auto loaded = loadPictures(page, path); !loaded) {
+        return loaded.error();
     }
     return page;
 }
 
-QString filledPage(const ReportTemplate& page, const QHash<QString, QString>& parts,
-                   const std::function<QString(std::size_t picture)>& urlOf)
+QString fillTemplate(const ReportTemplate& page, const QHash<QString, QString>& parts,
+                     const std::function<QString(std::size_t picture)>& urlOf)
 {
     QString html;
     qsizetype done = 0;

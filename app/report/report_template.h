@@ -26,7 +26,7 @@ core::Result<ReportTemplate> readReportTemplate(const QString& path);
 
 /// Fills in the template. `parts` maps placeholder names to HTML; placeholders inside the parts are not replaced.
 /// `urlOf` returns the URLs of the template's own images.
-QString filledPage(const ReportTemplate& page, const QHash<QString, QString>& parts,
-                   const std::function<QString(std::size_t picture)>& urlOf);
+QString fillTemplate(const ReportTemplate& page, const QHash<QString, QString>& parts,
+                     const std::function<QString(std::size_t picture)>& urlOf);
 
 }   // namespace angiopose::app

@@ -22,13 +22,15 @@ namespace {
 
 /// Commands that would reveal how good a pose is, show another pose, or export or save the state of the trial.
 constexpr std::array hiddenCommands{
-    ui::Command::Register,         ui::Command::WorstBranch,  ui::Command::Replay,   ui::Command::Swing,
-    ui::Command::NextSolution,     ui::Command::TakeSolution, ui::Command::KeepPose, ui::Command::SwitchPoses,
-    ui::Command::ComparePoses,     ui::Command::Save,         ui::Command::SaveAs,   ui::Command::ExportOverlay,
-    ui::Command::ExportResult,     ui::Command::ExportPose,   ui::Command::Open,     ui::Command::OpenFolder,
-    ui::Command::OpenSample,       ui::Command::BlindTrial,   ui::Command::CopyPose, ui::Command::Landmarks,
-    ui::Command::PlaceByLandmarks, ui::Command::AddView,      ui::Command::NextView, ui::Command::FollowFrames,
-    ui::Command::ExportReport,     ui::Command::CloseCase};
+    ui::Command::Register,     ui::Command::WorstBranch,     ui::Command::Replay,
+    ui::Command::Swing,        ui::Command::NextSolution,    ui::Command::AcceptSolution,
+    ui::Command::TakeSnapshot, ui::Command::ToggleSnapshots, ui::Command::ComparePoses,
+    ui::Command::Save,         ui::Command::SaveAs,          ui::Command::ExportOverlay,
+    ui::Command::ExportResult, ui::Command::ExportPose,      ui::Command::Open,
+    ui::Command::OpenFolder,   ui::Command::OpenSample,      ui::Command::BlindTrial,
+    ui::Command::CopyPose,     ui::Command::Landmarks,       ui::Command::RegisterLandmarks,
+    ui::Command::AddView,      ui::Command::NextView,        ui::Command::TrackVessels,
+    ui::Command::ExportReport, ui::Command::CloseCase};
 
 std::uint64_t nextSeed(const std::vector<core::PoseSnapshot>& snapshots)
 {
@@ -41,20 +43,21 @@ BlindTrialController::BlindTrialController(CaseDocument& document, TargetProvide
                                            QObject* parent)
     : QObject(parent), document_(document), target_(target), ui_(ui)
 {
-    connect(ui_.actions[ui::Command::BlindTrial], &QAction::triggered, this, &BlindTrialController::ask);
-    connect(ui_.actions[ui::Command::TrialDone], &QAction::triggered, this, &BlindTrialController::finish);
+    connect(ui_.actions[ui::Command::BlindTrial], &QAction::triggered, this, &BlindTrialController::openDialog);
+    connect(ui_.actions[ui::Command::FinishTrial], &QAction::triggered, this, &BlindTrialController::finish);
     connect(&ui_.bar, &ui::TrialBar::doneRequested, this, &BlindTrialController::finish);
     connect(&ui_.bar, &ui::TrialBar::abandonRequested, this, &BlindTrialController::abandon);
-    connect(&judge_, &JudgeJob::judged, this, [this](const SharedJudgement& judgement) { keep(judgement->result); });
-    ui_.actions[ui::Command::TrialDone]->setEnabled(false);
+    connect(&evaluationJob_, &EvaluationJob::evaluated, this,
+            [this](const SharedEvaluation& evaluation) { addSnapshot(evaluation->result); });
+    ui_.actions[ui::Command::FinishTrial]->setEnabled(false);
 }
 
-void BlindTrialController::ask()
+void BlindTrialController::openDialog()
 {
     const core::Case& current = document_.current();
     if (!current.vessels.tree || !current.shown().angiogram || !core::initialPoseOf(current) || document_.isLocked()) {
         emit failed(
-            tr("A blind trial needs vessels, an angiogram and an initial pose, and no registration may be running."));
+            tr("A blind trial requires vessels, an angiogram and an initial pose. No registration may be running."));
         return;
     }
     ui::BlindTrialSetup suggested;
@@ -99,8 +102,8 @@ void BlindTrialController::start(const ui::BlindTrialSetup& setup)
     trial_.pivotInPatient = core::centroidInPatient(*current.vessels.tree);
     trial_.initialPose =
         core::uniformlyDisplaced(trial_.centerPose, trial_.pivotInPatient, setup.rangeDeg, setup.rangeMm, random);
-    document_.beginTrial(std::make_unique<HideWhatIsKnown>(
-        document_, HideWhatIsKnown::Values{trial_.initialPose, trial_.initialPose, std::nullopt, {}, {}},
+    document_.beginTrial(std::make_unique<StartBlindTrial>(
+        document_, StartBlindTrial::Values{trial_.initialPose, trial_.initialPose, std::nullopt, {}, {}},
         [] { return tr("Blind trial"); }));
     showRunning(true);
     if (QAction* nudge = ui_.actions[ui::Command::Nudge]; !nudge->isChecked()) {
@@ -135,7 +138,7 @@ void BlindTrialController::end(bool isAbandoned)
     emit ended();
     log(trial_);
     if (!isAbandoned) {
-        judge(trial_);
+        evaluate(trial_);
     }
 }
 
@@ -149,11 +152,11 @@ void BlindTrialController::showRunning(bool running)
     for (const ui::Command command : hiddenCommands) {
         ui_.actions[command]->setEnabled(!running);
     }
-    ui_.actions[ui::Command::TrialDone]->setEnabled(running);
+    ui_.actions[ui::Command::FinishTrial]->setEnabled(running);
     if (running) {
         ui_.actions[ui::Command::Landmarks]->setChecked(false);
     }
-    for (QWidget* part : ui_.informative) {
+    for (QWidget* part : ui_.verdictWidgets) {
         part->setVisible(!running);
     }
 }
@@ -176,21 +179,21 @@ void BlindTrialController::log(const io::ObserverTrial& trial)
         });
 }
 
-void BlindTrialController::judge(const io::ObserverTrial& trial)
+void BlindTrialController::evaluate(const io::ObserverTrial& trial)
 {
     const bool isSameFrame = target_.current() && trial.frame == document_.current().shown().frame;
     auto input = isSameFrame ? core::registrationInputOf(document_.current(), *target_.current())
                              : core::Result<core::RegistrationInput>(core::Error(messages::notShown()));
     if (input) {
-        judge_.request({std::move(input).value(), trial.finalPose});
+        evaluationJob_.request({std::move(input).value(), trial.finalPose});
         return;
     }
     core::RegistrationResult unjudged;
     unjudged.cameraFromPatient = trial.finalPose;
-    keep(unjudged);
+    addSnapshot(unjudged);
 }
 
-void BlindTrialController::keep(const core::RegistrationResult& judged)
+void BlindTrialController::addSnapshot(const core::RegistrationResult& evaluated)
 {
     if (document_.state().caseNumber != caseNumber_ || document_.isInTrial()) {
         return;   // too late for a snapshot, but the trial log already contains the result
@@ -205,9 +208,9 @@ void BlindTrialController::keep(const core::RegistrationResult& judged)
                         .arg(trial_.editCount)
                         .toStdString();
     snapshot.frame = trial_.frame;
-    snapshot.cameraFromPatient = judged.cameraFromPatient;
-    if (judged.metrics.medianPx > 0.0) {
-        snapshot.metrics = core::metricsOf(judged);
+    snapshot.cameraFromPatient = evaluated.cameraFromPatient;
+    if (evaluated.metrics.medianPx > 0.0) {
+        snapshot.metrics = core::metricsOf(evaluated);
     }
     document_.push(std::make_unique<ChangeSnapshots>(
         document_,

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "app/document/case_document.h"
+#include "app/jobs/evaluation_job.h"
 #include "app/jobs/file_queue.h"
-#include "app/jobs/judge_job.h"
 #include "app/registration/target_provider.h"
 #include "io/observer_log.h"
 #include "ui/dialogs/blind_trial_dialog.h"
@@ -30,12 +30,12 @@ public:
     struct Ui {
         ui::WindowActions& actions;
         ui::TrialBar& bar;
-        std::vector<QWidget*> informative;   ///< widgets that show how good a pose is; hidden during a trial
+        std::vector<QWidget*> verdictWidgets;   ///< widgets that show how good a pose is; hidden during a trial
         QWidget& dialogParent;
     };
     BlindTrialController(CaseDocument& document, TargetProvider& target, const Ui& ui, QObject* parent = nullptr);
 
-    void ask();
+    void openDialog();
     void start(const ui::BlindTrialSetup& setup);
     void finish();
     void abandon();
@@ -52,8 +52,8 @@ private:
     void end(bool isAbandoned);
     void showRunning(bool running);
     void log(const io::ObserverTrial& trial);
-    void judge(const io::ObserverTrial& trial);
-    void keep(const core::RegistrationResult& judged);
+    void evaluate(const io::ObserverTrial& trial);
+    void addSnapshot(const core::RegistrationResult& evaluated);
 
     CaseDocument& document_;
     TargetProvider& target_;
@@ -62,7 +62,7 @@ private:
     io::ObserverTrial trial_;
     int caseNumber_ = 0;
     QElapsedTimer clock_;
-    JudgeJob judge_;
+    EvaluationJob evaluationJob_;
     FileQueue files_;
 };
 

@@ -12,7 +12,7 @@ namespace {
 
 using ui::Command;
 
-constexpr int longestSidePx = 256;   // low resolution suffices, because the detector is a small part of the view
+constexpr int maxSidePx = 256;   // low resolution suffices, because the detector is a small part of the view
 
 /// Computes DRRs of the scan; the first call prepares the data. Not thread-safe: one worker at a time.
 class Source {
@@ -26,7 +26,7 @@ public:
     core::ImageF from(const core::RigidTransform& cameraFromPatient)
     {
         if (!body_) {
-            body_.emplace(*scan_, camera_, longestSidePx);
+            body_.emplace(*scan_, camera_, maxSidePx);
             scan_.reset();
         }
         core::ImageF picture = body_->from(cameraFromPatient);
@@ -50,15 +50,15 @@ DetectorDrrController::DetectorDrrController(const CaseDocument& document, const
     wanted->setChecked(settings::scanOnDetector.read());
     connect(wanted, &QAction::toggled, this, [this](bool on) {
         settings::scanOnDetector.write(on);
-        follow();
+        updateFromDocument();
     });
-    connect(&document, &CaseDocument::changed, this, &DetectorDrrController::follow);
+    connect(&document, &CaseDocument::changed, this, &DetectorDrrController::updateFromDocument);
     connect(&sync, &ViewSync::poseShown, this,
             [this](const core::RigidTransform& cameraFromPatient) { job_.request(cameraFromPatient); });
-    follow();
+    updateFromDocument();
 }
 
-void DetectorDrrController::follow()
+void DetectorDrrController::updateFromDocument()
 {
     const core::Case& current = document_.current();
     const auto known = core::cameraOf(current.shown());
@@ -87,7 +87,7 @@ void DetectorDrrController::follow()
 
 void DetectorDrrController::show(const core::ImageF& drr)
 {
-    ui_.treeView.scene().setDetectorPicture(drr);
+    ui_.treeView.scene().setDetectorImage(drr);
     ui_.treeView.requestRender();
 }
 

@@ -31,7 +31,7 @@ public:
     DetectorDrrController(const CaseDocument& document, const ViewSync& sync, const Ui& ui, QObject* parent = nullptr);
 
 private:
-    void follow();
+    void updateFromDocument();
     void show(const core::ImageF& drr);
 
     const CaseDocument& document_;

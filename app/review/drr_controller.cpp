@@ -6,32 +6,32 @@
 #include "ui/words/message_text.h"
 
 namespace angiopose::app {
-DrrController::DrrController(const Parts& parts, QObject* parent) : QObject(parent), on_(parts)
+DrrController::DrrController(const Parts& parts, QObject* parent) : QObject(parent), parts_(parts)
 {
-    connect(&on_.look, &LookController::drrWanted, this, &DrrController::setWanted);
-    connect(&on_.document, &CaseDocument::changed, this, &DrrController::followDocument);
-    connect(&on_.target, &TargetProvider::changed, this, &DrrController::followDocument);
-    connect(&on_.sync, &ViewSync::poseShown, this, [this](const core::RigidTransform& cameraFromPatient) {
+    connect(&parts_.look, &OverlayStyleController::drrRequested, this, &DrrController::setWanted);
+    connect(&parts_.document, &CaseDocument::changed, this, &DrrController::updateFromDocument);
+    connect(&parts_.target, &TargetProvider::changed, this, &DrrController::updateFromDocument);
+    connect(&parts_.sync, &ViewSync::poseShown, this, [this](const core::RigidTransform& cameraFromPatient) {
         if (isWanted_ && isReady_) {
             job_.request(cameraFromPatient);
         }
     });
-    connect(&job_, &DrrJob::made, this, [this](const core::ImageF& picture) {
+    connect(&job_, &DrrJob::rendered, this, [this](const core::ImageF& picture) {
         if (isWanted_) {
             show(picture);
         }
     });
     connect(&job_, &DrrJob::failed, this,
-            [this](const core::Message& reason) { on_.strip.showStatus(ui::messageText(reason)); });
+            [this](const core::Message& reason) { parts_.strip.showStatus(ui::messageText(reason)); });
 }
 
 void DrrController::setWanted(bool wanted)
 {
     isWanted_ = wanted;
     if (wanted) {
-        followDocument();
+        updateFromDocument();
         if (isReady_) {
-            job_.request(on_.document.current().shown().cameraFromPatient);
+            job_.request(parts_.document.current().shown().cameraFromPatient);
         }
     } else {
         clear();
@@ -47,9 +47,9 @@ void DrrController::clear()
     show({});
 }
 
-void DrrController::followDocument()
+void DrrController::updateFromDocument()
 {
-    const core::Case& current = on_.document.current();
+    const core::Case& current = parts_.document.current();
     const auto camera = core::cameraOf(current.shown());
     const std::optional<core::ProjectionCamera> known = camera ? std::optional(camera.value()) : std::nullopt;
     const bool isSame = isReady_ && current.vessels.tree == tree_ && current.vessels.scan == volume_ &&
@@ -57,10 +57,10 @@ void DrrController::followDocument()
     if (isReady_ && !(current.vessels.tree && current.shown().angiogram)) {
         clear();
     }
-    if (!isWanted_ || isSame || !on_.target.current()) {
+    if (!isWanted_ || isSame || !parts_.target.current()) {
         return;
     }
-    auto input = core::registrationInputOf(current, *on_.target.current());
+    auto input = core::registrationInputOf(current, *parts_.target.current());
     if (!input) {
         clear();
         return;
@@ -76,8 +76,8 @@ void DrrController::followDocument()
 
 void DrrController::show(const core::ImageF& picture)
 {
-    on_.view.scene().setDrr(picture);
-    on_.view.redraw();
+    parts_.view.scene().setDrr(picture);
+    parts_.view.redraw();
 }
 
 }   // namespace angiopose::app

@@ -2,7 +2,7 @@
 
 #include "app/jobs/drr_job.h"
 #include "app/registration/target_provider.h"
-#include "app/review/look_controller.h"
+#include "app/review/overlay_style_controller.h"
 #include "app/showing/view_sync.h"
 
 #include <QObject>
@@ -23,7 +23,7 @@ public:
         const CaseDocument& document;
         const TargetProvider& target;
         const ViewSync& sync;
-        const LookController& look;
+        const OverlayStyleController& look;
         ui::AngiogramView& view;
         ui::BottomStrip& strip;
     };
@@ -31,11 +31,11 @@ public:
 
 private:
     void setWanted(bool wanted);
-    void followDocument();
+    void updateFromDocument();
     void clear();   ///< releases all data of the case, which may be closed
     void show(const core::ImageF& picture);
 
-    Parts on_;
+    Parts parts_;
     DrrJob job_;
     bool isWanted_ = false;
     bool isReady_ = false;   ///< the job holds the inputs described by the members below

@@ -17,83 +17,83 @@ namespace angiopose::app {
 
 MovieController::MovieController(const Parts& parts, QObject* parent)
     : QObject(parent),
-      on_(parts),
+      parts_(parts),
       job_({[this](const QString& path) {
-                on_.strip.showIdle(tr("Ready"));
-                on_.notifications.showNote(tr("Saved: %1").arg(QFileInfo(path).fileName()));
+                parts_.strip.showIdle(tr("Ready"));
+                parts_.notifications.showNote(tr("Saved: %1").arg(QFileInfo(path).fileName()));
                 emit written(path);
             },
             [this](const core::Error& error) {
-                on_.strip.showIdle(tr("Ready"));
-                if (error.isStop()) {
-                    on_.notifications.showNote(ui::messageText(error.message));
+                parts_.strip.showIdle(tr("Ready"));
+                if (error.isCancellation()) {
+                    parts_.notifications.showNote(ui::messageText(error.message));
                 } else {
-                    on_.notifications.showProblem(tr("Could not export"), ui::messageText(error.message));
+                    parts_.notifications.showProblem(tr("Could not export"), ui::messageText(error.message));
                 }
             },
             [this](double fraction) {
-                on_.strip.showProgress(tr("Writing the movie: %1 %").arg(ui::numberText(100.0 * fraction, 0)),
-                                       fraction);
+                parts_.strip.showProgress(tr("Writing the movie: %1 %").arg(ui::numberText(100.0 * fraction, 0)),
+                                          fraction);
             }})
 {
-    connect(on_.actions[ui::Command::ExportMovie], &QAction::triggered, this, &MovieController::ask);
-    connect(&on_.strip, &ui::BottomStrip::stopRequested, this, [this] { job_.requestStop(); });
+    connect(parts_.actions[ui::Command::ExportMovie], &QAction::triggered, this, &MovieController::openDialog);
+    connect(&parts_.strip, &ui::BottomStrip::stopRequested, this, [this] { job_.requestStop(); });
 }
 
-void MovieController::ask()
+void MovieController::openDialog()
 {
-    const core::Case& current = on_.document.current();
+    const core::Case& current = parts_.document.current();
     if (!current.vessels.tree || !current.shown().angiogram) {
-        on_.notifications.showNote(tr("Open vessels and an angiogram first."));
+        parts_.notifications.showNote(tr("Open vessels and an angiogram first."));
         return;
     }
-    if (job_.isRunning() || on_.document.isLocked()) {
-        on_.notifications.showNote(tr("Another task is running. Wait for it to finish."));
+    if (job_.isRunning() || parts_.document.isLocked()) {
+        parts_.notifications.showNote(tr("Another task is running. Wait for it to finish."));
         return;
     }
     const auto& result = current.shown().result;
-    ui::MovieOffer offer{current.shown().angiogram->frameCount() > 1, result && !result->history.empty(),
-                         [this](ui::MoviePart part) { return usualPerSecond(part); },
-                         [this](const ui::MovieChoice& choice) { return outcomeOf(choice); }};
-    auto* dialog = new ui::MovieDialog(std::move(offer), &on_.dialogParent);
-    ui::MovieChoice usual;
+    ui::AvailableMovies offer{current.shown().angiogram->frameCount() > 1, result && !result->history.empty(),
+                              [this](ui::MoviePart part) { return defaultFrameRate(part); },
+                              [this](const ui::MovieOptions& choice) { return outcomeOf(choice); }};
+    auto* dialog = new ui::MovieDialog(std::move(offer), &parts_.dialogParent);
+    ui::MovieOptions usual;
     usual.format = settings::movieIsGif.read() ? ui::MovieFormat::Gif : ui::MovieFormat::Mp4;
     usual.widthPx = settings::movieWidthPx.read();
-    usual.english = settings::exportEnglish.read() ? ui::Choice::On : ui::Choice::Off;
-    usual.residualColors = settings::exportResiduals.read() ? ui::Choice::On : ui::Choice::Off;
+    usual.english = settings::exportEnglish.read() ? ui::Toggle::On : ui::Toggle::Off;
+    usual.residualColors = settings::exportResiduals.read() ? ui::Toggle::On : ui::Toggle::Off;
     dialog->showChoice(usual);
     connect(dialog, &ui::MovieDialog::chosen, this, &MovieController::askFile,
             Qt::QueuedConnection);   // queued: this dialog closes before the next one opens
     dialog->open();
 }
 
-void MovieController::askFile(const ui::MovieChoice& choice)
+void MovieController::askFile(const ui::MovieOptions& choice)
 {
     const bool isGif = choice.format == ui::MovieFormat::Gif;
     settings::movieIsGif.write(isGif);
     settings::movieWidthPx.write(choice.widthPx);
-    settings::exportEnglish.write(choice.english == ui::Choice::On);
+    settings::exportEnglish.write(choice.english == ui::Toggle::On);
     const ExportController::FileQuestion question{tr("Export movie"),
                                                   isGif ? tr("GIF movies (*.gif)") : tr("MP4 movies (*.mp4)"),
                                                   isGif ? QStringLiteral("gif") : QStringLiteral("mp4")};
-    on_.exporting.askPath(question, [this, choice](const QString& path) { start(choice, path); });
+    parts_.exporting.askPath(question, [this, choice](const QString& path) { start(choice, path); });
 }
 
-void MovieController::start(const ui::MovieChoice& choice, const QString& path)
+void MovieController::start(const ui::MovieOptions& choice, const QString& path)
 {
-    if (!on_.document.current().vessels.tree || !on_.document.current().shown().angiogram) {
+    if (!parts_.document.current().vessels.tree || !parts_.document.current().shown().angiogram) {
         return;   // the case was closed or changed while the dialog was open
     }
-    ui::ExportChoice look;
+    ui::OverlayExportOptions look;
     look.widthPx = choice.widthPx;
     look.residualColors = choice.residualColors;
     look.identity = choice.identity;
     look.english = choice.english;
-    look.cutout = ui::Choice::On;   // swipe and lens are drawn as in the window
-    OverlayPictureOptions options = on_.exporting.lookOf(look);
-    const auto target = on_.target.current();
-    on_.strip.showBusy(tr("Writing the movie…"));
-    job_.start([snapshot = outgoingCase(on_.document.current()), target, options, plan = planOf(choice),
+    look.cutout = ui::Toggle::On;   // swipe and lens are drawn as in the window
+    OverlayImageOptions options = parts_.exporting.overlayOptions(look);
+    const auto target = parts_.target.current();
+    parts_.strip.showBusy(tr("Writing the movie…"));
+    job_.start([snapshot = caseForExport(parts_.document.current()), target, options, plan = makePlan(choice),
                 path](JobLink<double>& link) -> core::Result<QString> {
         const auto written = writeMovie(snapshot, target ? *target : core::Centerline2d{}, options, plan,
                                         path.toStdString(), [&link](double fraction) { return link.tell(fraction); });
@@ -101,47 +101,47 @@ void MovieController::start(const ui::MovieChoice& choice, const QString& path)
     });
 }
 
-MoviePlan MovieController::planOf(const ui::MovieChoice& choice) const
+MoviePlan MovieController::makePlan(const ui::MovieOptions& choice) const
 {
     MoviePlan plan;
     plan.content = static_cast<MovieContent>(choice.part);
-    plan.frames = on_.cine.loop();
-    plan.order = on_.cine.order();
-    plan.followed = on_.follow.frames();
+    plan.frames = parts_.cine.loop();
+    plan.order = parts_.cine.order();
+    plan.followed = parts_.follow.frames();
     plan.framesPerSecond = choice.framesPerSecond;
     return plan;
 }
 
-double MovieController::usualPerSecond(ui::MoviePart part) const
+double MovieController::defaultFrameRate(ui::MoviePart part) const
 {
-    const auto& run = on_.document.current().shown().angiogram;
+    const auto& run = parts_.document.current().shown().angiogram;
     switch (part) {
         case ui::MoviePart::Convergence:
-            return convergencePerSecond;
-        case ui::MoviePart::Turn:
-            return turnPerSecond;
+            return convergenceFramesPerSecond;
+        case ui::MoviePart::Rotation:
+            return rotationFramesPerSecond;
         case ui::MoviePart::Run:
             break;
     }
-    return run ? framesPerSecondOf(*run) * on_.cine.speed() : turnPerSecond;
+    return run ? framesPerSecondOf(*run) * parts_.cine.speed() : rotationFramesPerSecond;
 }
 
-ui::MovieOffer::Outcome MovieController::outcomeOf(const ui::MovieChoice& choice) const
+ui::AvailableMovies::Outcome MovieController::outcomeOf(const ui::MovieOptions& choice) const
 {
-    const core::Case& current = on_.document.current();
-    const MoviePlan plan = planOf(choice);
+    const core::Case& current = parts_.document.current();
+    const MoviePlan plan = makePlan(choice);
     const MovieLength length = lengthOf(current, plan);
     const int height = static_cast<int>(std::lround(choice.widthPx * aspectOf(current, plan)));
     const auto kind = choice.format == ui::MovieFormat::Gif ? io::MovieKind::Gif : io::MovieKind::Mp4;
     const auto problem = io::findProblem(kind, {choice.widthPx, height});
-    return {length.pictures,
+    return {length.imageCount,
             length.seconds,
             {choice.widthPx, height},
-            wordsOf(plan),
+            describePlan(plan),
             problem ? ui::messageText(*problem) : QString()};
 }
 
-QString MovieController::wordsOf(const MoviePlan& plan) const
+QString MovieController::describePlan(const MoviePlan& plan) const
 {
     if (plan.content != MovieContent::Run) {
         return {};
@@ -149,7 +149,7 @@ QString MovieController::wordsOf(const MoviePlan& plan) const
     const QString frames =
         plan.order == core::CineOrder::BackAndForth ? tr("Frames %1 to %2, back and forth") : tr("Frames %1 to %2");
     return frames.arg(plan.frames.first + 1).arg(plan.frames.last + 1) + QStringLiteral(" · ") +
-           (plan.followed.empty() ? tr("pose of this frame for all") : tr("each with its tracked pose"));
+           (plan.followed.empty() ? tr("pose of this frame for all frames") : tr("tracked pose of each frame"));
 }
 
 }   // namespace angiopose::app

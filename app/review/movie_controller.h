@@ -3,7 +3,7 @@
 #include "app/document/case_document.h"
 #include "app/files/export_controller.h"
 #include "app/jobs/job.h"
-#include "app/review/follow_controller.h"
+#include "app/review/tracking_controller.h"
 #include "app/showing/cine_controller.h"
 #include "app/showing/notifications.h"
 #include "app/texts/movie.h"
@@ -22,7 +22,7 @@ public:
         CaseDocument& document;
         TargetProvider& target;
         ExportController& exporting;
-        const FollowController& follow;
+        const TrackingController& follow;
         const CineController& cine;
         Notifications& notifications;
         ui::WindowActions& actions;
@@ -37,15 +37,15 @@ signals:
     void written(const QString& path);
 
 private:
-    void ask();
-    void askFile(const ui::MovieChoice& choice);
-    void start(const ui::MovieChoice& choice, const QString& path);
-    MoviePlan planOf(const ui::MovieChoice& choice) const;
-    double usualPerSecond(ui::MoviePart part) const;
-    ui::MovieOffer::Outcome outcomeOf(const ui::MovieChoice& choice) const;
-    QString wordsOf(const MoviePlan& plan) const;
+    void openDialog();
+    void askFile(const ui::MovieOptions& choice);
+    void start(const ui::MovieOptions& choice, const QString& path);
+    MoviePlan makePlan(const ui::MovieOptions& choice) const;
+    double defaultFrameRate(ui::MoviePart part) const;
+    ui::AvailableMovies::Outcome outcomeOf(const ui::MovieOptions& choice) const;
+    QString describePlan(const MoviePlan& plan) const;
 
-    Parts on_;
+    Parts parts_;
     Job<QString> job_;
 };
 

@@ -28,76 +28,77 @@ QString matrixText(const core::RigidTransform& transform)
 }   // namespace
 
 PoseGestures::PoseGestures(const Parts& parts, QObject* parent)
-    : QObject(parent), on_(parts), tool_(new ui::NudgeTool(parts.view))
+    : QObject(parent), parts_(parts), tool_(new ui::NudgeTool(parts.view))
 {
     connectPanel();
     connectTool();
-    connect(&on_.pose, &PoseController::previewed, this, &PoseGestures::preview);
-    connect(&on_.pose, &PoseController::previewEnded, this, &PoseGestures::endPreview);
-    connect(&on_.pose, &PoseController::refused, &on_.notifications, &Notifications::showNote);
+    connect(&parts_.pose, &PoseController::previewed, this, &PoseGestures::preview);
+    connect(&parts_.pose, &PoseController::previewEnded, this, &PoseGestures::endPreview);
+    connect(&parts_.pose, &PoseController::refused, &parts_.notifications, &Notifications::showNote);
 }
 
 void PoseGestures::show()
 {
-    on_.panel.showOffset(on_.pose.currentOffset());
-    on_.panel.showLocks(on_.pose.locks());
+    parts_.panel.showOffset(parts_.pose.currentOffset());
+    parts_.panel.showLocks(parts_.pose.locks());
 }
 
 void PoseGestures::connectPanel()
 {
-    const ui::PosePanel& panel = on_.panel;
-    connect(&panel, &ui::PosePanel::offsetEdited, &on_.pose, &PoseController::setOffset);
-    connect(&panel, &ui::PosePanel::locksEdited, &on_.pose, &PoseController::setLocks);
-    connect(&panel, &ui::PosePanel::resetRequested, &on_.pose, &PoseController::reset);
-    connect(&on_.registration, &ui::RegistrationPanel::allViewsToggled, &on_.pose, &PoseController::setMovesAllViews);
-    const ui::WindowActions& actions = on_.actions;
-    connect(actions[ui::Command::ResetPose], &QAction::triggered, &on_.pose, &PoseController::reset);
+    const ui::PosePanel& panel = parts_.panel;
+    connect(&panel, &ui::PosePanel::offsetEdited, &parts_.pose, &PoseController::setOffset);
+    connect(&panel, &ui::PosePanel::locksEdited, &parts_.pose, &PoseController::setLocks);
+    connect(&panel, &ui::PosePanel::resetRequested, &parts_.pose, &PoseController::reset);
+    connect(&parts_.registration, &ui::RegistrationPanel::allViewsToggled, &parts_.pose,
+            &PoseController::setMovesAllViews);
+    const ui::WindowActions& actions = parts_.actions;
+    connect(actions[ui::Command::ResetPose], &QAction::triggered, &parts_.pose, &PoseController::reset);
     connect(actions[ui::Command::CopyPose], &QAction::triggered, this, &PoseGestures::copyMatrix);
 }
 
 void PoseGestures::connectTool()
 {
-    QAction* nudge = on_.actions[ui::Command::Nudge];
-    ui::bindTool(*nudge, on_.view, *tool_);
+    QAction* nudge = parts_.actions[ui::Command::Nudge];
+    ui::bindTool(*nudge, parts_.view, *tool_);
     connect(nudge, &QAction::toggled, this, &PoseGestures::showNudgeMode);
     connect(tool_, &ui::NudgeTool::keyNudged, this, [this](const ui::Nudge& step) {
-        on_.review.stopMotion();
-        on_.panel.setActiveAxis(step.axis);
-        on_.pose.nudge(step);
+        parts_.review.stopMotion();
+        parts_.panel.setActiveAxis(step.axis);
+        parts_.pose.nudge(step);
     });
-    connect(tool_, &ui::NudgeTool::dragStarted, &on_.pose, &PoseController::startDrag);
-    connect(tool_, &ui::NudgeTool::dragged, &on_.pose, &PoseController::drag);
-    connect(tool_, &ui::NudgeTool::dragFinished, &on_.pose, &PoseController::finishDrag);
-    connect(tool_, &ui::NudgeTool::dragCancelled, &on_.pose, &PoseController::cancelDrag);
+    connect(tool_, &ui::NudgeTool::dragStarted, &parts_.pose, &PoseController::startDrag);
+    connect(tool_, &ui::NudgeTool::dragged, &parts_.pose, &PoseController::drag);
+    connect(tool_, &ui::NudgeTool::dragFinished, &parts_.pose, &PoseController::finishDrag);
+    connect(tool_, &ui::NudgeTool::dragCancelled, &parts_.pose, &PoseController::cancelDrag);
 }
 
 void PoseGestures::showNudgeMode(bool on)
 {
-    on_.review.stopMotion();
-    on_.panel.showNudgeMode(on);
-    on_.panel.setActiveAxis(std::nullopt);
-    on_.notifications.showNote(on ? tr("Nudge mode: arrow keys move, drag moves or rolls, N exits")
-                                  : tr("Nudge mode off"));
+    parts_.review.stopMotion();
+    parts_.panel.showNudgeMode(on);
+    parts_.panel.setActiveAxis(std::nullopt);
+    parts_.notifications.showNote(on ? tr("Nudge mode: arrow keys move, drag moves or rolls, N exits")
+                                     : tr("Nudge mode off"));
 }
 
 void PoseGestures::preview(const core::RigidTransform& pose)
 {
-    on_.preview.show(PreviewOf::Drag, pose, ResidualColors::Kept);
-    on_.panel.showOffset(on_.pose.currentOffset());
-    on_.judgement.judge(pose);
+    parts_.preview.show(PreviewSource::Drag, pose, ResidualColors::Kept);
+    parts_.panel.showOffset(parts_.pose.currentOffset());
+    parts_.evaluation.evaluate(pose);
 }
 
 void PoseGestures::endPreview()
 {
-    on_.preview.end(PreviewOf::Drag);
-    on_.panel.showOffset(on_.pose.currentOffset());
-    on_.judgement.judge(on_.document.current().shown().cameraFromPatient);
+    parts_.preview.end(PreviewSource::Drag);
+    parts_.panel.showOffset(parts_.pose.currentOffset());
+    parts_.evaluation.evaluate(parts_.document.current().shown().cameraFromPatient);
 }
 
 void PoseGestures::copyMatrix()
 {
-    QGuiApplication::clipboard()->setText(matrixText(on_.document.current().shown().cameraFromPatient));
-    on_.notifications.showNote(tr("Copied: camera-from-patient matrix, 4 × 4, mm"));
+    QGuiApplication::clipboard()->setText(matrixText(parts_.document.current().shown().cameraFromPatient));
+    parts_.notifications.showNote(tr("Copied: patient-to-camera matrix, 4 × 4, mm"));
 }
 
 }   // namespace angiopose::app

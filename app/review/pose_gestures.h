@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/editing/pose_controller.h"
-#include "app/review/judgement_controller.h"
+#include "app/review/evaluation_controller.h"
 #include "app/showing/notifications.h"
 #include "app/showing/pose_preview.h"
 #include "app/showing/review_controller.h"
@@ -27,7 +27,7 @@ public:
         const CaseDocument& document;
         PoseController& pose;
         ReviewController& review;
-        JudgementController& judgement;
+        EvaluationController& evaluation;
         PosePreview& preview;
         Notifications& notifications;
         ui::WindowActions& actions;
@@ -47,7 +47,7 @@ private:
     void endPreview();
     void copyMatrix();
 
-    Parts on_;
+    Parts parts_;
     ui::NudgeTool* tool_;   ///< owned by the view
 };
 

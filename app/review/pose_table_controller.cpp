@@ -20,7 +20,7 @@ constexpr int seriesBursts =
     1 << 22;   ///< offset that separates the undo-merge ids of method series from those of poses and frames
 
 /// Default methods of the comparison: that of AngioPose, a classic one, and the standard reference in the literature.
-const std::vector<std::string> usualMethods{"angiopose", "dt-icp", "iterative-pnp"};
+const std::vector<std::string> defaultComparedMethods{"angiopose", "dt-icp", "iterative-pnp"};
 
 }   // namespace
 
@@ -32,13 +32,13 @@ PoseTableController::PoseTableController(CaseDocument& document, TargetProvider&
       snapshots_(snapshots),
       exporting_(exporting),
       ui_(ui),
-      chosen_(usualMethods)
+      methodIds_(defaultComparedMethods)
 {
     connect(ui_.actions[ui::Command::ComparePoses], &QAction::triggered, this, &PoseTableController::open);
     connect(&ui_.panel, &ui::SnapshotPanel::compareRequested, this, &PoseTableController::open);
     connect(&document_, &CaseDocument::changed, this, &PoseTableController::refresh);
-    connect(&snapshots_, &SnapshotController::poseWasJudged, this, &PoseTableController::refresh);
-    connect(&document_, &CaseDocument::stateChanged, this, &PoseTableController::flush);
+    connect(&snapshots_, &SnapshotController::poseEvaluated, this, &PoseTableController::refresh);
+    connect(&document_, &CaseDocument::stateChanged, this, &PoseTableController::storePending);
     connectJob();
 }
 
@@ -51,7 +51,7 @@ void PoseTableController::open()
     if (!table_) {
         table_ = new ui::PoseTable(&ui_.dialogParent);
         connectTable();
-        table_->showChosenMethods(chosen_);
+        table_->showChosenMethods(methodIds_);
         refresh();
     }
     table_->show();
@@ -69,7 +69,7 @@ void PoseTableController::close()
 void PoseTableController::connectTable()
 {
     ui::PoseTable* table = table_;
-    connect(table, &ui::PoseTable::wasPicked, &snapshots_, &SnapshotController::show);
+    connect(table, &ui::PoseTable::snapshotPicked, &snapshots_, &SnapshotController::show);
     connect(table, &ui::PoseTable::restoreRequested, &snapshots_, &SnapshotController::restore);
     connect(table, &ui::PoseTable::removeRequested, &snapshots_, &SnapshotController::remove);
     connect(table, &ui::PoseTable::textEdited, &snapshots_, &SnapshotController::change,
@@ -81,10 +81,10 @@ void PoseTableController::connectTable()
         referenceId_ = snapshotId;
         refresh();
     });
-    connect(table, &QDialog::finished, &snapshots_, &SnapshotController::showItself);
+    connect(table, &QDialog::finished, &snapshots_, &SnapshotController::showCurrentPose);
 }
 
-std::vector<core::PoseSnapshot> PoseTableController::listed() const
+std::vector<core::PoseSnapshot> PoseTableController::tableEntries() const
 {
     const core::Case& current = document_.current();
     core::PoseSnapshot itself;
@@ -106,7 +106,7 @@ void PoseTableController::refresh()
     if (!table_ || !document_.current().vessels.tree) {
         return;
     }
-    const std::vector<core::PoseSnapshot> all = listed();
+    const std::vector<core::PoseSnapshot> all = tableEntries();
     const core::PoseSnapshot* reference = core::findSnapshot(all, referenceId_);
     if (!reference) {
         referenceId_ = 0;
@@ -115,8 +115,9 @@ void PoseTableController::refresh()
     const Eigen::Vector3d pivot = core::centroidInPatient(*document_.current().vessels.tree);
     std::vector<ui::PoseRow> rows;
     rows.reserve(all.size());
-    for (const core::PoseSnapshot& each : all) {
-        rows.push_back({each, core::differenceBetween(reference->cameraFromPatient, each.cameraFromPatient, pivot)});
+    for (const core::PoseSnapshot& snapshot : all) {
+        rows.push_back(
+            {snapshot, core::differenceBetween(reference->cameraFromPatient, snapshot.cameraFromPatient, pivot)});
     }
     table_->showRows(rows, referenceId_);
 }
@@ -138,7 +139,7 @@ void PoseTableController::run(const std::vector<std::string>& methodIds)
         return;
     }
     origin_ = {document_.state().caseNumber, current.vessels.tree, current.shown().angiogram, current.shown().frame};
-    chosen_ = methodIds;
+    methodIds_ = methodIds;
     failures_.clear();
     solvedCount_ = 0;
     ++burst_;
@@ -150,26 +151,26 @@ void PoseTableController::connectJob()
 {
     connect(&job_, &MethodSeriesJob::advanced, this, [this](const QString& methodId, double progress) {
         if (table_ && job_.isRunning()) {
-            table_->showRun(ui::methodWords(methodId.toStdString()), progress);
+            table_->showRun(ui::methodName(methodId.toStdString()), progress);
         }
     });
-    connect(&job_, &MethodSeriesJob::solved, this, &PoseTableController::take);
+    connect(&job_, &MethodSeriesJob::solved, this, &PoseTableController::addResult);
     connect(&job_, &MethodSeriesJob::failed, this, [this](const QString& methodId, const core::Message& reason) {
-        failures_ << tr("%1: %2").arg(ui::methodWords(methodId.toStdString()), ui::messageText(reason));
+        failures_ << tr("%1: %2").arg(ui::methodName(methodId.toStdString()), ui::messageText(reason));
     });
     connect(&job_, &MethodSeriesJob::ended, this, &PoseTableController::finish);
 }
 
-void PoseTableController::take(const core::RegistrationResult& result)
+void PoseTableController::addResult(const core::RegistrationResult& result)
 {
-    waiting_.push_back(snapshotOfRun(result, origin_.frame));
+    pending_.push_back(snapshotOfRun(result, origin_.frame));
     ++solvedCount_;
-    flush();
+    storePending();
 }
 
-void PoseTableController::flush()
+void PoseTableController::storePending()
 {
-    if (waiting_.empty() || document_.isLocked() || document_.isInTrial()) {
+    if (pending_.empty() || document_.isLocked() || document_.isInTrial()) {
         return;
     }
     const core::Case& current = document_.current();
@@ -177,7 +178,7 @@ void PoseTableController::flush()
                            current.vessels.tree == origin_.tree.lock() &&
                            current.shown().angiogram == origin_.angiogram.lock();
     std::vector<core::PoseSnapshot> snapshots = current.shown().snapshots;
-    for (core::PoseSnapshot& solved : std::exchange(waiting_, {})) {
+    for (core::PoseSnapshot& solved : std::exchange(pending_, {})) {
         snapshots = core::withSnapshot(std::move(snapshots), std::move(solved));
     }
     if (stillFits) {
@@ -199,7 +200,7 @@ void PoseTableController::finish(bool wasStopped)
 
 void PoseTableController::exportTable()
 {
-    const std::vector<core::PoseSnapshot> all = listed();
+    const std::vector<core::PoseSnapshot> all = tableEntries();
     const core::PoseSnapshot* reference = core::findSnapshot(all, referenceId_);
     if (!reference || !document_.current().vessels.tree) {
         return;

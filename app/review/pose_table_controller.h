@@ -54,9 +54,9 @@ private:
     void connectTable();
     void connectJob();
     void refresh();
-    std::vector<core::PoseSnapshot> listed() const;   ///< returns the current pose followed by the snapshots
-    void take(const core::RegistrationResult& result);
-    void flush();
+    std::vector<core::PoseSnapshot> tableEntries() const;   ///< returns the current pose followed by the snapshots
+    void addResult(const core::RegistrationResult& result);
+    void storePending();
     void finish(bool wasStopped);
     void exportTable();
 
@@ -68,8 +68,8 @@ private:
     QPointer<ui::PoseTable> table_;
     MethodSeriesJob job_;
     Origin origin_;
-    std::vector<std::string> chosen_;
-    std::vector<core::PoseSnapshot> waiting_;   ///< results that arrived while the case was locked
+    std::vector<std::string> methodIds_;
+    std::vector<core::PoseSnapshot> pending_;   ///< results that arrived while the case was locked
     QStringList failures_;
     int solvedCount_ = 0;
     int burst_ = 0;

@@ -18,24 +18,24 @@ PoseTools::PoseTools(const Parts& on, QObject* parent)
       auxiliary_(on.document, on.branches, on.actions, on.view, on.dialogParent),
       plots_(on.dialogParent, on.session.exporting())
 {
-    connectLooks(on);
+    makeExclusive(on);
     connectTrial(on);
     connect(&auxiliary_, &AuxiliaryController::refused, &on.notifications, &Notifications::showNote);
 }
 
 /// Ensures that at most one alternative pose is shown at a time.
-void PoseTools::connectLooks(const Parts& on)
+void PoseTools::makeExclusive(const Parts& on)
 {
     ReplayController* replay = &on.replay;
-    connect(&solutions_, &SolutionController::solutionWanted, replay, &ReplayController::showSolution);
-    connect(&solutions_, &SolutionController::takeWanted, replay, [replay](std::size_t index) {
+    connect(&solutions_, &SolutionController::solutionSelected, replay, &ReplayController::showSolution);
+    connect(&solutions_, &SolutionController::acceptRequested, replay, [replay](std::size_t index) {
         replay->showSolution(index);
-        replay->takeSolution();
+        replay->acceptSolution();
     });
     connect(replay, &ReplayController::solutionChanged, &solutions_, &SolutionController::showCurrent);
-    connect(replay, &ReplayController::solutionShown, &snapshots_, &SnapshotController::showItself);
-    connect(&snapshots_, &SnapshotController::wasShown, &on.review, &ReviewController::stopMotion);
-    connect(&on.judgement, &JudgementController::judged, &snapshots_, &SnapshotController::knowJudgement);
+    connect(replay, &ReplayController::solutionShown, &snapshots_, &SnapshotController::showCurrentPose);
+    connect(&snapshots_, &SnapshotController::snapshotShown, &on.review, &ReviewController::stopMotion);
+    connect(&on.evaluation, &EvaluationController::evaluated, &snapshots_, &SnapshotController::setEvaluation);
 }
 
 void PoseTools::connectTrial(const Parts& on)

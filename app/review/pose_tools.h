@@ -4,7 +4,7 @@
 #include "app/files/plot_export.h"
 #include "app/files/session_controller.h"
 #include "app/review/blind_trial_controller.h"
-#include "app/review/judgement_controller.h"
+#include "app/review/evaluation_controller.h"
 #include "app/review/pose_table_controller.h"
 #include "app/review/replay_controller.h"
 #include "app/review/snapshot_controller.h"
@@ -41,7 +41,7 @@ public:
         SessionController& session;
         ReviewController& review;
         ReplayController& replay;
-        JudgementController& judgement;
+        EvaluationController& evaluation;
         PosePreview& preview;
         Notifications& notifications;
         ui::WindowActions& actions;
@@ -62,7 +62,7 @@ public:
     AuxiliaryController& auxiliary() { return auxiliary_; }
 
 private:
-    void connectLooks(const Parts& on);
+    void makeExclusive(const Parts& on);
     void connectTrial(const Parts& on);
 
     SolutionController solutions_;

@@ -8,7 +8,7 @@
 #include "ui/views/angiogram_view.h"
 #include "ui/views/tree_view.h"
 #include "ui/words/message_text.h"
-#include "ui/words/spoken.h"
+#include "ui/words/retranslation.h"
 
 namespace angiopose::app {
 
@@ -27,12 +27,12 @@ ProfileController::ProfileController(const CaseDocument& document, const BranchC
     connect(&document_, &CaseDocument::changed, this, showIfOther);
     const ui::ProfilePlot& plot = ui_.panel.plot();
     connect(&plot, &ui::ProfilePlot::pointed, this, &ProfileController::point);
-    connect(&plot, &ui::ProfilePlot::placeRequested, this,
+    connect(&plot, &ui::ProfilePlot::positionClicked, this,
             [this](const Eigen::Vector3d& place) { ui_.slices.setCrosshair(place); });
     connect(&ui_.panel, &ui::ProfilePanel::tableRequested, ui_.actions[ui::Command::ExportBranches], &QAction::trigger);
     connect(ui_.actions[ui::Command::ExportBranches], &QAction::triggered, this, &ProfileController::askTable);
     connect(&ui_.panel, &ui::ProfilePanel::profileRequested, this, &ProfileController::askProfile);
-    ui::speak(this, [this] { show(); });
+    ui::keepTranslated(this, [this] { show(); });
 }
 
 const core::VesselBranch* ProfileController::selectedBranch() const
@@ -49,7 +49,7 @@ void ProfileController::show()
     const core::VesselBranch* branch = selectedBranch();
     shown_ = branch ? std::optional(branch->id) : std::nullopt;
     if (!branch) {
-        ui_.panel.showNothing(tree_ ? tr("Select one branch, in the list or in a view.") : QString(), tree_ != nullptr);
+        ui_.panel.showNothing(tree_ ? tr("Select a branch in the list or in a view.") : QString(), tree_ != nullptr);
         return;
     }
     if (const auto profile = core::profileOf(*branch)) {
@@ -62,7 +62,7 @@ void ProfileController::show()
 void ProfileController::point(const std::optional<Eigen::Vector3d>& pointInPatient)
 {
     ui_.view.setCrosshair({std::nullopt, pointInPatient});
-    ui_.treeView.setPointed(pointInPatient);
+    ui_.treeView.setPointedPosition(pointInPatient);
 }
 
 void ProfileController::askTable()

@@ -58,23 +58,23 @@ ReplayController::ReplayController(CaseDocument& document, PosePreview& preview,
     connect(actions[ui::Command::Replay], &QAction::toggled, this, &ReplayController::setReplaying);
     connect(actions[ui::Command::Swing], &QAction::toggled, this, &ReplayController::setSwinging);
     connect(actions[ui::Command::NextSolution], &QAction::triggered, this, &ReplayController::showNextSolution);
-    connect(actions[ui::Command::TakeSolution], &QAction::triggered, this, &ReplayController::takeSolution);
+    connect(actions[ui::Command::AcceptSolution], &QAction::triggered, this, &ReplayController::acceptSolution);
     connect(&document_, &CaseDocument::changed, this, [this, &actions] {
         actions[ui::Command::Replay]->setChecked(false);
         actions[ui::Command::Swing]->setChecked(false);
-        showItself();
+        showCurrentPose();
     });
-    connect(&preview_, &PosePreview::gaveWay, this, [this](PreviewOf whose) {
-        if (whose == PreviewOf::Solution) {
-            showItself();
+    connect(&preview_, &PosePreview::replaced, this, [this](PreviewSource whose) {
+        if (whose == PreviewSource::Solution) {
+            showCurrentPose();
         }
     });
 }
 
-void ReplayController::showItself()
+void ReplayController::showCurrentPose()
 {
     if (std::exchange(solution_, 0) != 0) {
-        preview_.end(PreviewOf::Solution);
+        preview_.end(PreviewSource::Solution);
         emit solutionChanged(0);
     }
 }
@@ -83,7 +83,7 @@ void ReplayController::setReplaying(bool on)
 {
     if (!on) {
         replayTimer_.stop();
-        preview_.end(PreviewOf::Replay);
+        preview_.end(PreviewSource::Replay);
         return;
     }
     if (!document_.current().shown().result || document_.current().shown().result->history.empty() ||
@@ -106,7 +106,7 @@ void ReplayController::showStep()
         return;
     }
     const core::IterationReport& report = result->history[step_++];
-    preview_.show(PreviewOf::Replay, report.cameraFromPatient, ResidualColors::Hidden);
+    preview_.show(PreviewSource::Replay, report.cameraFromPatient, ResidualColors::Hidden);
     strip_.showStatus(tr("Replay: step %1 of %2, %3 px")
                           .arg(step_)
                           .arg(result->history.size())
@@ -131,7 +131,7 @@ std::optional<ReplayController::Swing> ReplayController::swing() const
     swing.perSigma = swing.sigmaMm * direction.cwiseQuotient(perMm);
     Eigen::Index axis = 0;
     direction.cwiseAbs().maxCoeff(&axis);
-    swing.words = nameOfAxis(axis);
+    swing.statusText = nameOfAxis(axis);
     return swing;
 }
 
@@ -139,7 +139,7 @@ void ReplayController::setSwinging(bool on)
 {
     if (!on) {
         swingTimer_.stop();
-        preview_.end(PreviewOf::Swing);
+        preview_.end(PreviewSource::Swing);
         return;
     }
     if (!swing() || document_.isLocked()) {
@@ -164,11 +164,12 @@ void ReplayController::showSwing()
     const double sigmas = swingSigmas * std::sin(2.0 * std::numbers::pi * phase_++ / phasesPerSwing);
     const Eigen::Vector3d centroid = core::centroidInPatient(*document_.current().vessels.tree);
     const core::CentroidPose pose = core::aboutCentroid(document_.current().shown().cameraFromPatient, centroid);
-    preview_.show(PreviewOf::Swing, core::cameraFromPatient(core::moved(pose, sigmas * weakest->perSigma), centroid),
+    preview_.show(PreviewSource::Swing,
+                  core::cameraFromPatient(core::moved(pose, sigmas * weakest->perSigma), centroid),
                   ResidualColors::Hidden);
-    strip_.showStatus(tr("From image noise alone, poses within ±%1 mm (2 σ, mostly %2) are indistinguishable")
+    strip_.showStatus(tr("Due to image noise alone, poses within ±%1 mm (2 σ, mainly %2) are indistinguishable")
                           .arg(ui::numberText(swingSigmas * weakest->sigmaMm, 1))
-                          .arg(weakest->words));
+                          .arg(weakest->statusText));
 }
 
 void ReplayController::showNextSolution()
@@ -190,20 +191,20 @@ void ReplayController::showSolution(std::size_t index)
     }
     emit solutionShown();
     if (index == 0) {
-        showItself();
+        showCurrentPose();
         strip_.showStatus(tr("Registered solution"));
         return;
     }
     solution_ = index;
     const core::Hypothesis& other = result->alternatives[index - 1];
-    preview_.show(PreviewOf::Solution, other.cameraFromPatient, ResidualColors::Hidden);
-    const QString takes = ui::keyOf(ui::Command::TakeSolution);
-    strip_.showStatus(result->wirePaths.empty() ? tr("Other solution %1 of %2, score %3 · %4 accepts it")
+    preview_.show(PreviewSource::Solution, other.cameraFromPatient, ResidualColors::Hidden);
+    const QString takes = ui::keyOf(ui::Command::AcceptSolution);
+    strip_.showStatus(result->wirePaths.empty() ? tr("Other solution %1 of %2, score %3 · %4 to accept")
                                                       .arg(index)
                                                       .arg(result->alternatives.size())
                                                       .arg(ui::numberText(other.score, 2))
                                                       .arg(takes)
-                                                : tr("Alternative path %1 of %2, probability %3 % · %4 accepts it")
+                                                : tr("Alternative path %1 of %2, probability %3 % · %4 to accept")
                                                       .arg(index)
                                                       .arg(result->alternatives.size())
                                                       .arg(ui::numberText(100.0 * other.score, 0))
@@ -211,11 +212,11 @@ void ReplayController::showSolution(std::size_t index)
     emit solutionChanged(index);
 }
 
-void ReplayController::takeSolution()
+void ReplayController::acceptSolution()
 {
     const auto& result = document_.current().shown().result;
     if (solution_ == 0 || !result || solution_ > result->alternatives.size()) {
-        strip_.showStatus(tr("Press J first to show the other solutions."));
+        strip_.showStatus(tr("Show the other solutions first (J)."));
         return;
     }
     const core::RigidTransform pose = result->alternatives[solution_ - 1].cameraFromPatient;

@@ -23,11 +23,11 @@ public:
     ReplayController(CaseDocument& document, PosePreview& preview, ui::WindowActions& actions, ui::BottomStrip& strip,
                      QObject* parent = nullptr);
 
-    void knowUncertainty(const std::optional<core::PoseUncertainty>& uncertainty) { uncertainty_ = uncertainty; }
+    void setUncertainty(const std::optional<core::PoseUncertainty>& uncertainty) { uncertainty_ = uncertainty; }
 
-    void showItself();   ///< shows the pose of the case instead of an alternative solution
+    void showCurrentPose();   ///< shows the pose of the case instead of an alternative solution
     void showSolution(std::size_t index);   ///< shows a solution; index 0 is the pose of the case
-    void takeSolution();   ///< makes the shown solution the pose of the case
+    void acceptSolution();   ///< makes the shown solution the pose of the case
 
 signals:
     void solutionShown();   ///< emitted when a solution is shown; other animations should end
@@ -37,7 +37,7 @@ private:
     struct Swing {
         core::Vector6d perSigma = core::Vector6d::Zero();   ///< pose change per standard deviation, rad and mm
         double sigmaMm = 0.0;
-        QString words;
+        QString statusText;
     };
     std::optional<Swing> swing() const;
     void setReplaying(bool on);

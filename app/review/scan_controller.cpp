@@ -8,7 +8,7 @@
 #include "ui/views/scan_bar.h"
 #include "ui/views/tree_view.h"
 #include "ui/words/message_text.h"
-#include "ui/words/spoken.h"
+#include "ui/words/retranslation.h"
 
 #include <algorithm>
 #include <chrono>
@@ -30,7 +30,7 @@ core::Rgb shareOf(const ui::Color& color)
     return {static_cast<float>(unit[0]), static_cast<float>(unit[1]), static_cast<float>(unit[2])};
 }
 
-bool isSame(const core::VolumeToPrepare& a, const core::VolumeToPrepare& b)
+bool isSame(const core::VolumePreparation& a, const core::VolumePreparation& b)
 {
     const bool isSameBox = a.boxInPatient.has_value() == b.boxInPatient.has_value() &&
                            (!a.boxInPatient || a.boxInPatient->isApprox(*b.boxInPatient));
@@ -43,25 +43,25 @@ ScanController::ScanController(const CaseDocument& document, const Ui& ui, QObje
     : QObject(parent),
       document_(document),
       ui_(ui),
-      preset_(static_cast<ScanPreset>(std::clamp(settings::scanLook.read(), 0, 1))),
+      preset_(static_cast<ScanPreset>(std::clamp(settings::scanPreset.read(), 0, 1))),
       strength_(std::clamp(settings::scanStrength.read(), 0.0, 1.0))
 {
     connectCommands();
     ui_.corner.scanBar().showStrength(strength_);
     connect(&ui_.corner.scanBar(), &ui::ScanBar::strengthChanged, this, &ScanController::setStrength);
-    connect(&ui_.slices, &ui::SliceModel::scanChanged, this, &ScanController::follow);
-    connect(&ui_.slices, &ui::SliceModel::maskChanged, this, &ScanController::follow);
+    connect(&ui_.slices, &ui::SliceModel::scanChanged, this, &ScanController::updateFromDocument);
+    connect(&ui_.slices, &ui::SliceModel::maskChanged, this, &ScanController::updateFromDocument);
     connect(&ui_.slices, &ui::SliceModel::lookChanged, this, [this] {   // the colors of labels may have changed
-        if (look() != asked_) {
-            askRough();
+        if (look() != requestedLook_) {
+            requestRough();
         }
     });
-    connect(&document, &CaseDocument::changed, this, &ScanController::follow);
-    connect(&ui_.treeView, &ui::TreeView::sightChanged, this, &ScanController::askRough);
+    connect(&document, &CaseDocument::changed, this, &ScanController::updateFromDocument);
+    connect(&ui_.treeView, &ui::TreeView::sightChanged, this, &ScanController::requestRough);
     connect(&job_, &ScanJob::prepared, this, [this] {
         ui_.treeView.scene().setScanBox(job_.boxInPatient());
         ui_.treeView.requestRender();
-        askRough();
+        requestRough();
         showState();
     });
     connect(&job_, &ScanJob::failed, this, [this](const core::Message& reason) {
@@ -69,17 +69,17 @@ ScanController::ScanController(const CaseDocument& document, const Ui& ui, QObje
         showState();
     });
     connect(&job_, &ScanJob::made, this, &ScanController::show);
-    rest_.setSingleShot(true);
-    rest_.setInterval(180ms);
-    connect(&rest_, &QTimer::timeout, this, &ScanController::askFine);
-    ui::speak(this, [this] { showState(); });
-    follow();
+    restTimer_.setSingleShot(true);
+    restTimer_.setInterval(180ms);
+    connect(&restTimer_, &QTimer::timeout, this, &ScanController::requestFine);
+    ui::keepTranslated(this, [this] { showState(); });
+    updateFromDocument();
 }
 
 void ScanController::connectCommands()
 {
     ui::WindowActions& actions = ui_.actions;
-    ui_.corner.scanBar().fillMenu({actions[Command::ScanIn3d], actions[Command::NextScanLook],
+    ui_.corner.scanBar().fillMenu({actions[Command::ScanIn3d], actions[Command::NextScanRendering],
                                    actions[Command::ScanAtVessels], actions[Command::ScanOnDetector]});
     actions[Command::ScanIn3d]->setChecked(settings::scanIn3d.read());
     actions[Command::ScanAtVessels]->setChecked(settings::scanAtVessels.read());
@@ -88,18 +88,18 @@ void ScanController::connectCommands()
         if (on) {
             ui_.corner.showPlane(std::nullopt);   // switches to the 3-D view, in which the scan appears
         }
-        follow();
+        updateFromDocument();
     });
     connect(actions[Command::ScanAtVessels], &QAction::toggled, this, [this](bool on) {
         settings::scanAtVessels.write(on);
-        follow();
+        updateFromDocument();
     });
-    connect(actions[Command::NextScanLook], &QAction::triggered, this, [this] {
+    connect(actions[Command::NextScanRendering], &QAction::triggered, this, [this] {
         preset_ = preset_ == ScanPreset::Vessels ? ScanPreset::VesselsAndBone : ScanPreset::Vessels;
-        settings::scanLook.write(static_cast<int>(preset_));
+        settings::scanPreset.write(static_cast<int>(preset_));
         ui_.actions[Command::ScanIn3d]->setChecked(true);   // choosing a preset implies showing the scan
         showState();
-        askRough();
+        requestRough();
     });
 }
 
@@ -108,9 +108,9 @@ bool ScanController::isWanted() const
     return ui_.slices.hasScan() && ui_.actions[Command::ScanIn3d]->isChecked();
 }
 
-core::VolumeToPrepare ScanController::toSee() const
+core::VolumePreparation ScanController::volumeToShow() const
 {
-    core::VolumeToPrepare what{ui_.slices.volume(), ui_.slices.sharedMask(), nullptr};
+    core::VolumePreparation what{ui_.slices.volume(), ui_.slices.sharedMask(), nullptr};
     const auto& tree = document_.current().vessels.tree;
     const bool hasTree = tree && !tree->branches.empty();
     if (!what.mask) {
@@ -129,36 +129,36 @@ core::VolumeToPrepare ScanController::toSee() const
     return what;
 }
 
-void ScanController::follow()
+void ScanController::updateFromDocument()
 {
-    for (const Command command : {Command::ScanIn3d, Command::NextScanLook, Command::ScanAtVessels}) {
+    for (const Command command : {Command::ScanIn3d, Command::NextScanRendering, Command::ScanAtVessels}) {
         ui_.actions[command]->setEnabled(ui_.slices.hasScan());
     }
     if (!isWanted()) {
-        release();
-    } else if (core::VolumeToPrepare what = toSee(); !isSame(what, seen_)) {
-        seen_ = what;
+        releaseData();
+    } else if (core::VolumePreparation what = volumeToShow(); !isSame(what, shownVolume_)) {
+        shownVolume_ = what;
         job_.prepare(std::move(what), document_.current().vessels.input.tracing.threshold);
     }
     showState();
 }
 
 /// Releases all data if the scan is not shown.
-void ScanController::release()
+void ScanController::releaseData()
 {
     job_.clear();
-    rest_.stop();
-    seen_ = {};
+    restTimer_.stop();
+    shownVolume_ = {};
     isShown_ = false;
     ui_.treeView.scene().setScanBox({});
-    ui_.treeView.scene().setScanPicture({});
+    ui_.treeView.scene().setScanRendering({});
     ui_.treeView.requestRender();
 }
 
-core::ScanRequest ScanController::look() const
+core::AppearanceOptions ScanController::look() const
 {
     const ui::ScanColors colors = ui::scanColors();
-    core::ScanRequest wanted{preset_, strength_, shareOf(colors.soft), shareOf(colors.bone), {}};
+    core::AppearanceOptions wanted{preset_, strength_, shareOf(colors.soft), shareOf(colors.bone), {}};
     for (const ui::MaskTint& tint : ui_.slices.labelTints()) {
         wanted.kinds.push_back(shareOf(tint.color));
     }
@@ -168,35 +168,35 @@ core::ScanRequest ScanController::look() const
     return wanted;
 }
 
-void ScanController::askRough()
+void ScanController::requestRough()
 {
     if (request(look(), roughPx, ScanDetail::Rough)) {
-        asked_ = look();
-        rest_.start();
+        requestedLook_ = look();
+        restTimer_.start();
     }
 }
 
-void ScanController::askFine()
+void ScanController::requestFine()
 {
-    request(asked_, finePx, ScanDetail::Fine);
+    request(requestedLook_, finePx, ScanDetail::Fine);
 }
 
-bool ScanController::request(const core::ScanRequest& wanted, int maxPx, ScanDetail detail)
+bool ScanController::request(const core::AppearanceOptions& wanted, int maxPx, ScanDetail detail)
 {
     if (!job_.isReady() || !ui_.treeView.isVisible()) {
         return false;
     }
-    const core::ParallelSight sight = ui_.treeView.scene().sight(maxPx);
-    if (sight.isPlaced()) {   // a view that cannot be drawn has no viewpoint
+    const core::ParallelProjection sight = ui_.treeView.scene().sight(maxPx);
+    if (sight.isDefined()) {   // a view that cannot be drawn has no viewpoint
         job_.request({wanted, sight, detail});
     }
-    return sight.isPlaced();
+    return sight.isDefined();
 }
 
-void ScanController::show(const CastPicture& picture)
+void ScanController::show(const ScanRendering& picture)
 {
     isShown_ = true;
-    ui_.treeView.scene().setScanPicture({picture.sight, picture.pixels});
+    ui_.treeView.scene().setScanRendering({picture.sight, picture.pixels});
     ui_.treeView.requestRender();
 }
 
@@ -215,7 +215,7 @@ void ScanController::setStrength(double strength)
 {
     strength_ = strength;
     settings::scanStrength.write(strength);
-    askRough();
+    requestRough();
 }
 
 }   // namespace angiopose::app

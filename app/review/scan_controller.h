@@ -36,24 +36,24 @@ public:
 private:
     void connectCommands();
     bool isWanted() const;
-    void follow();
-    void release();
-    core::VolumeToPrepare toSee() const;
-    core::ScanRequest look() const;
-    void askRough();
-    void askFine();
+    void updateFromDocument();
+    void releaseData();
+    core::VolumePreparation volumeToShow() const;
+    core::AppearanceOptions look() const;
+    void requestRough();
+    void requestFine();
     /// Requests a rendering; returns false if nothing can be shown at the moment.
-    bool request(const core::ScanRequest& wanted, int maxPx, ScanDetail detail);
-    void show(const CastPicture& picture);
+    bool request(const core::AppearanceOptions& wanted, int maxPx, ScanDetail detail);
+    void show(const ScanRendering& picture);
     void showState();
     void setStrength(double strength);
 
     const CaseDocument& document_;
     Ui ui_;
     ScanJob job_;
-    QTimer rest_;   ///< times out when the view is at rest
-    core::VolumeToPrepare seen_;   ///< volume that the job holds or is preparing
-    core::ScanRequest asked_;   ///< appearance of the last request
+    QTimer restTimer_;   ///< times out when the view is at rest
+    core::VolumePreparation shownVolume_;   ///< volume that the job holds or is preparing
+    core::AppearanceOptions requestedLook_;   ///< appearance of the last request
     core::ScanPreset preset_;
     double strength_;
     bool isShown_ = false;

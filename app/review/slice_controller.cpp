@@ -30,8 +30,8 @@ SliceController::SliceController(CaseDocument& document, BranchController& branc
     for (const core::BodyPlane plane : core::bodyPlanes) {
         connectView(ui_.slicesPage.view(plane));
     }
-    connect(&document, &CaseDocument::changed, this, &SliceController::followDocument);
-    connect(&branches, &BranchController::marksChanged, this, &SliceController::followBranches);
+    connect(&document, &CaseDocument::changed, this, &SliceController::updateFromDocument);
+    connect(&branches, &BranchController::marksChanged, this, &SliceController::updateFromBranches);
     connect(&ui_.treeView, &ui::TreeView::pointPicked, &ui_.slices, &ui::SliceModel::setCrosshair);
     const auto showInTree = [this] {
         const ui::SliceModel& slices = ui_.slices;
@@ -43,13 +43,13 @@ SliceController::SliceController(CaseDocument& document, BranchController& branc
     ui::WindowActions& actions = ui_.actions;
     connect(actions[ui::Command::SlicesLarge], &QAction::toggled, this, &SliceController::setLarge);
     connect(actions[ui::Command::NextCornerView], &QAction::triggered, &ui_.corner, &ui::CornerViews::showNext);
-    connect(&ui_.corner, &ui::CornerViews::roomRequested, actions[ui::Command::SlicesLarge], &QAction::toggle);
+    connect(&ui_.corner, &ui::CornerViews::enlargeRequested, actions[ui::Command::SlicesLarge], &QAction::toggle);
     connect(&ui_.slicesPage, &ui::SlicesPage::closeRequested, actions[ui::Command::SlicesLarge],
             [action = actions[ui::Command::SlicesLarge]] { action->setChecked(false); });
     ui_.corner.showPlane(planeOf(settings::cornerView.read()));
     connect(&ui_.corner, &ui::CornerViews::planeChanged, this,
             [](std::optional<core::BodyPlane> plane) { settings::cornerView.write(settingOf(plane)); });
-    followDocument();
+    updateFromDocument();
 }
 
 void SliceController::connectView(ui::SliceView& view)
@@ -65,10 +65,10 @@ void SliceController::setLarge(bool large)
         ui_.actions[ui::Command::SlicesLarge]->setChecked(false);
         return;
     }
-    emit largeShown(large);
+    emit largeChanged(large);
 }
 
-void SliceController::followDocument()
+void SliceController::updateFromDocument()
 {
     const core::Case& current = document_.current();
     const bool isNew = current.vessels.scan != shownVolume_;
@@ -99,13 +99,13 @@ void SliceController::followDocument()
     }
 }
 
-void SliceController::followBranches()
+void SliceController::updateFromBranches()
 {
     const std::set<int> selected = branches_.marks().selected;
-    if (selected != selected_ && selected.size() == 1) {
+    if (selected != lastSelection_ && selected.size() == 1) {
         goToBranch(*selected.begin());
     }
-    selected_ = selected;
+    lastSelection_ = selected;
 }
 
 /// Moves the crosshair to the middle of a branch unless it is already on the branch.

@@ -31,19 +31,20 @@ public:
     SliceController(CaseDocument& document, BranchController& branches, const Ui& ui, QObject* parent = nullptr);
 
 signals:
-    void largeShown(bool large);   ///< emitted when large slices (in place of the image or in a window) are shown or hidden
+    void largeChanged(
+        bool large);   ///< emitted when large slices (in place of the image or in a window) are shown or hidden
 
 private:
     void connectView(ui::SliceView& view);
-    void followDocument();
-    void followBranches();
+    void updateFromDocument();
+    void updateFromBranches();
     void goToBranch(int branchId);
     void setLarge(bool large);
 
     CaseDocument& document_;
     BranchController& branches_;
     Ui ui_;
-    std::set<int> selected_;   ///< selection at the last update, to detect changes
+    std::set<int> lastSelection_;   ///< selection at the last update, to detect changes
     std::shared_ptr<const core::Volume> shownVolume_;
     std::shared_ptr<const core::Angiogram> shownAngiogram_;
     core::InputFile shownLabels_;   ///< label image in which the vessels were traced

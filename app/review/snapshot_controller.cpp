@@ -1,13 +1,13 @@
 #include "app/review/snapshot_controller.h"
 
 #include "app/document/edit_case.h"
-#include "app/texts/word_of_run.h"
+#include "app/texts/pose_origin.h"
 #include "app/words/snapshot_texts.h"
 #include "core/support/utc_time.h"
 #include "ui/actions/window_actions.h"
 #include "ui/panels/bottom_strip.h"
 #include "ui/words/number.h"
-#include "ui/words/spoken.h"
+#include "ui/words/retranslation.h"
 
 #include <algorithm>
 #include <utility>
@@ -29,7 +29,7 @@ std::optional<int> snapshotToCompare(const core::View& view)
         if (isSnapshotPose(each->cameraFromPatient, view.cameraFromPatient)) {
             continue;
         }
-        if (each->kind == core::SnapshotKind::Kept) {
+        if (each->kind == core::SnapshotKind::Saved) {
             return each->id;
         }
         ofRun = ofRun ? ofRun : std::optional(each->id);
@@ -55,11 +55,11 @@ SnapshotController::SnapshotController(CaseDocument& document, PosePreview& prev
     : QObject(parent), document_(document), preview_(preview), actions_(actions), panel_(panel), strip_(strip)
 {
     connectWindow();
-    ui::speak(this, [this] { panel_.showSnapshots(document_.current().shown().snapshots); });
-    connect(&document_, &CaseDocument::changed, this, &SnapshotController::followDocument);
-    connect(&preview_, &PosePreview::gaveWay, this, [this](PreviewOf whose) {
-        if (whose == PreviewOf::Snapshot) {
-            showItself();
+    ui::keepTranslated(this, [this] { panel_.showSnapshots(document_.current().shown().snapshots); });
+    connect(&document_, &CaseDocument::changed, this, &SnapshotController::updateFromDocument);
+    connect(&preview_, &PosePreview::replaced, this, [this](PreviewSource whose) {
+        if (whose == PreviewSource::Snapshot) {
+            showCurrentPose();
         }
     });
 }
@@ -67,22 +67,22 @@ SnapshotController::SnapshotController(CaseDocument& document, PosePreview& prev
 void SnapshotController::connectWindow()
 {
     ui::SnapshotPanel& panel = panel_;
-    connect(&panel, &ui::SnapshotPanel::keepRequested, this, &SnapshotController::keep);
-    connect(&panel, &ui::SnapshotPanel::wasPicked, this, &SnapshotController::show);
+    connect(&panel, &ui::SnapshotPanel::snapshotRequested, this, &SnapshotController::saveSnapshot);
+    connect(&panel, &ui::SnapshotPanel::snapshotPicked, this, &SnapshotController::show);
     connect(&panel, &ui::SnapshotPanel::restoreRequested, this, &SnapshotController::restore);
     // Queued, because the slot refills the list while its editor is still active.
     connect(&panel, &ui::SnapshotPanel::renamed, this, &SnapshotController::rename, Qt::QueuedConnection);
     connect(&panel, &ui::SnapshotPanel::removeRequested, this, &SnapshotController::remove);
     connect(&panel, &ui::SnapshotPanel::markRequested, this, &SnapshotController::mark);
-    connect(actions_[ui::Command::KeepPose], &QAction::triggered, this, &SnapshotController::keep);
-    connect(actions_[ui::Command::SwitchPoses], &QAction::triggered, this, &SnapshotController::switchSides);
+    connect(actions_[ui::Command::TakeSnapshot], &QAction::triggered, this, &SnapshotController::saveSnapshot);
+    connect(actions_[ui::Command::ToggleSnapshots], &QAction::triggered, this, &SnapshotController::toggleAB);
 }
 
-void SnapshotController::knowJudgement(const SharedJudgement& judgement)
+void SnapshotController::setEvaluation(const SharedEvaluation& evaluation)
 {
-    judgement_ = judgement;
+    evaluation_ = evaluation;
     if (metricsOfPose()) {
-        emit poseWasJudged();
+        emit poseEvaluated();
     }
 }
 
@@ -97,15 +97,15 @@ std::optional<core::SnapshotMetrics> SnapshotController::metricsOfPose() const
     if (const core::RegistrationResult* const result = core::resultOfShownFrame(current.shown())) {
         return core::metricsOf(*result);
     }
-    if (judgement_ && isSnapshotPose(judgement_->result.cameraFromPatient, current.shown().cameraFromPatient)) {
-        core::RegistrationResult judged = judgement_->result;
-        takeWordOfRun(judged, current.shown());
-        return core::metricsOf(judged);
+    if (evaluation_ && isSnapshotPose(evaluation_->result.cameraFromPatient, current.shown().cameraFromPatient)) {
+        core::RegistrationResult evaluated = evaluation_->result;
+        addRegistrationResult(evaluated, current.shown());
+        return core::metricsOf(evaluated);
     }
     return std::nullopt;
 }
 
-void SnapshotController::keep()
+void SnapshotController::saveSnapshot()
 {
     const core::Case& current = document_.current();
     if (!current.vessels.tree || !current.shown().angiogram) {
@@ -122,15 +122,15 @@ void SnapshotController::keep()
     kept.metrics = metricsOfPose();
     kept.runMs = current.shown().result ? current.shown().result->time.totalMs : 0.0;
     const QString name = QString::fromStdString(kept.name);
-    kept.kind = core::SnapshotKind::Kept;
+    kept.kind = core::SnapshotKind::Saved;
     push(core::withSnapshot(current.shown().snapshots, kept), [name] { return tr("Save snapshot %1").arg(name); });
     marks_.b.reset();   // makes the next comparison use the new snapshot
-    isOnB_ = false;
+    showsB_ = false;
     showMarks();
-    strip_.showStatus(tr("Saved as “%1” · Y compares").arg(name));
+    strip_.showStatus(tr("Saved as “%1” · Y to compare").arg(name));
 }
 
-void SnapshotController::push(std::vector<core::PoseSnapshot> snapshots, const ui::Words& name)
+void SnapshotController::push(std::vector<core::PoseSnapshot> snapshots, const ui::LocalizedText& name)
 {
     document_.push(std::make_unique<ChangeSnapshots>(document_, ChangeSnapshots::Values{std::move(snapshots)}, name));
 }
@@ -139,51 +139,52 @@ void SnapshotController::show(int snapshotId)
 {
     const core::PoseSnapshot* snapshot = find(snapshotId);
     if (!snapshot || document_.isLocked()) {
-        showItself();
+        showCurrentPose();
         return;
     }
-    emit wasShown();
-    preview_.show(PreviewOf::Snapshot, snapshot->cameraFromPatient, ResidualColors::Hidden);
+    emit snapshotShown();
+    preview_.show(PreviewSource::Snapshot, snapshot->cameraFromPatient, ResidualColors::Hidden);
     marks_.shown = snapshotId;
     showMarks();
     const QString name = QString::fromStdString(snapshot->name);
     strip_.showStatus(
         snapshot->metrics
-            ? tr("“%1”: median %2 mm · Esc returns").arg(name).arg(ui::numberText(snapshot->metrics->medianMm, 2))
-            : tr("“%1” · Esc returns").arg(name));
+            ? tr("“%1”: median %2 mm · Esc to return").arg(name).arg(ui::numberText(snapshot->metrics->medianMm, 2))
+            : tr("“%1” · Esc to return").arg(name));
 }
 
-void SnapshotController::showItself()
+void SnapshotController::showCurrentPose()
 {
     if (std::exchange(marks_.shown, std::nullopt)) {
-        preview_.end(PreviewOf::Snapshot);
+        preview_.end(PreviewSource::Snapshot);
         showMarks();
     }
 }
 
-void SnapshotController::switchSides()
+void SnapshotController::toggleAB()
 {
     const auto& snapshots = document_.current().shown().snapshots;
     if (snapshots.empty()) {
-        strip_.showStatus(
-            tr("There is nothing to compare with yet: K saves a pose, and each registration (R) adds one."));
+        strip_.showStatus(tr(
+            "There is nothing to compare with yet: press K to save a snapshot; each registration (R) also adds one."));
         return;
     }
     if (!marks_.b) {
         const std::optional<int> other = snapshotToCompare(document_.current().shown());
         if (!other) {
             strip_.showStatus(
-                tr("There is nothing to compare with yet: K saves a pose, and each registration (R) adds one."));
+                tr("There is nothing to compare with yet: press K to save a snapshot; each registration (R) also adds "
+                   "one."));
             return;
         }
         mark(*other, false);
     }
-    isOnB_ = !isOnB_;
-    const std::optional<int> side = isOnB_ ? marks_.b : marks_.a;
+    showsB_ = !showsB_;
+    const std::optional<int> side = showsB_ ? marks_.b : marks_.a;
     if (side) {
         show(*side);
     } else {
-        showItself();
+        showCurrentPose();
         strip_.showStatus(tr("A: current pose"));
     }
 }
@@ -194,7 +195,7 @@ void SnapshotController::mark(int snapshotId, bool isA)
     if (marks_.a == marks_.b) {
         (isA ? marks_.b : marks_.a).reset();
     }
-    isOnB_ = false;
+    showsB_ = false;
     showMarks();
 }
 
@@ -228,7 +229,7 @@ void SnapshotController::change(const core::PoseSnapshot& edited)
     found->name = hasName ? edited.name : found->name;
     found->author = edited.author;
     found->note = edited.note;
-    found->kind = core::SnapshotKind::Kept;   // an edited snapshot is kept when old registrations are removed
+    found->kind = core::SnapshotKind::Saved;   // an edited snapshot is kept when old registrations are removed
     push(std::move(snapshots), [] { return tr("Edit snapshot"); });
 }
 
@@ -239,15 +240,15 @@ void SnapshotController::remove(const std::set<int>& snapshotIds)
         std::erase_if(snapshots, [&](const core::PoseSnapshot& each) { return snapshotIds.contains(each.id); });
     if (count > 0) {
         push(std::move(snapshots),
-             [count] { return count == 1 ? tr("Delete pose") : tr("Delete %1 poses").arg(count); });
+             [count] { return count == 1 ? tr("Delete snapshot") : tr("Delete %1 snapshots").arg(count); });
     }
 }
 
-void SnapshotController::followDocument()
+void SnapshotController::updateFromDocument()
 {
     const auto& snapshots = document_.current().shown().snapshots;
-    showItself();
-    isOnB_ = false;
+    showCurrentPose();
+    showsB_ = false;
     for (std::optional<int>* side : {&marks_.a, &marks_.b}) {
         if (*side && !find(**side)) {
             side->reset();
@@ -258,7 +259,7 @@ void SnapshotController::followDocument()
     for (const core::PoseSnapshot& each : snapshots) {
         listed.push_back(std::to_string(each.id) + "\n" + each.name + "\n" + each.author + "\n" + each.note);
     }
-    if (std::exchange(listed_, listed) != listed) {   // skipped for most changes, which concern only the pose
+    if (std::exchange(shownRows_, listed) != listed) {   // skipped for most changes, which concern only the pose
         panel_.showSnapshots(snapshots);
     }
     showMarks();

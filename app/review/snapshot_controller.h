@@ -1,10 +1,10 @@
 #pragma once
 
 #include "app/document/case_document.h"
-#include "app/jobs/judge_job.h"
+#include "app/jobs/evaluation_job.h"
 #include "app/showing/pose_preview.h"
 #include "ui/panels/snapshot_panel.h"
-#include "ui/words/spoken.h"
+#include "ui/words/retranslation.h"
 
 #include <QObject>
 
@@ -27,29 +27,29 @@ public:
                        ui::SnapshotPanel& panel, ui::BottomStrip& strip, QObject* parent = nullptr);
 
     /// Sets the evaluation that provides the metrics of a new snapshot; null while not known.
-    void knowJudgement(const SharedJudgement& judgement);
+    void setEvaluation(const SharedEvaluation& evaluation);
     std::optional<core::SnapshotMetrics> metricsOfPose() const;   ///< empty while not known
 
-    void keep();
+    void saveSnapshot();
     void show(int snapshotId);   ///< shows a snapshot; 0 is the current pose
-    void showItself();
+    void showCurrentPose();
     void restore(int snapshotId);
     void rename(int snapshotId, const QString& name);
     void change(const core::PoseSnapshot& edited);   ///< changes name, author and note of the snapshot with the same id
     void remove(const std::set<int>& snapshotIds);
     void mark(int snapshotId, bool isA);
-    void switchSides();   ///< toggles between the two marked poses: A, B, A, …
+    void toggleAB();   ///< toggles between the two marked poses: A, B, A, …
     const ui::SnapshotMarks& marks() const { return marks_; }
 
 signals:
-    void wasShown();   ///< emitted when a snapshot is shown; other animations should end
-    void poseWasJudged();
+    void snapshotShown();   ///< emitted when a snapshot is shown; other animations should end
+    void poseEvaluated();
 
 private:
     void connectWindow();
-    void followDocument();
+    void updateFromDocument();
     const core::PoseSnapshot* find(int snapshotId) const;
-    void push(std::vector<core::PoseSnapshot> snapshots, const ui::Words& name);
+    void push(std::vector<core::PoseSnapshot> snapshots, const ui::LocalizedText& name);
     void showMarks();
 
     CaseDocument& document_;
@@ -57,10 +57,10 @@ private:
     ui::WindowActions& actions_;
     ui::SnapshotPanel& panel_;
     ui::BottomStrip& strip_;
-    SharedJudgement judgement_;
+    SharedEvaluation evaluation_;
     ui::SnapshotMarks marks_;
-    bool isOnB_ = false;
-    std::vector<std::string> listed_;   ///< contents of the panel, which is refilled only if they change
+    bool showsB_ = false;
+    std::vector<std::string> shownRows_;   ///< contents of the panel, which is refilled only if they change
 };
 
 }   // namespace angiopose::app

@@ -1,11 +1,11 @@
 #include "app/review/solution_controller.h"
 
 #include "app/messages/messages.h"
-#include "app/texts/overlay_picture.h"
+#include "app/texts/overlay_image.h"
 #include "core/geometry/pose_difference.h"
 #include "ui/panels/solution_strip.h"
 #include "ui/words/number.h"
-#include "ui/words/spoken.h"
+#include "ui/words/retranslation.h"
 
 #include <algorithm>
 
@@ -39,37 +39,38 @@ std::vector<core::RigidTransform> posesOf(const core::Case& current)
 }
 
 /// Formats the branches of a path, e.g. "3 › 7 › 9"; for longer paths only the first and the last branch.
-QString courseWords(const core::WirePath& way)
+QString branchSequenceText(const core::WirePath& path)
 {
     constexpr std::size_t maxNamed = 3;
     QStringList names;
-    for (const int id : way.branchIds) {
+    for (const int id : path.branchIds) {
         names.push_back(QString::number(id));
     }
-    if (way.branchIds.size() > maxNamed) {
+    if (path.branchIds.size() > maxNamed) {
         names = {names.front(), QStringLiteral("…"), names.back()};
     }
     return names.join(QStringLiteral(" › "));
 }
 
 /// Lists the possible paths of a wire through the tree, one line per path.
-std::vector<ui::SolutionLine> wayLines(const std::vector<core::WirePath>& ways, std::size_t count)
+std::vector<ui::SolutionLine> wirePathLines(const std::vector<core::WirePath>& paths, std::size_t count)
 {
     std::vector<ui::SolutionLine> lines;
-    for (std::size_t i = 0; i < std::min(count, ways.size()); ++i) {
+    for (std::size_t i = 0; i < std::min(count, paths.size()); ++i) {
         QStringList branches;
-        for (const int id : ways[i].branchIds) {
+        for (const int id : paths[i].branchIds) {
             branches.push_back(QString::number(id));
         }
-        const QString percent = ui::numberText(100.0 * ways[i].probability, 0);
-        const QString words = SolutionController::tr(
-                                  "Branches %1: probability %2 %; %3 % of the wire follows them, %4 mm off their axes.")
-                                  .arg(branches.join(QStringLiteral(", ")))
-                                  .arg(percent)
-                                  .arg(ui::numberText(100.0 * ways[i].followedShare, 0))
-                                  .arg(ui::numberText(ways[i].offAxisMm, 1));
-        lines.push_back({SolutionController::tr("%1 %: %2").arg(percent).arg(courseWords(ways[i])),
-                         i == 0 ? words : SolutionController::tr("%1 Press Return to accept it.").arg(words)});
+        const QString percent = ui::numberText(100.0 * paths[i].probability, 0);
+        const QString words =
+            SolutionController::tr(
+                "Branches %1: probability %2 %; %3 % of the guidewire follows them, %4 mm from their centerlines.")
+                .arg(branches.join(QStringLiteral(", ")))
+                .arg(percent)
+                .arg(ui::numberText(100.0 * paths[i].followedShare, 0))
+                .arg(ui::numberText(paths[i].offAxisMm, 1));
+        lines.push_back({SolutionController::tr("%1 %: %2").arg(percent).arg(branchSequenceText(paths[i])),
+                         i == 0 ? words : SolutionController::tr("%1 Press Enter to accept it.").arg(words)});
     }
     return lines;
 }
@@ -77,11 +78,11 @@ std::vector<ui::SolutionLine> wayLines(const std::vector<core::WirePath>& ways, 
 std::vector<ui::SolutionLine> linesOf(const core::Case& current, std::size_t count)
 {
     if (!current.shown().result->wirePaths.empty()) {
-        return wayLines(current.shown().result->wirePaths, count);
+        return wirePathLines(current.shown().result->wirePaths, count);
     }
     std::vector<ui::SolutionLine> lines;
     const Eigen::Vector3d pivot = core::centroidInPatient(*current.vessels.tree);
-    lines.push_back({SolutionController::tr("found"), SolutionController::tr("Registered solution")});
+    lines.push_back({SolutionController::tr("result"), SolutionController::tr("Registered solution")});
     for (std::size_t i = 1; i < count; ++i) {
         const core::Hypothesis& other = current.shown().result->alternatives[i - 1];
         const core::PoseDifference difference =
@@ -90,8 +91,8 @@ std::vector<ui::SolutionLine> linesOf(const core::Case& current, std::size_t cou
             {SolutionController::tr("%1 mm, %2°")
                  .arg(ui::numberText(difference.inPlaneMm, 1))
                  .arg(ui::numberText(difference.rotationDeg, 1)),
-             SolutionController::tr("Other solution %1, score %2: differs from the registered one by %3 mm in plane, "
-                                    "%4 mm in depth and %5° in rotation. Press Return to accept it.")
+             SolutionController::tr("Other solution %1, score %2: differs from the registered solution by %3 mm in "
+                                    "plane, %4 mm in depth and %5° in rotation. Press Enter to accept it.")
                  .arg(i)
                  .arg(ui::numberText(other.score, 2))
                  .arg(ui::numberText(difference.inPlaneMm, 1))
@@ -109,21 +110,21 @@ SolutionController::SolutionController(const CaseDocument& document, ui::Solutio
       strip_(strip),
       pictures_([this](const Pictures& pictures) { showPictures(pictures); })
 {
-    ui::speak(this, [this] {
+    ui::keepTranslated(this, [this] {
         shown_.clear();
-        followDocument();
+        updateFromDocument();
     });
-    connect(&document_, &CaseDocument::changed, this, &SolutionController::followDocument);
-    connect(&strip, &ui::SolutionStrip::wasPicked, this,
-            [this](int index) { emit solutionWanted(static_cast<std::size_t>(index)); });
-    connect(&strip, &ui::SolutionStrip::takeRequested, this,
-            [this](int index) { emit takeWanted(static_cast<std::size_t>(index)); });
+    connect(&document_, &CaseDocument::changed, this, &SolutionController::updateFromDocument);
+    connect(&strip, &ui::SolutionStrip::solutionPicked, this,
+            [this](int index) { emit solutionSelected(static_cast<std::size_t>(index)); });
+    connect(&strip, &ui::SolutionStrip::acceptRequested, this,
+            [this](int index) { emit acceptRequested(static_cast<std::size_t>(index)); });
 }
 
 void SolutionController::showPictures(const Pictures& pictures)
 {
     for (std::size_t i = 0; i < pictures.size(); ++i) {
-        strip_.showPicture(static_cast<int>(i), pictures[i]);
+        strip_.showThumbnail(static_cast<int>(i), pictures[i]);
     }
 }
 
@@ -132,7 +133,7 @@ void SolutionController::showCurrent(std::size_t index)
     strip_.showCurrent(static_cast<int>(index));
 }
 
-void SolutionController::followDocument()
+void SolutionController::updateFromDocument()
 {
     std::vector<core::RigidTransform> poses = posesOf(document_.current());
     if (isSame(poses, shown_)) {
@@ -150,12 +151,12 @@ void SolutionController::draw(const std::vector<core::RigidTransform>& poses)
     if (poses.empty()) {
         return;
     }
-    const int widthPx = strip_.pictureWidthPx();
+    const int widthPx = strip_.thumbnailWidthPx();
     pictures_.start([session = document_.current(), poses, widthPx](JobLink<double>& link) -> core::Result<Pictures> {
         core::Case snapshot = session;
         Pictures pictures;
         for (const core::RigidTransform& pose : poses) {
-            if (link.verdict() == core::Verdict::Stop) {
+            if (link.verdict() == core::ObserverDecision::Stop) {
                 break;
             }
             snapshot.shown().cameraFromPatient = pose;

@@ -26,12 +26,12 @@ public:
     void showCurrent(std::size_t index);   ///< highlights the solution currently shown
 
 signals:
-    void solutionWanted(std::size_t index);   ///< emitted on selection by the user; index 0 is the pose itself
-    void takeWanted(std::size_t index);
+    void solutionSelected(std::size_t index);   ///< emitted on selection by the user; index 0 is the pose itself
+    void acceptRequested(std::size_t index);
 
 private:
     using Pictures = std::vector<core::ColorImage>;
-    void followDocument();
+    void updateFromDocument();
     void draw(const std::vector<core::RigidTransform>& poses);
     void showPictures(const Pictures& pictures);
 

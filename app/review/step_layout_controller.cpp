@@ -14,17 +14,17 @@ namespace angiopose::app {
 namespace {
 
 using namespace std::chrono_literals;
+using ui::Activity;
 using ui::Command;
-using ui::Work;
 
-const Setting<QByteArray>& settingOf(Work work)
+const Setting<QByteArray>& settingOf(Activity work)
 {
     switch (work) {
-        case Work::Tracing:
+        case Activity::Tracing:
             return settings::tracingLayout;
-        case Work::Reviewing:
+        case Activity::Reviewing:
             return settings::reviewLayout;
-        case Work::Registering:
+        case Activity::Registering:
             break;
     }
     return settings::registrationLayout;
@@ -39,75 +39,75 @@ StepLayoutController::StepLayoutController(const RegistrationController& registr
     const ui::WindowActions& actions = window.actions();
     QAction* follows = actions[Command::LayoutFollowsStep];
     follows->setChecked(settings::layoutFollowsStep.read());
-    connect(follows, &QAction::toggled, this, &StepLayoutController::tellFollowing);
+    connect(follows, &QAction::toggled, this, &StepLayoutController::showFollowingStatus);
     connect(actions[Command::ResetLayout], &QAction::triggered, this, &StepLayoutController::reset);
-    connect(&registration, &RegistrationController::runningChanged, this, &StepLayoutController::follow);
-    later_.setSingleShot(true);
-    later_.setInterval(50ms);
-    connect(&later_, &QTimer::timeout, this, &StepLayoutController::follow);
+    connect(&registration, &RegistrationController::runningChanged, this, &StepLayoutController::updateLayout);
+    applyTimer_.setSingleShot(true);
+    applyTimer_.setInterval(50ms);
+    connect(&applyTimer_, &QTimer::timeout, this, &StepLayoutController::updateLayout);
 }
 
-void StepLayoutController::tellFollowing(bool follows)
+void StepLayoutController::showFollowingStatus(bool follows)
 {
     settings::layoutFollowsStep.write(follows);
     if (!follows) {
-        wanted_.reset();
+        pendingWork_.reset();
     }
 }
 
 /// Vessels without a scan get no tracing layout, because there are no slices to show.
-std::optional<Work> StepLayoutController::workOf(ui::Step step) const
+std::optional<Activity> StepLayoutController::makeRetrieval(ui::Step step) const
 {
     switch (step) {
         case ui::Step::Vessels:
-            return window_.slices().hasScan() ? Work::Tracing : Work::Registering;
+            return window_.slices().hasScan() ? Activity::Tracing : Activity::Registering;
         case ui::Step::Review:
-            return Work::Reviewing;
+            return Activity::Reviewing;
         case ui::Step::Export:
             return std::nullopt;   // exporting opens a dialog and needs no layout
         default:
-            return Work::Registering;
+            return Activity::Registering;
     }
 }
 
 void StepLayoutController::goTo(ui::Step step)
 {
-    const std::optional<Work> work = workOf(step);
+    const std::optional<Activity> work = makeRetrieval(step);
     if (work && window_.actions()[Command::LayoutFollowsStep]->isChecked()) {
-        wanted_ = work;
-        follow();
+        pendingWork_ = work;
+        updateLayout();
     }
 }
 
 /// Returns whether the layout may change: not during a drag or a registration.
-bool StepLayoutController::isQuiet() const
+bool StepLayoutController::canChangeLayout() const
 {
     return !registration_.isRunning() && QGuiApplication::mouseButtons() == Qt::NoButton;
 }
 
-void StepLayoutController::follow()
+void StepLayoutController::updateLayout()
 {
-    if (!wanted_) {
+    if (!pendingWork_) {
         return;
     }
-    if (!isQuiet()) {
+    if (!canChangeLayout()) {
         if (!registration_.isRunning()) {   // called again at the end of a registration
-            later_.start();
+            applyTimer_.start();
         }
         return;
     }
-    const Work next = *std::exchange(wanted_, std::nullopt);
+    const Activity next = *std::exchange(pendingWork_, std::nullopt);
     if (next == work_) {
         return;
     }
     remember();
     work_ = next;
-    show(ui::workLayoutOf(settingOf(next).read()).value_or(asItCame(next)));
+    show(ui::activityLayoutFromBytes(settingOf(next).read()).value_or(defaultLayout(next)));
 }
 
 void StepLayoutController::begin()
 {
-    const auto stored = ui::workLayoutOf(settingOf(work_).read());
+    const auto stored = ui::activityLayoutFromBytes(settingOf(work_).read());
     if (stored && window_.actions()[Command::LayoutFollowsStep]->isChecked()) {
         window_.setColumns(stored->columns);
     }
@@ -116,41 +116,41 @@ void StepLayoutController::begin()
 void StepLayoutController::remember() const
 {
     if (window_.actions()[Command::LayoutFollowsStep]->isChecked()) {
-        settingOf(work_).write(ui::bytesOf(now()));
+        settingOf(work_).write(ui::toBytes(currentLayout()));
     }
 }
 
 void StepLayoutController::reset()
 {
-    show(asItCame(work_));
-    settingOf(work_).write(ui::bytesOf(now()));
+    show(defaultLayout(work_));
+    settingOf(work_).write(ui::toBytes(currentLayout()));
 }
 
-ui::WorkLayout StepLayoutController::now() const
+ui::ActivityLayout StepLayoutController::currentLayout() const
 {
     return {window_.columns(), window_.actions()[Command::SlicesLarge]->isChecked(), settings::cornerView.read()};
 }
 
-ui::WorkLayout StepLayoutController::asItCame(Work work) const
+ui::ActivityLayout StepLayoutController::defaultLayout(Activity work) const
 {
-    const bool traces = work == Work::Tracing;
-    return {ui::columnsFor(work, window_.width()), traces, traces ? 0 : settings::cornerView.read()};
+    const bool traces = work == Activity::Tracing;
+    return {ui::defaultColumns(work, window_.width()), traces, traces ? 0 : settings::cornerView.read()};
 }
 
 /// Applies a layout; the keyboard focus stays on its widget if that remains visible.
-void StepLayoutController::show(const ui::WorkLayout& layout)
+void StepLayoutController::show(const ui::ActivityLayout& layout)
 {
     const QPointer<QWidget> focus = QApplication::focusWidget();
     const ui::WindowActions& actions = window_.actions();
     for (const Command alone :
          {Command::ImageOnly, Command::CornerOnly}) {   // a single view would hide the layout of the step
-        if (window_.isOneAlone()) {
+        if (window_.isViewMaximized()) {
             actions[alone]->setChecked(false);
         }
     }
     window_.setColumns(layout.columns);
     if (actions[Command::SlicesLarge]->isEnabled()) {
-        actions[Command::SlicesLarge]->setChecked(layout.areSlicesLarge);
+        actions[Command::SlicesLarge]->setChecked(layout.areSlicesEnlarged);
     }
     const auto plane = static_cast<std::size_t>(layout.cornerPlane);
     window_.corner().showPlane(plane == 0 ? std::nullopt : std::optional(core::bodyPlanes[plane - 1]));

@@ -22,20 +22,21 @@ public:
     void remember() const;   ///< stores the current layout
 
 private:
-    void follow();
+    void updateLayout();
     void reset();
-    void tellFollowing(bool follows);
-    std::optional<ui::Work> workOf(ui::Step step) const;
-    ui::WorkLayout now() const;
-    ui::WorkLayout asItCame(ui::Work work) const;
-    void show(const ui::WorkLayout& layout);
-    bool isQuiet() const;
+    void showFollowingStatus(bool follows);
+    std::optional<ui::Activity> makeRetrieval(ui::Step step) const;
+    ui::ActivityLayout currentLayout() const;
+    ui::ActivityLayout defaultLayout(ui::Activity work) const;
+    void show(const ui::ActivityLayout& layout);
+    bool canChangeLayout() const;
 
     const RegistrationController& registration_;
     ui::MainWindow& window_;
-    ui::Work work_ = ui::Work::Registering;
-    std::optional<ui::Work> wanted_;   ///< layout to apply as soon as no drag and no registration is in progress
-    QTimer later_;
+    ui::Activity work_ = ui::Activity::Registering;
+    std::optional<ui::Activity>
+        pendingWork_;   ///< layout to apply as soon as no drag and no registration is in progress
+    QTimer applyTimer_;
 };
 
 }   // namespace angiopose::app

@@ -34,8 +34,8 @@ CineController::CineController(CaseDocument& document, ViewSync& sync, ReviewCon
     time_.start();
     timer_.setSingleShot(true);
     timer_.setTimerType(Qt::PreciseTimer);
-    connect(&timer_, &QTimer::timeout, this, &CineController::showDue);
-    connect(&document_, &CaseDocument::changed, this, &CineController::followDocument);
+    connect(&timer_, &QTimer::timeout, this, &CineController::showDueFrame);
+    connect(&document_, &CaseDocument::changed, this, &CineController::updateFromDocument);
     connect(&strip_.play(), &ui::PlayBar::playClicked, actions_[ui::Command::Cine], &QAction::trigger);
     connect(&strip_.play(), &ui::PlayBar::speedPicked, this, &CineController::chooseSpeed);
     connect(&strip_.play(), &ui::PlayBar::orderPicked, this, &CineController::chooseOrder);
@@ -43,7 +43,7 @@ CineController::CineController(CaseDocument& document, ViewSync& sync, ReviewCon
     connectCommands();
     chooseSpeed(speed_);
     chooseOrder(order_);
-    followDocument();
+    updateFromDocument();
 }
 
 void CineController::connectCommands()
@@ -54,20 +54,20 @@ void CineController::connectCommands()
     connect(actions_[ui::Command::Cine], &QAction::toggled, this, &CineController::setPlaying);
     on(ui::Command::Cine, [this](bool plays) {
         if (!plays) {
-            keepFrame();
+            adoptFrame();
         }
     });
     on(ui::Command::PlaySlower, [this] { changeSpeed(-1); });
     on(ui::Command::PlayFaster, [this] { changeSpeed(1); });
     on(ui::Command::PlayBackAndForth,
        [this](bool turns) { chooseOrder(turns ? core::CineOrder::BackAndForth : core::CineOrder::Loop); });
-    on(ui::Command::LoopFromHere, [this] {
+    on(ui::Command::SetLoopStart, [this] {
         chooseLoop({sync_.shownFrame(), std::max(loop_.last, sync_.shownFrame())});
     });
-    on(ui::Command::LoopToHere, [this] {
+    on(ui::Command::SetLoopEnd, [this] {
         chooseLoop({std::min(loop_.first, sync_.shownFrame()), sync_.shownFrame()});
     });
-    on(ui::Command::LoopWholeRun, [this] { chooseLoop({0, frameCount() - 1}); });
+    on(ui::Command::ClearLoop, [this] { chooseLoop({0, frameCount() - 1}); });
 }
 
 int CineController::frameCount() const
@@ -76,7 +76,7 @@ int CineController::frameCount() const
     return angiogram ? angiogram->frameCount() : 0;
 }
 
-void CineController::followDocument()
+void CineController::updateFromDocument()
 {
     const auto run = core::storedRunOf(document_.current().shown());
     if (run == run_ && loop_.last < std::max(1, frameCount())) {
@@ -85,7 +85,7 @@ void CineController::followDocument()
     run_ = run;
     actions_[ui::Command::Cine]->setChecked(false);
     for (const ui::Command command :
-         {ui::Command::Cine, ui::Command::LoopFromHere, ui::Command::LoopToHere, ui::Command::LoopWholeRun}) {
+         {ui::Command::Cine, ui::Command::SetLoopStart, ui::Command::SetLoopEnd, ui::Command::ClearLoop}) {
         actions_[command]->setEnabled(frameCount() > 1);
     }
     chooseLoop({0, std::max(0, frameCount() - 1)});
@@ -100,7 +100,7 @@ void CineController::setPlaying(bool on)
         restart();
     } else {
         timer_.stop();
-        stoppedAt_ = clock_ ? std::optional(sync_.shownFrame()) : std::nullopt;
+        stoppedFrame_ = clock_ ? std::optional(sync_.shownFrame()) : std::nullopt;
         clock_.reset();
         sync_.showFrame(document_.current().shown().frame);
         if (on) {
@@ -111,9 +111,9 @@ void CineController::setPlaying(bool on)
 }
 
 /// Makes the frame on screen the frame of the case after the user has stopped playback.
-void CineController::keepFrame()
+void CineController::adoptFrame()
 {
-    if (const auto frame = std::exchange(stoppedAt_, std::nullopt); frame && !document_.isLocked()) {
+    if (const auto frame = std::exchange(stoppedFrame_, std::nullopt); frame && !document_.isLocked()) {
         review_.showFrame(*frame);
     }
 }
@@ -124,10 +124,10 @@ void CineController::restart()
     const double nowMs = static_cast<double>(time_.nsecsElapsed()) / nsPerMs;
     clock_.emplace(loop_, order_, frameMsOf(*document_.current().shown().angiogram) / speed_);
     clock_->start(sync_.shownFrame(), nowMs);
-    showDue();
+    showDueFrame();
 }
 
-void CineController::showDue()
+void CineController::showDueFrame()
 {
     const double nowMs = static_cast<double>(time_.nsecsElapsed()) / nsPerMs;
     const int due = std::min(clock_->frameAt(nowMs), frameCount() - 1);

@@ -29,11 +29,11 @@ public:
 
 private:
     void connectCommands();
-    void followDocument();
+    void updateFromDocument();
     void setPlaying(bool on);
-    void keepFrame();
+    void adoptFrame();
     void restart();
-    void showDue();
+    void showDueFrame();
     void chooseSpeed(double speed);
     void changeSpeed(int step);
     void chooseOrder(core::CineOrder order);
@@ -50,7 +50,7 @@ private:
     double speed_;
     core::CineOrder order_;
     std::optional<core::CineClock> clock_;   ///< set during playback
-    std::optional<int> stoppedAt_;
+    std::optional<int> stoppedFrame_;
     QElapsedTimer time_;
     QTimer timer_;
 };

@@ -2,7 +2,7 @@
 
 #include "app/words/patient_words.h"
 #include "core/case/case_patients.h"
-#include "ui/words/spoken.h"
+#include "ui/words/retranslation.h"
 
 #include <QCoreApplication>
 
@@ -18,9 +18,9 @@ auto lineOf(const core::Case& session, bool isHidden)
     const std::vector<core::CasePatient> patients = core::patientsOf(session);
     ui::PatientLine line;
     if (patients.size() > 1) {
-        line.doubt = PatientWords::tr("The inputs belong to different patients");
+        line.warning = PatientWords::tr("The inputs belong to different patients");
     } else if (!core::findMismatch(session).empty()) {
-        line.doubt = PatientWords::tr("The inputs do not match");
+        line.warning = PatientWords::tr("The inputs do not match");
     }
     if (patients.empty()) {
         return line;
@@ -29,8 +29,8 @@ auto lineOf(const core::Case& session, bool isHidden)
         line.details = PatientWords::tr("Identity hidden (Shift+P shows it)");
     } else if (patients.size() == 1) {
         line.name = readableName(patients.front().identity.patientName);
-        const QString details = detailsOf(patients.front());
-        const QString inputs = inputsOf(patients.front(), session.views.size());
+        const QString details = patientDetails(patients.front());
+        const QString inputs = patientInputs(patients.front(), session.views.size());
         line.details =
             details.isEmpty() ? QStringLiteral("(%1)").arg(inputs) : QStringLiteral("%1 (%2)").arg(details, inputs);
     } else {
@@ -47,7 +47,7 @@ PatientController::PatientController(const CaseDocument& document, ui::PatientBa
 {
     connect(&document_, &CaseDocument::changed, this, &PatientController::show);
     connect(&hideIdentity_, &QAction::toggled, this, &PatientController::show);
-    ui::speak(this, [this] { show(); });
+    ui::keepTranslated(this, [this] { show(); });
 }
 
 void PatientController::show()

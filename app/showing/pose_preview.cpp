@@ -8,20 +8,20 @@ namespace angiopose::app {
 
 PosePreview::PosePreview(const CaseDocument& document, QObject* parent) : QObject(parent), document_(document) {}
 
-void PosePreview::show(PreviewOf whose, const core::RigidTransform& cameraFromPatient, ResidualColors colors)
+void PosePreview::show(PreviewSource source, const core::RigidTransform& cameraFromPatient, ResidualColors colors)
 {
-    const auto before = std::exchange(shown_, whose);
+    const auto before = std::exchange(shown_, source);
     pose_ = cameraFromPatient;
     colors_ = colors;
-    if (before && before != whose) {
-        emit gaveWay(*before);
+    if (before && before != source) {
+        emit replaced(*before);
     }
     emit changed();
 }
 
-void PosePreview::end(PreviewOf whose)
+void PosePreview::end(PreviewSource source)
 {
-    if (shown_ != whose) {
+    if (shown_ != source) {
         return;
     }
     shown_.reset();
@@ -34,21 +34,21 @@ const core::RigidTransform& PosePreview::pose() const
     return shown_ ? pose_ : document_.current().shown().cameraFromPatient;
 }
 
-core::RigidTransform PosePreview::poseIn(std::size_t view) const
+core::RigidTransform PosePreview::poseOfView(std::size_t view) const
 {
     const core::Case& current = document_.current();
     if (view == current.shownView) {
         return pose();
     }
     const core::View& other = current.views[view];
-    if (!shown_ || !movesAllViews_ || shown_ == PreviewOf::Frame) {
+    if (!shown_ || !movesAllViews_ || shown_ == PreviewSource::Frame) {
         return other.cameraFromPatient;
     }
-    if (shown_ == PreviewOf::Start) {
+    if (shown_ == PreviewSource::Start) {
         const auto start = core::initialPoseOf(other, current.vessels);
         return start ? start.value() : other.cameraFromPatient;
     }
-    return core::poseMovedAlong(current, view, pose_);
+    return core::poseAfterMotion(current, view, pose_);
 }
 
 void PosePreview::setShape(VesselShape shape)

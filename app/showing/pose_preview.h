@@ -11,7 +11,7 @@
 namespace angiopose::app {
 
 /// Source of a pose that is shown temporarily instead of the document's pose.
-enum class PreviewOf { Drag, Run, Start, Replay, Swing, Solution, Snapshot, Frame };
+enum class PreviewSource { Drag, Run, Start, Replay, Swing, Solution, Snapshot, Frame };
 
 /// Whether residual colors apply to a temporarily shown pose. A dragged pose is evaluated as it moves; for other poses,
 /// the colors would belong to a different pose.
@@ -24,14 +24,14 @@ class PosePreview : public QObject {
 public:
     explicit PosePreview(const CaseDocument& document, QObject* parent = nullptr);
 
-    void show(PreviewOf whose, const core::RigidTransform& cameraFromPatient, ResidualColors colors);
-    void end(PreviewOf whose);   ///< returns to the document's pose unless another preview has taken over
+    void show(PreviewSource source, const core::RigidTransform& cameraFromPatient, ResidualColors colors);
+    void end(PreviewSource source);   ///< returns to the document's pose unless another preview has taken over
 
-    std::optional<PreviewOf> shown() const { return shown_; }   ///< empty if the document's pose is shown
+    std::optional<PreviewSource> shown() const { return shown_; }   ///< empty if the document's pose is shown
     const core::RigidTransform& pose() const;   ///< shown pose, camera from patient
     /// Shown pose of any view of the case, camera from patient. If the views are linked, a preview moves all of them;
     /// initial poses exist for each view, and tracking moves only the shown view.
-    core::RigidTransform poseIn(std::size_t view) const;
+    core::RigidTransform poseOfView(std::size_t view) const;
     void setMovesAllViews(bool all);   ///< sets whether a preview moves all views of the case
     bool movesAllViews() const { return movesAllViews_; }
     ResidualColors colors() const { return colors_; }
@@ -45,11 +45,11 @@ public:
 
 signals:
     void changed();
-    void gaveWay(app::PreviewOf whose);   ///< emitted when another preview has replaced this one
+    void replaced(app::PreviewSource source);   ///< emitted when another preview has replaced this one
 
 private:
     const CaseDocument& document_;
-    std::optional<PreviewOf> shown_;
+    std::optional<PreviewSource> shown_;
     core::RigidTransform pose_;   ///< pose of the preview
     ResidualColors colors_ = ResidualColors::Kept;
     bool movesAllViews_ = true;

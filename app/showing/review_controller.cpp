@@ -1,7 +1,7 @@
 #include "app/showing/review_controller.h"
 
 #include "app/document/edit_case.h"
-#include "app/preferences/applied_choices.h"
+#include "app/preferences/apply_settings.h"
 #include "app/preferences/settings.h"
 #include "ui/actions/window_actions.h"
 #include "ui/panels/bottom_strip.h"
@@ -40,19 +40,19 @@ void ReviewController::connectShape()
     deformed->setChecked(preview_.shape() == VesselShape::Deformed);
     connect(deformed, &QAction::toggled, this, [this](bool on) {
         preview_.setShape(on ? VesselShape::Deformed : VesselShape::Rigid);
-        sayShape(on ? tr("Vessels: deformed") : tr("Vessels: rigid pose"));
+        showShapeNote(on ? tr("Vessels: deformed") : tr("Vessels: rigid pose"));
     });
-    connect(ui_.actions[ui::Command::MotionColors], &QAction::toggled, this, [this](bool on) {
+    connect(ui_.actions[ui::Command::DeformationColors], &QAction::toggled, this, [this](bool on) {
         preview_.setMotionColored(on);
-        sayShape(on ? tr("Colors: displacement of the deformed vessels")
-                    : tr("Colors: distance to the traced vessels"));
+        showShapeNote(on ? tr("Colors: displacement of the deformed vessels")
+                         : tr("Colors: distance to the traced vessels"));
     });
 }
 
-void ReviewController::sayShape(const QString& words)
+void ReviewController::showShapeNote(const QString& words)
 {
     const core::Case& current = document_.current();
-    const bool isKnown = drawableDeformation(current.shown(), current.vessels, preview_.pose()) != nullptr;
+    const bool isKnown = deformationForPose(current.shown(), current.vessels, preview_.pose()) != nullptr;
     ui_.strip.showStatus(isKnown ? words : tr("There are no deformed vessels for this pose"));
 }
 
@@ -60,7 +60,7 @@ void ReviewController::connectMotion()
 {
     ui::WindowActions& actions = ui_.actions;
     flickerTimer_.setInterval(600ms);
-    connect(&flickerTimer_, &QTimer::timeout, this, &ReviewController::flick);
+    connect(&flickerTimer_, &QTimer::timeout, this, &ReviewController::toggleFlickerPose);
     connect(actions[ui::Command::Flicker], &QAction::toggled, this, &ReviewController::setFlickering);
     const std::array motions{ui::Command::Flicker, ui::Command::Cine, ui::Command::Replay, ui::Command::Swing};
     for (const ui::Command motion : motions) {
@@ -129,30 +129,30 @@ void ReviewController::setFlickering(bool on)
 {
     if (!on) {
         flickerTimer_.stop();
-        showsStart_ = false;
-        preview_.end(PreviewOf::Start);
+        showsInitialPose_ = false;
+        preview_.end(PreviewSource::Start);
         return;
     }
-    flick();
+    toggleFlickerPose();
     if (!settings::reduceMotion.read()) {
         flickerTimer_.start();   // with reduced motion, each press of F toggles once instead
     }
 }
 
-void ReviewController::flick()
+void ReviewController::toggleFlickerPose()
 {
     const auto start = core::initialPoseOf(document_.current());
     if (!start || document_.isLocked()) {
         stopMotion();
         return;
     }
-    showsStart_ = !showsStart_;
-    if (showsStart_) {
-        preview_.show(PreviewOf::Start, start.value(), ResidualColors::Hidden);
+    showsInitialPose_ = !showsInitialPose_;
+    if (showsInitialPose_) {
+        preview_.show(PreviewSource::Start, start.value(), ResidualColors::Hidden);
     } else {
-        preview_.end(PreviewOf::Start);
+        preview_.end(PreviewSource::Start);
     }
-    ui_.strip.showStatus(showsStart_ ? tr("Before: initial pose") : tr("After: current pose"));
+    ui_.strip.showStatus(showsInitialPose_ ? tr("Before: initial pose") : tr("After: current pose"));
 }
 
 void ReviewController::stopMotion()
@@ -166,7 +166,7 @@ void ReviewController::stopMotion()
 void ReviewController::applyTheme(const QString& name)
 {
     settings::theme.write(name);
-    applyChosenTheme(*qApp);
+    applyThemeSetting(*qApp);
     ui_.treeView.setTheme(ui::activeTheme());
 }
 

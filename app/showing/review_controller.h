@@ -38,9 +38,9 @@ private:
     void connectMotion();
     void connectWindow();
     void connectShape();
-    void sayShape(const QString& words);
+    void showShapeNote(const QString& words);
     void setFlickering(bool on);
-    void flick();
+    void toggleFlickerPose();
     void applyTheme(const QString& name);
 
     CaseDocument& document_;
@@ -48,7 +48,7 @@ private:
     PosePreview& preview_;
     Ui ui_;
     QTimer flickerTimer_;
-    bool showsStart_ = false;
+    bool showsInitialPose_ = false;
     int frameBurst_ = 0;
     qint64 lastFrameMs_ = 0;
 };

@@ -1,7 +1,7 @@
 #include "app/showing/view_sync.h"
 
 #include "app/showing/vessels_in_view.h"
-#include "app/texts/overlay_picture.h"
+#include "app/texts/overlay_image.h"
 #include "app/words/view_words.h"
 #include "core/evaluation/trial/branch_distances.h"
 #include "core/tracing/angiogram/run/subtract_run.h"
@@ -13,7 +13,7 @@
 #include "ui/views/angiogram_view.h"
 #include "ui/views/tree_view.h"
 #include "ui/words/number.h"
-#include "ui/words/spoken.h"
+#include "ui/words/retranslation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,23 +28,23 @@ double sourceToDetectorMm(const core::Case& current)
     return current.shown().geometry.cArm.sourceToDetectorMm.value.value_or(1000.0);
 }
 
-QString previewWords(PreviewOf whose)
+QString previewWords(PreviewSource whose)
 {
     switch (whose) {
-        case PreviewOf::Start:
+        case PreviewSource::Start:
             return ViewSync::tr("initial pose");
-        case PreviewOf::Replay:
+        case PreviewSource::Replay:
             return ViewSync::tr("a step of the registration");
-        case PreviewOf::Swing:
-            return ViewSync::tr("a pose within image noise");
-        case PreviewOf::Solution:
+        case PreviewSource::Swing:
+            return ViewSync::tr("a pose within the image noise");
+        case PreviewSource::Solution:
             return ViewSync::tr("another solution");
-        case PreviewOf::Snapshot:
+        case PreviewSource::Snapshot:
             return ViewSync::tr("a snapshot");
-        case PreviewOf::Frame:
+        case PreviewSource::Frame:
             return ViewSync::tr("pose of this frame");
-        case PreviewOf::Drag:
-        case PreviewOf::Run:
+        case PreviewSource::Drag:
+        case PreviewSource::Run:
             break;
     }
     return ViewSync::tr("another pose");
@@ -68,10 +68,10 @@ ViewSync::ViewSync(const CaseDocument& document, const PosePreview& preview, con
       preview_(preview),
       ui_(ui),
       chip_(new ui::VerdictChip(ui.view)),
-      opacification_([this](const Measured& measured) { takeMeasured(measured); })
+      opacification_([this](const OpacificationResult& measured) { setOpacification(measured); })
 {
-    connect(&preview, &PosePreview::changed, this, &ViewSync::followPreview);
-    ui::speak(this, [this] {
+    connect(&preview, &PosePreview::changed, this, &ViewSync::updateFromPreview);
+    ui::keepTranslated(this, [this] {
         showFrameNote();
         showCornerTexts();
         showChip();
@@ -115,7 +115,7 @@ void ViewSync::showTree()
 void ViewSync::showShape()
 {
     const core::Case& current = document_.current();
-    const auto known = drawableDeformation(current.shown(), current.vessels, preview_.pose());
+    const auto known = deformationForPose(current.shown(), current.vessels, preview_.pose());
     if (known == drawn_.known && (!known || preview_.shape() == drawn_.shape)) {
         return;
     }
@@ -143,7 +143,8 @@ void ViewSync::showAngiogram()
         clearFrame();
     }
     if (measuredRun_ == core::storedRunOf(document_.current().shown())) {
-        isGrayNew_ = shownAngiogram_ != nullptr;   // the same cine run was toggled between subtracted and native
+        isGrayRangeChanged_ =
+            shownAngiogram_ != nullptr;   // the same cine run was toggled between subtracted and native
     } else {
         measureOpacification();   // measured on the stored frames, which subtraction does not change
     }
@@ -178,7 +179,7 @@ void ViewSync::showFrame(int frame)
     if (shownAngiogram_ && frame >= 0 && frame < shownAngiogram_->frameCount()) {
         const core::ImageF& image = shownAngiogram_->frames[static_cast<std::size_t>(frame)];
         ui_.view.setFrame(image);
-        if (std::exchange(isGrayNew_, false)) {
+        if (std::exchange(isGrayRangeChanged_, false)) {
             ui_.view.autoWindowLevel();
         }
         ui_.view.setFramePosition(frame, shownAngiogram_->frameCount());
@@ -200,11 +201,11 @@ void ViewSync::showPose()
     emit poseShown(cameraFromPatient);
 }
 
-void ViewSync::followPreview()
+void ViewSync::updateFromPreview()
 {
     const bool isMotionNew = std::exchange(isMotionColored_, preview_.isMotionColored()) != isMotionColored_;
-    const bool isOther = isOtherPose();
-    if (std::exchange(wasOtherPose_, isOther) || isOther || isMotionNew) {
+    const bool isOther = isPreviewPose();
+    if (std::exchange(wasPreviewPose_, isOther) || isOther || isMotionNew) {
         showResidualColors();
         showCornerTexts();
     }
@@ -214,7 +215,7 @@ void ViewSync::followPreview()
 }
 
 /// Returns whether a preview is shown to which the evaluation of the document's pose does not apply.
-bool ViewSync::isOtherPose() const
+bool ViewSync::isPreviewPose() const
 {
     return preview_.shown() && preview_.colors() == ResidualColors::Hidden;
 }
@@ -228,14 +229,14 @@ void ViewSync::showVerdict(ui::VerdictTone tone, const QString& words)
 
 void ViewSync::showChip()
 {
-    if (!isOtherPose() || document_.isInTrial()) {
+    if (!isPreviewPose() || document_.isInTrial()) {
         chip_->showVerdict(tone_, document_.isInTrial() ? QString() : verdict_);
         return;
     }
     const QString words = tr("Preview: %1").arg(previewWords(*preview_.shown()));
     chip_->showVerdict(ui::VerdictTone::Doubtful,
-                       otherMedianMm_ > 0.0
-                           ? tr("%1 · median of the whole tree %2 mm").arg(words, ui::numberText(otherMedianMm_, 2))
+                       previewMedianMm_ > 0.0
+                           ? tr("%1 · median of the whole tree %2 mm").arg(words, ui::numberText(previewMedianMm_, 2))
                            : words);
 }
 
@@ -258,19 +259,19 @@ void ViewSync::showTarget(const SharedCenterline& target)
     ui_.view.redraw();
 }
 
-void ViewSync::showJudgement(const SharedJudgement& judgement)
+void ViewSync::showAssessment(const SharedEvaluation& evaluation)
 {
-    judgement_ = judgement;
+    evaluation_ = evaluation;
     showResidualColors();
     const core::Case& current = document_.current();
-    if (!judgement_ || !shownCamera_ || !current.vessels.tree) {
+    if (!evaluation_ || !shownCamera_ || !current.vessels.tree) {
         ui_.branches.showResiduals({}, 0.0);
         return;
     }
     const double depthMm = depthOfTreeMm(current.shown(), current.vessels);
     const double mmPerPx = core::millimetersPerPixel(*shownCamera_, depthMm);
     std::map<int, double> residualMm;
-    for (const core::BranchResidual& branch : judgement_->result.branches) {
+    for (const core::BranchResidual& branch : evaluation_->result.branches) {
         residualMm[branch.branchId] = branch.medianPx * mmPerPx;
     }
     ui_.branches.showResiduals(residualMm, residualScaleMaximumPx(*shownCamera_, depthMm) * mmPerPx);
@@ -280,9 +281,10 @@ void ViewSync::showResidualColors()
 {
     ui::AngiogramView& view = ui_.view;
     const core::Case& current = document_.current();
-    const bool isOfOtherFrame = preview_.shown() == PreviewOf::Frame;   // vessels of that frame are not traced
-    const bool isKnown = isOtherPose() ? target_ && !isOfOtherFrame && !document_.isInTrial() : judgement_ != nullptr;
-    otherMedianMm_ = 0.0;
+    const bool isOfOtherFrame = preview_.shown() == PreviewSource::Frame;   // vessels of that frame are not traced
+    const bool isKnown =
+        isPreviewPose() ? target_ && !isOfOtherFrame && !document_.isInTrial() : evaluation_ != nullptr;
+    previewMedianMm_ = 0.0;
     if (!isKnown || !shownCamera_ || !current.vessels.tree) {
         view.scene().clearResiduals();
         view.setResidualScale(0.0, 0.0);
@@ -309,12 +311,12 @@ void ViewSync::colorByMotion(double mmPerPx)
 /// the document's pose.
 void ViewSync::colorByResiduals(double scalePx, double mmPerPx)
 {
-    const bool isOther = isOtherPose();
+    const bool isOther = isPreviewPose();
     const bool isJudged = !isOther && (drawn_.shape != VesselShape::Deformed || !target_);
-    const auto residualPx = isJudged ? judgement_->residualPx
+    const auto residualPx = isJudged ? evaluation_->residualPx
                                      : core::branchDistances(drawn_.tree, *target_, *shownCamera_, preview_.pose());
     if (isOther) {
-        otherMedianMm_ = mmPerPx * core::medianOf(residualPx);
+        previewMedianMm_ = mmPerPx * core::medianOf(residualPx);
     }
     ui_.view.scene().setResiduals(residualPx, scalePx);
     ui_.view.setResidualScale(scalePx, scalePx * mmPerPx);
@@ -359,21 +361,21 @@ void ViewSync::measureOpacification()
     ui_.strip.showFrames(frameCurve_);
     opacification_.drop();
     if (measuredRun_ && measuredRun_->frameCount() > 1) {
-        opacification_.start([run = measuredRun_](JobLink<double>&) -> core::Result<Measured> {
-            return Measured{core::opacificationCurve(run->frames, run->polarity, run->shutter),
-                            core::suggestMaskFrames(run->frames, run->polarity, run->shutter)};
+        opacification_.start([run = measuredRun_](JobLink<double>&) -> core::Result<OpacificationResult> {
+            return OpacificationResult{core::opacificationCurve(run->frames, run->polarity, run->shutter),
+                                       core::suggestMaskFrames(run->frames, run->polarity, run->shutter)};
         });
     }
-    emit runMeasured();
+    emit opacificationMeasured();
 }
 
-void ViewSync::takeMeasured(const Measured& measured)
+void ViewSync::setOpacification(const OpacificationResult& measured)
 {
     frameCurve_ = {relativeToPeak(measured.opacification), measuredRun_->suggestedFrame, measuredRun_->frameTimeMs,
                    measuredRun_->rWaveFrames};
     suggestedMasks_ = measured.masks;
     ui_.strip.showFrames(frameCurve_);
-    emit runMeasured();
+    emit opacificationMeasured();
 }
 
 }   // namespace angiopose::app

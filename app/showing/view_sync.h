@@ -1,8 +1,8 @@
 #pragma once
 
 #include "app/document/case_document.h"
+#include "app/jobs/evaluation_job.h"
 #include "app/jobs/job.h"
-#include "app/jobs/judge_job.h"
 #include "app/jobs/trace_job.h"
 #include "app/showing/pose_preview.h"
 #include "app/texts/deformed_vessels.h"
@@ -43,7 +43,7 @@ public:
     void refresh();
     void showMarks(const ui::BranchMarks& marks);
     void showTarget(const SharedCenterline& target);
-    void showJudgement(const SharedJudgement& judgement);   ///< null for no residual colors
+    void showAssessment(const SharedEvaluation& evaluation);   ///< null for no residual colors
     /// Sets the verdict on the document's pose. While another pose is shown, the chip describes that pose instead. An
     /// empty text hides the chip.
     void showVerdict(ui::VerdictTone tone, const QString& words);
@@ -53,17 +53,17 @@ public:
     const std::vector<int>& suggestedMasks() const
     {
         return suggestedMasks_;
-    }   ///< suggested mask frames of the cine run; valid after `runMeasured`
+    }   ///< suggested mask frames of the cine run; valid after `opacificationMeasured`
     const ui::FrameCurve& frameCurve() const { return frameCurve_; }
     void setIdentityHidden(bool hidden);
 
 signals:
-    void runMeasured();   ///< emitted when `frameCurve` and `suggestedMasks` are available
+    void opacificationMeasured();   ///< emitted when `frameCurve` and `suggestedMasks` are available
     void frameShown(int frame);
     void poseShown(const core::RigidTransform& cameraFromPatient);   ///< pose of the document or of a preview
 
 private:
-    struct Measured {
+    struct OpacificationResult {
         std::vector<double> opacification;
         std::vector<int> masks;
     };
@@ -73,17 +73,17 @@ private:
     void showAngiogram();
     void clearFrame();
     void showCamera();
-    void followPreview();
+    void updateFromPreview();
     void showPose();
     void showResidualColors();
     void showChip();
-    bool isOtherPose() const;
+    bool isPreviewPose() const;
     void colorByMotion(double mmPerPx);
     void colorByResiduals(double scalePx, double mmPerPx);
     void showCornerTexts();
     void showFrameNote();
     void measureOpacification();
-    void takeMeasured(const Measured& measured);
+    void setOpacification(const OpacificationResult& measured);
 
     const CaseDocument& document_;
     const PosePreview& preview_;
@@ -95,10 +95,10 @@ private:
     std::shared_ptr<const core::Angiogram> shownAngiogram_;
     std::optional<core::ProjectionCamera> shownCamera_;
     int shownFrame_ = -1;
-    bool isGrayNew_ = false;   ///< the next frame has a different range of gray values
-    SharedJudgement judgement_;
-    bool wasOtherPose_ = false;
-    double otherMedianMm_ = 0.0;   ///< median residual at the previewed pose, mm; 0 if unknown
+    bool isGrayRangeChanged_ = false;   ///< the next frame has a different range of gray values
+    SharedEvaluation evaluation_;
+    bool wasPreviewPose_ = false;
+    double previewMedianMm_ = 0.0;   ///< median residual at the previewed pose, mm; 0 if unknown
     ui::VerdictChip* chip_;
     ui::VerdictTone tone_ = ui::VerdictTone::Doubtful;
     QString verdict_;
@@ -107,7 +107,7 @@ private:
     std::shared_ptr<const core::Angiogram> measuredRun_;
     ui::FrameCurve frameCurve_;
     std::vector<int> suggestedMasks_;
-    Job<Measured> opacification_;
+    Job<OpacificationResult> opacification_;
 };
 
 }   // namespace angiopose::app

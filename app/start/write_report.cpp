@@ -2,7 +2,7 @@
 
 #include "app/menus/language_controller.h"
 #include "app/messages/messages.h"
-#include "app/preferences/applied_choices.h"
+#include "app/preferences/apply_settings.h"
 #include "app/preferences/private_mode.h"
 #include "app/preferences/save_folder.h"
 #include "app/report/case_report.h"
@@ -10,13 +10,13 @@
 #include "app/words/snapshot_texts.h"
 #include "app/words/view_words.h"
 #include "core/case/registration_input.h"
+#include "core/support/observer_decision.h"
 #include "core/support/utc_time.h"
-#include "core/support/verdict.h"
 #include "core/workflow/register_case.h"
-#include "io/opening/open_case_with.h"
+#include "io/opening/open_case_with_options.h"
 #include "io/sharing/audit_file.h"
 #include "io/support/atomic_file.h"
-#include "io/support/system/own_process.h"
+#include "io/support/system/current_process.h"
 #include "ui/words/language.h"
 
 #include <QApplication>
@@ -43,7 +43,7 @@ extern "C" void onStopSignal(int signal)
 }
 
 /// Turns SIGINT (Ctrl+C) and SIGTERM into a stop request; a second signal ends the program at once.
-void catchStops()
+void installStopHandlers()
 {
     std::signal(SIGINT, onStopSignal);
     std::signal(SIGTERM, onStopSignal);
@@ -55,7 +55,7 @@ bool isStopRequested()
 }
 
 /// Shows the progress in one line on stderr if that is a terminal; returns Stop after a stop request.
-core::Verdict watchWork(std::string_view stage, double fraction)
+core::ObserverDecision showWorkProgress(std::string_view stage, double fraction)
 {
     static const bool isWatched = io::isTerminal(stderr);
     const int percent = static_cast<int>(100.0 * fraction);
@@ -64,11 +64,11 @@ core::Verdict watchWork(std::string_view stage, double fraction)
         std::fprintf(stderr, "\r\x1b[K%.*s %3d %%", static_cast<int>(stage.size()), stage.data(), percent);
         std::fflush(stderr);
     }
-    return isStopRequested() ? core::Verdict::Stop : core::Verdict::Continue;
+    return isStopRequested() ? core::ObserverDecision::Stop : core::ObserverDecision::Continue;
 }
 
 /// Erases the progress line.
-void endWatch()
+void clearProgressLine()
 {
     if (lastPercent >= 0) {
         std::fputs("\r\x1b[K", stderr);
@@ -77,7 +77,7 @@ void endWatch()
 }
 
 // Exit codes, see FORMATS §5.
-constexpr int exitWritten = 0;
+constexpr int exitSuccess = 0;
 constexpr int exitNoInput = 3;
 constexpr int exitDistrusted = 4;
 constexpr int exitAtStop = 130;
@@ -89,9 +89,9 @@ void tell(const core::Message& message, const char* kind = "")
 
 int failWith(const core::Error& error)
 {
-    endWatch();
+    clearProgressLine();
     tell(error.message);
-    return error.isStop() || isStopRequested() ? exitAtStop : exitNoInput;
+    return error.isCancellation() || isStopRequested() ? exitAtStop : exitNoInput;
 }
 
 void audit(io::AuditEvent event, const QString& path)
@@ -105,20 +105,20 @@ void audit(io::AuditEvent event, const QString& path)
     }
 }
 
-core::Result<core::Case> readCase(const ReportWords& words)
+core::Result<core::Case> readCase(const ReportCommandOptions& words)
 {
     core::Messages warnings;
-    const io::CaseRequest request{{}, io::PeakFrame::NotNeeded};
-    auto read = io::openCaseWith(request, words.casePath.toStdString(), warnings,
-                                 [](double fraction) { return watchWork("reading", fraction); });
-    endWatch();
+    const io::CaseLoadOptions request{{}, io::PeakFrameSearch::Skipped};
+    auto read = io::openCaseWithOptions(request, words.casePath.toStdString(), warnings,
+                                        [](double fraction) { return showWorkProgress("reading", fraction); });
+    clearProgressLine();
     for (const core::Message& warning : warnings) {
         tell(warning, "warning: ");
     }
     return read;
 }
 
-std::string authorOf(const ReportWords& words)
+std::string authorOf(const ReportCommandOptions& words)
 {
     return words.author.value_or(observerName()).toStdString();
 }
@@ -129,20 +129,20 @@ struct Reportable {
     core::Centerline2d target;
 };
 
-core::Result<Reportable> registered(core::Case session, const ReportWords& words)
+core::Result<Reportable> registered(core::Case session, const ReportCommandOptions& words)
 {
     core::RegistrationPlan plan;
     plan.author = authorOf(words);
     plan.time = core::utcNow();
     auto found = core::registerCase(std::move(session), std::move(plan), [](const core::WorkReport& report) {
-        return watchWork("registering", report.fraction);
+        return showWorkProgress("registering", report.fraction);
     });
-    endWatch();
+    clearProgressLine();
     if (!found) {
         return found.error();
     }
     if (isStopRequested()) {
-        return core::Stopped{messages::reportStopped()};
+        return core::Cancellation{messages::reportStopped()};
     }
     core::RegisteredCase done = std::move(found).value();
     return Reportable{std::move(done.session), std::move(done.targets.front())};
@@ -157,15 +157,15 @@ core::Result<Reportable> asItIs(core::Case session)
     return Reportable{std::move(session), std::move(target).value()};
 }
 
-core::Result<std::vector<ReportedView>> viewsOf(const Reportable& reported, const ReportWords& words)
+core::Result<std::vector<ReportedView>> viewsOf(const Reportable& reported, const ReportCommandOptions& words)
 {
-    OverlayPictureOptions look;
+    OverlayImageOptions look;
     look.texts = windowTexts;
     look.identity = words.identity;
-    return judgedViews(outgoingCase(reported.session), reported.target, look);
+    return evaluateViews(caseForExport(reported.session), reported.target, look);
 }
 
-core::Status write(const std::vector<ReportedView>& views, const ReportWords& words)
+core::Status write(const std::vector<ReportedView>& views, const ReportCommandOptions& words)
 {
     const bool isPdf = words.outputPath.endsWith(QLatin1String(".pdf"), Qt::CaseInsensitive);
     const CaseReport report{views, QString::fromStdString(authorOf(words)), QApplication::font().families(),
@@ -179,7 +179,7 @@ core::Status write(const std::vector<ReportedView>& views, const ReportWords& wo
 }
 
 /// Suppresses Qt's remarks about a missing desktop; problems that users can act on are reported as messages.
-void keepQtQuiet()
+void suppressQtWarnings()
 {
     qInstallMessageHandler([](QtMsgType type, const QMessageLogContext&, const QString& text) {
         if (type == QtFatalMsg) {
@@ -188,19 +188,19 @@ void keepQtQuiet()
     });
 }
 
-int tellTrust(const core::RegistrationResult& judgement)
+int tellTrust(const core::RegistrationResult& evaluation)
 {
-    if (judgement.trustworthy) {
-        return exitWritten;
+    if (evaluation.trustworthy) {
+        return exitSuccess;
     }
     tell(messages::reportDistrusted());
-    for (const core::Message& warning : judgement.warnings) {
+    for (const core::Message& warning : evaluation.warnings) {
         tell(warning, "warning: ");
     }
     return exitDistrusted;
 }
 
-int writeReportOf(const ReportWords& words)
+int writeReportOf(const ReportCommandOptions& words)
 {
     auto read = readCase(words);
     if (!read) {
@@ -217,31 +217,31 @@ int writeReportOf(const ReportWords& words)
         return failWith(views.error().about(words.casePath.toStdString()));
     }
     if (isStopRequested()) {
-        return failWith(core::Stopped{messages::reportStopped()});
+        return failWith(core::Cancellation{messages::reportStopped()});
     }
     if (const auto written = write(views.value(), words); !written) {
         return failWith(written.error());
     }
     audit(io::AuditEvent::Exported, words.outputPath);
-    return tellTrust(views.value().front().judgement);
+    return tellTrust(views.value().front().evaluation);
 }
 
 }   // namespace
 
-int writeReport(int argc, char** argv, const ReportWords& words)
+int writeReport(int argc, char** argv, const ReportCommandOptions& words)
 {
-    catchStops();
-    keepQtQuiet();
+    installStopHandlers();
+    suppressQtWarnings();
     qputenv("QT_QPA_PLATFORM", "offscreen");   // used even if there is a display, because no window is shown
     QApplication application(argc, argv);
     std::setlocale(LC_NUMERIC, "C");   // Qt sets the system's numeric locale, in which libraries may parse 0.8 as 0
     if (words.language.isEmpty()) {
-        applyChosenLanguage();
+        applyLanguageSetting();
     } else {
         ui::applyLanguage(words.language);
     }
-    applyChosenTheme(application);   // needed for the typeface, which the theme sets
-    applyChosenColors();
+    applyThemeSetting(application);   // needed for the typeface, which the theme sets
+    applyColorSetting();
     return writeReportOf(words);
 }
 

@@ -74,13 +74,13 @@ void addDistances(core::Messages& lines, const core::CArm& cArm)
     const auto& sod = cArm.sourceToIsocenterMm.value;
     const core::Origin sidOrigin = cArm.sourceToDetectorMm.origin, sodOrigin = cArm.sourceToIsocenterMm.origin;
     if (sid && sod && sidOrigin == sodOrigin) {
-        lines.push_back(messages::sidAndSod(core::Quantity{*sid}, core::inMm(*sod, 0), originWord(sidOrigin)));
+        lines.push_back(messages::sidAndSod(core::Quantity{*sid}, core::inMm(*sod, 0), originMessage(sidOrigin)));
         return;
     }
     const auto sidLine =
-        sid ? std::optional(messages::sidAlone(core::inMm(*sid, 0), originWord(sidOrigin))) : std::nullopt;
+        sid ? std::optional(messages::sidAlone(core::inMm(*sid, 0), originMessage(sidOrigin))) : std::nullopt;
     const auto sodLine =
-        sod ? std::optional(messages::sodAlone(core::inMm(*sod, 0), originWord(sodOrigin))) : std::nullopt;
+        sod ? std::optional(messages::sodAlone(core::inMm(*sod, 0), originMessage(sodOrigin))) : std::nullopt;
     if (sidLine && sodLine) {
         lines.push_back(messages::twoParts(*sidLine, *sodLine));
     } else if (sidLine || sodLine) {
@@ -94,7 +94,8 @@ void addPixelScale(core::Messages& lines, const core::Case& session)
     std::optional<core::Message> atDetector, atVessels;
     const auto& spacing = session.shown().geometry.cArm.columnSpacingMm;
     if (spacing.value) {
-        atDetector = messages::scaleAtDetector(core::Quantity{*spacing.value, 3, "mm/px"}, originWord(spacing.origin));
+        atDetector =
+            messages::scaleAtDetector(core::Quantity{*spacing.value, 3, "mm/px"}, originMessage(spacing.origin));
     }
     const auto camera = core::cameraOf(session.shown());
     if (camera && session.vessels.tree) {
@@ -113,7 +114,7 @@ void addPixelScale(core::Messages& lines, const core::Case& session)
 
 }   // namespace
 
-core::Message originWord(core::Origin origin)
+core::Message originMessage(core::Origin origin)
 {
     switch (origin) {
         case core::Origin::Header:
@@ -132,10 +133,10 @@ core::Message originWord(core::Origin origin)
 
 std::string originText(core::Origin origin)
 {
-    return originWord(origin).text();
+    return originMessage(origin).text();
 }
 
-ui::CornerTexts textsOf(const CornerLines& lines, const std::function<std::string(const core::Message&)>& toText)
+ui::CornerTexts toCornerTexts(const CornerLines& lines, const std::function<std::string(const core::Message&)>& toText)
 {
     const auto all = [&toText](const core::Messages& messages) {
         std::vector<std::string> texts;
@@ -151,7 +152,7 @@ ui::CornerTexts textsOf(const CornerLines& lines, const std::function<std::strin
 
 ui::CornerTexts englishTexts(const CornerLines& lines)
 {
-    return textsOf(lines, [](const core::Message& message) { return message.text(); });
+    return toCornerTexts(lines, [](const core::Message& message) { return message.text(); });
 }
 
 CornerLines cornerLines(const core::Case& session, Identity identity)

@@ -13,7 +13,7 @@ namespace angiopose::app {
 enum class Identity { Shown, Hidden };
 
 /// Returns the word for an origin: "header", "derived", "user", "assumed" or "missing".
-core::Message originWord(core::Origin origin);
+core::Message originMessage(core::Origin origin);
 std::string originText(core::Origin origin);
 
 /// Texts in the corners of an image, one line per entry.
@@ -23,7 +23,7 @@ struct CornerLines {
 };
 
 /// Converts each line to text with `toText`.
-ui::CornerTexts textsOf(const CornerLines& lines, const std::function<std::string(const core::Message&)>& toText);
+ui::CornerTexts toCornerTexts(const CornerLines& lines, const std::function<std::string(const core::Message&)>& toText);
 
 /// Converts the corner texts to English, for files.
 ui::CornerTexts englishTexts(const CornerLines& lines);

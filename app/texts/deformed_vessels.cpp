@@ -19,13 +19,13 @@ double motionScaleMm(double largestMm)
     return end == ends.end() ? ends.back() : *end;
 }
 
-MotionMap motionMap(const core::VesselTree& rigid, const core::VesselTree& deformed, const core::RigidTransform& pose,
-                    std::size_t viewCount)
+DisplacementMap motionMap(const core::VesselTree& rigid, const core::VesselTree& deformed,
+                          const core::RigidTransform& pose, std::size_t viewCount)
 {
-    MotionMap map;
+    DisplacementMap map;
     for (std::size_t b = 0; b < deformed.branches.size(); ++b) {
         std::vector<double>& apartMm = map.distanceMm[rigid.branches[b].id];
-        apartMm = core::distancesApart(rigid.branches[b], deformed.branches[b], pose, viewCount);
+        apartMm = core::pointDistances(rigid.branches[b], deformed.branches[b], pose, viewCount);
         for (const double mm : apartMm) {
             map.largestMm = std::max(map.largestMm, mm);
         }
@@ -38,9 +38,9 @@ MotionMap motionMap(const core::VesselTree& rigid, const core::VesselTree& defor
 std::optional<int> otherFrameOf(const core::View& view, const core::RigidTransform& pose,
                                 const core::DeformableResult& deformed)
 {
-    const core::FollowedFrame* followed = core::deformationAt(view.followed, pose);
+    const core::TrackedRunFrame* followed = core::findDeformedFrame(view.followed, pose);
     if (followed && followed->deformed.get() == &deformed) {
-        return followed->deformedAsInFrame;
+        return followed->deformationSourceFrame;
     }
     const bool isElsewhere = view.result && view.result->deformed.get() == &deformed && !core::resultOfShownFrame(view);
     return isElsewhere ? view.result->provenance.frame : std::nullopt;
@@ -48,8 +48,8 @@ std::optional<int> otherFrameOf(const core::View& view, const core::RigidTransfo
 
 }   // namespace
 
-std::shared_ptr<const core::DeformableResult> drawableDeformation(const core::View& view, const core::Vessels& vessels,
-                                                                  const core::RigidTransform& pose)
+std::shared_ptr<const core::DeformableResult> deformationForPose(const core::View& view, const core::Vessels& vessels,
+                                                                 const core::RigidTransform& pose)
 {
     return core::knownDeformation(view, vessels, pose);
 }
@@ -62,7 +62,7 @@ DrawnVessels drawnVessels(const core::View& view, const core::Vessels& vessels, 
         return drawn;
     }
     drawn.tree = *vessels.tree;
-    drawn.known = drawableDeformation(view, vessels, pose);
+    drawn.known = deformationForPose(view, vessels, pose);
     if (drawn.known) {
         core::VesselTree deformed = core::deformedTreeAt(*vessels.tree, *drawn.known, pose);
         drawn.motion = motionMap(*vessels.tree, deformed, pose, drawn.known->viewPoses.size());

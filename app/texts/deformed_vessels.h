@@ -15,11 +15,11 @@ enum class VesselShape { Rigid, Deformed };
 
 /// Returns the deformation of a view that can be drawn with the vessels at `pose`: it was computed from that pose and
 /// for this tree, and is visible. Otherwise null.
-std::shared_ptr<const core::DeformableResult> drawableDeformation(const core::View& view, const core::Vessels& vessels,
-                                                                  const core::RigidTransform& pose);
+std::shared_ptr<const core::DeformableResult> deformationForPose(const core::View& view, const core::Vessels& vessels,
+                                                                 const core::RigidTransform& pose);
 
 /// Distance of each point of the deformed tree from the rigid tree, both as drawn, with the maximum of the color scale.
-struct MotionMap {
+struct DisplacementMap {
     std::map<int, std::vector<double>>
         distanceMm;   ///< by branch id; perpendicular to the ray if determined from one view, otherwise in 3-D
     double largestMm = 0.0;
@@ -28,11 +28,11 @@ struct MotionMap {
 
 /// Vessels of a view as drawn at a pose.
 struct DrawnVessels {
-    std::shared_ptr<const core::DeformableResult> known;   ///< see drawableDeformation
+    std::shared_ptr<const core::DeformableResult> known;   ///< see deformationForPose
     VesselShape shape = VesselShape::Rigid;   ///< `Deformed` only if a deformation is known
     std::optional<int> otherFrame;   ///< frame in which the deformation was determined, if another frame is shown
     core::VesselTree tree;   ///< all branches, in patient coordinates at that pose
-    MotionMap motion;   ///< displacement map of `known`
+    DisplacementMap motion;   ///< displacement map of `known`
 };
 DrawnVessels drawnVessels(const core::View& view, const core::Vessels& vessels, const core::RigidTransform& pose,
                           VesselShape wanted);

@@ -29,18 +29,18 @@ bool passesImage(const Line& line, const core::ProjectionCamera& camera)
 }
 
 /// Returns the visible vessels, with the auxiliary branches in a separate layer.
-std::vector<io::StateLayer> vesselLayers(const DicomGround& ground, const core::ProjectionCamera& camera)
+std::vector<io::GraphicLayer> vesselLayers(const DicomExportInput& exportInput, const core::ProjectionCamera& camera)
 {
-    const core::Case& session = ground.session;
+    const core::Case& session = exportInput.session;
     const ui::BranchColors colors = ui::branchColors(ui::palette(ui::ThemeMode::Dark));
-    io::StateLayer plain{"VESSELS", "Vessels of the 3-D tree", rgb(colors.plain), {}, {}};
-    io::StateLayer auxiliary{"AUXILIARY", "Auxiliary vessels of the 3-D tree", rgb(colors.auxiliary), {}, {}};
+    io::GraphicLayer plain{"VESSELS", "Vessels of the 3-D tree", rgb(colors.plain), {}, {}};
+    io::GraphicLayer auxiliary{"AUXILIARY", "Auxiliary vessels of the 3-D tree", rgb(colors.auxiliary), {}, {}};
     const core::RigidTransform& pose = session.shown().cameraFromPatient;
-    const DrawnVessels drawn = drawnVessels(session.shown(), session.vessels, pose, ground.wanted.look.shape);
+    const DrawnVessels drawn = drawnVessels(session.shown(), session.vessels, pose, exportInput.wanted.look.shape);
     const core::VesselTree tree = core::without(drawn.tree, session.vessels.hiddenBranchIds);
     for (const ui::ProjectedBranch& branch : ui::projectedTree(tree, camera, pose)) {
         const std::vector<int>& ids = session.vessels.auxiliaryBranchIds;
-        io::StateLayer& layer = std::ranges::find(ids, branch.id) == ids.end() ? plain : auxiliary;
+        io::GraphicLayer& layer = std::ranges::find(ids, branch.id) == ids.end() ? plain : auxiliary;
         for (const auto& run : branch.runs) {
             Line line;
             std::ranges::transform(run, std::back_inserter(line), &ui::ProjectedPoint::px);
@@ -53,9 +53,9 @@ std::vector<io::StateLayer> vesselLayers(const DicomGround& ground, const core::
 }
 
 /// Returns the measurements of the frame, each labeled with its value.
-io::StateLayer measuredLayer(const core::Case& session)
+io::GraphicLayer measuredLayer(const core::Case& session)
 {
-    io::StateLayer layer{"MEASURED", "Measurements in the image", {255, 200, 87}, {}, {}};
+    io::GraphicLayer layer{"MEASURED", "Measurements in the image", {255, 200, 87}, {}, {}};
     const core::MeasuredView seen(session.shown(), session.vessels.tree.get());
     for (const core::ImageMeasurement& measurement : session.shown().measurements) {
         if (measurement.frame != session.shown().frame || measurement.pixels.empty()) {
@@ -90,18 +90,18 @@ core::DisplayRange storedRange(core::DisplayRange range, const core::Angiogram& 
     return {sum - range.high, sum - range.low};
 }
 
-core::DisplayRange shownRange(const DicomGround& ground, int frame, core::Messages& notes)
+core::DisplayRange shownRange(const DicomExportInput& exportInput, int frame, core::Messages& notes)
 {
-    const core::View& view = ground.session.shown();
+    const core::View& view = exportInput.session.shown();
     const core::Angiogram& run = *core::storedRunOf(view);
     const bool isTreated = view.storedRun != nullptr;
     if (isTreated) {
         notes.push_back(messages::dicomTreated());
     }
-    const auto& look = ground.wanted.look;
+    const auto& look = exportInput.wanted.look;
     const core::DisplayRange range =
         look.range && !isTreated ? *look.range : core::displayRange(run.frames[static_cast<std::size_t>(frame)]);
-    return storedRange(range, run, ground.angiogram);
+    return storedRange(range, run, exportInput.angiogram);
 }
 
 /// Splits names and titles into words; names are separated by `^`, titles by blanks.
@@ -130,23 +130,24 @@ bool namesPatient(const std::string& title, const io::SourceImage& source)
 }
 
 /// Whether burned-in identity is possible. Text in the image is detected but not read, so any text may be a name.
-io::BurnedInIdentity identityIn(const DicomGround& ground)
+io::BurnedInIdentity identityIn(const DicomExportInput& exportInput)
 {
-    const core::View& view = ground.session.shown();
-    const core::Mask2d letters =
-        core::burnedInText(view.angiogram->frames[static_cast<std::size_t>(view.frame)], core::informativeLetterShare);
+    const core::View& view = exportInput.session.shown();
+    const core::Mask2d letters = core::burnedInTextMask(view.angiogram->frames[static_cast<std::size_t>(view.frame)],
+                                                        core::thoroughMaxLetterHeight);
     const bool hasLetters = std::ranges::any_of(letters.pixels, [](std::uint8_t pixel) { return pixel != 0; });
-    const bool mayBeThere = ground.wanted.look.identity == Identity::Shown || ground.angiogram.isAnnotated ||
-                            hasLetters || namesPatient(ground.session.title, ground.angiogram);
-    return mayBeThere ? io::BurnedInIdentity::MayBeThere : io::BurnedInIdentity::None;
+    const bool mayBeThere = exportInput.wanted.look.identity == Identity::Shown ||
+                            exportInput.angiogram.declaresBurnedInText || hasLetters ||
+                            namesPatient(exportInput.session.title, exportInput.angiogram);
+    return mayBeThere ? io::BurnedInIdentity::Possible : io::BurnedInIdentity::None;
 }
 
 /// Uses one size and one display range for all frames, and no residuals or DRR, which belong to a single frame.
-OverlayPictureOptions lookOfRun(const DicomGround& ground)
+OverlayImageOptions cineOverlayOptions(const DicomExportInput& exportInput)
 {
-    OverlayPictureOptions look = ground.wanted.look;
-    const core::View& view = ground.session.shown();
-    look.isStartBeside = false;
+    OverlayImageOptions look = exportInput.wanted.look;
+    const core::View& view = exportInput.session.shown();
+    look.isInitialPoseShown = false;
     look.coloring = OverlayColoring::Branches;
     look.drr = nullptr;
     look.widthPx = look.widthPx > 0 ? look.widthPx : view.angiogram->width();
@@ -158,49 +159,50 @@ OverlayPictureOptions lookOfRun(const DicomGround& ground)
 
 }   // namespace
 
-core::Result<std::string> stateObject(const DicomGround& ground, core::Messages& notes)
+core::Result<std::string> makePresentationState(const DicomExportInput& exportInput, core::Messages& notes)
 {
-    const core::View& view = ground.session.shown();
+    const core::View& view = exportInput.session.shown();
     const auto camera = core::cameraOf(view);
     if (!camera) {
         return camera.error();
     }
-    io::ShownState shown;
-    shown.layers = vesselLayers(ground, camera.value());
-    shown.layers.push_back(measuredLayer(ground.session));
+    io::PresentationContent shown;
+    shown.layers = vesselLayers(exportInput, camera.value());
+    shown.layers.push_back(measuredLayer(exportInput.session));
     shown.layers.push_back({"NOTICE", "What the overlay is", {200, 200, 200}, {}, {}});
     shown.layers.back().texts.push_back({"AngioPose. " + messages::notForClinicalUse().text(), {8.0, 16.0}});
     shown.frame = std::min(view.frame, core::storedRunOf(view)->frameCount() - 1);
     shown.description = "Vessels of a registered 3-D tree as vectors";
-    if (ground.angiogram.isDicom) {
-        shown.range = shownRange(ground, shown.frame, notes);
+    if (exportInput.angiogram.isDicom) {
+        shown.range = shownRange(exportInput, shown.frame, notes);
     }
-    return io::presentationState(shown, ground.angiogram, ground.origin);
+    return io::presentationState(shown, exportInput.angiogram, exportInput.origin);
 }
 
-core::Result<std::string> pictureObject(const DicomGround& ground)
+core::Result<std::string> makeSecondaryCapture(const DicomExportInput& exportInput)
 {
-    auto picture = drawOverlay(ground.session, ground.target, ground.wanted.look);
+    auto picture = drawOverlay(exportInput.session, exportInput.target, exportInput.wanted.look);
     if (!picture) {
         return picture.error();
     }
     return io::secondaryCapture(
-        {{std::move(picture).value()}, 0.0, identityIn(ground), messages::dicomDerivation().text()}, ground.angiogram,
-        ground.origin);
+        {{std::move(picture).value()}, 0.0, identityIn(exportInput), messages::dicomDerivation().text()},
+        exportInput.angiogram, exportInput.origin);
 }
 
-core::Result<std::string> runObject(const DicomGround& ground)
+core::Result<std::string> makeCineCapture(const DicomExportInput& exportInput)
 {
-    const core::Angiogram& run = *ground.session.shown().angiogram;
+    const core::Angiogram& run = *exportInput.session.shown().angiogram;
     MoviePlan plan;
     plan.frames = {0, run.frameCount() - 1};
-    plan.followed = core::framesOf(ground.session.shown().followed);
-    OverlayPictureOptions look = lookOfRun(ground);
-    const MovieSteps steps(ground.session, plan, look.shape);
-    io::CapturedPictures captured{{}, run.frameTimeMs, identityIn(ground), messages::dicomDerivation().text()};
+    plan.followed = core::framesOf(exportInput.session.shown().followed);
+    OverlayImageOptions look = cineOverlayOptions(exportInput);
+    const MovieSteps steps(exportInput.session, plan, look.shape);
+    io::CapturedImages captured{{}, run.frameTimeMs, identityIn(exportInput), messages::dicomDerivation().text()};
     for (std::size_t i = 0; i < steps.count(); ++i) {
-        if (ground.shouldContinue(static_cast<double>(i) / static_cast<double>(steps.count())) == core::Verdict::Stop) {
-            return core::Error(core::Stopped{messages::dicomStopped()});
+        if (exportInput.shouldContinue(static_cast<double>(i) / static_cast<double>(steps.count())) ==
+            core::ObserverDecision::Stop) {
+            return core::Error(core::Cancellation{messages::dicomStopped()});
         }
         const MovieStep step = steps.at(i);
         look.words = step.words;
@@ -210,7 +212,7 @@ core::Result<std::string> runObject(const DicomGround& ground)
         }
         captured.pictures.push_back(std::move(picture).value());
     }
-    return io::secondaryCaptureRun(std::move(captured), ground.angiogram, ground.origin);
+    return io::multiframeSecondaryCapture(std::move(captured), exportInput.angiogram, exportInput.origin);
 }
 
 }   // namespace angiopose::app

@@ -36,14 +36,14 @@ const KindInfo& infoOf(DicomKind kind)
 }
 
 /// File content ready to be written.
-struct MadeFile {
+struct CreatedFile {
     fs::path path;
     std::string content;
 };
 
 core::Error stoppedExport()
 {
-    return core::Error(core::Stopped{messages::dicomStopped()});
+    return core::Error(core::Cancellation{messages::dicomStopped()});
 }
 
 std::vector<DicomKind> kindsOf(const DicomExport& wanted)
@@ -55,8 +55,8 @@ std::vector<DicomKind> kindsOf(const DicomExport& wanted)
     return kinds;
 }
 
-core::Result<DicomGround> groundOf(const core::Case& session, const core::Centerline2d& target,
-                                   const DicomExport& wanted, DicomFiles& files)
+core::Result<DicomExportInput> collectExportInput(const core::Case& session, const core::Centerline2d& target,
+                                                  const DicomExport& wanted, DicomFiles& files)
 {
     auto angiogram = io::readSourceImage(session.shown().imageFile.path);
     if (!angiogram) {
@@ -68,41 +68,41 @@ core::Result<DicomGround> groundOf(const core::Case& session, const core::Center
     for (const core::Message& mismatch : core::findMismatch(session)) {
         files.notes.push_back(mismatch);
     }
-    return DicomGround{session,
-                       target,
-                       wanted,
-                       std::move(angiogram).value(),
-                       scanReferenceOf(session.vessels),
-                       io::newOrigin(wanted.author),
-                       {}};
+    return DicomExportInput{session,
+                            target,
+                            wanted,
+                            std::move(angiogram).value(),
+                            scanReferenceOf(session.vessels),
+                            io::newOrigin(wanted.author),
+                            {}};
 }
 
 /// Whether the case allows this kind; a single frame has no cine object, because the image object already shows it.
-bool isOffered(DicomKind kind, const DicomGround& ground)
+bool isOffered(DicomKind kind, const DicomExportInput& exportInput)
 {
-    return kind != DicomKind::Run || ground.session.shown().angiogram->frameCount() > 1;
+    return kind != DicomKind::Run || exportInput.session.shown().angiogram->frameCount() > 1;
 }
 
-core::Result<std::vector<MadeFile>> madeObjects(DicomGround& ground, const fs::path& folder, DicomFiles& files,
-                                                const DicomObserver& observe)
+core::Result<std::vector<CreatedFile>> madeObjects(DicomExportInput& exportInput, const fs::path& folder,
+                                                   DicomFiles& files, const DicomObserver& observe)
 {
-    const std::vector<DicomKind> kinds = kindsOf(ground.wanted);
-    std::vector<MadeFile> made;
+    const std::vector<DicomKind> kinds = kindsOf(exportInput.wanted);
+    std::vector<CreatedFile> made;
     for (std::size_t i = 0; i < kinds.size(); ++i) {
-        ground.shouldContinue = [&observe, i, count = kinds.size()](double fraction) {
+        exportInput.shouldContinue = [&observe, i, count = kinds.size()](double fraction) {
             return observe ? observe((static_cast<double>(i) + fraction) / static_cast<double>(count))
-                           : core::Verdict::Continue;
+                           : core::ObserverDecision::Continue;
         };
-        if (ground.shouldContinue(0.0) == core::Verdict::Stop) {
+        if (exportInput.shouldContinue(0.0) == core::ObserverDecision::Stop) {
             return stoppedExport();
         }
-        if (ground.wanted.kinds.empty() && !isOffered(kinds[i], ground)) {
+        if (exportInput.wanted.kinds.empty() && !isOffered(kinds[i], exportInput)) {
             continue;
         }
-        auto content = dicomObject(kinds[i], ground, files.notes);
+        auto content = dicomObject(kinds[i], exportInput, files.notes);
         if (content) {
             made.push_back({folder / infoOf(kinds[i]).file, std::move(content).value()});
-        } else if (!ground.wanted.kinds.empty() || content.isStopped()) {
+        } else if (!exportInput.wanted.kinds.empty() || content.isStopped()) {
             return content.error();
         } else {
             files.notes.push_back(messages::dicomLeftOut(infoOf(kinds[i]).file, content.error().message));
@@ -112,9 +112,9 @@ core::Result<std::vector<MadeFile>> madeObjects(DicomGround& ground, const fs::p
 }
 
 /// Adds the camera as a file next to the registration object, because no DICOM object can store it.
-void addCameraFile(std::vector<MadeFile>& made, const core::View& view, const fs::path& folder)
+void addCameraFile(std::vector<CreatedFile>& made, const core::View& view, const fs::path& folder)
 {
-    const auto isRegistration = [](const MadeFile& file) {
+    const auto isRegistration = [](const CreatedFile& file) {
         return file.path.filename() == infoOf(DicomKind::Registration).file;
     };
     const auto camera = core::cameraOf(view);
@@ -123,11 +123,11 @@ void addCameraFile(std::vector<MadeFile>& made, const core::View& view, const fs
     }
 }
 
-core::Status writeAll(const std::vector<MadeFile>& made, const fs::path& folder, DicomFiles& files)
+core::Status writeAll(const std::vector<CreatedFile>& made, const fs::path& folder, DicomFiles& files)
 {
     std::error_code failed;
     fs::create_directories(folder, failed);
-    for (const MadeFile& file : made) {
+    for (const CreatedFile& file : made) {
         if (auto written = io::writeAtomically(file.path.string(), file.content); !written) {
             return written;
         }
@@ -152,7 +152,7 @@ std::string dicomKindIds()
     return ids;
 }
 
-std::optional<DicomKind> dicomKindFrom(std::string_view id)
+std::optional<DicomKind> parseDicomKind(std::string_view id)
 {
     const auto found = std::ranges::find(kindTable, id, &KindInfo::id);
     return found == kindTable.end() ? std::nullopt : std::optional(found->kind);
@@ -166,18 +166,18 @@ core::Result<DicomFiles> writeDicomObjects(const core::Case& session, const core
         return core::Error(messages::dicomNothing());
     }
     DicomFiles files;
-    auto ground = groundOf(session, target, wanted, files);
-    if (!ground) {
-        return ground.error();
+    auto exportInput = collectExportInput(session, target, wanted, files);
+    if (!exportInput) {
+        return exportInput.error();
     }
-    DicomGround kept = std::move(ground).value();
+    DicomExportInput kept = std::move(exportInput).value();
     auto made = madeObjects(kept, folder, files, observe);
     if (!made) {
         return made.error();
     }
-    std::vector<MadeFile> ready = std::move(made).value();
+    std::vector<CreatedFile> ready = std::move(made).value();
     addCameraFile(ready, session.shown(), folder);
-    if (observe && observe(1.0) == core::Verdict::Stop) {
+    if (observe && observe(1.0) == core::ObserverDecision::Stop) {
         return stoppedExport();
     }
     if (auto written = writeAll(ready, folder, files); !written) {

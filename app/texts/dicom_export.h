@@ -1,7 +1,7 @@
 #pragma once
 
-#include "app/texts/overlay_picture.h"
-#include "core/support/verdict.h"
+#include "app/texts/overlay_image.h"
+#include "core/support/observer_decision.h"
 
 #include <functional>
 #include <optional>
@@ -17,11 +17,11 @@ enum class DicomKind { Picture, Run, Report, State, Registration, Segmentation, 
 
 std::string_view idOf(DicomKind kind);   ///< returns "sc", "run", "pdf", "ps", "reg", "seg" or "sr"
 std::string dicomKindIds();   ///< returns all ids, separated by commas
-std::optional<DicomKind> dicomKindFrom(std::string_view id);
+std::optional<DicomKind> parseDicomKind(std::string_view id);
 
 struct DicomExport {
     std::vector<DicomKind> kinds;   ///< if empty, all kinds that the case allows
-    OverlayPictureOptions look;
+    OverlayImageOptions look;
     std::function<core::Result<std::string>()> report = nullptr;   ///< creates the PDF; if not set, there is no report
     std::string author;
 };
@@ -32,7 +32,7 @@ struct DicomFiles {
 };
 
 /// Receives the completed fraction; returning Stop ends the export.
-using DicomObserver = std::function<core::Verdict(double fraction)>;
+using DicomObserver = std::function<core::ObserverDecision(double fraction)>;
 
 /// Writes the objects of the shown view to a folder, which is created if missing. The objects are new instances in new
 /// series of the study of their source image. All objects are created before the first is written, so that a failure

@@ -14,39 +14,39 @@ namespace angiopose::app {
 namespace {
 
 /// Returns the frame of reference of the scan. The vessels may be traced in the same file or come from another one.
-std::string scanFrame(const DicomGround& ground)
+std::string scanFrame(const DicomExportInput& exportInput)
 {
-    return io::scanFrameOfReference(ground.scan.source, ground.session.vessels.file.sha256);
+    return io::scanFrameOfReference(exportInput.scan.source, exportInput.session.vessels.file.sha256);
 }
 
-core::Result<std::string> reportObject(const DicomGround& ground)
+core::Result<std::string> reportObject(const DicomExportInput& exportInput)
 {
-    if (!ground.wanted.report) {
+    if (!exportInput.wanted.report) {
         return core::Error(messages::dicomNoReport());
     }
-    const auto pdf = ground.wanted.report();
+    const auto pdf = exportInput.wanted.report();
     // The report contains titles and file names, which may identify the patient even if the identity is hidden.
-    return pdf ? io::encapsulatedPdf(pdf.value(), ground.session.title, io::BurnedInIdentity::MayBeThere,
-                                     ground.angiogram, ground.origin)
+    return pdf ? io::encapsulatedPdf(pdf.value(), exportInput.session.title, io::BurnedInIdentity::Possible,
+                                     exportInput.angiogram, exportInput.origin)
                : core::Result<std::string>(pdf.error());
 }
 
-core::Result<std::string> registrationObject(const DicomGround& ground, core::Messages& notes)
+core::Result<std::string> registrationObject(const DicomExportInput& exportInput, core::Messages& notes)
 {
-    const core::View& view = ground.session.shown();
+    const core::View& view = exportInput.session.shown();
     const auto camera = core::cameraOf(view);
     if (!camera) {
         return camera.error();
     }
     notes.push_back(messages::dicomRigidOnly());
-    const io::CArmRegistration registration{view.cameraFromPatient, camera.value(), scanFrame(ground),
-                                            io::cameraFrameOfReference(ground.angiogram, ground.origin),
+    const io::CArmRegistration registration{view.cameraFromPatient, camera.value(), scanFrame(exportInput),
+                                            io::cameraFrameOfReference(exportInput.angiogram, exportInput.origin),
                                             view.result ? view.result->method : std::string()};
-    return io::spatialRegistration(registration, ground.angiogram, ground.origin);
+    return io::spatialRegistration(registration, exportInput.angiogram, exportInput.origin);
 }
 
 /// Draws the tree as tubes with its radii into a mask on the voxel grid of the scan.
-core::VoxelMask drawnTree(const core::VesselTree& tree, const core::VolumeGeometry& grid)
+core::VoxelMask rasterizeTree(const core::VesselTree& tree, const core::VolumeGeometry& grid)
 {
     core::VoxelMask mask(grid);
     const double step = 0.5 * grid.spacingMm.minCoeff();
@@ -59,20 +59,21 @@ core::VoxelMask drawnTree(const core::VesselTree& tree, const core::VolumeGeomet
     return mask;
 }
 
-core::Result<std::string> segmentationObject(const DicomGround& ground, core::Messages& notes)
+core::Result<std::string> segmentationObject(const DicomExportInput& exportInput, core::Messages& notes)
 {
-    const core::Vessels& vessels = ground.session.vessels;
+    const core::Vessels& vessels = exportInput.session.vessels;
     if (!vessels.lumen && !vessels.scan) {
         return core::Error(messages::dicomNoScan());
     }
-    auto made = vessels.lumen
-                    ? io::vesselSegmentation(*vessels.lumen,
-                                             vessels.isLumenEdited ? "Lumen traced in the scan and edited by hand"
-                                                                   : "Lumen that the vessel tree was traced from",
-                                             ground.scan, ground.origin)
-                    : io::vesselSegmentation(drawnTree(*vessels.tree, vessels.scan->geometry),
-                                             "Centrelines drawn as tubes of their radii", ground.scan, ground.origin);
-    if (made && !ground.scan.source.isDicom) {
+    auto made =
+        vessels.lumen
+            ? io::vesselSegmentation(*vessels.lumen,
+                                     vessels.isLumenEdited ? "Lumen traced in the scan and edited by hand"
+                                                           : "Lumen that the vessel tree was traced from",
+                                     exportInput.scan, exportInput.origin)
+            : io::vesselSegmentation(rasterizeTree(*vessels.tree, vessels.scan->geometry),
+                                     "Centrelines drawn as tubes of their radii", exportInput.scan, exportInput.origin);
+    if (made && !exportInput.scan.source.isDicom) {
         notes.push_back(messages::dicomNoScanStudy());
     }
     return made;
@@ -93,26 +94,26 @@ io::ScanReference scanReferenceOf(const core::Vessels& vessels)
     return found ? std::move(found).value() : io::ScanReference{};
 }
 
-core::Result<std::string> dicomObject(DicomKind kind, const DicomGround& ground, core::Messages& notes)
+core::Result<std::string> dicomObject(DicomKind kind, const DicomExportInput& exportInput, core::Messages& notes)
 {
     switch (kind) {
         case DicomKind::Picture:
-            return pictureObject(ground);
+            return makeSecondaryCapture(exportInput);
         case DicomKind::Run:
-            return runObject(ground);
+            return makeCineCapture(exportInput);
         case DicomKind::Report:
-            return reportObject(ground);
+            return reportObject(exportInput);
         case DicomKind::State:
-            return stateObject(ground, notes);
+            return makePresentationState(exportInput, notes);
         case DicomKind::Registration:
-            return registrationObject(ground, notes);
+            return registrationObject(exportInput, notes);
         case DicomKind::Segmentation:
-            return segmentationObject(ground, notes);
+            return segmentationObject(exportInput, notes);
         case DicomKind::Measurements:
             break;
     }
-    return io::measurementReport({io::reportedGroups(ground.session), scanFrame(ground)}, ground.angiogram,
-                                 ground.origin);
+    return io::measurementReport({io::reportGroups(exportInput.session), scanFrame(exportInput)}, exportInput.angiogram,
+                                 exportInput.origin);
 }
 
 }   // namespace angiopose::app

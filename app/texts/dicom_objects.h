@@ -7,7 +7,7 @@
 namespace angiopose::app {
 
 /// Input common to all objects of one export.
-struct DicomGround {
+struct DicomExportInput {
     const core::Case& session;
     const core::Centerline2d& target;
     const DicomExport& wanted;
@@ -19,7 +19,7 @@ struct DicomGround {
 
 /// Returns the bytes of one object; `ground` must contain vessels and an image. Adds remarks to `notes` on content
 /// that the object cannot represent.
-core::Result<std::string> dicomObject(DicomKind kind, const DicomGround& ground, core::Messages& notes);
+core::Result<std::string> dicomObject(DicomKind kind, const DicomExportInput& exportInput, core::Messages& notes);
 
 /// DICOM references of the scan that the vessels come from; empty if it is not DICOM or is no longer available.
 io::ScanReference scanReferenceOf(const core::Vessels& vessels);

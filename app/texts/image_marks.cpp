@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t ringSteps = 72;
 
-std::optional<std::vector<Eigen::Vector2d>> outlineOf(const core::VesselMark& ring, const core::Sight& sight)
+std::optional<std::vector<Eigen::Vector2d>> outlineOf(const core::VesselMark& ring, const core::PosedCamera& sight)
 {
     std::vector<Eigen::Vector2d> outline;
     for (const Eigen::Vector3d& point : core::ringPoints(ring, ringSteps)) {
@@ -23,10 +23,10 @@ std::optional<std::vector<Eigen::Vector2d>> outlineOf(const core::VesselMark& ri
 }
 
 /// Adds the observed position of a mark in the frame, with a line to the position where the mark is drawn.
-void addSightings(std::vector<ui::ImageMark>& marks, const PlacedView& placed, int markId,
+void addSightings(std::vector<ui::ImageMark>& marks, const MarkedView& placed, int markId,
                   const std::optional<Eigen::Vector2d>& drawnAt)
 {
-    for (const core::Sighting& seen : placed.session.views[placed.view].sightings) {
+    for (const core::TargetObservation& seen : placed.session.views[placed.view].observations) {
         if (seen.markId != markId || seen.frame != placed.frame) {
             continue;
         }
@@ -37,23 +37,24 @@ void addSightings(std::vector<ui::ImageMark>& marks, const PlacedView& placed, i
     }
 }
 
-std::string labelOf(const PlacedView& placed, const core::VesselMark& mark,
+std::string labelOf(const MarkedView& placed, const core::VesselMark& mark,
                     const std::function<std::string(const core::Message&)>& toText,
-                    const std::vector<core::CheckedPoint>& checked)
+                    const std::vector<core::TargetPointResult>& checked)
 {
-    const auto found = std::ranges::find(checked, mark.id, [](const core::CheckedPoint& each) { return each.mark.id; });
+    const auto found = std::ranges::find(
+        checked, mark.id, [](const core::TargetPointResult& checkedPoint) { return checkedPoint.mark.id; });
     const auto words = found == checked.end() ? std::nullopt : core::labelOf(*found, placed.view);
     return words ? mark.name + (mark.name.empty() ? "" : ": ") + toText(*words) : mark.name;
 }
 
-void addAnnotations(std::vector<ui::ImageMark>& marks, const PlacedView& placed)
+void addAnnotations(std::vector<ui::ImageMark>& marks, const MarkedView& placed)
 {
     const std::vector<core::ImageAnnotation>& all = placed.session.views[placed.view].annotations;
     for (std::size_t i = 0; i < all.size(); ++i) {
         if (all[i].frame == placed.frame) {
             const bool isArrow = all[i].kind == core::AnnotationKind::Arrow;
-            marks.push_back({isArrow ? ui::MarkShape::Arrow : ui::MarkShape::Words, all[i].pixels, all[i].text,
-                             placed.chosenAnnotations.contains(static_cast<int>(i))});
+            marks.push_back({isArrow ? ui::MarkShape::Arrow : ui::MarkShape::Text, all[i].pixels, all[i].text,
+                             placed.selectedAnnotations.contains(static_cast<int>(i))});
         }
     }
 }
@@ -73,21 +74,21 @@ ui::MarkShape shapeOfMark(core::MeasurementKind kind)
 
 }   // namespace
 
-std::vector<core::VesselMark> drawnMarks(const core::View& view, const core::Vessels& vessels,
-                                         const core::RigidTransform& pose, VesselShape shape)
+std::vector<core::VesselMark> marksOnDrawnVessels(const core::View& view, const core::Vessels& vessels,
+                                                  const core::RigidTransform& pose, VesselShape shape)
 {
     std::vector<core::VesselMark> marks = vessels.marks;
-    if (marks.empty() || shape == VesselShape::Rigid || !drawableDeformation(view, vessels, pose)) {
+    if (marks.empty() || shape == VesselShape::Rigid || !deformationForPose(view, vessels, pose)) {
         return marks;
     }
     const core::VesselTree deformed = drawnVessels(view, vessels, pose, shape).tree;
     for (core::VesselMark& mark : marks) {
-        mark = core::movedWith(*vessels.tree, deformed, std::move(mark));
+        mark = core::moveWithVessels(*vessels.tree, deformed, std::move(mark));
     }
     return marks;
 }
 
-std::vector<ui::ImageMark> placedMarks(const PlacedView& placed,
+std::vector<ui::ImageMark> placedMarks(const MarkedView& placed,
                                        const std::function<std::string(const core::Message&)>& toText)
 {
     const core::View& view = placed.session.views[placed.view];
@@ -95,12 +96,12 @@ std::vector<ui::ImageMark> placedMarks(const PlacedView& placed,
     const auto camera = core::cameraOf(view);
     if (camera && !placed.session.vessels.marks.empty()) {
         const core::RigidTransform pose = placed.poseOf ? placed.poseOf(placed.view) : view.cameraFromPatient;
-        const auto checked =
-            placed.poseOf ? core::checkedPoints(placed.session, placed.poseOf) : core::checkedPoints(placed.session);
-        const auto drawn = drawnMarks(view, placed.session.vessels, pose, placed.shape);
+        const auto checked = placed.poseOf ? core::evaluateTargetPoints(placed.session, placed.poseOf)
+                                           : core::evaluateTargetPoints(placed.session);
+        const auto drawn = marksOnDrawnVessels(view, placed.session.vessels, pose, placed.shape);
         for (std::size_t i = 0; i < drawn.size(); ++i) {
             const core::VesselMark& mark = drawn[i];
-            const bool isChosen = placed.chosenMarks.contains(static_cast<int>(i));
+            const bool isChosen = placed.selectedMarks.contains(static_cast<int>(i));
             const auto at = core::project(camera.value(), pose * mark.pointInPatient);
             const std::string label = labelOf(placed, mark, toText, checked);
             if (mark.kind == core::VesselMarkKind::OstiumRing) {

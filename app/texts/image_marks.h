@@ -15,24 +15,24 @@
 namespace angiopose::app {
 
 /// View of a case as shown, on which marks are placed.
-struct PlacedView {
+struct MarkedView {
     const core::Case& session;
     std::size_t view = 0;
     int frame = 0;
     VesselShape shape = VesselShape::Deformed;   ///< if `Deformed`, marks follow the deformed vessels
     core::PoseOfView poseOf = {};   ///< poses as shown; if not set, those of the case
-    std::set<int> chosenMarks = {};   ///< ids of the selected vessel marks
-    std::set<int> chosenAnnotations = {};
+    std::set<int> selectedMarks = {};   ///< ids of the selected vessel marks
+    std::set<int> selectedAnnotations = {};
 };
 
 /// Returns the target points and rings, projected with the pose and shape of the vessels, with their errors and
 /// observed positions, followed by the arrows and texts of the frame. `toText` converts a message to text.
-std::vector<ui::ImageMark> placedMarks(const PlacedView& placed,
+std::vector<ui::ImageMark> placedMarks(const MarkedView& placed,
                                        const std::function<std::string(const core::Message&)>& toText);
 
 /// Returns the vessel marks at their positions on the vessels as drawn at a pose.
-std::vector<core::VesselMark> drawnMarks(const core::View& view, const core::Vessels& vessels,
-                                         const core::RigidTransform& pose, VesselShape shape);
+std::vector<core::VesselMark> marksOnDrawnVessels(const core::View& view, const core::Vessels& vessels,
+                                                  const core::RigidTransform& pose, VesselShape shape);
 
 /// Returns the measurements of a frame of a view with their values. `toText` converts a message to text.
 std::vector<ui::ImageMark> marksOf(const core::MeasuredView& seen, int frame,

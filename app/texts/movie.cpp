@@ -13,9 +13,9 @@ constexpr core::DisplayRange darkGround{0.0, 1.0};
 
 /// Returns options that are constant over the movie, because a display range per frame would flicker, and residuals and
 /// traced curves are valid for a single frame only.
-OverlayPictureOptions steadyLook(const core::Case& session, OverlayPictureOptions options, const MoviePlan& plan)
+OverlayImageOptions constantOptions(const core::Case& session, OverlayImageOptions options, const MoviePlan& plan)
 {
-    options.isStartBeside = false;
+    options.isInitialPoseShown = false;
     options.drr = plan.content == MovieContent::Turn ? nullptr : options.drr;
     const core::Angiogram& run = *session.shown().angiogram;
     if (plan.content == MovieContent::Turn) {
@@ -35,7 +35,7 @@ OverlayPictureOptions steadyLook(const core::Case& session, OverlayPictureOption
 }
 
 core::Result<core::ColorImage> pictureOf(const MovieStep& step, const core::Centerline2d& target,
-                                         OverlayPictureOptions options)
+                                         OverlayImageOptions options)
 {
     options.words = step.words;
     return drawOverlay(step.session, target, options);
@@ -43,17 +43,17 @@ core::Result<core::ColorImage> pictureOf(const MovieStep& step, const core::Cent
 
 core::Status stopped(const std::string& path)
 {
-    return core::Error(core::Stopped{messages::movieStopped().about(path)});
+    return core::Error(core::Cancellation{messages::movieStopped().about(path)});
 }
 
 /// Renders and writes one frame at a time, so that only one frame is in memory.
 core::Status writePictures(io::MovieWriter& movie, const MovieSteps& steps, const core::Centerline2d& target,
-                           const OverlayPictureOptions& options, core::ColorImage first, const std::string& path,
+                           const OverlayImageOptions& options, core::ColorImage first, const std::string& path,
                            const MovieObserver& observe)
 {
     const std::size_t count = steps.count();
     for (std::size_t i = 0; i < count; ++i) {
-        if (observe(static_cast<double>(i) / static_cast<double>(count)) == core::Verdict::Stop) {
+        if (observe(static_cast<double>(i) / static_cast<double>(count)) == core::ObserverDecision::Stop) {
             return stopped(path);
         }
         const MovieStep step = steps.at(i);
@@ -66,19 +66,18 @@ core::Status writePictures(io::MovieWriter& movie, const MovieSteps& steps, cons
             return added;
         }
     }
-    return observe(1.0) == core::Verdict::Stop ? stopped(path) : movie.finish();
+    return observe(1.0) == core::ObserverDecision::Stop ? stopped(path) : movie.finish();
 }
 
 }   // namespace
 
-core::Status writeMovie(const core::Case& session, const core::Centerline2d& target,
-                        const OverlayPictureOptions& options, const MoviePlan& plan, const std::string& path,
-                        const MovieObserver& observe)
+core::Status writeMovie(const core::Case& session, const core::Centerline2d& target, const OverlayImageOptions& options,
+                        const MoviePlan& plan, const std::string& path, const MovieObserver& observe)
 {
     if (const auto problem = findProblem(session, plan)) {
         return core::Error(*problem);
     }
-    const OverlayPictureOptions look = steadyLook(session, options, plan);
+    const OverlayImageOptions look = constantOptions(session, options, plan);
     const MovieSteps steps(session, plan, look.shape);
     auto first = pictureOf(steps.at(0), target, look);
     if (!first) {

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "app/texts/overlay_picture.h"
-#include "core/support/verdict.h"
+#include "app/texts/overlay_image.h"
+#include "core/support/observer_decision.h"
 #include "core/viewing/cine_clock.h"
-#include "core/workflow/follow_frames.h"
+#include "core/workflow/track_frames.h"
 
 #include <functional>
 #include <string>
@@ -20,14 +20,14 @@ struct MoviePlan {
     MovieContent content = MovieContent::Run;
     core::FrameRange frames;   ///< frames of the cine run
     core::CineOrder order = core::CineOrder::Loop;
-    std::vector<core::FollowedFrame> followed;   ///< tracked poses by frame; frames without one use the case's pose
+    std::vector<core::TrackedRunFrame> followed;   ///< tracked poses by frame; frames without one use the case's pose
     double framesPerSecond = 15.0;
 };
 
 /// Returns the acquisition rate of the cine run, frames per second; 15 if the file does not state one.
 double framesPerSecondOf(const core::Angiogram& run);
-inline constexpr double convergencePerSecond = 12.0;   ///< one pose per frame, as in the replay of the window
-inline constexpr double turnPerSecond = 20.0;
+inline constexpr double convergenceFramesPerSecond = 12.0;   ///< one pose per frame, as in the replay of the window
+inline constexpr double rotationFramesPerSecond = 20.0;
 
 /// Number of frames and duration of a movie.
 struct MovieLength {
@@ -40,12 +40,11 @@ MovieLength lengthOf(const core::Case& session, const MoviePlan& plan);
 double aspectOf(const core::Case& session, const MoviePlan& plan);
 
 /// Receives the completed fraction; returning Stop ends the writing.
-using MovieObserver = std::function<core::Verdict(double fraction)>;
+using MovieObserver = std::function<core::ObserverDecision(double fraction)>;
 
 /// Writes an MP4 or GIF movie, depending on the extension. drawOverlay renders each frame at its pose with a constant
 /// display range; a caption states the source of the pose and whether it is reliable. A Stop leaves no file.
-core::Status writeMovie(const core::Case& session, const core::Centerline2d& target,
-                        const OverlayPictureOptions& options, const MoviePlan& plan, const std::string& path,
-                        const MovieObserver& observe);
+core::Status writeMovie(const core::Case& session, const core::Centerline2d& target, const OverlayImageOptions& options,
+                        const MoviePlan& plan, const std::string& path, const MovieObserver& observe);
 
 }   // namespace angiopose::app

@@ -55,7 +55,7 @@ core::ProjectionCamera cameraAround(double radius)
 }
 
 /// Returns the vessels alone, rotated about the patient's long axis through their center.
-core::Case turnedBy(core::Case alone, double degrees)
+core::Case rotatedBy(core::Case alone, double degrees)
 {
     const core::VesselTree& tree = *alone.vessels.tree;
     const Eigen::Vector3d center = middleOf(tree);
@@ -84,12 +84,12 @@ core::Case vesselsAlone(const core::Case& session, VesselShape shape)
     view.geometry.cameraOverride = cameraAround(radiusMm(tree, middleOf(tree)));
     alone.vessels.tree = std::make_shared<const core::VesselTree>(tree);
     alone.shown() = view;
-    return turnedBy(std::move(alone), 0.0);
+    return rotatedBy(std::move(alone), 0.0);
 }
 
-constexpr double usualPerSecond = 15.0;   // used if the file states no frame rate
+constexpr double defaultFrameRate = 15.0;   // used if the file states no frame rate
 constexpr double turnSeconds = 6.0;
-constexpr double restMs = 1500.0;   // display time of the final pose of a convergence
+constexpr double finalPoseMs = 1500.0;   // display time of the final pose of a convergence
 constexpr double msPerSecond = 1000.0;
 
 bool isDistrusted(const core::View& view)
@@ -98,7 +98,7 @@ bool isDistrusted(const core::View& view)
 }
 
 /// Sets another pose and removes all results and measurements that refer to the previous one.
-void moveTo(core::Case& session, const core::RigidTransform& pose)
+void setPose(core::Case& session, const core::RigidTransform& pose)
 {
     core::View& view = session.shown();
     if (pose.matrix() == view.cameraFromPatient.matrix()) {
@@ -107,7 +107,7 @@ void moveTo(core::Case& session, const core::RigidTransform& pose)
     view.cameraFromPatient = pose;
     view.result.reset();
     view.measurements.clear();
-    view.sightings.clear();
+    view.observations.clear();
 }
 
 std::size_t turnSteps(const MoviePlan& plan)
@@ -133,7 +133,7 @@ std::size_t stepCount(const core::Case& session, const MoviePlan& plan)
 
 double framesPerSecondOf(const core::Angiogram& run)
 {
-    return run.frameTimeMs > 1.0 ? msPerSecond / run.frameTimeMs : usualPerSecond;
+    return run.frameTimeMs > 1.0 ? msPerSecond / run.frameTimeMs : defaultFrameRate;
 }
 
 std::optional<core::Message> findProblem(const core::Case& session, const MoviePlan& plan)
@@ -157,7 +157,7 @@ MovieLength lengthOf(const core::Case& session, const MoviePlan& plan)
 {
     const std::size_t pictures = stepCount(session, plan);
     const double restSeconds = plan.content == MovieContent::Convergence && pictures > 0
-                                   ? restMs / msPerSecond - 1.0 / plan.framesPerSecond
+                                   ? finalPoseMs / msPerSecond - 1.0 / plan.framesPerSecond
                                    : 0.0;
     return {pictures, static_cast<double>(pictures) / plan.framesPerSecond + std::max(0.0, restSeconds)};
 }
@@ -177,7 +177,7 @@ MovieSteps::MovieSteps(const core::Case& session, const MoviePlan& plan, VesselS
         const core::View& shown = session.shown();
         const DrawnVessels drawn = drawnVessels(shown, session.vessels, shown.cameraFromPatient, shape);
         if (drawn.known) {
-            turned_ = shapeLines(drawn).front();
+            rotationNote_ = shapeLines(drawn).front();
         }
         case_ = vesselsAlone(session, shape);
     }
@@ -198,7 +198,7 @@ MovieStep MovieSteps::at(std::size_t index) const
     }
     const double degrees = 360.0 * static_cast<double>(index) / static_cast<double>(count());
     const core::Message turn = messages::movieTurned(core::Quantity{degrees, 0, "°"});
-    return {turnedBy(case_, degrees), turned_ ? messages::twoParts(turn, *turned_) : turn,
+    return {rotatedBy(case_, degrees), rotationNote_ ? messages::twoParts(turn, *rotationNote_) : turn,
             msPerSecond / plan_.framesPerSecond};
 }
 
@@ -212,12 +212,12 @@ MovieStep MovieSteps::frameStep(std::size_t index) const
     if (frame == own.frame) {
         return step;
     }
-    const auto followed = std::ranges::find(plan_.followed, frame, &core::FollowedFrame::frame);
+    const auto followed = std::ranges::find(plan_.followed, frame, &core::TrackedRunFrame::frame);
     if (followed == plan_.followed.end()) {
         step.words = messages::moviePoseOfFrame(own.frame + 1);
         return step;
     }
-    moveTo(step.session, followed->tracked.cameraFromPatient);
+    setPose(step.session, followed->tracked.cameraFromPatient);
     step.words = followed->tracked.isTrustworthy && !isDistrusted(own) ? messages::movieFollowed()
                                                                        : messages::movieFollowedDistrusted();
     return step;
@@ -231,8 +231,8 @@ MovieStep MovieSteps::iterationStep(std::size_t index) const
     const core::Quantity median{report.medianDistancePx, 2, "px"};
     const bool isLast = index + 1 == history.size();
     const double ms = msPerSecond / plan_.framesPerSecond;
-    MovieStep step{case_, std::nullopt, isLast ? std::max(restMs, ms) : ms};
-    moveTo(step.session, report.cameraFromPatient);
+    MovieStep step{case_, std::nullopt, isLast ? std::max(finalPoseMs, ms) : ms};
+    setPose(step.session, report.cameraFromPatient);
     step.words = isDistrusted(own) ? messages::movieStepDistrusted(index + 1, history.size(), median)
                                    : messages::movieStep(index + 1, history.size(), median);
     return step;

@@ -27,7 +27,7 @@ private:
 
     core::Case case_;
     MoviePlan plan_;
-    std::optional<core::Message> turned_;   ///< for a rotation, note on the shape of the vessels
+    std::optional<core::Message> rotationNote_;   ///< for a rotation, note on the shape of the vessels
 };
 
 }   // namespace angiopose::app

@@ -47,12 +47,12 @@ bool isSameTone(const ui::Color& a, const ui::Color& b)
 
 class SvgWriter {
 public:
-    explicit SvgWriter(const ui::VectorPicture& picture) : picture_(picture) {}
+    explicit SvgWriter(const ui::VectorImage& picture) : picture_(picture) {}
 
-    std::string write(const SvgFacts& facts);
+    std::string write(const SvgMetadata& facts);
 
 private:
-    void addHead(const SvgFacts& facts);
+    void addHead(const SvgMetadata& facts);
     void addBackdrop(const ui::VectorBackdrop& backdrop);
     void addLine(const StrokeShape& shape);
     void addPath(const StrokeShape& shape, std::size_t from, std::size_t to);
@@ -62,11 +62,11 @@ private:
     void addText(const ui::VectorText& text);
     std::string place(const Eigen::Vector2d& at) const { return px(at.x()) + " " + px(picture_.height - at.y()); }
 
-    const ui::VectorPicture& picture_;
+    const ui::VectorImage& picture_;
     std::string svg_;
 };
 
-void SvgWriter::addHead(const SvgFacts& facts)
+void SvgWriter::addHead(const SvgMetadata& facts)
 {
     const auto size = [&facts](int length) {
         return facts.dotsPerInch > 0.0 ? fixedText(25.4 * length / facts.dotsPerInch, 3) + "mm"
@@ -87,7 +87,7 @@ void SvgWriter::addHead(const SvgFacts& facts)
 void SvgWriter::addBackdrop(const ui::VectorBackdrop& backdrop)
 {
     const core::ColorImage& image = backdrop.image;
-    const std::string png = io::encodedPng({image.width, image.height, 3, &image.rgb}, {});
+    const std::string png = io::encodePng({image.width, image.height, 3, &image.rgb}, {});
     svg_ += "<image" + attribute("x", px(backdrop.left)) + attribute("y", "0") +
             attribute("width", px(backdrop.width)) + attribute("height", std::to_string(picture_.height)) +
             attribute("preserveAspectRatio", "none") +
@@ -155,7 +155,7 @@ void SvgWriter::addText(const ui::VectorText& text)
             escapedForSvg(text.text) + "</text>\n";
 }
 
-std::string SvgWriter::write(const SvgFacts& facts)
+std::string SvgWriter::write(const SvgMetadata& facts)
 {
     addHead(facts);
     for (const ui::VectorBackdrop& backdrop : picture_.backdrops) {
@@ -185,7 +185,7 @@ std::string SvgWriter::write(const SvgFacts& facts)
 
 }   // namespace
 
-std::string svgOf(const ui::VectorPicture& picture, const SvgFacts& facts)
+std::string toSvgDocument(const ui::VectorImage& picture, const SvgMetadata& facts)
 {
     return SvgWriter(picture).write(facts);
 }

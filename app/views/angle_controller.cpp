@@ -16,13 +16,13 @@ AngleController::AngleController(CaseDocument& document, BranchController& branc
       branches_(branches),
       dialogParent_(dialogParent),
       job_({[this](const core::AngleMap& map) { show(map); },
-            [this](const core::Error& error) { showNothing(ui::messageText(error.message)); }})
+            [this](const core::Error& error) { showReason(ui::messageText(error.message)); }})
 {
     connect(actions[ui::Command::GantryAngles], &QAction::triggered, this, &AngleController::open);
-    connect(&document_, &CaseDocument::changed, this, &AngleController::ask);
+    connect(&document_, &CaseDocument::changed, this, &AngleController::requestMap);
     connect(&branches_, &BranchController::marksChanged, this, [this] {
-        if (dialog_ && !branches_.marks().selected.contains(asked_ ? asked_->branchId : 0)) {
-            ask();
+        if (dialog_ && !branches_.marks().selected.contains(requested_ ? requested_->branchId : 0)) {
+            requestMap();
         }
     });
 }
@@ -37,22 +37,22 @@ void AngleController::open()
             {range(settings::gantryRao, settings::gantryLao), range(settings::gantryCaudal, settings::gantryCranial)},
             &dialogParent_);
         connect(dialog_, &ui::AngleDialog::picked, this, &AngleController::pick);
-        connect(dialog_, &ui::AngleDialog::questionChanged, this, [this] {
-            const ui::GantryReach reach = dialog_->reach();
-            settings::gantryRao.write(reach.primary.fromDeg);
-            settings::gantryLao.write(reach.primary.toDeg);
-            settings::gantryCaudal.write(reach.secondary.fromDeg);
-            settings::gantryCranial.write(reach.secondary.toDeg);
-            ask();
+        connect(dialog_, &ui::AngleDialog::criteriaChanged, this, [this] {
+            const ui::GantryLimits limits = dialog_->limits();
+            settings::gantryRao.write(limits.primary.fromDeg);
+            settings::gantryLao.write(limits.primary.toDeg);
+            settings::gantryCaudal.write(limits.secondary.fromDeg);
+            settings::gantryCranial.write(limits.secondary.toDeg);
+            requestMap();
         });
     }
     dialog_->show();
     dialog_->raise();
     dialog_->activateWindow();
-    ask();
+    requestMap();
 }
 
-core::Result<AngleController::Question> AngleController::question() const
+core::Result<AngleController::MapRequest> AngleController::mapRequest() const
 {
     const core::Case& current = document_.current();
     const auto& selected = branches_.marks().selected;
@@ -62,40 +62,43 @@ core::Result<AngleController::Question> AngleController::question() const
         return core::Error(messages::selectOneBranch());
     }
     const auto camera = core::cameraOf(current.shown());
-    const auto poseAt = core::turningGantry(current.shown());
+    const auto poseAt = core::poseForGantryAngles(current.shown());
     if (!camera || !poseAt) {
         return camera ? poseAt.error() : camera.error();
     }
-    auto sight = core::sightOf(*current.vessels.tree, branch->id,
-                               dialog_->isTakeOff() ? core::SightOf::TakeOff : core::SightOf::Branch);
+    auto sight =
+        core::makeViewEvaluator(*current.vessels.tree, branch->id,
+                                dialog_->isTakeOff() ? core::EvaluatedPart::Takeoff : core::EvaluatedPart::Branch);
     if (!sight) {
         return sight.error();
     }
-    return Question{branch->id, std::move(sight).value(), poseAt.value(), *core::gantryAnglesOf(current.shown()),
-                    camera.value()};
+    return MapRequest{branch->id, std::move(sight).value(), poseAt.value(), *core::gantryAnglesOf(current.shown()),
+                      camera.value()};
 }
 
-void AngleController::ask()
+void AngleController::requestMap()
 {
     if (!dialog_) {
         return;
     }
-    auto question = this->question();
-    if (!question) {
-        showNothing(ui::messageText(question.error().message));
+    auto mapRequest = this->mapRequest();
+    if (!mapRequest) {
+        showReason(ui::messageText(mapRequest.error().message));
         return;
     }
-    asked_ = std::move(question).value();
+    requested_ = std::move(mapRequest).value();
     const core::VesselTree& tree = *document_.current().vessels.tree;
-    dialog_->showBranch(
-        tr("C-arm angles for %1").arg(branchWords(tree, {asked_->branchId})()),
-        tree.find(asked_->branchId)->radiusMm.empty() ? ui::messageText(core::messages::radiiAssumed()) : QString());
+    dialog_->showBranch(tr("C-arm angles for %1").arg(branchNames(tree, {requested_->branchId})()),
+                        tree.find(requested_->branchId)->radiusMm.empty()
+                            ? ui::messageText(core::messages::radiiAssumed())
+                            : QString());
     core::AngleMapOptions options;
-    options.primary = dialog_->reach().primary;
-    options.secondary = dialog_->reach().secondary;
-    job_.start([sight = asked_->sight, poseAt = asked_->poseAt, options](auto& link) -> core::Result<core::AngleMap> {
-        return core::mapAngles(sight, poseAt, options, [&link](double done) { return link.tell(done); });
-    });
+    options.primary = dialog_->limits().primary;
+    options.secondary = dialog_->limits().secondary;
+    job_.start(
+        [sight = requested_->sight, poseAt = requested_->poseAt, options](auto& link) -> core::Result<core::AngleMap> {
+            return core::computeAngleMap(sight, poseAt, options, [&link](double done) { return link.tell(done); });
+        });
 }
 
 void AngleController::show(const core::AngleMap& map)
@@ -103,23 +106,25 @@ void AngleController::show(const core::AngleMap& map)
     if (!dialog_) {
         return;
     }
-    dialog_->showMap(map, core::AngleSuggestion{asked_->now, asked_->sight.from(asked_->poseAt(asked_->now))});
+    dialog_->showMap(
+        map, core::AngleSuggestion{requested_->now, requested_->sight.from(requested_->poseAt(requested_->now))});
     pick(map.best.front().angles);
 }
 
 void AngleController::pick(const core::GantryAngles& angles)
 {
-    if (!dialog_ || !asked_) {
+    if (!dialog_ || !requested_) {
         return;
     }
-    const core::RigidTransform pose = asked_->poseAt(angles);
-    dialog_->showPicked({angles, asked_->sight.from(pose)});
-    dialog_->showVessels(document_.current().vessels.tree, asked_->branchId, core::Sight{asked_->camera, pose});
+    const core::RigidTransform pose = requested_->poseAt(angles);
+    dialog_->showPicked({angles, requested_->sight.from(pose)});
+    dialog_->showVessels(document_.current().vessels.tree, requested_->branchId,
+                         core::PosedCamera{requested_->camera, pose});
 }
 
-void AngleController::showNothing(const QString& why)
+void AngleController::showReason(const QString& why)
 {
-    asked_.reset();
+    requested_.reset();
     job_.drop();
     if (dialog_) {
         dialog_->showBranch(tr("No branch"), why);

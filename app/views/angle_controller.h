@@ -33,24 +33,24 @@ public:
 
 private:
     /// Request for an angle map: the branch, the part of it to view, and the position of the vessels.
-    struct Question {
+    struct MapRequest {
         int branchId = 0;
-        core::PartSight sight;
+        core::ViewEvaluator sight;
         core::PoseAtAngles poseAt;
         core::GantryAngles now;
         core::ProjectionCamera camera;
     };
-    core::Result<Question> question() const;
-    void ask();
+    core::Result<MapRequest> mapRequest() const;
+    void requestMap();
     void show(const core::AngleMap& map);
     void pick(const core::GantryAngles& angles);
-    void showNothing(const QString& why);
+    void showReason(const QString& why);
 
     CaseDocument& document_;
     BranchController& branches_;
     QWidget& dialogParent_;
     QPointer<ui::AngleDialog> dialog_;
-    std::optional<Question> asked_;
+    std::optional<MapRequest> requested_;
     Job<core::AngleMap> job_;
 };
 

@@ -1,7 +1,7 @@
 #include "app/views/linked_crosshair.h"
 
 #include "app/preferences/settings.h"
-#include "core/vessel/place_on_tree.h"
+#include "core/vessel/tree_position.h"
 #include "ui/actions/key_hint.h"
 #include "ui/actions/window_actions.h"
 #include "ui/panels/view_strip.h"
@@ -15,7 +15,7 @@ namespace {
 
 constexpr double crosshairReachPx = 8.0;   // maximum distance of a vessel from the pointer, widget px
 
-core::Sight sightIn(const ui::AngiogramView& image)
+core::PosedCamera sightIn(const ui::AngiogramView& image)
 {
     return {image.camera(), image.cameraFromPatient()};
 }
@@ -31,13 +31,13 @@ LinkedCrosshair::LinkedCrosshair(const CaseDocument& document, const PosePreview
                                  QObject* parent)
     : QObject(parent), ui_(ui)
 {
-    again_.setSingleShot(true);
-    again_.setInterval(0);
-    connect(&again_, &QTimer::timeout, this, &LinkedCrosshair::show);
-    connect(&document, &CaseDocument::changed, &again_, qOverload<>(&QTimer::start));
-    connect(&preview, &PosePreview::changed, &again_, qOverload<>(&QTimer::start));
+    updateTimer_.setSingleShot(true);
+    updateTimer_.setInterval(0);
+    connect(&updateTimer_, &QTimer::timeout, this, &LinkedCrosshair::show);
+    connect(&document, &CaseDocument::changed, &updateTimer_, qOverload<>(&QTimer::start));
+    connect(&preview, &PosePreview::changed, &updateTimer_, qOverload<>(&QTimer::start));
     follow(ui_.images.shown());
-    connect(&ui_.images, &ui::SideBySide::paneMade, this, [this](ui::ViewPane* pane) { follow(pane->image()); });
+    connect(&ui_.images, &ui::SideBySide::paneCreated, this, [this](ui::ViewPane* pane) { follow(pane->image()); });
     QAction* action = ui_.actions[ui::Command::LinkedCrosshair];
     action->setChecked(settings::linkedCrosshair.read());
     ui_.strip.showCrosshair(action->isChecked());
@@ -50,7 +50,7 @@ void LinkedCrosshair::follow(ui::AngiogramView& image)
     connect(&image, &ui::AngiogramView::pointed, this,
             [this, &image](const std::optional<Eigen::Vector2d>& px) { point(image, px); });
     connect(&image, &ui::AngiogramView::branchClicked, this, [this] {
-        if (const auto place = placeUnderPointer(); place && isLinking()) {
+        if (const auto place = pointUnderPointer(); place && isLinking()) {
             ui_.slices.setCrosshair(*place);
         }
     });
@@ -73,37 +73,37 @@ bool LinkedCrosshair::isLinking() const
 
 void LinkedCrosshair::point(ui::AngiogramView& image, const std::optional<Eigen::Vector2d>& imagePx)
 {
-    if (!imagePx && pointedIn_ != &image) {
+    if (!imagePx && pointerView_ != &image) {
         return;   // the pointer has already entered another view
     }
-    pointedIn_ = &image;
+    pointerView_ = &image;
     pointerPx_ = imagePx && isInside(image.scene().frame(), *imagePx) ? imagePx : std::nullopt;
     show();
 }
 
-std::optional<Eigen::Vector3d> LinkedCrosshair::placeUnderPointer() const
+std::optional<Eigen::Vector3d> LinkedCrosshair::pointUnderPointer() const
 {
-    if (!pointedIn_ || !pointerPx_ || core::findProblem(pointedIn_->camera()) ||
-        pointedIn_->scene().mode() == ui::OverlayMode::Hidden) {
+    if (!pointerView_ || !pointerPx_ || core::findProblem(pointerView_->camera()) ||
+        pointerView_->scene().mode() == ui::OverlayMode::Hidden) {
         return std::nullopt;
     }
-    return core::placeUnderPixel(pointedIn_->scene().content().tree, sightIn(*pointedIn_), *pointerPx_,
-                                 crosshairReachPx / pointedIn_->zoom());
+    return core::pointUnderPixel(pointerView_->scene().content().tree, sightIn(*pointerView_), *pointerPx_,
+                                 crosshairReachPx / pointerView_->zoom());
 }
 
 void LinkedCrosshair::show()
 {
-    if (!isLinking() || !pointedIn_ || !pointerPx_) {
+    if (!isLinking() || !pointerView_ || !pointerPx_) {
         hide();
         return;
     }
-    const auto place = placeUnderPointer();
+    const auto place = pointUnderPointer();
     for (ui::AngiogramView* image : ui_.images.images()) {
-        const bool isOwn = image == pointedIn_;
+        const bool isOwn = image == pointerView_;
         image->setCrosshair(
-            {isOwn ? std::nullopt : core::epipolarLine(sightIn(*pointedIn_), *pointerPx_, sightIn(*image)), place});
+            {isOwn ? std::nullopt : core::epipolarLine(sightIn(*pointerView_), *pointerPx_, sightIn(*image)), place});
     }
-    ui_.treeView.setPointed(place);
+    ui_.treeView.setPointedPosition(place);
 }
 
 void LinkedCrosshair::hide()
@@ -111,7 +111,7 @@ void LinkedCrosshair::hide()
     for (ui::AngiogramView* image : ui_.images.images()) {
         image->setCrosshair({});
     }
-    ui_.treeView.setPointed(std::nullopt);
+    ui_.treeView.setPointedPosition(std::nullopt);
 }
 
 }   // namespace angiopose::app

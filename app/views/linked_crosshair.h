@@ -45,14 +45,14 @@ private:
     void point(ui::AngiogramView& image, const std::optional<Eigen::Vector2d>& imagePx);
     void show();
     void hide();
-    std::optional<Eigen::Vector3d> placeUnderPointer() const;
+    std::optional<Eigen::Vector3d> pointUnderPointer() const;
     bool isLinking() const;
 
     Ui ui_;
-    QPointer<ui::AngiogramView> pointedIn_;
+    QPointer<ui::AngiogramView> pointerView_;
     std::optional<Eigen::Vector2d>
-        pointerPx_;   ///< pointer position in the image of `pointedIn_`; empty if the pointer is outside
-    QTimer again_;   ///< delays the update after a change of pose
+        pointerPx_;   ///< pointer position in the image of `pointerView_`; empty if the pointer is outside
+    QTimer updateTimer_;   ///< delays the update after a change of pose
 };
 
 }   // namespace angiopose::app

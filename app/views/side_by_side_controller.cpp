@@ -10,7 +10,7 @@
 #include "ui/places/side_by_side.h"
 #include "ui/views/angiogram_view.h"
 #include "ui/words/message_text.h"
-#include "ui/words/spoken.h"
+#include "ui/words/retranslation.h"
 
 #include <QDateTime>
 
@@ -45,9 +45,9 @@ private:
 }   // namespace
 
 SideBySideController::SideBySideController(const Parts& parts, const Ui& ui, QObject* parent)
-    : QObject(parent), on_(parts), ui_(ui)
+    : QObject(parent), parts_(parts), ui_(ui)
 {
-    connect(&ui_.images, &ui::SideBySide::paneMade, this, &SideBySideController::connectPane);
+    connect(&ui_.images, &ui::SideBySide::paneCreated, this, &SideBySideController::connectPane);
     QAction* action = ui_.actions[ui::Command::SideBySide];
     action->setChecked(settings::sideBySide.read());
     ui_.strip.showSideBySide(action->isChecked());
@@ -55,23 +55,23 @@ SideBySideController::SideBySideController(const Parts& parts, const Ui& ui, QOb
     connect(&ui_.strip, &ui::ViewStrip::sideBySideRequested, action, &QAction::setChecked);
     connectCase();
     connectLook();
-    ui::speak(this, [this] { showTitles(); });
+    ui::keepTranslated(this, [this] { showTitles(); });
 }
 
 void SideBySideController::connectCase()
 {
-    connect(&on_.document, &CaseDocument::changed, this, &SideBySideController::show);
-    connect(&on_.document, &CaseDocument::stateChanged, this, &SideBySideController::show);
-    connect(&on_.preview, &PosePreview::changed, this, [this] {
-        for (OtherView* other : shown()) {
+    connect(&parts_.document, &CaseDocument::changed, this, &SideBySideController::show);
+    connect(&parts_.document, &CaseDocument::stateChanged, this, &SideBySideController::show);
+    connect(&parts_.preview, &PosePreview::changed, this, [this] {
+        for (SecondaryView* other : shown()) {
             other->showPose();
         }
-        if (std::exchange(goAlong_, on_.preview.movesAllViews()) != goAlong_) {
+        if (std::exchange(areLinked_, parts_.preview.movesAllViews()) != areLinked_) {
             showTitles();
         }
     });
-    connect(&on_.views, &ViewController::looked, this, [this] {
-        for (OtherView* other : shown()) {
+    connect(&parts_.views, &ViewController::summariesReady, this, [this] {
+        for (SecondaryView* other : shown()) {
             other->showColors();
         }
     });
@@ -81,11 +81,12 @@ void SideBySideController::connectCase()
 void SideBySideController::connectLook()
 {
     using enum ui::Command;
-    connect(&on_.look, &LookController::changed, this, &SideBySideController::takeLooks);
-    connect(&on_.branches, &BranchController::marksChanged, this, &SideBySideController::takeLooks);
+    connect(&parts_.look, &OverlayStyleController::changed, this, &SideBySideController::applyDisplaySettingsToAll);
+    connect(&parts_.branches, &BranchController::marksChanged, this, &SideBySideController::applyDisplaySettingsToAll);
     for (const ui::Command mouse :
          {MouseRadiology, MouseSlicer, MouseScroll}) {   // queued: after the choice has taken effect
-        connect(ui_.actions[mouse], &QAction::triggered, this, &SideBySideController::takeLooks, Qt::QueuedConnection);
+        connect(ui_.actions[mouse], &QAction::triggered, this, &SideBySideController::applyDisplaySettingsToAll,
+                Qt::QueuedConnection);
     }
     for (const ui::Command colors : {ColorsBlueAmber, ColorsBlueRed, ColorsBrightness}) {
         connect(
@@ -102,26 +103,27 @@ void SideBySideController::connectLook()
 
 void SideBySideController::connectPane(ui::ViewPane* pane)
 {
-    const OtherView::Parts parts{on_.document, on_.preview, on_.views, on_.look, ui_.images.shown(), *pane};
-    const OtherView& other = *others_.emplace_back(std::make_unique<OtherView>(parts));
-    connect(pane, &ui::ViewPane::chosen, this, [this, &other, pane] { choose(other.place(), pane->image()); });
+    const SecondaryView::Parts parts{parts_.document, parts_.preview,     parts_.views,
+                                     parts_.look,     ui_.images.shown(), *pane};
+    const SecondaryView& other = *others_.emplace_back(std::make_unique<SecondaryView>(parts));
+    connect(pane, &ui::ViewPane::chosen, this, [this, &other, pane] { choose(other.viewIndex(), pane->image()); });
     connect(pane, &ui::ViewPane::frameRequested, this, [this, &other](int frame) { changeFrame(other, frame); });
     connect(pane, &ui::ViewPane::menuRequested, this,
-            [this, &other](const QPoint& at) { on_.views.openMenu(static_cast<int>(other.place()), at); });
+            [this, &other](const QPoint& at) { parts_.views.openMenu(static_cast<int>(other.viewIndex()), at); });
     const ui::AngiogramView& image = pane->image();
-    connect(&image, &ui::AngiogramView::branchHovered, &on_.branches, &BranchController::hover);
-    connect(&image, &ui::AngiogramView::branchClicked, &on_.branches, &BranchController::click);
-    connect(&image, &ui::AngiogramView::backgroundClicked, this, [this] { on_.branches.select({}); });
+    connect(&image, &ui::AngiogramView::branchHovered, &parts_.branches, &BranchController::hover);
+    connect(&image, &ui::AngiogramView::branchClicked, &parts_.branches, &BranchController::click);
+    connect(&image, &ui::AngiogramView::backgroundClicked, this, [this] { parts_.branches.select({}); });
 }
 
 /// Swaps the selected view with the shown one; each keeps its zoom.
-void SideBySideController::choose(std::size_t place, ui::AngiogramView& image)
+void SideBySideController::choose(std::size_t viewIndex, ui::AngiogramView& image)
 {
     ui::AngiogramView& shown = ui_.images.shown();
     const Zoom ofChosen(image);
     const Zoom ofFormer(shown);
-    on_.views.show(static_cast<int>(place));
-    if (on_.document.current().shownView == place) {
+    parts_.views.show(static_cast<int>(viewIndex));
+    if (parts_.document.current().shownView == viewIndex) {
         ofChosen.applyTo(shown);
         ofFormer.applyTo(image);
         shown.setFocus(Qt::OtherFocusReason);
@@ -134,30 +136,31 @@ void SideBySideController::setOn(bool on)
     ui_.strip.showSideBySide(on);
     show();
     if (on && others().empty()) {
-        emit reported(whyEmpty());
+        emit reported(emptyReason());
     }
 }
 
 std::vector<std::size_t> SideBySideController::others() const
 {
-    const core::Case& current = on_.document.current();
+    const core::Case& current = parts_.document.current();
     std::vector<std::size_t> places;
-    if (!on_.document.isInTrial() &&
+    if (!parts_.document.isInTrial() &&
         current.shown().angiogram) {   // hidden during a blind trial, because they would reveal the answer
-        for (std::size_t place = 0; place < current.views.size(); ++place) {
-            if (place != current.shownView) {
-                places.push_back(place);
+        for (std::size_t viewIndex = 0; viewIndex < current.views.size(); ++viewIndex) {
+            if (viewIndex != current.shownView) {
+                places.push_back(viewIndex);
             }
         }
     }
     return places;
 }
 
-QString SideBySideController::whyEmpty() const
+QString SideBySideController::emptyReason() const
 {
-    return on_.document.isInTrial() ? tr("Other views are hidden during a blind trial: they would reveal the answer.")
-           : !on_.document.current().shown().angiogram
-               ? tr("Open an angiogram first. Another view can then be shown beside it.")
+    return parts_.document.isInTrial()
+               ? tr("Other views are hidden during a blind trial because they would reveal the true pose.")
+           : !parts_.document.current().shown().angiogram
+               ? tr("Open an angiogram first. Another view can then be shown next to it.")
                : tr("This case has only one view. Add another angiogram of the same vessels (%1) to show both side by "
                     "side.")
                      .arg(ui::keyOf(ui::Command::AddView));
@@ -165,7 +168,7 @@ QString SideBySideController::whyEmpty() const
 
 /// Returns the index of the view in each pane. A view keeps its pane as long as it exists, so that a selected view
 /// swaps places with the shown one.
-std::vector<std::size_t> SideBySideController::placesOfPanes() const
+std::vector<std::size_t> SideBySideController::paneViewIndices() const
 {
     std::vector<std::size_t> wanted = others();
     if (wanted.size() != ui_.images.paneCount()) {
@@ -173,11 +176,11 @@ std::vector<std::size_t> SideBySideController::placesOfPanes() const
     }
     std::vector<std::size_t> left = wanted;
     for (std::size_t i = 0; i < wanted.size(); ++i) {
-        std::erase(left, others_[i]->place());
+        std::erase(left, others_[i]->viewIndex());
     }
     std::vector<std::size_t> places;
     for (std::size_t i = 0; i < wanted.size(); ++i) {
-        const std::size_t own = others_[i]->place();
+        const std::size_t own = others_[i]->viewIndex();
         const bool stays = std::ranges::find(wanted, own) != wanted.end();
         places.push_back(stays ? own : left.front());
         if (!stays) {
@@ -190,7 +193,7 @@ std::vector<std::size_t> SideBySideController::placesOfPanes() const
 void SideBySideController::show()
 {
     const bool isOn = ui_.actions[ui::Command::SideBySide]->isChecked();
-    const std::vector<std::size_t> places = isOn ? placesOfPanes() : std::vector<std::size_t>{};
+    const std::vector<std::size_t> places = isOn ? paneViewIndices() : std::vector<std::size_t>{};
     const std::size_t before = ui_.images.paneCount();
     ui_.images.setPaneCount(places.size());
     for (std::size_t i = 0; i < others_.size(); ++i) {
@@ -201,74 +204,74 @@ void SideBySideController::show()
         }
     }
     if (places.size() > before) {
-        takeLooks();
+        applyDisplaySettingsToAll();
     }
     showTitles();
 }
 
 void SideBySideController::showTitles()
 {
-    const core::Case& current = on_.document.current();
-    ui_.images.title().showWords(numberedTitle(current.views, current.shownView), {}, fileNameOf(current.shown()));
+    const core::Case& current = parts_.document.current();
+    ui_.images.title().showTexts(numberedTitle(current.views, current.shownView), {}, fileNameOf(current.shown()));
     for (std::size_t i = 0; i < ui_.images.paneCount(); ++i) {
-        const std::size_t place = others_[i]->place();
-        const core::View& view = current.views[place];
+        const std::size_t viewIndex = others_[i]->viewIndex();
+        const core::View& view = current.views[viewIndex];
         ui::ViewPane& pane = ui_.images.pane(i);
         const auto camera = core::cameraOf(view);
-        const QString title = numberedTitle(current.views, place);
-        const bool goesAlong = goAlong_;
+        const QString title = numberedTitle(current.views, viewIndex);
+        const bool goesAlong = areLinked_;
         const QString note = !camera ? tr("no geometry") : goesAlong ? tr("linked") : tr("independent pose");
         const QString why = !camera     ? ui::messageText(camera.error().message)
-                            : goesAlong ? tr("The vessels move here together with the active view.")
+                            : goesAlong ? tr("The vessels in this view move together with those in the active view.")
                                         : tr("The views are not registered jointly: moving the vessels in the active "
-                                             "view does not move them here.");
-        pane.title().showWords(title, view.angiogram ? note : QString(),
+                                             "view does not move them in this view.");
+        pane.title().showTexts(title, view.angiogram ? note : QString(),
                                fileNameOf(view) + QLatin1Char('\n') +
                                    (view.angiogram ? why + QLatin1Char('\n') : QString()) +
                                    tr("Click here, or double-click the image, to make this the active view."));
-        pane.image().setAbsence(tr("The image of this view could not be read."));
+        pane.image().setPlaceholderText(tr("The image of this view could not be read."));
         pane.image().setAccessibleName(title);
     }
 }
 
-std::vector<OtherView*> SideBySideController::shown() const
+std::vector<SecondaryView*> SideBySideController::shown() const
 {
-    std::vector<OtherView*> shown;
+    std::vector<SecondaryView*> shown;
     for (std::size_t i = 0; i < ui_.images.paneCount(); ++i) {
-        if (others_[i]->place() < on_.document.current().views.size()) {   // otherwise the view was just removed
+        if (others_[i]->viewIndex() < parts_.document.current().views.size()) {   // otherwise the view was just removed
             shown.push_back(others_[i].get());
         }
     }
     return shown;
 }
 
-void SideBySideController::takeLooks()
+void SideBySideController::applyDisplaySettingsToAll()
 {
-    for (OtherView* other : shown()) {
-        other->takeLook();
+    for (SecondaryView* other : shown()) {
+        other->applyDisplaySettings();
     }
 }
 
 /// Sets the frame of a view in the case, even if the view is not the shown one, because its pose, target and result
 /// depend on the frame.
-void SideBySideController::changeFrame(const OtherView& other, int frame)
+void SideBySideController::changeFrame(const SecondaryView& other, int frame)
 {
-    const core::Case& current = on_.document.current();
-    const std::size_t place = other.place();
-    if (frame == current.views[place].frame) {
+    const core::Case& current = parts_.document.current();
+    const std::size_t viewIndex = other.viewIndex();
+    if (frame == current.views[viewIndex].frame) {
         return;
     }
     const qint64 now = QDateTime::currentMSecsSinceEpoch();
-    if (now - lastFrameMs_ > frameBurstPauseMs || place != burstPlace_) {
+    if (now - lastFrameMs_ > frameBurstPauseMs || viewIndex != burstPlace_) {
         ++frameBurst_;
     }
     lastFrameMs_ = now;
-    burstPlace_ = place;
+    burstPlace_ = viewIndex;
     std::vector<core::View> views = current.views;
-    views[place] = core::withFrame(std::move(views[place]), frame);
-    views[place].caseFile = {};   // its case file no longer contains the view unchanged
-    on_.document.push(std::make_unique<ChangeViews>(
-        on_.document, ChangeViews::Values{std::move(views)}, [] { return tr("Choose another frame"); },
+    views[viewIndex] = core::withFrame(std::move(views[viewIndex]), frame);
+    views[viewIndex].caseFile = {};   // its case file no longer contains the view unchanged
+    parts_.document.push(std::make_unique<ChangeViews>(
+        parts_.document, ChangeViews::Values{std::move(views)}, [] { return tr("Choose another frame"); },
         framesOfOthers + frameBurst_));
 }
 

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "app/document/case_document.h"
-#include "app/review/look_controller.h"
+#include "app/review/overlay_style_controller.h"
 #include "app/showing/pose_preview.h"
-#include "app/views/other_view.h"
+#include "app/views/secondary_view.h"
 #include "app/views/view_controller.h"
 
 #include <QObject>
@@ -33,7 +33,7 @@ public:
         CaseDocument& document;
         PosePreview& preview;
         BranchController& branches;
-        LookController& look;
+        OverlayStyleController& look;
         ViewController& views;
     };
     /// Parts of the main window that the controller uses.
@@ -54,18 +54,18 @@ private:
     void setOn(bool on);
     void show();
     void showTitles();
-    QString whyEmpty() const;
+    QString emptyReason() const;
     std::vector<std::size_t> others() const;
-    std::vector<std::size_t> placesOfPanes() const;
-    void choose(std::size_t place, ui::AngiogramView& image);
-    std::vector<OtherView*> shown() const;
-    void takeLooks();
-    void changeFrame(const OtherView& other, int frame);
+    std::vector<std::size_t> paneViewIndices() const;
+    void choose(std::size_t viewIndex, ui::AngiogramView& image);
+    std::vector<SecondaryView*> shown() const;
+    void applyDisplaySettingsToAll();
+    void changeFrame(const SecondaryView& other, int frame);
 
-    Parts on_;
+    Parts parts_;
     Ui ui_;
-    std::vector<std::unique_ptr<OtherView>> others_;   ///< one for each pane created so far
-    bool goAlong_ = true;   ///< whether the titles show the poses as linked
+    std::vector<std::unique_ptr<SecondaryView>> others_;   ///< one for each pane created so far
+    bool areLinked_ = true;   ///< whether the titles show the poses as linked
     int frameBurst_ = 0;
     std::size_t burstPlace_ = 0;
     qint64 lastFrameMs_ = 0;

@@ -8,7 +8,7 @@
 #include "ui/panels/view_strip.h"
 #include "ui/words/message_text.h"
 #include "ui/words/number.h"
-#include "ui/words/spoken.h"
+#include "ui/words/retranslation.h"
 
 #include <QInputDialog>
 #include <QMenu>
@@ -28,16 +28,16 @@ ViewController::ViewController(CaseDocument& document, const TargetProvider& tar
       document_(document),
       target_(target),
       ui_(ui),
-      looking_([this](const std::vector<ViewLook>& looks) { showPictures(looks); })
+      summaryJob_([this](const std::vector<ViewSummary>& looks) { showPictures(looks); })
 {
-    pause_.setSingleShot(true);
-    pause_.setInterval(250ms);
-    connect(&pause_, &QTimer::timeout, this, &ViewController::look);
-    connect(&document_, &CaseDocument::changed, this, &ViewController::followDocument);
-    connect(&target_, &TargetProvider::changed, this, &ViewController::followDocument);
-    connect(&document_, &CaseDocument::stateChanged, this, &ViewController::followDocument);
+    delayTimer_.setSingleShot(true);
+    delayTimer_.setInterval(250ms);
+    connect(&delayTimer_, &QTimer::timeout, this, &ViewController::look);
+    connect(&document_, &CaseDocument::changed, this, &ViewController::updateFromDocument);
+    connect(&target_, &TargetProvider::changed, this, &ViewController::updateFromDocument);
+    connect(&document_, &CaseDocument::stateChanged, this, &ViewController::updateFromDocument);
     connectWindow();
-    ui::speak(this, [this] { followDocument(); });
+    ui::keepTranslated(this, [this] { updateFromDocument(); });
 }
 
 void ViewController::connectWindow()
@@ -62,7 +62,7 @@ void ViewController::openMenu(int line, const QPoint& at)
     menu->popup(at);
 }
 
-void ViewController::followDocument()
+void ViewController::updateFromDocument()
 {
     const core::Case& current = document_.current();
     const core::Vessels& vessels = current.vessels;
@@ -74,39 +74,39 @@ void ViewController::followDocument()
     ui_.registration.showViewCount(areSeveral ? static_cast<int>(core::registeredViews(current).size()) : 1);
     lineCount_ = areSeveral ? current.views.size() : 0;
     showLines();
-    Seen seen;
+    SummaryInputs seen;
     if (areSeveral) {
         seen = {vessels.tree, vessels.excludedBranchIds, vessels.hiddenBranchIds, {}, target_.current()};
-        std::ranges::transform(current.views, std::back_inserter(seen.views), sightOf);
+        std::ranges::transform(current.views, std::back_inserter(seen.views), viewKey);
     }
-    if (seen != seen_) {
-        seen_ = seen;
+    if (seen != summaryInputs_) {
+        summaryInputs_ = seen;
         if (areSeveral) {
-            pause_.start();
+            delayTimer_.start();
         } else {
-            looks_.clear();   // the summaries belong to the previous case
+            summaries_.clear();   // the summaries belong to the previous case
         }
     }
 }
 
-const ViewLook* ViewController::lookOf(std::size_t place) const
+const ViewSummary* ViewController::summaryOf(std::size_t viewIndex) const
 {
     const core::Case& current = document_.current();
-    const core::View& view = current.views[place];
+    const core::View& view = current.views[viewIndex];
     const auto found =
-        std::ranges::find_if(looks_, [&](const ViewLook& look) {   // for the shown view: the last known summary
-            return place == current.shownView ? look.of.angiogram == view.angiogram : look.of == sightOf(view);
+        std::ranges::find_if(summaries_, [&](const ViewSummary& look) {   // for the shown view: the last known summary
+            return viewIndex == current.shownView ? look.of.angiogram == view.angiogram : look.of == viewKey(view);
         });
-    return found == looks_.end() || !view.angiogram ? nullptr : &*found;
+    return found == summaries_.end() || !view.angiogram ? nullptr : &*found;
 }
 
 void ViewController::showLines()
 {
     const core::Case& current = document_.current();
     std::vector<ui::ViewLine> lines;
-    for (std::size_t place = 0; place < lineCount_; ++place) {
-        const core::View& view = current.views[place];
-        const ViewLook* look = lookOf(place);
+    for (std::size_t viewIndex = 0; viewIndex < lineCount_; ++viewIndex) {
+        const core::View& view = current.views[viewIndex];
+        const ViewSummary* look = summaryOf(viewIndex);
         QString agreement;
         if (look && look->metrics) {
             agreement = tr("%1 mm · %2 px")
@@ -116,7 +116,7 @@ void ViewController::showLines()
             agreement = view.angiogram ? QStringLiteral("…") : tr("not found");
         }
         const QString problem = look ? ui::messageText(look->problem) : QString();
-        lines.push_back({numberedTitle(current.views, place) + QLatin1Char('\n') + agreement,
+        lines.push_back({numberedTitle(current.views, viewIndex) + QLatin1Char('\n') + agreement,
                          problem.isEmpty()
                              ? tr("%1. Click to show it; Delete removes the active view.").arg(fileNameOf(view))
                              : fileNameOf(view) + QStringLiteral(": ") + problem});
@@ -126,53 +126,55 @@ void ViewController::showLines()
 
 void ViewController::look()
 {
-    if (looking_.isRunning()) {
-        pause_.start();
+    if (summaryJob_.isRunning()) {
+        delayTimer_.start();
         return;
     }
-    if (seen_.views.empty()) {
+    if (summaryInputs_.views.empty()) {
         return;
     }
-    looking_.start([snapshot = document_.current(), target = target_.current(), known = looks_,
-                    widthPx = ui_.panel.pictureWidthPx()](JobLink<double>&) -> core::Result<std::vector<ViewLook>> {
-        return lookAtViews(snapshot, target, known, widthPx);
-    });
+    summaryJob_.start(
+        [snapshot = document_.current(), target = target_.current(), known = summaries_,
+         widthPx = ui_.panel.thumbnailWidthPx()](JobLink<double>&) -> core::Result<std::vector<ViewSummary>> {
+            return summarizeViews(snapshot, target, known, widthPx);
+        });
 }
 
-void ViewController::showPictures(std::vector<ViewLook> looks)
+void ViewController::showPictures(std::vector<ViewSummary> looks)
 {
-    if (seen_.views.empty()) {
+    if (summaryInputs_.views.empty()) {
         return;   // the case has been closed in the meantime
     }
-    looks_ = std::move(looks);
+    summaries_ = std::move(looks);
     showLines();
-    for (std::size_t place = 0; place < lineCount_; ++place) {
-        const ViewLook* look = lookOf(place);
+    for (std::size_t viewIndex = 0; viewIndex < lineCount_; ++viewIndex) {
+        const ViewSummary* look = summaryOf(viewIndex);
         if (look && look->picture) {
-            ui_.panel.showPicture(static_cast<int>(place), *look->picture);
+            ui_.panel.showThumbnail(static_cast<int>(viewIndex), *look->picture);
         }
     }
-    emit looked();
+    emit summariesReady();
 }
 
-std::shared_ptr<const core::Centerline2d> ViewController::targetOf(std::size_t place) const
+std::shared_ptr<const core::Centerline2d> ViewController::targetOf(std::size_t viewIndex) const
 {
-    return knownTarget(looks_, sightOf(document_.current().views[place]));
+    return cachedTarget(summaries_, viewKey(document_.current().views[viewIndex]));
 }
 
 void ViewController::show(int line)
 {
-    const auto place = static_cast<std::size_t>(line);
+    const auto viewIndex = static_cast<std::size_t>(line);
     const core::Case& current = document_.current();
-    if (place == current.shownView) {
+    if (viewIndex == current.shownView) {
         return;
     }
-    const core::View& view = current.views[place];
+    const core::View& view = current.views[viewIndex];
     if (!view.angiogram) {
         emit refused(tr("The image of this view could not be read."));
     } else {
-        document_.push(showView(document_, core::showingView(current, place),
-                                [name = numberedTitle(current.views, place)] { return tr("Show view %1").arg(name); }));
+        document_.push(
+            showView(document_, core::withShownView(current, viewIndex),
+                     [name = numberedTitle(current.views, viewIndex)] { return tr("Show view %1").arg(name); }));
     }
     showLines();   // resets the selection in the strip if the view was refused
 }
@@ -186,16 +188,17 @@ void ViewController::showNext()
 
 void ViewController::askName(int line)
 {
-    const auto place = static_cast<std::size_t>(line);
+    const auto viewIndex = static_cast<std::size_t>(line);
     auto* dialog = new QInputDialog(&ui_.dialogParent);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setWindowTitle(tr("Name this view"));
-    dialog->setLabelText(tr("Name of the view %1 (empty: its angles)").arg(anglesOf(document_.current().views[place])));
-    dialog->setTextValue(QString::fromStdString(document_.current().views[place].name));
-    connect(dialog, &QInputDialog::textValueSelected, this, [this, place](const QString& name) {
+    dialog->setLabelText(
+        tr("Name of view %1 (leave empty to use its angles)").arg(anglesOf(document_.current().views[viewIndex])));
+    dialog->setTextValue(QString::fromStdString(document_.current().views[viewIndex].name));
+    connect(dialog, &QInputDialog::textValueSelected, this, [this, viewIndex](const QString& name) {
         core::Case named = document_.current();
-        if (place < named.views.size() && !document_.isLocked()) {
-            named.views[place].name = name.trimmed().toStdString();
+        if (viewIndex < named.views.size() && !document_.isLocked()) {
+            named.views[viewIndex].name = name.trimmed().toStdString();
             document_.push(showView(document_, named, [] { return tr("Rename view"); }));
         }
     });
@@ -207,7 +210,7 @@ void ViewController::remove(int line)
     const core::Case& current = document_.current();
     const core::Case without = core::withoutView(current, static_cast<std::size_t>(line));
     if (without.views.size() == current.views.size()) {
-        emit refused(tr("No other view can be shown in its place."));
+        emit refused(tr("No other view can be shown instead."));
         return;
     }
     document_.push(showView(document_, without, [] { return tr("Remove view"); }));

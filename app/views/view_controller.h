@@ -3,7 +3,7 @@
 #include "app/document/case_document.h"
 #include "app/jobs/job.h"
 #include "app/registration/target_provider.h"
-#include "app/views/look_at_view.h"
+#include "app/views/view_summary.h"
 
 #include <QObject>
 #include <QTimer>
@@ -36,9 +36,9 @@ public:
     };
     ViewController(CaseDocument& document, const TargetProvider& target, const Ui& ui, QObject* parent = nullptr);
 
-    bool isLooking() const { return looking_.isRunning(); }   ///< computing thumbnails and metrics of the views
+    bool isSummarizing() const { return summaryJob_.isRunning(); }   ///< computing thumbnails and metrics of the views
     /// Returns the traced vessels of view `place`; null until they have been computed (see `looked`).
-    std::shared_ptr<const core::Centerline2d> targetOf(std::size_t place) const;
+    std::shared_ptr<const core::Centerline2d> targetOf(std::size_t viewIndex) const;
     void show(int line);
     void showNext();
     void openMenu(int line, const QPoint& at);   ///< opens the menu with the commands for this view
@@ -47,34 +47,34 @@ public:
 
 signals:
     void refused(const QString& reason);
-    void looked();   ///< emitted when thumbnails and metrics are ready; see `targetOf`
+    void summariesReady();   ///< emitted when thumbnails and metrics are ready; see `targetOf`
 
 private:
     /// Parts of a case on which the thumbnails and metrics depend.
-    struct Seen {
+    struct SummaryInputs {
         std::shared_ptr<const core::VesselTree> tree;
         std::vector<int> excluded;
         std::vector<int> hidden;
-        std::vector<ViewSight> views;
+        std::vector<ViewKey> views;
         SharedCenterline target;
 
-        bool operator==(const Seen&) const = default;
+        bool operator==(const SummaryInputs&) const = default;
     };
     void connectWindow();
-    void followDocument();
+    void updateFromDocument();
     void showLines();
-    void showPictures(std::vector<ViewLook> looks);
+    void showPictures(std::vector<ViewSummary> looks);
     void look();
-    const ViewLook* lookOf(std::size_t place) const;
+    const ViewSummary* summaryOf(std::size_t viewIndex) const;
 
     CaseDocument& document_;
     const TargetProvider& target_;
     Ui ui_;
     std::size_t lineCount_ = 0;   ///< one line per view of the case, in order; 0 if there is only one view
-    Seen seen_;
-    std::vector<ViewLook> looks_;
-    QTimer pause_;   ///< delays the thumbnails until no further changes occur
-    Job<std::vector<ViewLook>> looking_;
+    SummaryInputs summaryInputs_;
+    std::vector<ViewSummary> summaries_;
+    QTimer delayTimer_;   ///< delays the thumbnails until no further changes occur
+    Job<std::vector<ViewSummary>> summaryJob_;
 };
 
 }   // namespace angiopose::app

@@ -44,7 +44,7 @@ ui::GeometryState geometryState(const core::Case& current)
     state.imageSizePx = {angiogram.width(), angiogram.height()};
     const auto frame = static_cast<std::size_t>(std::max(0, current.shown().frame));
     if (frame < angiogram.gantry.angleIncrementsDeg.size()) {
-        state.turnedDeg = angiogram.gantry.angleIncrementsDeg[frame];
+        state.gantryRotationDeg = angiogram.gantry.angleIncrementsDeg[frame];
     }
     state.missing = missingIn(current);
     state.contradictions = core::contradictionsOf(current.shown());

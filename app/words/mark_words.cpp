@@ -20,9 +20,9 @@ constexpr double manySigmas = 2.0;
 
 QString placeWords(const core::VesselMark& mark)
 {
-    return ui::messageText(core::messages::markPlace(core::inMm(mark.pointInPatient.x(), 1),
-                                                     core::inMm(mark.pointInPatient.y(), 1),
-                                                     core::inMm(mark.pointInPatient.z(), 1)));
+    return ui::messageText(core::messages::markPosition(core::inMm(mark.pointInPatient.x(), 1),
+                                                        core::inMm(mark.pointInPatient.y(), 1),
+                                                        core::inMm(mark.pointInPatient.z(), 1)));
 }
 
 QString kindWords(const core::ImageAnnotation& annotation)
@@ -32,7 +32,7 @@ QString kindWords(const core::ImageAnnotation& annotation)
 
 QString frameWordsOf(const core::ImageAnnotation& annotation)
 {
-    return MarkWords::tr("On frame %1 of this view, in every exported image of it.").arg(annotation.frame + 1);
+    return MarkWords::tr("On frame %1 of this view and in every image exported from it.").arg(annotation.frame + 1);
 }
 
 bool isFarther(double mm, const std::optional<double>& claimedMm)
@@ -41,12 +41,12 @@ bool isFarther(double mm, const std::optional<double>& claimedMm)
 }
 
 /// Returns whether the error exceeds twice the stated uncertainty of the pose, in the shown view or in 3-D.
-bool isMoreThanClaimed(const core::CheckedPoint& checked, std::size_t shownView)
+bool exceedsUncertainty(const core::TargetPointResult& checked, std::size_t shownView)
 {
-    const auto shown = std::ranges::find(checked.views, shownView, &core::CheckedView::view);
-    const bool isHere = shown != checked.views.end() && shown->error && shown->claimed &&
-                        isFarther(shown->error.value().mm, shown->claimed->inPlaneMm);
-    return isHere || (checked.meeting && isFarther(checked.spaceMm(), checked.claimedSpaceMm));
+    const auto shown = std::ranges::find(checked.views, shownView, &core::TargetPointViewResult::view);
+    const bool isHere = shown != checked.views.end() && shown->error && shown->predicted &&
+                        isFarther(shown->error.value().mm, shown->predicted->inPlaneMm);
+    return isHere || (checked.triangulated && isFarther(checked.spaceMm(), checked.predictedSpaceMm));
 }
 
 }   // namespace
@@ -56,39 +56,41 @@ ui::MarkRow annotationRow(const core::ImageAnnotation& annotation)
     return {QString::fromStdString(annotation.text), kindWords(annotation), frameWordsOf(annotation), false};
 }
 
-QString checkedSentences(const core::CheckedPoint& checked, std::size_t viewCount)
+QString targetPointSentences(const core::TargetPointResult& checked, std::size_t viewCount)
 {
     QStringList sentences;
-    for (const core::CheckedView& view : checked.views) {
+    for (const core::TargetPointViewResult& view : checked.views) {
         const QString reported = ui::messagesText(core::sentencesOf(view));
         sentences << (viewCount > 1 ? MarkWords::tr("View %1:").arg(view.view + 1) + QLatin1Char(' ') + reported
                                     : reported);
     }
     if (viewCount > 1 || checked.views.empty()) {
-        sentences << ui::messagesText(core::spaceSentences(checked));
+        sentences << ui::messagesText(core::spaceErrorMessages(checked));
     }
     return ui::joinedSentences(sentences);
 }
 
-ui::MarkRow markRow(const core::VesselMark& mark, const std::vector<core::CheckedPoint>& checked, std::size_t shownView)
+ui::MarkRow markRow(const core::VesselMark& mark, const std::vector<core::TargetPointResult>& checked,
+                    std::size_t shownView)
 {
     const QString name = QString::fromStdString(mark.name);
     if (mark.kind == core::VesselMarkKind::OstiumRing) {
         return {name, ui::messageText(core::messages::ringWidth(core::inMm(2.0 * mark.radiusMm, 1))), placeWords(mark),
                 false};
     }
-    const auto found = std::ranges::find(checked, mark.id, [](const core::CheckedPoint& each) { return each.mark.id; });
+    const auto found = std::ranges::find(
+        checked, mark.id, [](const core::TargetPointResult& checkedPoint) { return checkedPoint.mark.id; });
     if (found == checked.end()) {
         return {name, QStringLiteral("–"), placeWords(mark), false};
     }
     const auto label = core::labelOf(*found, shownView);
-    const std::size_t views = found->views.size() + (found->views.size() == 1 && found->meeting ? 1 : 0);
+    const std::size_t views = found->views.size() + (found->views.size() == 1 && found->triangulated ? 1 : 0);
     return {name, label ? ui::messageText(*label) : QStringLiteral("–"),
-            ui::joinedSentences({checkedSentences(*found, std::max<std::size_t>(views, 1)), placeWords(mark)}),
-            isMoreThanClaimed(*found, shownView)};
+            ui::joinedSentences({targetPointSentences(*found, std::max<std::size_t>(views, 1)), placeWords(mark)}),
+            exceedsUncertainty(*found, shownView)};
 }
 
-QString freeMarkName(core::VesselMarkKind kind, const std::vector<core::VesselMark>& marks)
+QString unusedMarkName(core::VesselMarkKind kind, const std::vector<core::VesselMark>& marks)
 {
     const bool isRing = kind == core::VesselMarkKind::OstiumRing;
     for (int number = 1;; ++number) {

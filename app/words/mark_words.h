@@ -8,14 +8,14 @@
 namespace angiopose::app {
 
 /// Returns the list row of a target point or ring for the shown view.
-ui::MarkRow markRow(const core::VesselMark& mark, const std::vector<core::CheckedPoint>& checked,
+ui::MarkRow markRow(const core::VesselMark& mark, const std::vector<core::TargetPointResult>& checked,
                     std::size_t shownView);
 ui::MarkRow annotationRow(const core::ImageAnnotation& annotation);
 
 /// Describes everything known about a target point, one sentence per fact.
-QString checkedSentences(const core::CheckedPoint& checked, std::size_t viewCount);
+QString targetPointSentences(const core::TargetPointResult& checked, std::size_t viewCount);
 
 /// Returns the first unused name of the form "Target point 3" or "Ostium 1".
-QString freeMarkName(core::VesselMarkKind kind, const std::vector<core::VesselMark>& marks);
+QString unusedMarkName(core::VesselMarkKind kind, const std::vector<core::VesselMark>& marks);
 
 }   // namespace angiopose::app

@@ -44,7 +44,7 @@ QString sliceWords(const core::SliceMeasurement& measurement)
     constexpr std::array axes{"z", "y", "x"};   // axes of the patient along the normals of core::bodyPlanes
     return MeasureWords::tr("%1, %2 %3 mm.")
                .arg(ui::nameOf(measurement.plane), QLatin1String(axes[static_cast<std::size_t>(measurement.plane)]),
-                    ui::numberText(core::sliceAtMm(measurement), 1)) +
+                    ui::numberText(core::slicePositionMm(measurement), 1)) +
            QLatin1Char(' ');
 }
 
@@ -103,7 +103,7 @@ std::vector<ui::ImageMark> windowMarks(const core::MeasuredView& seen, int frame
     return marksOf(seen, frame, [](const core::Message& message) { return ui::messageText(message).toStdString(); });
 }
 
-std::vector<ui::ImageMark> windowPlacedMarks(const PlacedView& placed)
+std::vector<ui::ImageMark> windowPlacedMarks(const MarkedView& placed)
 {
     return placedMarks(placed, [](const core::Message& message) { return ui::messageText(message).toStdString(); });
 }

@@ -23,6 +23,6 @@ QString measureLabel(const core::ImageMeasurement& measurement, const core::Meas
 
 /// Return the marks of a frame in the language of the window.
 std::vector<ui::ImageMark> windowMarks(const core::MeasuredView& seen, int frame);
-std::vector<ui::ImageMark> windowPlacedMarks(const PlacedView& placed);
+std::vector<ui::ImageMark> windowPlacedMarks(const MarkedView& placed);
 
 }   // namespace angiopose::app

@@ -16,7 +16,7 @@ QString readableName(const std::string& name)
     return QString::fromStdString(name).replace(u'^', u' ').simplified();
 }
 
-QString inputsOf(const core::CasePatient& patient, std::size_t viewCount)
+QString patientInputs(const core::CasePatient& patient, std::size_t viewCount)
 {
     QStringList inputs;
     if (patient.isOfScan) {
@@ -28,7 +28,7 @@ QString inputsOf(const core::CasePatient& patient, std::size_t viewCount)
     return inputs.join(QStringLiteral(", "));
 }
 
-QString detailsOf(const core::CasePatient& patient)
+QString patientDetails(const core::CasePatient& patient)
 {
     const core::StudyIdentity& identity = patient.identity;
     QStringList parts;
@@ -48,10 +48,10 @@ QStringList patientLines(const core::Case& session)
 {
     QStringList lines;
     for (const core::CasePatient& patient : core::patientsOf(session)) {
-        QStringList parts{readableName(patient.identity.patientName), detailsOf(patient)};
+        QStringList parts{readableName(patient.identity.patientName), patientDetails(patient)};
         parts.removeAll(QString());
         lines << QStringLiteral("%1 (%2)").arg(parts.join(QStringLiteral(" · ")),
-                                               inputsOf(patient, session.views.size()));
+                                               patientInputs(patient, session.views.size()));
     }
     return lines;
 }

@@ -19,7 +19,7 @@ core::PoseSnapshot snapshotOfRun(const core::RegistrationResult& result, int fra
     snapshot.time = core::utcNow();
     snapshot.method = result.method;
     snapshot.author = observerName().toStdString();
-    snapshot.name = (ui::methodWords(result.method) + QLatin1Char(' ') + ui::shortTime(snapshot.time)).toStdString();
+    snapshot.name = (ui::methodName(result.method) + QLatin1Char(' ') + ui::shortTime(snapshot.time)).toStdString();
     snapshot.frame = frame;
     snapshot.cameraFromPatient = result.cameraFromPatient;
     snapshot.metrics = core::metricsOf(result);

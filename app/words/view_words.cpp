@@ -37,7 +37,7 @@ QString numberedTitle(const std::vector<core::View>& views, std::size_t place)
 ui::CornerTexts windowTexts(const CornerLines& lines)
 {
     ui::CornerTexts texts =
-        textsOf(lines, [](const core::Message& message) { return ui::messageText(message).toStdString(); });
+        toCornerTexts(lines, [](const core::Message& message) { return ui::messageText(message).toStdString(); });
     texts.decimalSign = ui::languageLocale().decimalPoint() == QLatin1String(",") ? ',' : '.';
     return texts;
 }

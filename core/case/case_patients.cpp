@@ -7,13 +7,13 @@
 namespace angiopose::core {
 namespace {
 
-bool saysWhose(const StudyIdentity& identity)
+bool identifiesPatient(const StudyIdentity& identity)
 {
     return !identity.patientName.empty() || !identity.patientId.empty() || !identity.birthDate.empty();
 }
 
 /// Fills the empty fields of `identity` from `other`.
-void complete(StudyIdentity& identity, const StudyIdentity& other)
+void fillEmptyFields(StudyIdentity& identity, const StudyIdentity& other)
 {
     for (const auto part :
          {&StudyIdentity::patientName, &StudyIdentity::patientId, &StudyIdentity::birthDate, &StudyIdentity::sex}) {
@@ -30,7 +30,7 @@ CasePatient& patientOf(std::vector<CasePatient>& patients, const StudyIdentity& 
     if (known == patients.end()) {
         return patients.emplace_back(CasePatient{identity, false, {}});
     }
-    complete(known->identity, identity);
+    fillEmptyFields(known->identity, identity);
     return *known;
 }
 
@@ -39,7 +39,7 @@ CasePatient& patientOf(std::vector<CasePatient>& patients, const StudyIdentity& 
 Messages findMismatch(const Case& session)
 {
     Messages found;
-    const auto compare = [&found](const StudyIdentity& one, const StudyIdentity& other, Compared compared) {
+    const auto compare = [&found](const StudyIdentity& one, const StudyIdentity& other, ComparedImages compared) {
         for (const Message& mismatch : findMismatch(one, other, compared)) {
             if (std::ranges::find(found, mismatch) == found.end()) {
                 found.push_back(mismatch);
@@ -51,10 +51,10 @@ Messages findMismatch(const Case& session)
         if (!run) {
             continue;
         }
-        compare(session.vessels.scanIdentity, run->identity, Compared::ScanAndRun);
+        compare(session.vessels.scanIdentity, run->identity, ComparedImages::ScanAndRun);
         for (std::size_t before = 0; before < k; ++before) {
             if (const auto& other = session.views[before].angiogram) {
-                compare(other->identity, run->identity, Compared::TwoRuns);
+                compare(other->identity, run->identity, ComparedImages::TwoRuns);
             }
         }
     }
@@ -64,13 +64,13 @@ Messages findMismatch(const Case& session)
 std::vector<CasePatient> patientsOf(const Case& session)
 {
     std::vector<CasePatient> patients;
-    if (saysWhose(session.vessels.scanIdentity)) {
+    if (identifiesPatient(session.vessels.scanIdentity)) {
         patientOf(patients, session.vessels.scanIdentity).isOfScan = true;
     }
-    for (std::size_t place = 0; place < session.views.size(); ++place) {
-        const auto& run = session.views[place].angiogram;
-        if (run && saysWhose(run->identity)) {
-            patientOf(patients, run->identity).views.push_back(place);
+    for (std::size_t viewIndex = 0; viewIndex < session.views.size(); ++viewIndex) {
+        const auto& run = session.views[viewIndex].angiogram;
+        if (run && identifiesPatient(run->identity)) {
+            patientOf(patients, run->identity).views.push_back(viewIndex);
         }
     }
     return patients;

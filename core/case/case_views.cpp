@@ -11,10 +11,10 @@ template <class PoseOf>
 std::vector<View> withPoses(const Case& session, const PoseOf& poseOf)
 {
     std::vector<View> views = session.views;
-    for (const std::size_t place : registeredViews(session)) {
-        View& view = views[place];
-        view.cameraFromPatient = poseOf(place);
-        forgetFindings(view);
+    for (const std::size_t viewIndex : registeredViews(session)) {
+        View& view = views[viewIndex];
+        view.cameraFromPatient = poseOf(viewIndex);
+        discardResults(view);
         view.caseFile = {};
     }
     return views;
@@ -22,7 +22,7 @@ std::vector<View> withPoses(const Case& session, const PoseOf& poseOf)
 
 }   // namespace
 
-Case showingView(Case session, std::size_t index)
+Case withShownView(Case session, std::size_t index)
 {
     session.shownView = index;
     session.shown().caseFile = {};
@@ -31,12 +31,12 @@ Case showingView(Case session, std::size_t index)
 
 Case withoutView(Case session, std::size_t index)
 {
-    std::vector<std::size_t> places = registeredViews(session);
+    std::vector<std::size_t> viewIndices = registeredViews(session);
     if (index == session.shownView) {
-        if (places.size() < 2) {
+        if (viewIndices.size() < 2) {
             return session;
         }
-        session = showingView(std::move(session), places[1]);
+        session = withShownView(std::move(session), viewIndices[1]);
     }
     session.views.erase(session.views.begin() + static_cast<std::ptrdiff_t>(index));
     session.shownView -= index < session.shownView ? 1 : 0;
@@ -45,40 +45,42 @@ Case withoutView(Case session, std::size_t index)
 
 std::vector<std::size_t> registeredViews(const Case& session)
 {
-    std::vector<std::size_t> places{session.shownView};
+    std::vector<std::size_t> viewIndices{session.shownView};
     for (std::size_t k = 0; k < session.views.size(); ++k) {
         if (k != session.shownView && session.views[k].angiogram) {
-            places.push_back(k);
+            viewIndices.push_back(k);
         }
     }
-    return places;
+    return viewIndices;
 }
 
-std::vector<View> viewsAt(const Case& session, const std::vector<std::size_t>& places)
+std::vector<View> viewsAt(const Case& session, const std::vector<std::size_t>& viewIndices)
 {
     std::vector<View> views;
-    std::ranges::transform(places, std::back_inserter(views), [&](std::size_t place) { return session.views[place]; });
+    std::ranges::transform(viewIndices, std::back_inserter(views),
+                           [&](std::size_t viewIndex) { return session.views[viewIndex]; });
     return views;
 }
 
-RigidTransform poseMovedAlong(const Case& session, std::size_t place, const RigidTransform& cameraFromPatient)
+RigidTransform poseAfterMotion(const Case& session, std::size_t viewIndex, const RigidTransform& cameraFromPatient)
 {
-    if (place == session.shownView) {
+    if (viewIndex == session.shownView) {
         return cameraFromPatient;   // avoids rounding errors for the shown view
     }
     const RigidTransform patientMotion = session.shown().cameraFromPatient.inverse() * cameraFromPatient;
-    return session.views[place].cameraFromPatient * patientMotion;
+    return session.views[viewIndex].cameraFromPatient * patientMotion;
 }
 
-std::vector<View> movedAlong(const Case& session, const RigidTransform& cameraFromPatient)
+std::vector<View> viewsAfterMotion(const Case& session, const RigidTransform& cameraFromPatient)
 {
-    return withPoses(session, [&](std::size_t place) { return poseMovedAlong(session, place, cameraFromPatient); });
+    return withPoses(session,
+                     [&](std::size_t viewIndex) { return poseAfterMotion(session, viewIndex, cameraFromPatient); });
 }
 
-std::vector<View> atStart(const Case& session)
+std::vector<View> viewsAtInitialPose(const Case& session)
 {
-    return withPoses(session, [&session](std::size_t place) {
-        const View& view = session.views[place];
+    return withPoses(session, [&session](std::size_t viewIndex) {
+        const View& view = session.views[viewIndex];
         const auto start = initialPoseOf(view, session.vessels);
         return start ? start.value() : view.cameraFromPatient;
     });

@@ -8,7 +8,7 @@
 namespace angiopose::core {
 
 /// Returns the case with view `index` shown. The shown view can be edited, so the case stores it itself from now on.
-Case showingView(Case session, std::size_t index);
+Case withShownView(Case session, std::size_t index);
 
 /// Returns the case without view `index`. If that view is shown, the next view with an image is shown instead; if there
 /// is none, the case is returned unchanged.
@@ -19,17 +19,17 @@ Case withoutView(Case session, std::size_t index);
 std::vector<std::size_t> registeredViews(const Case& session);
 
 /// Returns the views at these indices, in the same order.
-std::vector<View> viewsAt(const Case& session, const std::vector<std::size_t>& places);
+std::vector<View> viewsAt(const Case& session, const std::vector<std::size_t>& viewIndices);
 
 /// Returns the pose in view `place` after the vessels move to `cameraFromPatient` in the shown view, with the relative
 /// camera positions fixed.
-RigidTransform poseMovedAlong(const Case& session, std::size_t place, const RigidTransform& cameraFromPatient);
+RigidTransform poseAfterMotion(const Case& session, std::size_t viewIndex, const RigidTransform& cameraFromPatient);
 
 /// Returns the views after the vessels move to `cameraFromPatient` in the shown view. The current relative camera
 /// positions are kept, registration results are discarded, and views without an image stay unchanged.
-std::vector<View> movedAlong(const Case& session, const RigidTransform& cameraFromPatient);
+std::vector<View> viewsAfterMotion(const Case& session, const RigidTransform& cameraFromPatient);
 
 /// Returns the views with every registered view at its own initial pose, if it has one.
-std::vector<View> atStart(const Case& session);
+std::vector<View> viewsAtInitialPose(const Case& session);
 
 }   // namespace angiopose::core

@@ -29,7 +29,7 @@ Result<RigidTransform> initialPoseOf(const View& view, const Vessels& vessels)
     return poseFromAngles(view, vessels);
 }
 
-bool isAtStart(const View& view, const Vessels& vessels)
+bool isAtInitialPose(const View& view, const Vessels& vessels)
 {
     const auto start = initialPoseOf(view, vessels);
     return !view.result && start && view.cameraFromPatient.matrix().isApprox(start.value().matrix(), 1e-9);
@@ -40,7 +40,7 @@ View withFrame(View view, int frame)
     const Eigen::Vector3d anyIsocenter = Eigen::Vector3d::Zero();   // same for both poses, so it cancels
     const auto before = cameraFromPatient(cArmOfFrame(view), anyIsocenter);
     view.frame = frame;
-    if (const FollowedFrame* followed = findFrame(view.followed, frame)) {
+    if (const TrackedRunFrame* followed = findFrame(view.followed, frame)) {
         view.cameraFromPatient = followed->tracked.cameraFromPatient;
         view.result.reset();
         return view;
@@ -55,7 +55,7 @@ View withFrame(View view, int frame)
     if (view.initialCameraFromPatient) {
         view.initialCameraFromPatient = laterFromEarlier * *view.initialCameraFromPatient;
     }
-    forgetFindings(view);
+    discardResults(view);
     return view;
 }
 

@@ -11,7 +11,7 @@ namespace angiopose::core {
 Result<RigidTransform> initialPoseOf(const View& view, const Vessels& vessels);
 
 /// Whether the vessels of a view are at their initial pose, neither registered nor moved.
-bool isAtStart(const View& view, const Vessels& vessels);
+bool isAtInitialPose(const View& view, const Vessels& vessels);
 
 /// Returns the view at another frame, at that frame's tracked pose if there is one. If the gantry rotated in between,
 /// the poses rotate with it about the isocenter.

@@ -6,11 +6,11 @@ namespace angiopose::core {
 
 namespace {
 
-std::shared_ptr<const DeformableResult> followedDeformation(const View& view, const VesselTree& tree,
-                                                            const RigidTransform& pose)
+std::shared_ptr<const DeformableResult> trackedDeformation(const View& view, const VesselTree& tree,
+                                                           const RigidTransform& pose)
 {
-    const FollowedFrame* known = deformationAt(view.followed, pose);
-    return known && isOf(tree, *known->deformed) ? known->deformed : nullptr;
+    const TrackedRunFrame* known = findDeformedFrame(view.followed, pose);
+    return known && isCompatible(tree, *known->deformed) ? known->deformed : nullptr;
 }
 
 }   // namespace
@@ -21,15 +21,16 @@ std::shared_ptr<const DeformableResult> knownDeformation(const View& view, const
     if (!vessels.tree) {
         return nullptr;
     }
-    if (auto followed = followedDeformation(view, *vessels.tree, pose)) {
+    if (auto followed = trackedDeformation(view, *vessels.tree, pose)) {
         return followed;
     }
     if (!view.result || !view.result->deformed) {
         return nullptr;
     }
     const DeformableResult& deformed = *view.result->deformed;
-    const bool isHere = pose.matrix() == view.result->cameraFromPatient.matrix();
-    return isDeformed(deformed) && isHere && isOf(*vessels.tree, deformed) ? view.result->deformed : nullptr;
+    const bool isAtResultPose = pose.matrix() == view.result->cameraFromPatient.matrix();
+    return isDeformed(deformed) && isAtResultPose && isCompatible(*vessels.tree, deformed) ? view.result->deformed
+                                                                                           : nullptr;
 }
 
 }   // namespace angiopose::core

@@ -1,6 +1,6 @@
 #include "core/case/registration_input.h"
 
-#include "core/case/view_step.h"
+#include "core/case/relative_view_pose.h"
 #include "core/messages/messages.h"
 #include "core/registration/problem/in_view.h"
 #include "core/registration/problem/registration_problem.h"
@@ -16,9 +16,9 @@ namespace {
 std::shared_ptr<const ImageF> imageOf(const View& view, const ProjectionCamera& camera)
 {
     const auto& angiogram = view.angiogram;
-    const bool isTaken = angiogram && view.frame >= 0 && view.frame < angiogram->frameCount() &&
-                         angiogram->width() == camera.width && angiogram->height() == camera.height;
-    if (!isTaken) {
+    const bool matchesCamera = angiogram && view.frame >= 0 && view.frame < angiogram->frameCount() &&
+                               angiogram->width() == camera.width && angiogram->height() == camera.height;
+    if (!matchesCamera) {
         return nullptr;
     }
     return {angiogram, &angiogram->frames[static_cast<std::size_t>(view.frame)]};
@@ -31,9 +31,9 @@ RegistrationOptions optionsFor(const View& view, const Vessels& vessels, Registr
     constexpr double objectPlaneMm = 55.0;   // 1-σ of the object plane that a device assumes, relative to the vessels
     double& depthMm = options.angiopose.priorDepthMm;
     const CArm& cArm = view.geometry.cArm;
-    const bool isAtPlane = !view.initialCameraFromPatient && isAtStart(view, vessels) &&
-                           !cArm.isocenterInPatientMm.value && &vesselDepthOf(cArm) == &cArm.sourceToObjectMm;
-    if (isAtPlane && depthMm == AngioPoseOptions().priorDepthMm) {
+    const bool isAtObjectPlane = !view.initialCameraFromPatient && isAtInitialPose(view, vessels) &&
+                                 !cArm.isocenterInPatientMm.value && &vesselDepthOf(cArm) == &cArm.sourceToObjectMm;
+    if (isAtObjectPlane && depthMm == AngioPoseOptions().priorDepthMm) {
         depthMm = objectPlaneMm;
     }
     return options;
@@ -52,7 +52,7 @@ Result<RegistrationInput> registrationInputOf(const View& view, const Vessels& v
     input.tree = *vessels.tree;
     input.target = std::move(target);
     input.camera = camera.value();
-    input.cameraSpread = cameraSpreadOf(view);
+    input.cameraUncertainty = cameraUncertaintyOf(view);
     input.initialCameraFromPatient = view.cameraFromPatient;
     if (const auto start = initialPoseOf(view, vessels)) {
         input.lockReference = start.value();
@@ -66,7 +66,7 @@ Result<RegistrationInput> registrationInputOf(const View& view, const Vessels& v
         input.shutter = {view.angiogram, &view.angiogram->shutter};
     }
     input.volume = vessels.scan;
-    input.tableReading = tableReadingOf(view);
+    input.tableAngles = tableAnglesOf(view);
     return input;
 }
 
@@ -76,9 +76,9 @@ Result<RegistrationInput> registrationInputOf(const Case& session, Centerline2d 
     if (!input) {
         return input;
     }
-    RegistrationInput wanted = std::move(input).value();
-    wanted.cameraSpread = spreadFor(wanted.cameraSpread, session.options.geometry);
-    return wanted;
+    RegistrationInput shownInput = std::move(input).value();
+    shownInput.cameraUncertainty = cameraSpreadFor(shownInput.cameraUncertainty, session.options.geometry);
+    return shownInput;
 }
 
 Result<JointInputs> jointInputsOf(std::span<const View> views, const Vessels& vessels,
@@ -90,19 +90,19 @@ Result<JointInputs> jointInputsOf(std::span<const View> views, const Vessels& ve
     for (std::size_t k = 0; k < views.size(); ++k) {
         View view = views[k];
         if (k > 0) {
-            const auto step = stepToView(views.front(), view, vessels);
+            const auto step = relativeViewPose(views.front(), view, vessels);
             if (!step) {
-                return inView(multiView.numberOf(k), step.error());
+                return inView(multiView.viewNumber(k), step.error());
             }
             view.cameraFromPatient = step.value().viewFromFirst * views.front().cameraFromPatient;
             multiView.steps[k] = step.value().spread;
             for (const Message& note : step.value().notes) {
-                inputs.notes.push_back(messages::inView(multiView.numberOf(k), note).as(note.severity()));
+                inputs.notes.push_back(messages::inView(multiView.viewNumber(k), note).as(note.severity()));
             }
         }
         auto input = registrationInputOf(view, vessels, targets[k]);
         if (!input) {
-            return inView(multiView.numberOf(k), input.error());
+            return inView(multiView.viewNumber(k), input.error());
         }
         inputs.views.push_back(std::move(input).value());
     }

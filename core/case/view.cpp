@@ -11,7 +11,7 @@ const RegistrationResult* resultOfShownFrame(const View& view)
     return view.result && view.result->provenance.frame.value_or(view.frame) == view.frame ? &*view.result : nullptr;
 }
 
-void forgetFindings(View& view)
+void discardResults(View& view)
 {
     view.result.reset();
     view.followed = {};
@@ -25,7 +25,7 @@ Result<ProjectionCamera> cameraOf(const View& view)
         }
         const auto& run = view.angiogram;
         if (run && (run->width() != camera->width || run->height() != camera->height)) {
-            return Error(messages::cameraOfOtherImage(camera->width, camera->height, run->width(), run->height()));
+            return Error(messages::cameraImageSizeMismatch(camera->width, camera->height, run->width(), run->height()));
         }
         return *camera;
     }
@@ -35,17 +35,17 @@ Result<ProjectionCamera> cameraOf(const View& view)
     return cameraFromCArm(view.geometry.cArm, view.angiogram->width(), view.angiogram->height());
 }
 
-CameraSpread cameraSpreadOf(const View& view)
+CameraUncertainty cameraUncertaintyOf(const View& view)
 {
     const auto camera = cameraOf(view);
     if (!camera) {
         return {};
     }
-    return view.geometry.cameraOverride ? spreadOfTyped(camera.value())
-                                        : spreadByOrigin(view.geometry.cArm, camera.value());
+    return view.geometry.cameraOverride ? uncertaintyOfEntered(camera.value())
+                                        : uncertaintyByOrigin(view.geometry.cArm, camera.value());
 }
 
-std::optional<TableReading> tableReadingOf(const View& view)
+std::optional<TableAngles> tableAnglesOf(const View& view)
 {
     if (!view.angiogram || !view.angiogram->gantry.patientPosition || view.geometry.cameraOverride ||
         view.initialCameraFromPatient) {
@@ -54,7 +54,7 @@ std::optional<TableReading> tableReadingOf(const View& view)
     const CArm cArm = cArmOfFrame(view);
     const bool isFromHeader =
         cArm.primaryAngleDeg.origin == Origin::Header && cArm.secondaryAngleDeg.origin == Origin::Header;
-    return isFromHeader ? countedFromTable(cArm, *view.angiogram->gantry.patientPosition) : std::nullopt;
+    return isFromHeader ? anglesFromTable(cArm, *view.angiogram->gantry.patientPosition) : std::nullopt;
 }
 
 Messages contradictionsOf(const View& view)
@@ -74,7 +74,7 @@ CArm cArmOfFrame(const View& view)
     }
     const auto& increments = view.angiogram->gantry.angleIncrementsDeg;
     const auto frame = static_cast<std::size_t>(view.frame);
-    return view.frame >= 0 && frame < increments.size() ? turnedBy(cArm, increments[frame]) : cArm;
+    return view.frame >= 0 && frame < increments.size() ? rotatedBy(cArm, increments[frame]) : cArm;
 }
 
 const std::shared_ptr<const Angiogram>& storedRunOf(const View& view)
@@ -84,19 +84,19 @@ const std::shared_ptr<const Angiogram>& storedRunOf(const View& view)
 
 std::shared_ptr<const Centerline2d> givenTargetOf(const View& view)
 {
-    const bool holds = !view.target.editedFrame || view.target.editedFrame == view.frame;
-    return holds ? view.target.centerline : nullptr;
+    const bool isForFrame = !view.target.editedFrame || view.target.editedFrame == view.frame;
+    return isForFrame ? view.target.centerline : nullptr;
 }
 
 std::shared_ptr<const Centerline2d> devicesOf(const View& view)
 {
-    const bool holds = view.target.editedFrame == view.frame;
-    return holds ? view.target.devices : nullptr;
+    const bool isForFrame = view.target.editedFrame == view.frame;
+    return isForFrame ? view.target.devices : nullptr;
 }
 
-CurvesApart curvesOf(const GivenTarget& target)
+SeparatedCurves curvesOf(const GivenTarget& target)
 {
-    CurvesApart apart;
+    SeparatedCurves apart;
     apart.vessels = target.centerline ? *target.centerline : Centerline2d{};
     apart.devices = target.devices ? *target.devices : Centerline2d{};
     return apart;
@@ -110,9 +110,9 @@ Result<Centerline2d> targetOf(const View& view, const std::string& method)
 
 TraceOptions traceOptionsOf(const View& view)
 {
-    return view.angiogram
-               ? settledFor(view.traceOptions, view.geometry.cArm, view.angiogram->width(), view.angiogram->height())
-               : view.traceOptions;
+    return view.angiogram ? resolveOptions(view.traceOptions, view.geometry.cArm, view.angiogram->width(),
+                                           view.angiogram->height())
+                          : view.traceOptions;
 }
 
 Result<Centerline2d> targetOf(const View& view)

@@ -1,13 +1,13 @@
 #pragma once
 
-#include "core/case/devices_apart.h"
-#include "core/case/followed_run.h"
 #include "core/case/input_file.h"
-#include "core/geometry/camera_spread.h"
+#include "core/case/separate_devices.h"
+#include "core/case/tracked_run.h"
+#include "core/geometry/camera_uncertainty.h"
 #include "core/geometry/image_annotation.h"
 #include "core/geometry/image_measurement.h"
 #include "core/geometry/landmark.h"
-#include "core/geometry/sighting.h"
+#include "core/geometry/target_observation.h"
 #include "core/imaging/angiogram.h"
 #include "core/registration/pose_snapshot.h"
 #include "core/registration/registration.h"
@@ -50,7 +50,7 @@ struct View {
     std::shared_ptr<const Angiogram> angiogram;   ///< the run as displayed and traced; null until loaded
     std::shared_ptr<const Angiogram> storedRun;   ///< the run as stored, if `treatment` changes it; otherwise null
     SubtractionPlan headerPlan;   ///< mask subtraction described in the header
-    RunTreatment treatment;   ///< how `angiogram` is derived from the stored run
+    RunProcessing treatment;   ///< how `angiogram` is derived from the stored run
     int frame = 0;
     GivenTarget target;
     TraceOptions traceOptions;
@@ -61,11 +61,11 @@ struct View {
     RigidTransform cameraFromPatient;   ///< current pose of the tree
     std::vector<Landmark> landmarks;   ///< landmark pairs from which the initial pose can be computed
     std::vector<ImageMeasurement> measurements;   ///< measurements drawn on the frames of the view
-    std::optional<double> typedMmPerPx;   ///< pixel spacing at the patient, entered by the user
-    std::vector<Sighting> sightings;   ///< image positions of target points, one per target point and frame
+    std::optional<double> enteredMmPerPx;   ///< pixel spacing at the patient, entered by the user
+    std::vector<TargetObservation> observations;   ///< image positions of target points, one per target point and frame
     std::vector<ImageAnnotation> annotations;   ///< arrows and text drawn on the frames of the view
     std::optional<RegistrationResult> result;   ///< result of the last registration; discarded when the pose changes
-    FollowedRun followed;   ///< result of tracking this view's cine run
+    TrackedRun followed;   ///< result of tracking this view's cine run
     std::vector<PoseSnapshot> snapshots;   ///< poses saved by the user and by registrations, oldest first
 
     std::string extraKeys;   ///< JSON object with this view's keys in the file that this version does not recognize
@@ -76,14 +76,14 @@ struct View {
 const RegistrationResult* resultOfShownFrame(const View& view);
 
 /// Discards the registration result and the tracking result after one of their inputs changed.
-void forgetFindings(View& view);
+void discardResults(View& view);
 
 /// Returns the camera of a view: the override, which must match the image size, or the camera derived from the C-arm
 /// and the image size.
 Result<ProjectionCamera> cameraOf(const View& view);
 
 /// Returns the uncertainty of that camera, derived from the origin of its values; zero if there is no camera.
-CameraSpread cameraSpreadOf(const View& view);
+CameraUncertainty cameraUncertaintyOf(const View& view);
 
 /// Returns the C-arm at the time of the selected frame: the gantry may rotate during a run (ALGORITHMS §5.5).
 CArm cArmOfFrame(const View& view);
@@ -91,7 +91,7 @@ CArm cArmOfFrame(const View& view);
 /// Returns the alternative interpretation of the angles, as measured relative to the table instead of the patient, if
 /// the header gives a patient position other than head first supine. Returns nothing for angles entered by the user, or
 /// while a camera or an initial pose overrides them.
-std::optional<TableReading> tableReadingOf(const View& view);
+std::optional<TableAngles> tableAnglesOf(const View& view);
 
 /// Returns the implausible values in the geometry of a view (see findContradictions); none while a camera overrides it.
 Messages contradictionsOf(const View& view);
@@ -106,7 +106,7 @@ std::shared_ptr<const Centerline2d> givenTargetOf(const View& view);
 std::shared_ptr<const Centerline2d> devicesOf(const View& view);
 
 /// Separates the vessels and the devices of a given target.
-CurvesApart curvesOf(const GivenTarget& target);
+SeparatedCurves curvesOf(const GivenTarget& target);
 
 /// Returns the tracing options for the view's frames. If the width of the widest vessel is not set, it is derived from
 /// the view's geometry.

@@ -9,7 +9,7 @@ namespace angiopose::core {
 namespace {
 
 /// Sort key of a run: condition in the protocol's order, trial, method in order of appearance.
-using RunPlace = std::tuple<std::size_t, std::uint64_t, std::size_t>;
+using RunKey = std::tuple<std::size_t, std::uint64_t, std::size_t>;
 
 std::size_t conditionIndex(const Protocol& protocol, const std::string& id)
 {
@@ -19,7 +19,7 @@ std::size_t conditionIndex(const Protocol& protocol, const std::string& id)
 }
 
 /// Whether two records are equal except for their times. Two unknown (NaN) values count as equal.
-bool agree(const RunRecord& a, const RunRecord& b)
+bool haveEqualResults(const RunRecord& a, const RunRecord& b)
 {
     return std::all_of(runFields().begin(), runFields().end(), [&](const RunField& field) {
         const double x = a.*field.value;
@@ -35,13 +35,13 @@ public:
     Status add(const RunRecord& record)
     {
         const std::size_t condition = conditionIndex(protocol_, record.condition);
-        const bool bringsItsConditions = protocol_.conditions.empty();
-        if (condition == protocol_.conditions.size() && !bringsItsConditions) {
+        const bool definesConditions = protocol_.conditions.empty();
+        if (condition == protocol_.conditions.size() && !definesConditions) {
             return Error(messages::foreignCondition(record.condition, protocol_.id));
         }
         const auto method = methods_.try_emplace(record.method, methods_.size()).first->second;
-        const auto [place, isNew] = runs_.try_emplace({condition, record.trial, method}, record);
-        if (!isNew && !agree(place->second, record)) {
+        const auto [entry, isNew] = runs_.try_emplace({condition, record.trial, method}, record);
+        if (!isNew && !haveEqualResults(entry->second, record)) {
             return Error(messages::partsDisagree(record.method, record.trial, record.condition));
         }
         return Done{};
@@ -50,7 +50,7 @@ public:
     std::vector<RunRecord> takeRuns()
     {
         std::vector<RunRecord> all;
-        for (auto& [place, record] : runs_) {
+        for (auto& [entry, record] : runs_) {
             all.push_back(std::move(record));
         }
         return all;
@@ -59,12 +59,12 @@ public:
 private:
     const Protocol& protocol_;
     std::map<std::string, std::size_t> methods_;
-    std::map<RunPlace, RunRecord> runs_;
+    std::map<RunKey, RunRecord> runs_;
 };
 
 }   // namespace
 
-Result<RunSet> merged(const std::vector<RunSet>& parts)
+Result<RunSet> mergeRunSets(const std::vector<RunSet>& parts)
 {
     const Protocol* protocol = parts.empty() ? nullptr : findProtocol(parts.front().protocol);
     if (protocol == nullptr) {
@@ -73,8 +73,8 @@ Result<RunSet> merged(const std::vector<RunSet>& parts)
     Merger merger(*protocol);
     for (const RunSet& part : parts) {
         if (part.protocol != parts.front().protocol || part.seed != parts.front().seed) {
-            return Error(messages::runsOfOthers(part.protocol, std::to_string(part.seed), parts.front().protocol,
-                                                std::to_string(parts.front().seed)));
+            return Error(messages::runsOfDifferentExperiments(
+                part.protocol, std::to_string(part.seed), parts.front().protocol, std::to_string(parts.front().seed)));
         }
         for (const RunRecord& record : part.runs) {
             if (const Status status = merger.add(record); !status) {

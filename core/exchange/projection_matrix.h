@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/geometry/sight.h"
+#include "core/geometry/posed_camera.h"
 #include "core/support/result.h"
 
 namespace angiopose::core {
@@ -11,17 +11,17 @@ using ProjectionMatrix = Eigen::Matrix<double, 3, 4>;
 Eigen::Matrix3d intrinsicMatrix(const ProjectionCamera& camera);
 
 /// Returns P = K [R t]: `P * (pointInPatient, 1)` is the pixel times the depth in mm, then that depth.
-ProjectionMatrix projectionMatrix(const Sight& sight);
+ProjectionMatrix projectionMatrix(const PosedCamera& sight);
 
 /// Decomposes P, known up to a positive factor, into camera and pose; visible points have a positive third coordinate.
 /// With det R = +1 and fy > 0 the solution is unique; the sign of fx shows whether the image is mirrored (FORMATS §1).
 /// The image size is unknown and set to 0. Fails for skewed and for degenerate matrices.
-Result<Sight> sightFromProjection(const ProjectionMatrix& projection);
+Result<PosedCamera> posedCameraFromMatrix(const ProjectionMatrix& projection);
 
 /// Same for K, R and t; exact values are preserved to the last bit. A reflection in R moves into fx, a negative fy
 /// rotates the camera by 180° about its axis, and a rounded R (by up to 1e-3) is replaced by the nearest rotation.
-Result<Sight> sightFromIntrinsics(const Eigen::Matrix3d& intrinsic, const Eigen::Matrix3d& rotation,
-                                  const Eigen::Vector3d& translation);
+Result<PosedCamera> posedCameraFromIntrinsics(const Eigen::Matrix3d& intrinsic, const Eigen::Matrix3d& rotation,
+                                              const Eigen::Vector3d& translation);
 
 /// Camera frames of xReg: the origin is at the source with the detector at negative z (X-ray runs of C-arms) or at
 /// positive z, or the origin is on the detector with z toward the source.
@@ -41,7 +41,7 @@ struct XregCamera {
 
 /// Converts it to our camera and pose. `volumeFromWorld` is the pose that xReg stores ("camera to volume"): it maps
 /// points of the world of `cameraFromWorld` to physical points of the volume, which are LPS mm as read by ITK.
-Result<Sight> sightFromXreg(const XregCamera& camera, const RigidTransform& volumeFromWorld);
+Result<PosedCamera> posedCameraFromXreg(const XregCamera& camera, const RigidTransform& volumeFromWorld);
 
 /// Converts our pose to the pose that xReg stores for the given xReg camera.
 Result<RigidTransform> xregPose(const RigidTransform& cameraFromPatient, const XregCamera& camera);

@@ -44,10 +44,10 @@ Eigen::Vector3d detectorDirection(double primaryAngleDeg, double secondaryAngleD
 Result<ProjectionCamera> cameraFromCArm(const CArm& cArm, int width, int height)
 {
     if (!isPositive(cArm.sourceToDetectorMm)) {
-        return missing(messages::theSid());
+        return missing(messages::sidName());
     }
     if (!isPositive(cArm.columnSpacingMm) || !isPositive(cArm.rowSpacingMm)) {
-        return missing(messages::theSpacing());
+        return missing(messages::spacingName());
     }
     ProjectionCamera camera;
     camera.width = width;
@@ -68,7 +68,7 @@ Result<ProjectionCamera> cameraFromCArm(const CArm& cArm, int width, int height)
 Result<RigidTransform> cameraFromPatient(const CArm& cArm, const Eigen::Vector3d& isocenterInPatient)
 {
     if (!isPositive(cArm.sourceToIsocenterMm)) {
-        return missing(messages::theSod());
+        return missing(messages::sodName());
     }
     if (!isKnown(cArm.primaryAngleDeg) || !isKnown(cArm.secondaryAngleDeg)) {
         return Error(messages::anglesMissing());
@@ -112,7 +112,7 @@ ImageAxes imageAxesOf(CArm cArm)
     return {rightward * rotation.row(0).transpose(), rotation.row(1).transpose()};
 }
 
-CArm turnedBy(CArm cArm, const Eigen::Vector2d& incrementsDeg)
+CArm rotatedBy(CArm cArm, const Eigen::Vector2d& incrementsDeg)
 {
     for (const auto& [angle, increment] :
          {std::pair(&cArm.primaryAngleDeg, incrementsDeg.x()), std::pair(&cArm.secondaryAngleDeg, incrementsDeg.y())}) {

@@ -51,7 +51,7 @@ struct ImageAxes {
 ImageAxes imageAxesOf(CArm cArm);
 
 /// Returns the C-arm rotated by (primary, secondary) degrees from its stored angles.
-CArm turnedBy(CArm cArm, const Eigen::Vector2d& incrementsDeg);
+CArm rotatedBy(CArm cArm, const Eigen::Vector2d& incrementsDeg);
 
 /// Returns the pinhole camera of the C-arm: fx = −SID/Δu (positive if mirrored), fy = SID/Δv (ALGORITHMS §5.2). The
 /// error names the missing or impossible value and how to supply it.

@@ -14,12 +14,12 @@ struct CameraRay {
 };
 
 /// An interval on a ray, in mm from the origin of the ray.
-struct RayStretch {
+struct RayInterval {
     double from = 0.0;
     double to = std::numeric_limits<double>::infinity();
 
     /// Restricts the interval to the distances s with `value + slope s >= 0`.
-    void keepWhere(double value, double slope)
+    void clipTo(double value, double slope)
     {
         if (slope > 0.0) {
             from = std::max(from, -value / slope);
@@ -31,21 +31,21 @@ struct RayStretch {
     }
 
     /// Restricts the interval to the half-space `normal · X >= offset`.
-    void keepWhere(const CameraRay& ray, const Eigen::Vector3d& normal, double offset)
+    void clipTo(const CameraRay& ray, const Eigen::Vector3d& normal, double offset)
     {
-        keepWhere(normal.dot(ray.origin) - offset, normal.dot(ray.direction));
+        clipTo(normal.dot(ray.origin) - offset, normal.dot(ray.direction));
     }
 };
 
 /// Part of the ray visible to the camera: in front of the source, u ≥ −½ is `fx X + (cx + ½) Z ≥ 0`, and so on.
-RayStretch seenBy(const ProjectionCamera& camera, const CameraRay& ray)
+RayInterval visibleInterval(const ProjectionCamera& camera, const CameraRay& ray)
 {
-    RayStretch seen;
-    seen.keepWhere(ray, Eigen::Vector3d::UnitZ(), minProjectableDepthMm);
-    seen.keepWhere(ray, {camera.fx, 0.0, camera.cx + 0.5}, 0.0);
-    seen.keepWhere(ray, {-camera.fx, 0.0, camera.width - 0.5 - camera.cx}, 0.0);
-    seen.keepWhere(ray, {0.0, camera.fy, camera.cy + 0.5}, 0.0);
-    seen.keepWhere(ray, {0.0, -camera.fy, camera.height - 0.5 - camera.cy}, 0.0);
+    RayInterval seen;
+    seen.clipTo(ray, Eigen::Vector3d::UnitZ(), minProjectableDepthMm);
+    seen.clipTo(ray, {camera.fx, 0.0, camera.cx + 0.5}, 0.0);
+    seen.clipTo(ray, {-camera.fx, 0.0, camera.width - 0.5 - camera.cx}, 0.0);
+    seen.clipTo(ray, {0.0, camera.fy, camera.cy + 0.5}, 0.0);
+    seen.clipTo(ray, {0.0, -camera.fy, camera.height - 0.5 - camera.cy}, 0.0);
     return seen;
 }
 
@@ -58,7 +58,8 @@ Eigen::Vector2d pixelAt(const ProjectionCamera& camera, const CameraRay& ray, do
 
 }   // namespace
 
-std::optional<ImageSegment> epipolarLine(const Sight& first, const Eigen::Vector2d& pixel, const Sight& other)
+std::optional<ImageSegment> epipolarLine(const PosedCamera& first, const Eigen::Vector2d& pixel,
+                                         const PosedCamera& other)
 {
     if (findProblem(first.camera) || findProblem(other.camera)) {
         return std::nullopt;
@@ -66,7 +67,7 @@ std::optional<ImageSegment> epipolarLine(const Sight& first, const Eigen::Vector
     const Eigen::Vector3d throughPixel = rayThroughPixel(first.camera, pixel);
     const RigidTransform otherFromFirst = other.cameraFromPatient * first.cameraFromPatient.inverse();
     const CameraRay ray{otherFromFirst.translation, otherFromFirst.rotation * throughPixel};
-    RayStretch seen = seenBy(other.camera, ray);
+    RayInterval seen = visibleInterval(other.camera, ray);
     seen.from = std::max(seen.from, minProjectableDepthMm / throughPixel.z());
     if (!(seen.from <= seen.to)) {
         return std::nullopt;

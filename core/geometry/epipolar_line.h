@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/geometry/sight.h"
+#include "core/geometry/posed_camera.h"
 
 #include <optional>
 
@@ -16,6 +16,7 @@ struct ImageSegment {
 /// source through that pixel, clipped to the part in front of both sources and inside the other image. It begins on the
 /// side of the first source. Returns nothing if no part is visible or a camera is unusable; a single point if the ray
 /// passes through the other source.
-std::optional<ImageSegment> epipolarLine(const Sight& first, const Eigen::Vector2d& pixel, const Sight& other);
+std::optional<ImageSegment> epipolarLine(const PosedCamera& first, const Eigen::Vector2d& pixel,
+                                         const PosedCamera& other);
 
 }   // namespace angiopose::core

@@ -26,7 +26,7 @@ struct TablePosition {
 };
 
 /// Acquisition time of one plane of a biplane acquisition.
-struct BiplaneMoment {
+struct BiplaneTime {
     char plane;   ///< 'A' or 'B'
     std::string date;   ///< yyyymmdd
     double timeS;   ///< seconds since midnight
@@ -48,7 +48,7 @@ struct GantryHeader {
     std::optional<PatientPosition> patientPosition;   ///< (0018,5100); angles refer to the patient in every position
     std::optional<TablePosition> table;   ///< (0018,9466–9468) or private vendor tags
     bool tableMoves = false;   ///< during the run, so `table` is not a single position
-    std::optional<BiplaneMoment> biplane;   ///< (0008,0008) BIPLANE A or B
+    std::optional<BiplaneTime> biplane;   ///< (0008,0008) BIPLANE A or B
     std::vector<HeaderTag> tags;   ///< all geometry elements in the header, sorted by tag
 };
 

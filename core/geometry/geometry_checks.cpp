@@ -29,9 +29,9 @@ bool differ(double a, double b, double share)
 }
 
 /// Collects the messages; each check reports one problem.
-class Checks {
+class GeometryChecker {
 public:
-    Checks(const CArm& cArm, const GantryHeader& header, const Eigen::Vector2i& imageSizePx)
+    GeometryChecker(const CArm& cArm, const GantryHeader& header, const Eigen::Vector2i& imageSizePx)
         : cArm_(cArm), header_(header), sizePx_(imageSizePx)
     {
     }
@@ -49,7 +49,7 @@ public:
     }
 
 private:
-    void say(bool isWrong, Message message)
+    void reportIf(bool isWrong, Message message)
     {
         if (isWrong) {
             found_.push_back(std::move(message));
@@ -67,13 +67,13 @@ private:
     {
         if (isKnownPositive(cArm_.sourceToDetectorMm)) {
             const double sid = *cArm_.sourceToDetectorMm.value;
-            say(sid < minSidMm || sid > maxSidMm, messages::sidUnusual(inMm(sid, 0)));
+            reportIf(sid < minSidMm || sid > maxSidMm, messages::sidUnusual(inMm(sid, 0)));
         }
         if (hasDistances()) {
             const double sod = std::max(*vesselDepthOf(cArm_).value, cArm_.sourceToIsocenterMm.value.value_or(0.0));
-            say(sod >= *cArm_.sourceToDetectorMm.value,
-                messages::sodBeyondSid(inMm(sod, 0), inMm(*cArm_.sourceToDetectorMm.value, 0)));
-            say(magnification() > maxMagnification, messages::magnificationUnusual(Quantity{magnification(), 2}));
+            reportIf(sod >= *cArm_.sourceToDetectorMm.value,
+                     messages::sodBeyondSid(inMm(sod, 0), inMm(*cArm_.sourceToDetectorMm.value, 0)));
+            reportIf(magnification() > maxMagnification, messages::magnificationUnusual(Quantity{magnification(), 2}));
         }
     }
 
@@ -83,8 +83,9 @@ private:
         const bool areTyped =
             cArm_.sourceToDetectorMm.origin == Origin::User || vesselDepthOf(cArm_).origin == Origin::User;
         if (hasDistances() && header_.magnification && !areTyped) {
-            say(differ(magnification(), *header_.magnification, sameMagnification),
-                messages::magnificationStale(Quantity{*header_.magnification, 3}, Quantity{magnification(), 3}));
+            reportIf(
+                differ(magnification(), *header_.magnification, sameMagnification),
+                messages::magnificationInconsistent(Quantity{*header_.magnification, 3}, Quantity{magnification(), 3}));
         }
     }
 
@@ -94,10 +95,10 @@ private:
             return;
         }
         const double column = *cArm_.columnSpacingMm.value, row = *cArm_.rowSpacingMm.value;
-        say(std::min(row, column) < minDetectorSpacingMm || std::max(row, column) > maxSpacingMm,
-            messages::spacingUnusual(inMm(column, 4)));
-        say(differ(row / column, header_.pixelAspect, sameAspect),
-            messages::aspectDiffers(Quantity{row / column, 3}, Quantity{header_.pixelAspect, 3}));
+        reportIf(std::min(row, column) < minDetectorSpacingMm || std::max(row, column) > maxSpacingMm,
+                 messages::spacingUnusual(inMm(column, 4)));
+        reportIf(differ(row / column, header_.pixelAspect, sameAspect),
+                 messages::aspectDiffers(Quantity{row / column, 3}, Quantity{header_.pixelAspect, 3}));
     }
 
     void checkExtent()
@@ -108,19 +109,19 @@ private:
         const Eigen::Vector2d extentMm(sizePx_.x() * *cArm_.columnSpacingMm.value,
                                        sizePx_.y() * *cArm_.rowSpacingMm.value);
         const Message covers = messages::imageCovers(Quantity{extentMm.x()}, inMm(extentMm.y(), 0));
-        say(extentMm.maxCoeff() < minDetectorMm || extentMm.maxCoeff() > maxDetectorMm,
-            messages::extentUnlikeDetector(covers));
+        reportIf(extentMm.maxCoeff() < minDetectorMm || extentMm.maxCoeff() > maxDetectorMm,
+                 messages::extentUnlikeDetector(covers));
         if (const auto& field = header_.fieldOfViewMm) {
-            say(differ(extentMm.x(), field->x(), sameLength) || differ(extentMm.y(), field->y(), sameLength),
-                messages::extentUnlikeField(covers, Quantity{field->x()}, inMm(field->y(), 0)));
+            reportIf(differ(extentMm.x(), field->x(), sameLength) || differ(extentMm.y(), field->y(), sameLength),
+                     messages::extentUnlikeField(covers, Quantity{field->x()}, inMm(field->y(), 0)));
         }
         if (const auto& intensifier = header_.intensifierMm) {
-            say(extentMm.maxCoeff() > (1.0 + sameLength) * *intensifier,
-                messages::extentBeyondIntensifier(covers, inMm(*intensifier, 0)));
+            reportIf(extentMm.maxCoeff() > (1.0 + sameLength) * *intensifier,
+                     messages::extentBeyondIntensifier(covers, inMm(*intensifier, 0)));
         }
         if (const auto& detector = header_.detectorMm) {
-            say((extentMm - (1.0 + sameLength) * *detector).maxCoeff() > 0.0,
-                messages::extentBeyondDetector(covers, Quantity{detector->x()}, inMm(detector->y(), 0)));
+            reportIf((extentMm - (1.0 + sameLength) * *detector).maxCoeff() > 0.0,
+                     messages::extentBeyondDetector(covers, Quantity{detector->x()}, inMm(detector->y(), 0)));
         }
     }
 
@@ -132,10 +133,10 @@ private:
         }
         const double column = *cArm_.columnSpacingMm.value, pixel = header_.pixelSpacingMm->x();
         if (header_.isPixelSpacingCalibrated && hasDistances()) {
-            say(differ(pixel * magnification(), column, 2.0 * sameLength),
-                messages::calibrationOff(inMm(pixel, 4), inMm(pixel * magnification(), 4), inMm(column, 4)));
+            reportIf(differ(pixel * magnification(), column, 2.0 * sameLength),
+                     messages::calibrationOff(inMm(pixel, 4), inMm(pixel * magnification(), 4), inMm(column, 4)));
         } else if (!header_.isPixelSpacingCalibrated) {
-            say(differ(pixel, column, sameLength), messages::spacingsDiffer(inMm(pixel, 4), inMm(column, 4)));
+            reportIf(differ(pixel, column, sameLength), messages::spacingsDiffer(inMm(pixel, 4), inMm(column, 4)));
         }
     }
 
@@ -144,9 +145,9 @@ private:
         const auto outside = [](const Sourced<double>& angle, double limitDeg) {
             return angle.value && !(std::abs(*angle.value) <= limitDeg);
         };
-        say(outside(cArm_.primaryAngleDeg, 180.0), messages::primaryAngleOutside());
-        say(outside(cArm_.secondaryAngleDeg, 90.0), messages::secondaryAngleOutside());
-        say(outside(cArm_.rollDeg, 180.0), messages::rollOutside());
+        reportIf(outside(cArm_.primaryAngleDeg, 180.0), messages::primaryAngleOutside());
+        reportIf(outside(cArm_.secondaryAngleDeg, 90.0), messages::secondaryAngleOutside());
+        reportIf(outside(cArm_.rollDeg, 180.0), messages::rollOutside());
     }
 
     void checkPrincipalPoint()
@@ -157,7 +158,7 @@ private:
         }
         const bool isInside =
             point->x() >= 0.0 && point->y() >= 0.0 && point->x() < sizePx_.x() && point->y() < sizePx_.y();
-        say(!isInside, messages::principalPointOutside(Quantity{point->x()}, Quantity{point->y(), 0, "px"}));
+        reportIf(!isInside, messages::principalPointOutside(Quantity{point->x()}, Quantity{point->y(), 0, "px"}));
     }
 
     const CArm& cArm_;
@@ -170,22 +171,22 @@ private:
 
 Messages findContradictions(const CArm& cArm, const GantryHeader& header, const Eigen::Vector2i& imageSizePx)
 {
-    return Checks(cArm, header, imageSizePx).run();
+    return GeometryChecker(cArm, header, imageSizePx).run();
 }
 
 Messages findMissing(const CArm& cArm)
 {
     Messages missing;
-    const auto ask = [&missing](bool isThere, const auto& message) {
+    const auto requireValue = [&missing](bool isThere, const auto& message) {
         if (!isThere) {
             missing.push_back(message().as(Severity::Note));
         }
     };
-    ask(isKnownPositive(cArm.sourceToDetectorMm), messages::askSid);
-    ask(isKnownPositive(cArm.sourceToIsocenterMm), messages::askSod);
-    ask(isKnownPositive(cArm.columnSpacingMm) && isKnownPositive(cArm.rowSpacingMm), messages::askSpacing);
-    ask(cArm.primaryAngleDeg.value.has_value(), messages::askPrimaryAngle);
-    ask(cArm.secondaryAngleDeg.value.has_value(), messages::askSecondaryAngle);
+    requireValue(isKnownPositive(cArm.sourceToDetectorMm), messages::askSid);
+    requireValue(isKnownPositive(cArm.sourceToIsocenterMm), messages::askSod);
+    requireValue(isKnownPositive(cArm.columnSpacingMm) && isKnownPositive(cArm.rowSpacingMm), messages::askSpacing);
+    requireValue(cArm.primaryAngleDeg.value.has_value(), messages::askPrimaryAngle);
+    requireValue(cArm.secondaryAngleDeg.value.has_value(), messages::askSecondaryAngle);
     return missing;
 }
 

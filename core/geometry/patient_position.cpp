@@ -82,14 +82,14 @@ Eigen::Matrix3d patientFromTable(PatientPosition position)
     return rotation;
 }
 
-std::optional<TableReading> countedFromTable(const CArm& cArm, PatientPosition position)
+std::optional<TableAngles> anglesFromTable(const CArm& cArm, PatientPosition position)
 {
     const auto primary = cArm.primaryAngleDeg.value, secondary = cArm.secondaryAngleDeg.value;
     if (position == PatientPosition::HFS || !primary || !secondary || !std::isfinite(*primary) ||
         !std::isfinite(*secondary)) {
         return {};
     }
-    TableReading reading{position, {}, patientFromTable(position).transpose()};
+    TableAngles reading{position, {}, patientFromTable(position).transpose()};
     const PatientAngles counted{*primary, *secondary, cArm.rollDeg.value.value_or(0.0)};
     reading.angles = anglesOf(rotationAt(cArm, counted) * reading.turn, cArm);
     return reading;

@@ -31,7 +31,7 @@ struct PatientAngles {
 
 /// Interpretation of the header angles as measured relative to the table, that is, as if every patient lay head first
 /// and supine.
-struct TableReading {
+struct TableAngles {
     PatientPosition position = PatientPosition::HFS;
     PatientAngles angles;   ///< angles in the patient frame, to be entered instead of those in the header
     Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();   ///< rotation from patient LPS to the header angles' frame
@@ -39,6 +39,6 @@ struct TableReading {
 
 /// Returns the interpretation of the angles relative to the table. Returns nothing if an angle is missing or the
 /// patient lies head first and supine, because both interpretations are then equal.
-std::optional<TableReading> countedFromTable(const CArm& cArm, PatientPosition position);
+std::optional<TableAngles> anglesFromTable(const CArm& cArm, PatientPosition position);
 
 }   // namespace angiopose::core

@@ -22,7 +22,7 @@ ScreenSigns screenSigns(const ProjectionCamera& camera)
 /// Returns the rotation of the vessels in camera axes. C-arm rotation toward LAO is a positive rotation about +Y and
 /// cranial angulation a negative one about +X (ALGORITHMS §5.3), however the image is displayed. Only the roll on
 /// screen depends on the display.
-Eigen::Matrix3d turn(const PoseOffset& offset, const ScreenSigns& signs)
+Eigen::Matrix3d rotationFor(const PoseOffset& offset, const ScreenSigns& signs)
 {
     const double roll = offset.rollDeg / degreesPerRadian * signs.right * signs.down;
     const double cra = -offset.craCauDeg / degreesPerRadian;
@@ -39,7 +39,7 @@ RigidTransform applyOffset(const RigidTransform& reference, const PoseOffset& of
 {
     const ScreenSigns signs = screenSigns(camera);
     const Eigen::Vector3d shift(signs.right * offset.rightMm, -signs.down * offset.upMm, offset.alongRayMm);
-    const Eigen::Matrix3d rotation = turn(offset, signs) * reference.rotation;
+    const Eigen::Matrix3d rotation = rotationFor(offset, signs) * reference.rotation;
     const Eigen::Vector3d pivotInCamera = reference * pivotInPatient + shift;
     return {rotation, pivotInCamera - rotation * pivotInPatient};
 }

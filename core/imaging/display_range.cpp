@@ -8,7 +8,7 @@ namespace angiopose::core {
 namespace {
 
 constexpr double borderShare = 0.02;   // share of pixels above which an extreme value counts as border or shutter
-constexpr double backgroundRoom = 0.75;   // contrast range beyond the background, relative to the vessels' contrast
+constexpr double backgroundHeadroom = 0.75;   // contrast range beyond the background, relative to the vessels' contrast
 
 /// Returns at most about 60 000 finite pixels, evenly sampled.
 std::vector<float> sampleOf(const ImageF& frame)
@@ -25,7 +25,7 @@ std::vector<float> sampleOf(const ImageF& frame)
 }
 
 /// Removes the pixels of a large uniform border or shutter from the sample.
-void keepExposedField(std::vector<float>& sample)
+void removeBorder(std::vector<float>& sample)
 {
     const auto range = std::ranges::minmax(sample);
     const float lowest = range.min;
@@ -51,7 +51,7 @@ double quantile(std::vector<float>& sample, double fraction)
     return *at;
 }
 
-DisplayRange notEmpty(DisplayRange range)
+DisplayRange withMinWidth(DisplayRange range)
 {
     if (!(range.high > range.low)) {
         range.high = range.low + 1.0;
@@ -67,13 +67,13 @@ DisplayRange displayRange(const ImageF& frame)
     if (exposed.empty()) {
         return {};
     }
-    keepExposedField(exposed);
+    removeBorder(exposed);
     DisplayRange range{quantile(exposed, 0.005), quantile(exposed, 0.995)};
     // Thin dark (or bright) vessels hardly change the median: keep it away from white (or black).
     const double background = quantile(exposed, 0.5);
-    range.high = std::max(range.high, background + backgroundRoom * (background - range.low));
-    range.low = std::min(range.low, background - backgroundRoom * (range.high - background));
-    return notEmpty(range);
+    range.high = std::max(range.high, background + backgroundHeadroom * (background - range.low));
+    range.low = std::min(range.low, background - backgroundHeadroom * (range.high - background));
+    return withMinWidth(range);
 }
 
 DisplayRange vesselRange(const ImageF& frame, Polarity polarity)
@@ -82,10 +82,10 @@ DisplayRange vesselRange(const ImageF& frame, Polarity polarity)
     if (exposed.empty()) {
         return {};
     }
-    keepExposedField(exposed);
+    removeBorder(exposed);
     const double background = quantile(exposed, 0.5);
-    return notEmpty(polarity == Polarity::VesselsDark ? DisplayRange{quantile(exposed, 0.005), background}
-                                                      : DisplayRange{background, quantile(exposed, 0.995)});
+    return withMinWidth(polarity == Polarity::VesselsDark ? DisplayRange{quantile(exposed, 0.005), background}
+                                                          : DisplayRange{background, quantile(exposed, 0.995)});
 }
 
 }   // namespace angiopose::core

@@ -9,17 +9,17 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double usualVoxels = 5e7;
-constexpr double usualVoxelsInside = 5e6;
+constexpr double typicalVoxels = 5e7;
+constexpr double typicalVoxelsInside = 5e6;
 constexpr double minVoxelSpacingMm = 0.1;
 constexpr double maxVoxels = 8e8;
 constexpr int marginVoxels = 3;
-constexpr int rowsUnheard = 1000;   ///< rows of one triangle between checks for cancellation
-constexpr std::size_t trianglesUnheard = 0xFFF;   ///< bit mask: triangles between checks for cancellation, minus one
+constexpr int rowsPerCancelCheck = 1000;   ///< rows of one triangle between checks for cancellation
+constexpr std::size_t cancelCheckMask = 0xFFF;   ///< bit mask: triangles between checks for cancellation, minus one
 
 /// Offset of the rays from the voxel centers, in voxels; makes the rays miss vertices and edges of the mesh.
-constexpr double sideStepB = 1.237e-5;
-constexpr double sideStepC = 2.713e-5;
+constexpr double rayOffsetB = 1.237e-5;
+constexpr double rayOffsetC = 2.713e-5;
 
 struct Box {
     Eigen::Vector3d low, high;
@@ -69,11 +69,11 @@ public:
         const int firstC = std::max(0, static_cast<int>(std::floor(low[c_])));
         const int firstB = std::max(0, static_cast<int>(std::floor(low[b_])));
         for (int c = firstC; c <= lastC; ++c) {
-            if (c > firstC && lastB - firstB > rowsUnheard && !shouldContinue()) {
+            if (c > firstC && lastB - firstB > rowsPerCancelCheck && !shouldContinue()) {
                 return;
             }
             for (int b = firstB; b <= lastB; ++b) {
-                const Eigen::Vector2d ray(b + sideStepB, c + sideStepC);
+                const Eigen::Vector2d ray(b + rayOffsetB, c + rayOffsetC);
                 const double u = cross(q - ray, r - ray) / area;
                 const double v = cross(r - ray, p - ray) / area;
                 const double w = 1.0 - u - v;
@@ -154,7 +154,7 @@ void castAlong(int axis, const SurfaceMesh& mesh, VoxelMask& votes, Filling fill
     const Eigen::Vector3d origin = votes.geometry.originInPatient;
     const double spacing = votes.geometry.spacingMm.x();
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-        if ((t & trianglesUnheard) == 0 && !shouldContinue()) {
+        if ((t & cancelCheckMask) == 0 && !shouldContinue()) {
             return;
         }
         const auto& triangle = mesh.triangles[t];
@@ -170,19 +170,19 @@ void castAlong(int axis, const SurfaceMesh& mesh, VoxelMask& votes, Filling fill
 double insideMm3(const SurfaceMesh& mesh, const Box& box)
 {
     const Eigen::Vector3d middle = 0.5 * (box.low + box.high);
-    double sixfold = 0.0;
+    double sixVolumes = 0.0;
     for (const auto& triangle : mesh.triangles) {
         const Eigen::Vector3d a = mesh.pointsInPatient[triangle[0]] - middle;
         const Eigen::Vector3d b = mesh.pointsInPatient[triangle[1]] - middle;
         const Eigen::Vector3d c = mesh.pointsInPatient[triangle[2]] - middle;
-        sixfold += a.dot(b.cross(c));
+        sixVolumes += a.dot(b.cross(c));
     }
-    return std::abs(sixfold) / 6.0;
+    return std::abs(sixVolumes) / 6.0;
 }
 
 }   // namespace
 
-double usualSpacingMm(const SurfaceMesh& mesh)
+double defaultSpacingMm(const SurfaceMesh& mesh)
 {
     if (mesh.triangles.empty()) {
         return 1.0;
@@ -190,14 +190,14 @@ double usualSpacingMm(const SurfaceMesh& mesh)
     const Box box = boxOf(mesh);
     const Eigen::Vector3d extent = (box.high - box.low).cwiseMax(0.1);
     // Thinning time depends on the inside voxels: a small part of the box for vessels, all of it for a solid block.
-    const double needed = std::max(extent.prod() / usualVoxels, insideMm3(mesh, box) / usualVoxelsInside);
+    const double needed = std::max(extent.prod() / typicalVoxels, insideMm3(mesh, box) / typicalVoxelsInside);
     return std::max(std::cbrt(needed), minVoxelSpacingMm);
 }
 
 Result<VoxelMask> fillSurface(const SurfaceMesh& mesh, double spacingMm, const std::function<bool()>& shouldContinue)
 {
     bool isStopped = false;
-    const std::function<bool()> hears = [&] {
+    const std::function<bool()> checkContinue = [&] {
         isStopped = isStopped || (shouldContinue && !shouldContinue());
         return !isStopped;
     };
@@ -215,16 +215,16 @@ Result<VoxelMask> fillSurface(const SurfaceMesh& mesh, double spacingMm, const s
     VoxelMask votes(gridAround(box, spacingMm));
     const MeshCheck check = checkMesh(mesh);
     const Filling filling = check.isOriented ? Filling::Winding : Filling::Parity;
-    const bool isSure = check.isClosed() && check.isOriented;
-    for (int axis = 0; axis < (isSure ? 1 : 3); ++axis) {
-        castAlong(axis, mesh, votes, filling, hears);
+    const bool isWatertight = check.isClosed() && check.isOriented;
+    for (int axis = 0; axis < (isWatertight ? 1 : 3); ++axis) {
+        castAlong(axis, mesh, votes, filling, checkContinue);
     }
     if (isStopped) {
-        return Stopped{messages::tracingStopped()};
+        return Cancellation{messages::tracingStopped()};
     }
     std::size_t inside = 0;
     for (std::uint8_t& voxel : votes.voxels) {
-        voxel = voxel >= (isSure ? 1 : 2) ? 1 : 0;
+        voxel = voxel >= (isWatertight ? 1 : 2) ? 1 : 0;
         inside += voxel;
     }
     if (inside == 0) {

@@ -10,7 +10,7 @@ namespace angiopose::core {
 
 /// Returns a voxel size of at least 0.1 mm for which the mesh's box has at most about fifty million voxels, about five
 /// million of them inside the mesh.
-double usualSpacingMm(const SurfaceMesh& mesh);
+double defaultSpacingMm(const SurfaceMesh& mesh);
 
 /// Returns the voxels whose centers lie inside the mesh, on a grid along the patient's axes with a margin. A closed,
 /// oriented mesh is filled by winding number, so its parts may overlap. For open or inconsistently oriented meshes, a

@@ -11,7 +11,7 @@
 namespace angiopose::core {
 namespace {
 
-constexpr std::size_t worthCounting = 4096;   // number of values below which plain selection is as fast
+constexpr std::size_t minHistogramCount = 4096;   // number of values below which plain selection is as fast
 constexpr int levelBits = 12;   // sign, exponent and three mantissa bits; a level spans an eighth of a factor of two
 
 /// Returns the highest bits of a value, reordered to increase with the value.
@@ -27,7 +27,7 @@ std::size_t rankOf(double share, std::size_t count)
     return static_cast<std::size_t>(share * static_cast<double>(count - 1));
 }
 
-std::vector<std::size_t> countedByLevel(const std::vector<float>& values)
+std::vector<std::size_t> levelHistogram(const std::vector<float>& values)
 {
     std::vector<std::size_t> counts(std::size_t{1} << levelBits);
     for (const float value : values) {
@@ -37,7 +37,7 @@ std::vector<std::size_t> countedByLevel(const std::vector<float>& values)
 }
 
 /// Returns the value with this rank by selecting among the values of one level.
-float atRank(const std::vector<float>& values, const std::vector<std::size_t>& counts, std::size_t rank)
+float valueAtRank(const std::vector<float>& values, const std::vector<std::size_t>& counts, std::size_t rank)
 {
     std::size_t level = 0;
     while (rank >= counts[level]) {
@@ -52,15 +52,15 @@ float atRank(const std::vector<float>& values, const std::vector<std::size_t>& c
     return *place;
 }
 
-std::vector<float> selectedAt(std::vector<float> values, const std::vector<double>& shares)
+std::vector<float> quantilesBySelection(std::vector<float> values, const std::vector<double>& shares)
 {
     std::vector<float> found;
-    auto rest = values.begin();   // no value before this position is greater than one after it
+    auto searchBegin = values.begin();   // no value before this position is greater than one after it
     for (const double share : shares) {
         const auto place = values.begin() + static_cast<std::ptrdiff_t>(rankOf(share, values.size()));
-        std::nth_element(rest, place, values.end());
+        std::nth_element(searchBegin, place, values.end());
         found.push_back(*place);
-        rest = place;
+        searchBegin = place;
     }
     return found;
 }
@@ -102,7 +102,7 @@ float otsuThreshold(const std::vector<float>& values)
     return static_cast<float>(best) / (binCount - 1) * top;
 }
 
-std::vector<float> evenSample(const std::vector<float>& values, std::size_t most)
+std::vector<float> subsample(const std::vector<float>& values, std::size_t most)
 {
     const std::size_t step = std::max<std::size_t>(1, (values.size() + most - 1) / most);
     std::vector<float> sample;
@@ -113,21 +113,21 @@ std::vector<float> evenSample(const std::vector<float>& values, std::size_t most
     return sample;
 }
 
-float ranked(std::vector<float> values, double share)
+float grayQuantile(std::vector<float> values, double share)
 {
-    return rankedAt(std::move(values), {share}).front();
+    return grayQuantiles(std::move(values), {share}).front();
 }
 
-std::vector<float> rankedAt(std::vector<float> values, const std::vector<double>& shares)
+std::vector<float> grayQuantiles(std::vector<float> values, const std::vector<double>& shares)
 {
     assert(!values.empty());
-    if (values.size() < worthCounting) {
-        return selectedAt(std::move(values), shares);
+    if (values.size() < minHistogramCount) {
+        return quantilesBySelection(std::move(values), shares);
     }
-    const std::vector<std::size_t> counts = countedByLevel(values);
+    const std::vector<std::size_t> counts = levelHistogram(values);
     std::vector<float> found;
     for (const double share : shares) {
-        found.push_back(atRank(values, counts, rankOf(share, values.size())));
+        found.push_back(valueAtRank(values, counts, rankOf(share, values.size())));
     }
     return found;
 }

@@ -10,12 +10,12 @@ namespace angiopose::core {
 float otsuThreshold(const std::vector<float>& values);
 
 /// Returns every n-th value, at most `most` values in all, for statistics of large images.
-std::vector<float> evenSample(const std::vector<float>& values, std::size_t most);
+std::vector<float> subsample(const std::vector<float>& values, std::size_t most);
 
 /// Returns the quantile of `values` at the fraction `share` (0…1); `values` must not be empty. Runs in linear time.
-float ranked(std::vector<float> values, double share);
+float grayQuantile(std::vector<float> values, double share);
 
 /// Does the same for several fractions in ascending order.
-std::vector<float> rankedAt(std::vector<float> values, const std::vector<double>& shares);
+std::vector<float> grayQuantiles(std::vector<float> values, const std::vector<double>& shares);
 
 }   // namespace angiopose::core

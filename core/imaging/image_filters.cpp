@@ -41,7 +41,7 @@ void addWeighted(float* target, const float* a, const float* b, float weight, in
 
 /// target = max(target, values), element-wise.
 ANGIOPOSE_WIDE_VECTORS
-void raiseTo(float* target, const float* values, int count)
+void elementwiseMax(float* target, const float* values, int count)
 {
     for (int i = 0; i < count; ++i) {
         target[i] = target[i] > values[i] ? target[i] : values[i];
@@ -80,7 +80,7 @@ void blurColumns(const ImageF& source, int y, float* target, const std::vector<f
 
 /// Calls `work` for all rows, in bands distributed over the threads.
 template <class Work>
-void eachStrip(int rowCount, int threads, const Work& work)
+void forEachBand(int rowCount, int threads, const Work& work)
 {
     if (threads <= 1) {
         work(0, rowCount);
@@ -94,21 +94,21 @@ void eachStrip(int rowCount, int threads, const Work& work)
 
 }   // namespace
 
-ImageF blurred(const ImageF& image, double sigmaPx, int threads)
+ImageF gaussianBlur(const ImageF& image, double sigmaPx, int threads)
 {
     if (sigmaPx <= 0.0 || image.isEmpty()) {
         return image;
     }
     const std::vector<float> kernel = gaussianHalfKernel(sigmaPx);
     ImageF rows(image.width, image.height);
-    eachStrip(image.height, threads, [&](int top, int bottom) {
+    forEachBand(image.height, threads, [&](int top, int bottom) {
         std::vector<float> padded;
         for (int y = top; y < bottom; ++y) {
             blurRow(&image.at(0, y), &rows.at(0, y), image.width, kernel, padded);
         }
     });
     ImageF result(image.width, image.height);
-    eachStrip(image.height, threads, [&](int top, int bottom) {
+    forEachBand(image.height, threads, [&](int top, int bottom) {
         for (int y = top; y < bottom; ++y) {
             blurColumns(rows, y, &result.at(0, y), kernel);
         }
@@ -116,9 +116,9 @@ ImageF blurred(const ImageF& image, double sigmaPx, int threads)
     return result;
 }
 
-ImageF largestAround(const ImageF& image, int radiusPx)
+ImageF maximumFilter(const ImageF& image, int radiusPx)
 {
-    return windowMaximum(image, radiusPx, raiseTo);
+    return windowMaximum(image, radiusPx, elementwiseMax);
 }
 
 ImageF halved(const ImageF& image)
@@ -135,7 +135,7 @@ ImageF halved(const ImageF& image)
     return half;
 }
 
-ImageF enlarged(const ImageF& image, int factor, int width, int height)
+ImageF upsample(const ImageF& image, int factor, int width, int height)
 {
     assert(!image.isEmpty() && factor >= 1);
     struct Tap {
@@ -171,7 +171,7 @@ ImageF enlarged(const ImageF& image, int factor, int width, int height)
     return result;
 }
 
-float sampled(const ImageF& image, double x, double y)
+float sampleBilinear(const ImageF& image, double x, double y)
 {
     const double insideX = std::clamp(x, 0.0, image.width - 1.0);
     const double insideY = std::clamp(y, 0.0, image.height - 1.0);

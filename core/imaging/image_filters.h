@@ -6,19 +6,19 @@ namespace angiopose::core {
 
 /// Smooths with a Gaussian; edge pixels are replicated beyond the image. Returns the image unchanged for `sigmaPx` ≤ 0.
 /// The result does not depend on the number of threads.
-ImageF blurred(const ImageF& image, double sigmaPx, int threads = 1);
+ImageF gaussianBlur(const ImageF& image, double sigmaPx, int threads = 1);
 
 /// Returns, for each pixel, the maximum in the surrounding square of side 2·`radiusPx` + 1, clipped to the image.
-ImageF largestAround(const ImageF& image, int radiusPx);
+ImageF maximumFilter(const ImageF& image, int radiusPx);
 
 /// Returns the means of 2×2 pixels: pixel (i, j) lies at (2i + 0.5, 2j + 0.5) of the source. If the size is odd, the
 /// last row or column is repeated.
 ImageF halved(const ImageF& image);
 
 /// Enlarges the image bilinearly by `factor` to the given size, reversing the size reduction by repeated `halved`.
-ImageF enlarged(const ImageF& image, int factor, int width, int height);
+ImageF upsample(const ImageF& image, int factor, int width, int height);
 
 /// Returns the bilinear sample at (x, y) px; outside, the nearest edge value. The image must not be empty.
-float sampled(const ImageF& image, double x, double y);
+float sampleBilinear(const ImageF& image, double x, double y);
 
 }   // namespace angiopose::core

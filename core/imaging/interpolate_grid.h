@@ -10,7 +10,7 @@ namespace angiopose::core {
 /// `pointMm` is the position along the grid axes in mm, from the first voxel; `valueAt(Eigen::Vector3i)` returns a
 /// voxel's value.
 template <class ValueAt>
-double interpolated(const VolumeGeometry& grid, const Eigen::Vector3d& pointMm, const ValueAt& valueAt)
+double interpolateTrilinear(const VolumeGeometry& grid, const Eigen::Vector3d& pointMm, const ValueAt& valueAt)
 {
     const Eigen::Vector3d voxel = pointMm.cwiseQuotient(grid.spacingMm);
     const Eigen::Vector3d low = voxel.array().floor();

@@ -11,29 +11,29 @@ namespace {
 
 double distanceToStep(const BrushStep& step, const Eigen::Vector3d& point)
 {
-    const Eigen::Vector3d way = step.toInPatient - step.fromInPatient;
-    const double length2 = way.squaredNorm();
-    const double share = length2 > 0.0 ? std::clamp((point - step.fromInPatient).dot(way) / length2, 0.0, 1.0) : 0.0;
-    return (point - step.fromInPatient - share * way).norm();
+    const Eigen::Vector3d stroke = step.toInPatient - step.fromInPatient;
+    const double length2 = stroke.squaredNorm();
+    const double share = length2 > 0.0 ? std::clamp((point - step.fromInPatient).dot(stroke) / length2, 0.0, 1.0) : 0.0;
+    return (point - step.fromInPatient - share * stroke).norm();
 }
 
 /// Collects the voxels that the brush would change.
-class Collector {
+class BrushCollector {
 public:
-    Collector(const VoxelMask& mask, const MaskBrush& brush)
-        : mask_(mask), brush_(brush), wanted_(brush.aim == MaskAim::Paint)
+    BrushCollector(const VoxelMask& mask, const MaskBrush& brush)
+        : mask_(mask), brush_(brush), targetState_(brush.aim == BrushMode::Paint)
     {
         hasSameVoxels_ = brush.scan && isSameGrid(brush.scan->geometry, mask.geometry);
     }
     void take(const Eigen::Vector3i& voxel, const Eigen::Vector3d& pointInPatient)
     {
-        const std::uint32_t place = placeOf(mask_.geometry, voxel);
-        if ((mask_.voxels[place] != 0) != wanted_ && isAllowed(place, pointInPatient)) {
+        const std::uint32_t place = voxelIndex(mask_.geometry, voxel);
+        if ((mask_.voxels[place] != 0) != targetState_ && isAllowed(place, pointInPatient)) {
             found.push_back(place);
         }
     }
 
-    VoxelPlaces found;
+    VoxelIndices found;
 
 private:
     bool isAllowed(std::uint32_t place, const Eigen::Vector3d& pointInPatient) const
@@ -48,7 +48,7 @@ private:
 
     const VoxelMask& mask_;
     const MaskBrush& brush_;
-    bool wanted_;
+    bool targetState_;
     bool hasSameVoxels_ = false;
 };
 
@@ -78,8 +78,10 @@ std::optional<std::pair<double, double>> crossings(const Eigen::Vector3d& start,
         return {};
     }
     const double middle = -start.dot(along) / step2;
-    const double rest = middle * middle - (start.squaredNorm() - radius * radius) / step2;
-    return rest < 0.0 ? std::nullopt : std::optional(std::pair(middle - std::sqrt(rest), middle + std::sqrt(rest)));
+    const double discriminant = middle * middle - (start.squaredNorm() - radius * radius) / step2;
+    return discriminant < 0.0
+               ? std::nullopt
+               : std::optional(std::pair(middle - std::sqrt(discriminant), middle + std::sqrt(discriminant)));
 }
 
 /// The part of a voxel row `start + i * along` inside a brush step, from i = first to last; empty if first > last.
@@ -106,15 +108,15 @@ RowRange rangeInCapsule(const BrushStep& step, double radiusMm, const Eigen::Vec
             range.widen(ball->second);
         }
     }
-    const Eigen::Vector3d way = step.toInPatient - step.fromInPatient;
-    const double length2 = way.squaredNorm();
+    const Eigen::Vector3d stroke = step.toInPatient - step.fromInPatient;
+    const double length2 = stroke.squaredNorm();
     if (length2 <= 0.0) {
         return range;
     }
-    const auto across = [&](const Eigen::Vector3d& v) { return Eigen::Vector3d(v - v.dot(way) / length2 * way); };
+    const auto across = [&](const Eigen::Vector3d& v) { return Eigen::Vector3d(v - v.dot(stroke) / length2 * stroke); };
     if (const auto tube = crossings(across(start - step.fromInPatient), across(along), radiusMm)) {
         for (const double i : {tube->first, tube->second}) {
-            const double share = (start + i * along - step.fromInPatient).dot(way) / length2;
+            const double share = (start + i * along - step.fromInPatient).dot(stroke) / length2;
             if (share >= 0.0 && share <= 1.0) {
                 range.widen(i);
             }
@@ -124,10 +126,10 @@ RowRange rangeInCapsule(const BrushStep& step, double radiusMm, const Eigen::Vec
 }
 
 /// Collects the voxels that lie between the pixels of a slice that is coarser than the mask.
-void takeBetween(const VoxelMask& mask, const SliceGrid& slice, const MaskBrush& brush, const BrushStep& step,
-                 Collector& collector)
+void takeBetweenPixels(const VoxelMask& mask, const SliceGrid& slice, const MaskBrush& brush, const BrushStep& step,
+                       BrushCollector& collector)
 {
-    const double half = halfOf(slice);
+    const double half = halfThicknessMm(slice);
     const Eigen::Affine3d patientFromVoxel = mask.geometry.patientFromVoxel();
     const VoxelBox box = boxAround(step, brush.radiusMm + half, mask.geometry);
     for (int k = box.low.z(); k <= box.high.z(); ++k) {
@@ -145,7 +147,7 @@ void takeBetween(const VoxelMask& mask, const SliceGrid& slice, const MaskBrush&
 
 }   // namespace
 
-VoxelPlaces brushedInSlice(const VoxelMask& mask, const SliceGrid& slice, const MaskBrush& brush, const BrushStep& step)
+VoxelIndices brushSlice(const VoxelMask& mask, const SliceGrid& slice, const MaskBrush& brush, const BrushStep& step)
 {
     const Eigen::Vector2d from = slice.pixelOf(step.fromInPatient);
     const Eigen::Vector2d to = slice.pixelOf(step.toInPatient);
@@ -154,7 +156,7 @@ VoxelPlaces brushedInSlice(const VoxelMask& mask, const SliceGrid& slice, const 
     const Eigen::Array2i high =
         (from.cwiseMax(to) + reach).array().ceil().cast<int>().min(Eigen::Array2i(slice.width - 1, slice.height - 1));
     const Eigen::Affine3d voxelFromPatient = mask.geometry.patientFromVoxel().inverse();
-    Collector collector(mask, brush);
+    BrushCollector collector(mask, brush);
     for (int row = low.y(); row <= high.y(); ++row) {
         for (int column = low.x(); column <= high.x(); ++column) {
             const Eigen::Vector3d point = slice.pointAt({column, row});
@@ -164,17 +166,17 @@ VoxelPlaces brushedInSlice(const VoxelMask& mask, const SliceGrid& slice, const 
             }
         }
     }
-    takeBetween(mask, slice, brush, step, collector);
+    takeBetweenPixels(mask, slice, brush, step, collector);
     return std::move(collector.found);
 }
 
-VoxelPlaces brushedInSpace(const VoxelMask& mask, const MaskBrush& brush, const BrushStep& step)
+VoxelIndices brushVolume(const VoxelMask& mask, const MaskBrush& brush, const BrushStep& step)
 {
-    constexpr double hair = 1e-9;   // tolerance, in voxels, that includes voxels on the boundary
+    constexpr double boundaryTolerance = 1e-9;   // tolerance, in voxels, that includes voxels on the boundary
     const Eigen::Affine3d patientFromVoxel = mask.geometry.patientFromVoxel();
     const Eigen::Vector3d along = patientFromVoxel.linear().col(0);
     const VoxelBox box = boxAround(step, brush.radiusMm, mask.geometry);
-    Collector collector(mask, brush);
+    BrushCollector collector(mask, brush);
     for (int k = box.low.z(); k <= box.high.z(); ++k) {
         for (int j = box.low.y(); j <= box.high.y(); ++j) {
             const Eigen::Vector3d start = patientFromVoxel * Eigen::Vector3d(0, j, k);
@@ -182,8 +184,8 @@ VoxelPlaces brushedInSpace(const VoxelMask& mask, const MaskBrush& brush, const 
             if (range.first > range.last) {
                 continue;
             }
-            const int first = static_cast<int>(std::ceil(std::max(range.first - hair, 1.0 * box.low.x())));
-            const int last = static_cast<int>(std::floor(std::min(range.last + hair, 1.0 * box.high.x())));
+            const int first = static_cast<int>(std::ceil(std::max(range.first - boundaryTolerance, 1.0 * box.low.x())));
+            const int last = static_cast<int>(std::floor(std::min(range.last + boundaryTolerance, 1.0 * box.high.x())));
             for (int i = first; i <= last; ++i) {
                 collector.take({i, j, k}, start + i * along);
             }

@@ -4,11 +4,11 @@
 
 namespace angiopose::core {
 
-enum class MaskAim { Paint, Erase };
+enum class BrushMode { Paint, Erase };
 
 /// A brush that changes all voxels within its radius along a path.
 struct MaskBrush {
-    MaskAim aim = MaskAim::Paint;
+    BrushMode aim = BrushMode::Paint;
     double radiusMm = 2.0;
     const Volume* scan = nullptr;   ///< if set, the brush changes only voxels with at least `minValue` in this scan
     double minValue = 0.0;
@@ -22,8 +22,7 @@ struct BrushStep {
 
 /// Returns the voxels that the brush would change. In a slice, these are the voxels cut by the slice and, if the mask
 /// is coarser than the slice, the voxels displayed in it; in space, all voxels within the radius.
-VoxelPlaces brushedInSlice(const VoxelMask& mask, const SliceGrid& slice, const MaskBrush& brush,
-                           const BrushStep& step);
-VoxelPlaces brushedInSpace(const VoxelMask& mask, const MaskBrush& brush, const BrushStep& step);
+VoxelIndices brushSlice(const VoxelMask& mask, const SliceGrid& slice, const MaskBrush& brush, const BrushStep& step);
+VoxelIndices brushVolume(const VoxelMask& mask, const MaskBrush& brush, const BrushStep& step);
 
 }   // namespace angiopose::core

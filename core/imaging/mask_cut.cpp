@@ -7,7 +7,7 @@ namespace angiopose::core {
 namespace {
 
 /// Returns for every pixel of a slice whether its center lies inside an outline, by the even-odd rule.
-std::vector<std::uint8_t> filled(const SliceGrid& slice, const std::vector<Eigen::Vector2d>& outline)
+std::vector<std::uint8_t> fillOutline(const SliceGrid& slice, const std::vector<Eigen::Vector2d>& outline)
 {
     std::vector<std::uint8_t> inside(static_cast<std::size_t>(slice.width) * static_cast<std::size_t>(slice.height));
     std::vector<double> crossings;
@@ -34,9 +34,9 @@ std::vector<std::uint8_t> filled(const SliceGrid& slice, const std::vector<Eigen
 }
 
 /// Classifies pixels of the slice as inside or outside the outline; pixels beyond the slice count as outside.
-class Sides {
+class OutlineMask {
 public:
-    Sides(const MaskCut& cut) : slice_(cut.slice), inside_(filled(cut.slice, cut.outline)) {}
+    OutlineMask(const MaskCut& cut) : slice_(cut.slice), inside_(fillOutline(cut.slice, cut.outline)) {}
     CutSide at(int column, int row) const
     {
         const bool isThere = column >= 0 && row >= 0 && column < slice_.width && row < slice_.height;
@@ -51,16 +51,16 @@ private:
 };
 
 /// Returns the voxels to remove that are displayed in a pixel of the slice.
-VoxelPlaces cutInPixels(const VoxelMask& mask, const MaskCut& cut, const Sides& sides)
+VoxelIndices cutInPixels(const VoxelMask& mask, const MaskCut& cut, const OutlineMask& sides)
 {
     const Eigen::Affine3d voxelFromPatient = mask.geometry.patientFromVoxel().inverse();
-    VoxelPlaces found;
+    VoxelIndices found;
     for (int row = 0; row < cut.slice.height; ++row) {
         for (int column = 0; column < cut.slice.width; ++column) {
             const Eigen::Vector3d point = cut.slice.pointAt({column, row});
             const Eigen::Vector3i voxel = (voxelFromPatient * point).array().round().cast<int>();
             if (sides.at(column, row) == cut.side && mask.geometry.contains(voxel)) {
-                const std::uint32_t place = placeOf(mask.geometry, voxel);
+                const std::uint32_t place = voxelIndex(mask.geometry, voxel);
                 if (mask.voxels[place] != 0) {
                     found.push_back(place);
                 }
@@ -70,10 +70,10 @@ VoxelPlaces cutInPixels(const VoxelMask& mask, const MaskCut& cut, const Sides& 
     return found;
 }
 
-VoxelPlaces cutInDepth(const VoxelMask& mask, const MaskCut& cut, const Sides& sides, double halfDepthMm)
+VoxelIndices cutInDepth(const VoxelMask& mask, const MaskCut& cut, const OutlineMask& sides, double halfDepthMm)
 {
     const Eigen::Affine3d patientFromVoxel = mask.geometry.patientFromVoxel();
-    VoxelPlaces found;
+    VoxelIndices found;
     for (std::size_t place = 0; place < mask.voxels.size(); ++place) {
         if (mask.voxels[place] == 0) {
             continue;
@@ -90,10 +90,10 @@ VoxelPlaces cutInDepth(const VoxelMask& mask, const MaskCut& cut, const Sides& s
 
 /// Combines both searches: a mask finer than the slice has voxels between the pixels, and a coarser mask has displayed
 /// voxels whose centers lie outside the slice.
-VoxelPlaces cutInSlice(const VoxelMask& mask, const MaskCut& cut, const Sides& sides)
+VoxelIndices cutInSlice(const VoxelMask& mask, const MaskCut& cut, const OutlineMask& sides)
 {
-    VoxelPlaces found = cutInPixels(mask, cut, sides);
-    const VoxelPlaces between = cutInDepth(mask, cut, sides, halfOf(cut.slice));
+    VoxelIndices found = cutInPixels(mask, cut, sides);
+    const VoxelIndices between = cutInDepth(mask, cut, sides, halfThicknessMm(cut.slice));
     found.insert(found.end(), between.begin(), between.end());
     std::ranges::sort(found);
     found.erase(std::unique(found.begin(), found.end()), found.end());
@@ -102,9 +102,9 @@ VoxelPlaces cutInSlice(const VoxelMask& mask, const MaskCut& cut, const Sides& s
 
 }   // namespace
 
-VoxelPlaces cutVoxels(const VoxelMask& mask, const MaskCut& cut)
+VoxelIndices cutVoxels(const VoxelMask& mask, const MaskCut& cut)
 {
-    const Sides sides(cut);
+    const OutlineMask sides(cut);
     return cut.halfDepthMm > 0.0 ? cutInDepth(mask, cut, sides, cut.halfDepthMm) : cutInSlice(mask, cut, sides);
 }
 

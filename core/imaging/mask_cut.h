@@ -17,6 +17,6 @@ struct MaskCut {
 };
 
 /// Returns the voxels of the mask that the cut removes.
-VoxelPlaces cutVoxels(const VoxelMask& mask, const MaskCut& cut);
+VoxelIndices cutVoxels(const VoxelMask& mask, const MaskCut& cut);
 
 }   // namespace angiopose::core

@@ -20,7 +20,7 @@ std::size_t MaskChange::voxelCount() const
     return count;
 }
 
-MaskChange changeOf(VoxelPlaces voxels)
+MaskChange makeMaskChange(VoxelIndices voxels)
 {
     std::ranges::sort(voxels);
     voxels.erase(std::unique(voxels.begin(), voxels.end()), voxels.end());
@@ -44,7 +44,7 @@ void flip(VoxelMask& mask, const MaskChange& change)
     }
 }
 
-TouchedBox boxOf(const VolumeGeometry& geometry, const MaskChange& change)
+BoundingBox boxOf(const VolumeGeometry& geometry, const MaskChange& change)
 {
     Eigen::Vector3i low = Eigen::Vector3i::Constant(std::numeric_limits<int>::max());
     Eigen::Vector3i high = Eigen::Vector3i::Constant(-1);
@@ -62,8 +62,8 @@ TouchedBox boxOf(const VolumeGeometry& geometry, const MaskChange& change)
             high.y() = geometry.size.y() - 1;
         }
     }
-    TouchedBox box{Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity()),
-                   Eigen::Vector3d::Constant(-std::numeric_limits<double>::infinity())};
+    BoundingBox box{Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity()),
+                    Eigen::Vector3d::Constant(-std::numeric_limits<double>::infinity())};
     const Eigen::Affine3d patientFromVoxel = geometry.patientFromVoxel();
     for (int corner = 0; corner < 8; ++corner) {
         const Eigen::Vector3d at((corner & 1) != 0 ? high.x() + 0.5 : low.x() - 0.5,

@@ -11,9 +11,9 @@ namespace angiopose::core {
 bool isSameGrid(const VolumeGeometry& a, const VolumeGeometry& b);
 
 /// Linear indices of voxels in a mask.
-using VoxelPlaces = std::vector<std::uint32_t>;
+using VoxelIndices = std::vector<std::uint32_t>;
 
-inline std::uint32_t placeOf(const VolumeGeometry& geometry, const Eigen::Vector3i& voxel)
+inline std::uint32_t voxelIndex(const VolumeGeometry& geometry, const Eigen::Vector3i& voxel)
 {
     return static_cast<std::uint32_t>(geometry.index(voxel.x(), voxel.y(), voxel.z()));
 }
@@ -31,19 +31,19 @@ struct MaskChange {
     std::size_t voxelCount() const;
 };
 
-MaskChange changeOf(VoxelPlaces voxels);   ///< voxels in any order; duplicates are removed
+MaskChange makeMaskChange(VoxelIndices voxels);   ///< voxels in any order; duplicates are removed
 void flip(VoxelMask& mask, const MaskChange& change);   ///< 0 becomes 1, nonzero becomes 0
 
 /// A box in patient coordinates, LPS mm.
-struct TouchedBox {
+struct BoundingBox {
     Eigen::Vector3d lowInPatient = Eigen::Vector3d::Zero();
     Eigen::Vector3d highInPatient = Eigen::Vector3d::Zero();
 };
 /// Returns the bounding box of all voxels of a change, which must not be empty.
-TouchedBox boxOf(const VolumeGeometry& geometry, const MaskChange& change);
+BoundingBox boxOf(const VolumeGeometry& geometry, const MaskChange& change);
 
 /// Returns half the slice thickness: voxels within this distance belong to the slice, others to a neighboring slice.
-inline double halfOf(const SliceGrid& slice)
+inline double halfThicknessMm(const SliceGrid& slice)
 {
     return 0.499 * slice.thicknessMm;
 }

@@ -16,7 +16,7 @@ constexpr std::array<NeighborStep, 8> morphologySteps{
     {{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 1}, {-1, 1}, {-1, -1}, {1, -1}}};
 
 /// Returns the pixels connected to `seed` with the same state (set or clear) and marks them in `seen`.
-std::vector<std::size_t> flood(const Mask2d& mask, std::size_t seed, std::size_t neighbors, Mask2d& seen)
+std::vector<std::size_t> floodFill(const Mask2d& mask, std::size_t seed, std::size_t neighbors, Mask2d& seen)
 {
     const bool wanted = mask.pixels[seed] != 0;
     std::vector<std::size_t> reached{seed};
@@ -38,7 +38,7 @@ std::vector<std::size_t> flood(const Mask2d& mask, std::size_t seed, std::size_t
     return reached;
 }
 
-bool onImageEdge(const Mask2d& mask, std::size_t index)
+bool isOnImageEdge(const Mask2d& mask, std::size_t index)
 {
     const int x = static_cast<int>(index % static_cast<std::size_t>(mask.width));
     const int y = static_cast<int>(index / static_cast<std::size_t>(mask.width));
@@ -58,7 +58,7 @@ Region smallRegion(const Mask2d& mask, const Mask2d& open, std::size_t seed, std
     Region region{{seed}, true};
     for (std::size_t next = 0; next < region.pixels.size() && region.isHole; ++next) {
         const std::size_t p = region.pixels[next];
-        if (onImageEdge(mask, p) || open.pixels[p] != 0 || region.pixels.size() > maxArea) {
+        if (isOnImageEdge(mask, p) || open.pixels[p] != 0 || region.pixels.size() > maxArea) {
             region.isHole = false;
             break;
         }
@@ -72,7 +72,7 @@ Region smallRegion(const Mask2d& mask, const Mask2d& open, std::size_t seed, std
     return region;
 }
 
-void unite(std::uint8_t* target, const std::uint8_t* pixels, int count)
+void bitwiseOr(std::uint8_t* target, const std::uint8_t* pixels, int count)
 {
     for (int i = 0; i < count; ++i) {
         target[i] |= pixels[i];
@@ -80,12 +80,12 @@ void unite(std::uint8_t* target, const std::uint8_t* pixels, int count)
 }
 
 /// Dilates a mask with values 0 and 255.
-Mask2d grown(const Mask2d& mask, int radiusPx)
+Mask2d dilateBinary(const Mask2d& mask, int radiusPx)
 {
-    return windowMaximum(mask, radiusPx, unite);
+    return windowMaximum(mask, radiusPx, bitwiseOr);
 }
 
-Mask2d inverted(const Mask2d& mask)
+Mask2d invert(const Mask2d& mask)
 {
     Mask2d result(mask.width, mask.height);
     std::transform(mask.pixels.begin(), mask.pixels.end(), result.pixels.begin(),
@@ -95,33 +95,33 @@ Mask2d inverted(const Mask2d& mask)
 
 }   // namespace
 
-Mask2d eroded(const Mask2d& mask, int radiusPx)
+Mask2d erode(const Mask2d& mask, int radiusPx)
 {
-    return inverted(grown(inverted(mask), radiusPx));
+    return invert(dilateBinary(invert(mask), radiusPx));
 }
 
-Mask2d dilated(const Mask2d& mask, int radiusPx)
+Mask2d dilate(const Mask2d& mask, int radiusPx)
 {
-    return grown(inverted(inverted(mask)), radiusPx);
+    return dilateBinary(invert(invert(mask)), radiusPx);
 }
 
-Mask2d connectedToEdge(const Mask2d& mask)
+Mask2d edgeComponents(const Mask2d& mask)
 {
     Mask2d seen(mask.width, mask.height);
     for (std::size_t i = 0; i < mask.pixels.size(); ++i) {
-        if (mask.pixels[i] != 0 && seen.pixels[i] == 0 && onImageEdge(mask, i)) {
-            flood(mask, i, 8, seen);
+        if (mask.pixels[i] != 0 && seen.pixels[i] == 0 && isOnImageEdge(mask, i)) {
+            floodFill(mask, i, 8, seen);
         }
     }
     return seen;
 }
 
-Mask2d withHolesFilled(Mask2d mask, int maxAreaPx)
+Mask2d fillSmallHoles(Mask2d mask, int maxAreaPx)
 {
     Mask2d open(mask.width, mask.height);   // background regions known to be too large for a hole
     for (std::size_t p = 1; p < mask.pixels.size(); ++p) {
-        const bool besideMask = mask.pixels[p] == 0 && mask.pixels[p - 1] != 0;   // every hole contains such a pixel
-        if (!besideMask || open.pixels[p] != 0) {
+        const bool isNextToMask = mask.pixels[p] == 0 && mask.pixels[p - 1] != 0;   // every hole contains such a pixel
+        if (!isNextToMask || open.pixels[p] != 0) {
             continue;
         }
         const Region region = smallRegion(mask, open, p, static_cast<std::size_t>(maxAreaPx));
@@ -138,7 +138,7 @@ std::vector<std::vector<std::size_t>> componentsOf(const Mask2d& mask)
     Mask2d seen(mask.width, mask.height);
     for (std::size_t i = 0; i < mask.pixels.size(); ++i) {
         if (mask.pixels[i] != 0 && seen.pixels[i] == 0) {
-            components.push_back(flood(mask, i, 8, seen));
+            components.push_back(floodFill(mask, i, 8, seen));
         }
     }
     return components;

@@ -7,15 +7,15 @@
 namespace angiopose::core {
 
 /// Erode or dilate the mask with a square of side 2·`radiusPx` + 1; edge pixels are replicated beyond the image.
-Mask2d eroded(const Mask2d& mask, int radiusPx);
-Mask2d dilated(const Mask2d& mask, int radiusPx);
+Mask2d erode(const Mask2d& mask, int radiusPx);
+Mask2d dilate(const Mask2d& mask, int radiusPx);
 
 /// Returns the components (8-connected) of the mask that touch the image edge.
-Mask2d connectedToEdge(const Mask2d& mask);
+Mask2d edgeComponents(const Mask2d& mask);
 
 /// Returns the mask with its small holes filled: 4-connected background regions of at most `maxAreaPx` that do not
 /// reach the image edge. Intended for small areas.
-Mask2d withHolesFilled(Mask2d mask, int maxAreaPx);
+Mask2d fillSmallHoles(Mask2d mask, int maxAreaPx);
 
 /// Returns the 8-connected components as lists of pixel indices, in order of their first pixel.
 std::vector<std::vector<std::size_t>> componentsOf(const Mask2d& mask);

@@ -9,7 +9,7 @@ namespace angiopose::core {
 namespace {
 
 /// Returns only the letters and digits, in lower case; "DOE^JOHN " and "Doe^John" then compare equal.
-std::string bare(const std::string& text)
+std::string normalizedText(const std::string& text)
 {
     std::string result;
     for (const char c : text) {
@@ -23,13 +23,14 @@ std::string bare(const std::string& text)
 
 bool differs(const std::string& a, const std::string& b)
 {
-    const std::string first = bare(a), second = bare(b);
+    const std::string first = normalizedText(a), second = normalizedText(b);
     return !first.empty() && !second.empty() && first != second;
 }
 
 }   // namespace
 
-std::optional<Message> findPatientMismatch(const StudyIdentity& one, const StudyIdentity& other, Compared compared)
+std::optional<Message> findPatientMismatch(const StudyIdentity& one, const StudyIdentity& other,
+                                           ComparedImages compared)
 {
     Messages reasons;
     const auto add = [&reasons](bool isDifferent, const auto& what) {
@@ -40,25 +41,27 @@ std::optional<Message> findPatientMismatch(const StudyIdentity& one, const Study
     add(differs(one.patientId, other.patientId), messages::patientNumber);
     add(differs(one.patientName, other.patientName), messages::patientName);
     add(differs(one.birthDate, other.birthDate), messages::patientBirthDate);
-    add(differs(one.sex, other.sex) && bare(one.sex) != "o" && bare(other.sex) != "o", messages::patientSex);
+    add(differs(one.sex, other.sex) && normalizedText(one.sex) != "o" && normalizedText(other.sex) != "o",
+        messages::patientSex);
     if (reasons.empty()) {
         return std::nullopt;
     }
-    if (compared == Compared::TwoRuns) {
+    if (compared == ComparedImages::TwoRuns) {
         return reasons.size() > 1 ? messages::patientOfRunsDiffersInSeveral(reasons)
                                   : messages::patientOfRunsDiffers(reasons);
     }
     return reasons.size() > 1 ? messages::patientDiffersInSeveral(reasons) : messages::patientDiffers(reasons);
 }
 
-std::optional<Message> findSideMismatch(const StudyIdentity& one, const StudyIdentity& other, Compared compared)
+std::optional<Message> findLateralityMismatch(const StudyIdentity& one, const StudyIdentity& other,
+                                              ComparedImages compared)
 {
-    const std::string first = bare(one.laterality), second = bare(other.laterality);
+    const std::string first = normalizedText(one.laterality), second = normalizedText(other.laterality);
     const bool areOpposite = (first == "l" && second == "r") || (first == "r" && second == "l");
     if (!areOpposite) {
         return std::nullopt;
     }
-    if (compared == Compared::TwoRuns) {
+    if (compared == ComparedImages::TwoRuns) {
         return messages::patientSideOfRunsDiffers();
     }
     return messages::patientSideDiffers(first == "l" ? messages::sideLeft() : messages::sideRight());
@@ -70,15 +73,16 @@ std::optional<Message> findExaminationMismatch(const StudyIdentity& one, const S
                                                                : std::nullopt;
 }
 
-Messages findMismatch(const StudyIdentity& one, const StudyIdentity& other, Compared compared)
+Messages findMismatch(const StudyIdentity& one, const StudyIdentity& other, ComparedImages compared)
 {
     Messages found;
-    for (const auto& mismatch : {findPatientMismatch(one, other, compared), findSideMismatch(one, other, compared)}) {
+    for (const auto& mismatch :
+         {findPatientMismatch(one, other, compared), findLateralityMismatch(one, other, compared)}) {
         if (mismatch) {
             found.push_back(*mismatch);
         }
     }
-    if (const auto mismatch = findExaminationMismatch(one, other); mismatch && compared == Compared::TwoRuns) {
+    if (const auto mismatch = findExaminationMismatch(one, other); mismatch && compared == ComparedImages::TwoRuns) {
         found.push_back(*mismatch);
     }
     return found;

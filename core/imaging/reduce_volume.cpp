@@ -9,7 +9,7 @@ namespace angiopose::core {
 namespace {
 
 /// Returns the block size in voxels along each axis: the smallest approximately cubic blocks that are few enough.
-Eigen::Vector3i blockFor(const VolumeGeometry& geometry, const Eigen::Vector3i& size, std::size_t maxVoxels)
+Eigen::Vector3i blockSizeFor(const VolumeGeometry& geometry, const Eigen::Vector3i& size, std::size_t maxVoxels)
 {
     constexpr double growth = 1.02;
     for (double sideMm = geometry.spacingMm.minCoeff();; sideMm *= growth) {
@@ -66,7 +66,7 @@ void fillSlice(const Volume& volume, const VoxelRange& range, const Eigen::Vecto
 
 }   // namespace
 
-VoxelRange voxelsIn(const VolumeGeometry& geometry, const std::optional<Eigen::AlignedBox3d>& boxInPatient)
+VoxelRange voxelRangeIn(const VolumeGeometry& geometry, const std::optional<Eigen::AlignedBox3d>& boxInPatient)
 {
     if (!boxInPatient) {
         return {Eigen::Vector3i::Zero(), geometry.size};
@@ -80,17 +80,17 @@ VoxelRange voxelsIn(const VolumeGeometry& geometry, const std::optional<Eigen::A
             (box.max().array().ceil().cast<int>() + 1).min(geometry.size.array()).matrix()};
 }
 
-std::optional<Volume> reduced(const Volume& volume, const VoxelRange& range, std::size_t maxVoxels,
-                              const std::function<bool()>& shouldContinue)
+std::optional<Volume> downsample(const Volume& volume, const VoxelRange& range, std::size_t maxVoxels,
+                                 const std::function<bool()>& shouldContinue)
 {
     const Eigen::Vector3i size = range.high - range.low;
     if ((size.array() <= 0).any()) {
         return std::nullopt;
     }
-    return meansOfBlocks(volume, range, blockFor(volume.geometry, size, maxVoxels), shouldContinue);
+    return averageBlocks(volume, range, blockSizeFor(volume.geometry, size, maxVoxels), shouldContinue);
 }
 
-std::optional<Volume> meansOfBlocks(const Volume& volume, const VoxelRange& range, const Eigen::Vector3i& block,
+std::optional<Volume> averageBlocks(const Volume& volume, const VoxelRange& range, const Eigen::Vector3i& block,
                                     const std::function<bool()>& shouldContinue)
 {
     Volume means(blockGeometry(volume.geometry, range, block));

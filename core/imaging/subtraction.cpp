@@ -2,7 +2,7 @@
 
 #include "core/imaging/gray_statistics.h"
 #include "core/imaging/image_filters.h"
-#include "core/imaging/wide_blur.h"
+#include "core/imaging/wide_gaussian_blur.h"
 #include "core/support/symmetric.h"
 
 #include <algorithm>
@@ -13,12 +13,12 @@ namespace angiopose::core {
 namespace {
 
 constexpr std::size_t subtractionSamples = 100000;
-constexpr double slowShareOfSide = 0.03;   // σ of slow differences between images (exposure), as a share of the side
-constexpr int smallestSubtractedSide = 48;   // minimum image side in the resolution pyramid, px
+constexpr double slowSigmaFraction = 0.03;   // σ of slow differences between images (exposure), as a share of the side
+constexpr int minPyramidSide = 48;   // minimum image side in the resolution pyramid, px
 constexpr int roundsPerLevel = 20;
-constexpr double settledShiftPx = 1e-3;
-constexpr double normalPerMedian = 1.4826;
-constexpr double farthestShare = 0.1;
+constexpr double shiftTolerancePx = 1e-3;
+constexpr double madToSigma = 1.4826;
+constexpr double maxShiftFraction = 0.1;
 
 /// Returns the image in logarithmic values, in which contrast agent is additive.
 ImageF logarithmic(const ImageF& image, PixelRelation relation)
@@ -33,12 +33,12 @@ ImageF logarithmic(const ImageF& image, PixelRelation relation)
     return result;
 }
 
-ImageF withoutSlowChanges(ImageF image)
+ImageF highPassFiltered(ImageF image)
 {
-    const ImageF slow = widelyBlurred(image, slowShareOfSide * std::max(image.width, image.height));
+    const ImageF slow = wideGaussianBlur(image, slowSigmaFraction * std::max(image.width, image.height));
     std::transform(image.pixels.begin(), image.pixels.end(), slow.pixels.begin(), image.pixels.begin(),
                    [](float value, float mean) { return value - mean; });
-    return blurred(image, 1.0);
+    return gaussianBlur(image, 1.0);
 }
 
 /// One pixel of the least-squares problem: its residual and the mask gradient at its source position.
@@ -57,9 +57,10 @@ std::vector<Sample> samplesAt(const ImageF& mask, const ImageF& frame, const Eig
         for (int x = marginX; x < frame.width - marginX; ++x) {
             const double fromX = x - shift.x();
             const double fromY = y - shift.y();
-            samples.push_back({frame.at(x, y) - sampled(mask, fromX, fromY),
-                               0.5F * (sampled(mask, fromX + 1.0, fromY) - sampled(mask, fromX - 1.0, fromY)),
-                               0.5F * (sampled(mask, fromX, fromY + 1.0) - sampled(mask, fromX, fromY - 1.0))});
+            samples.push_back(
+                {frame.at(x, y) - sampleBilinear(mask, fromX, fromY),
+                 0.5F * (sampleBilinear(mask, fromX + 1.0, fromY) - sampleBilinear(mask, fromX - 1.0, fromY)),
+                 0.5F * (sampleBilinear(mask, fromX, fromY + 1.0) - sampleBilinear(mask, fromX, fromY - 1.0))});
         }
     }
     return samples;
@@ -72,7 +73,7 @@ double robustScale(const std::vector<Sample>& samples)
     for (const Sample& sample : samples) {
         sizes.push_back(std::abs(sample.residual));
     }
-    return normalPerMedian * ranked(evenSample(sizes, subtractionSamples), 0.5);
+    return madToSigma * grayQuantile(subsample(sizes, subtractionSamples), 0.5);
 }
 
 /// Returns the Gauss–Newton step of the shift; zero if the gradients are all zero or all have the same direction.
@@ -88,16 +89,16 @@ Eigen::Vector2d shiftStep(const std::vector<Sample>& samples)
         normal += weight * slope * slope.transpose();
         right -= weight * slope * static_cast<double>(sample.residual);   // a right shift samples the mask farther left
     }
-    const Axes<2> axes = axesOf(normal);
+    const EigenDecomposition<2> axes = eigenDecomposition(normal);
     if (axes.values[0] <= 1e-6 * axes.values[1] || axes.values[1] <= 0.0) {
         return Eigen::Vector2d::Zero();
     }
     return axes.directions * (axes.directions.transpose() * right).cwiseQuotient(axes.values);
 }
 
-Eigen::Vector2d refinedShift(const ImageF& mask, const ImageF& frame, Eigen::Vector2d shift)
+Eigen::Vector2d refineShift(const ImageF& mask, const ImageF& frame, Eigen::Vector2d shift)
 {
-    const double farthest = farthestShare * std::min(frame.width, frame.height);
+    const double maxShiftNormPx = maxShiftFraction * std::min(frame.width, frame.height);
     for (int round = 0; round < roundsPerLevel; ++round) {
         const std::vector<Sample> samples = samplesAt(mask, frame, shift);
         if (samples.empty()) {
@@ -105,11 +106,11 @@ Eigen::Vector2d refinedShift(const ImageF& mask, const ImageF& frame, Eigen::Vec
         }
         const Eigen::Vector2d step = shiftStep(samples);
         const Eigen::Vector2d next = shift + step;
-        if (!(next.norm() <= farthest)) {
+        if (!(next.norm() <= maxShiftNormPx)) {
             break;
         }
         shift = next;
-        if (step.norm() < settledShiftPx) {
+        if (step.norm() < shiftTolerancePx) {
             break;
         }
     }
@@ -137,15 +138,15 @@ ImageF meanFrame(const std::vector<ImageF>& frames, const std::vector<int>& indi
 Eigen::Vector2d maskShift(const ImageF& mask, const ImageF& frame, PixelRelation relation)
 {
     assert(mask.width == frame.width && mask.height == frame.height);
-    std::vector<ImageF> masks{withoutSlowChanges(logarithmic(mask, relation))};
-    std::vector<ImageF> frames{withoutSlowChanges(logarithmic(frame, relation))};
-    while (std::min(frames.back().width, frames.back().height) >= 2 * smallestSubtractedSide) {
+    std::vector<ImageF> masks{highPassFiltered(logarithmic(mask, relation))};
+    std::vector<ImageF> frames{highPassFiltered(logarithmic(frame, relation))};
+    while (std::min(frames.back().width, frames.back().height) >= 2 * minPyramidSide) {
         masks.push_back(halved(masks.back()));
         frames.push_back(halved(frames.back()));
     }
     Eigen::Vector2d shift = Eigen::Vector2d::Zero();
     for (std::size_t level = frames.size(); level-- > 0;) {
-        shift = refinedShift(masks[level], frames[level], level + 1 < frames.size() ? 2.0 * shift : shift);
+        shift = refineShift(masks[level], frames[level], level + 1 < frames.size() ? 2.0 * shift : shift);
     }
     return shift;
 }
@@ -155,19 +156,19 @@ ImageF subtracted(const ImageF& frame, const ImageF& mask, const Eigen::Vector2d
     assert(mask.width == frame.width && mask.height == frame.height);
     const ImageF logFrame = logarithmic(frame, relation);
     const ImageF logMask = logarithmic(mask, relation);
-    const float middle = frame.isEmpty() ? 0.0F : ranked(evenSample(frame.pixels, subtractionSamples), 0.5);
+    const float middle = frame.isEmpty() ? 0.0F : grayQuantile(subsample(frame.pixels, subtractionSamples), 0.5);
     const float gain = relation == PixelRelation::Linear ? std::max(middle, 1.0F) : 1.0F;
     ImageF result(frame.width, frame.height);
     for (int y = 0; y < frame.height; ++y) {
         for (int x = 0; x < frame.width; ++x) {
-            const float below = sampled(logMask, x - shiftPx.x(), y - shiftPx.y());
+            const float below = sampleBilinear(logMask, x - shiftPx.x(), y - shiftPx.y());
             result.at(x, y) = middle + gain * (logFrame.at(x, y) - below);
         }
     }
     return result;
 }
 
-ImageF opacifiedComposite(const std::vector<ImageF>& frames, Polarity polarity)
+ImageF peakOpacificationImage(const std::vector<ImageF>& frames, Polarity polarity)
 {
     if (frames.empty()) {
         return {};

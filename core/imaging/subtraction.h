@@ -25,6 +25,6 @@ ImageF subtracted(const ImageF& frame, const ImageF& mask, const Eigen::Vector2d
 
 /// Returns the peak-opacification image of a run: the darkest value of each pixel, or the brightest for bright vessels.
 /// Frames that differ in size from the first are left out; the result is empty without frames.
-ImageF opacifiedComposite(const std::vector<ImageF>& frames, Polarity polarity);
+ImageF peakOpacificationImage(const std::vector<ImageF>& frames, Polarity polarity);
 
 }   // namespace angiopose::core

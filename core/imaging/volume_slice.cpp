@@ -9,7 +9,7 @@
 namespace angiopose::core {
 namespace {
 
-constexpr int largestSidePx = 4096;
+constexpr int maxSliceSidePx = 4096;
 constexpr double voxelTolerance = 0.2;   // distance from voxel centers at which rounding stays in the voxel
 
 /// Extent of the voxel centers along the patient's axes, and the finest useful spacing of slices.
@@ -60,7 +60,7 @@ int nearestStep(const PatientBox& box, Eigen::Index axis, double positionMm)
 }
 
 /// A pixel grid expressed in continuous voxel indices.
-struct VoxelWalk {
+struct SliceInVoxels {
     Eigen::Vector3d first;
     Eigen::Vector3d columnStep;
     Eigen::Vector3d rowStep;
@@ -68,7 +68,7 @@ struct VoxelWalk {
     Eigen::Vector3d at(int column, int row) const { return first + column * columnStep + row * rowStep; }
 };
 
-VoxelWalk walkThrough(const VolumeGeometry& geometry, const SliceGrid& grid)
+SliceInVoxels sliceInVoxels(const VolumeGeometry& geometry, const SliceGrid& grid)
 {
     const Eigen::Affine3d voxelFromPatient = geometry.patientFromVoxel().inverse();
     return {voxelFromPatient * grid.firstInPatient, voxelFromPatient.linear() * grid.columnStep,
@@ -81,11 +81,11 @@ bool isWhole(const Eigen::Vector3d& value, double tolerance)
 }
 
 /// Whether every pixel coincides with the center of a different voxel.
-bool meetsVoxels(const VoxelWalk& walk, const SliceGrid& grid)
+bool isOnVoxelCenters(const SliceInVoxels& slice, const SliceGrid& grid)
 {
-    return isWhole(walk.at(0, 0), voxelTolerance) && isWhole(walk.at(grid.width - 1, 0), voxelTolerance) &&
-           isWhole(walk.at(0, grid.height - 1), voxelTolerance) && isWhole(walk.columnStep, voxelTolerance) &&
-           isWhole(walk.rowStep, voxelTolerance);
+    return isWhole(slice.at(0, 0), voxelTolerance) && isWhole(slice.at(grid.width - 1, 0), voxelTolerance) &&
+           isWhole(slice.at(0, grid.height - 1), voxelTolerance) && isWhole(slice.columnStep, voxelTolerance) &&
+           isWhole(slice.rowStep, voxelTolerance);
 }
 
 Eigen::Vector3i rounded(const Eigen::Vector3d& voxel)
@@ -96,7 +96,7 @@ Eigen::Vector3i rounded(const Eigen::Vector3d& voxel)
 /// Calls `work(row)` for every row, with bands of rows in parallel: memory latency limits the speed of slices across
 /// the storage order.
 template <class Work>
-void forBands(int rows, const Work& work)
+void forRowsInParallel(int rows, const Work& work)
 {
     constexpr int bandRows = 32;
     constexpr int maxThreads = 4;
@@ -112,12 +112,13 @@ void forBands(int rows, const Work& work)
 
 /// Calls `take(pixel, voxel)` for every pixel that lies inside a voxel.
 template <class Take>
-void forNearest(const VolumeGeometry& geometry, const VoxelWalk& walk, const SliceGrid& grid, const Take& take)
+void forNearestVoxels(const VolumeGeometry& geometry, const SliceInVoxels& slice, const SliceGrid& grid,
+                      const Take& take)
 {
     std::size_t pixel = 0;
     for (int row = 0; row < grid.height; ++row) {
         for (int column = 0; column < grid.width; ++column, ++pixel) {
-            const Eigen::Vector3i voxel = rounded(walk.at(column, row));
+            const Eigen::Vector3i voxel = rounded(slice.at(column, row));
             if (geometry.contains(voxel)) {
                 take(pixel, geometry.index(voxel.x(), voxel.y(), voxel.z()));
             }
@@ -127,10 +128,11 @@ void forNearest(const VolumeGeometry& geometry, const VoxelWalk& walk, const Sli
 
 /// Does the same for a grid on voxel centers, where the index step from pixel to pixel is constant.
 template <class Take>
-void forEven(const VolumeGeometry& geometry, const VoxelWalk& walk, const SliceGrid& grid, const Take& take)
+void forAlignedVoxels(const VolumeGeometry& geometry, const SliceInVoxels& slice, const SliceGrid& grid,
+                      const Take& take)
 {
     const auto stored = [&](int column, int row) {
-        const Eigen::Vector3i voxel = rounded(walk.at(column, row))
+        const Eigen::Vector3i voxel = rounded(slice.at(column, row))
                                           .cwiseMax(0)
                                           .cwiseMin(geometry.size.array().matrix() - Eigen::Vector3i::Ones());
         return static_cast<std::ptrdiff_t>(geometry.index(voxel.x(), voxel.y(), voxel.z()));
@@ -139,7 +141,7 @@ void forEven(const VolumeGeometry& geometry, const VoxelWalk& walk, const SliceG
     for (int column = 0; column < grid.width; ++column) {
         columns[static_cast<std::size_t>(column)] = stored(column, 0) - stored(0, 0);
     }
-    forBands(grid.height, [&](int row) {
+    forRowsInParallel(grid.height, [&](int row) {
         const std::ptrdiff_t start = stored(0, row);
         auto pixel = static_cast<std::size_t>(row) * static_cast<std::size_t>(grid.width);
         for (const std::ptrdiff_t column : columns) {
@@ -149,15 +151,15 @@ void forEven(const VolumeGeometry& geometry, const VoxelWalk& walk, const SliceG
 }
 
 /// Whether `sliceThrough` made the grid for this geometry.
-bool isEven(const VolumeGeometry& geometry, const VoxelWalk& walk, const SliceGrid& grid)
+bool isVoxelAligned(const VolumeGeometry& geometry, const SliceInVoxels& slice, const SliceGrid& grid)
 {
-    const auto isInside = [&](int column, int row) { return geometry.contains(rounded(walk.at(column, row))); };
-    return grid.width > 0 && grid.height > 0 && meetsVoxels(walk, grid) && isInside(0, 0) &&
+    const auto isInside = [&](int column, int row) { return geometry.contains(rounded(slice.at(column, row))); };
+    return grid.width > 0 && grid.height > 0 && isOnVoxelCenters(slice, grid) && isInside(0, 0) &&
            isInside(grid.width - 1, 0) && isInside(0, grid.height - 1) && isInside(grid.width - 1, grid.height - 1);
 }
 
 /// Interpolates linearly; NaN more than half a voxel beyond the outermost voxel centers.
-float interpolated(const Volume& volume, const Eigen::Vector3d& voxel)
+float interpolateTrilinear(const Volume& volume, const Eigen::Vector3d& voxel)
 {
     const VolumeGeometry& geometry = volume.geometry;
     const Eigen::Vector3d last = (geometry.size.array() - 1).cast<double>();
@@ -199,7 +201,7 @@ SliceGrid sliceThrough(const VolumeGeometry& geometry, BodyPlane plane, const Ei
     const auto pixelsAlong = [&](const Eigen::Vector3d& axis) {
         Eigen::Index which = 0;
         axis.cwiseAbs().maxCoeff(&which);
-        return std::min(largestSidePx, stepsAlong(box, which) + 1);
+        return std::min(maxSliceSidePx, stepsAlong(box, which) + 1);
     };
     SliceGrid grid;
     grid.width = pixelsAlong(axes.right);
@@ -230,21 +232,21 @@ int sliceIndex(const VolumeGeometry& geometry, BodyPlane plane, const Eigen::Vec
 
 std::vector<float> sliceValues(const Volume& volume, const SliceGrid& grid)
 {
-    const VoxelWalk walk = walkThrough(volume.geometry, grid);
+    const SliceInVoxels slice = sliceInVoxels(volume.geometry, grid);
     std::vector<float> values(static_cast<std::size_t>(grid.width) * static_cast<std::size_t>(grid.height),
                               std::numeric_limits<float>::quiet_NaN());
-    if (isEven(volume.geometry, walk, grid)) {
+    if (isVoxelAligned(volume.geometry, slice, grid)) {
         const auto slope = static_cast<float>(volume.slope);
         const auto intercept = static_cast<float>(volume.intercept);
-        forEven(volume.geometry, walk, grid, [&](std::size_t pixel, std::size_t voxel) {
+        forAlignedVoxels(volume.geometry, slice, grid, [&](std::size_t pixel, std::size_t voxel) {
             values[pixel] = slope * volume.voxels[voxel] + intercept;
         });
         return values;
     }
-    forBands(grid.height, [&](int row) {
+    forRowsInParallel(grid.height, [&](int row) {
         auto pixel = static_cast<std::size_t>(row) * static_cast<std::size_t>(grid.width);
         for (int column = 0; column < grid.width; ++column, ++pixel) {
-            values[pixel] = interpolated(volume, walk.at(column, row));
+            values[pixel] = interpolateTrilinear(volume, slice.at(column, row));
         }
     });
     return values;
@@ -252,13 +254,13 @@ std::vector<float> sliceValues(const Volume& volume, const SliceGrid& grid)
 
 std::vector<std::uint8_t> sliceMask(const VoxelMask& mask, const SliceGrid& grid)
 {
-    const VoxelWalk walk = walkThrough(mask.geometry, grid);
+    const SliceInVoxels slice = sliceInVoxels(mask.geometry, grid);
     std::vector<std::uint8_t> pixels(static_cast<std::size_t>(grid.width) * static_cast<std::size_t>(grid.height), 0);
     const auto take = [&](std::size_t pixel, std::size_t voxel) { pixels[pixel] = mask.voxels[voxel]; };
-    if (isEven(mask.geometry, walk, grid)) {
-        forEven(mask.geometry, walk, grid, take);
+    if (isVoxelAligned(mask.geometry, slice, grid)) {
+        forAlignedVoxels(mask.geometry, slice, grid, take);
     } else {
-        forNearest(mask.geometry, walk, grid, take);
+        forNearestVoxels(mask.geometry, slice, grid, take);
     }
     return pixels;
 }
@@ -272,7 +274,7 @@ std::optional<double> valueAt(const Volume& volume, const Eigen::Vector3d& point
     return volume.value(volume.geometry.index(voxel.x(), voxel.y(), voxel.z()));
 }
 
-Eigen::Vector3d clampedTo(const VolumeGeometry& geometry, const Eigen::Vector3d& pointInPatient)
+Eigen::Vector3d clampToVolume(const VolumeGeometry& geometry, const Eigen::Vector3d& pointInPatient)
 {
     const PatientBox box = boxOf(geometry);
     return pointInPatient.cwiseMax(box.lowMm).cwiseMin(box.highMm);

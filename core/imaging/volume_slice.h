@@ -38,8 +38,8 @@ struct SliceGrid {
     }
     Eigen::Vector2d pixelOf(const Eigen::Vector3d& pointInPatient) const
     {
-        const Eigen::Vector3d way = pointInPatient - firstInPatient;
-        return {way.dot(columnStep) / columnStep.squaredNorm(), way.dot(rowStep) / rowStep.squaredNorm()};
+        const Eigen::Vector3d offset = pointInPatient - firstInPatient;
+        return {offset.dot(columnStep) / columnStep.squaredNorm(), offset.dot(rowStep) / rowStep.squaredNorm()};
     }
     /// Returns the signed distance of a point from the slice, along the normal.
     double distanceMm(const Eigen::Vector3d& pointInPatient) const
@@ -67,7 +67,7 @@ std::vector<std::uint8_t> sliceMask(const VoxelMask& mask, const SliceGrid& grid
 std::optional<double> valueAt(const Volume& volume, const Eigen::Vector3d& pointInPatient);
 
 /// Returns the nearest point inside the bounding box of the voxel centers along the patient's axes.
-Eigen::Vector3d clampedTo(const VolumeGeometry& geometry, const Eigen::Vector3d& pointInPatient);
+Eigen::Vector3d clampToVolume(const VolumeGeometry& geometry, const Eigen::Vector3d& pointInPatient);
 Eigen::Vector3d centerOf(const VolumeGeometry& geometry);
 
 }   // namespace angiopose::core

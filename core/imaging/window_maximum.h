@@ -9,7 +9,7 @@ namespace angiopose::core {
 /// Combines each pixel with the pixels `step` to its left and right; positions beyond the row are clamped.
 /// `raise(target, values, count)` sets each target to the larger of target and value.
 template <class T, class Raise>
-Image2d<T> raisedAlongRows(const Image2d<T>& image, int step, const Raise& raise)
+Image2d<T> maximumAlongRows(const Image2d<T>& image, int step, const Raise& raise)
 {
     Image2d<T> raised = image;
     const int inside = std::max(0, image.width - step);
@@ -28,7 +28,7 @@ Image2d<T> raisedAlongRows(const Image2d<T>& image, int step, const Raise& raise
 }
 
 template <class T, class Raise>
-Image2d<T> raisedAlongColumns(const Image2d<T>& image, int step, const Raise& raise)
+Image2d<T> maximumAlongColumns(const Image2d<T>& image, int step, const Raise& raise)
 {
     Image2d<T> raised = image;
     for (int y = 0; y < image.height; ++y) {
@@ -44,7 +44,7 @@ Image2d<T> windowMaximum(Image2d<T> image, int radiusPx, const Raise& raise)
 {
     for (int reach = 0; reach < radiusPx && !image.isEmpty();) {
         const int step = std::min(2 * reach + 1, radiusPx - reach);   // three windows at this step leave no gap
-        image = raisedAlongColumns(raisedAlongRows(image, step, raise), step, raise);
+        image = maximumAlongColumns(maximumAlongRows(image, step, raise), step, raise);
         reach += step;
     }
     return image;

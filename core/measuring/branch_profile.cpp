@@ -24,22 +24,23 @@ struct DiameterLine {
 };
 
 constexpr std::size_t minDiameters = 6;
-constexpr double minShareThatAgrees = 0.25;
-constexpr std::array sharesBelow{0.3, 0.2, 0.15, 0.1, 0.1, 0.1, 0.1};   // limits per pass below the line; doubled above
+constexpr double minInlierFraction = 0.25;
+constexpr std::array outlierFractions{0.3, 0.2, 0.15, 0.1,
+                                      0.1, 0.1, 0.1};   // limits per pass below the line; doubled above
 
-DiameterLine lineThrough(const std::vector<Eigen::Vector2d>& diameters)
+DiameterLine fitLine(const std::vector<Eigen::Vector2d>& diameters)
 {
     Eigen::Vector2d mean = Eigen::Vector2d::Zero();
     for (const Eigen::Vector2d& each : diameters) {
         mean += each / static_cast<double>(diameters.size());
     }
     double along = 0.0;
-    double together = 0.0;
+    double covariance = 0.0;
     for (const Eigen::Vector2d& each : diameters) {
         along += (each.x() - mean.x()) * (each.x() - mean.x());
-        together += (each.x() - mean.x()) * (each.y() - mean.y());
+        covariance += (each.x() - mean.x()) * (each.y() - mean.y());
     }
-    const double slope = along > 0.0 ? together / along : 0.0;
+    const double slope = along > 0.0 ? covariance / along : 0.0;
     return {mean.y() - slope * mean.x(), slope};
 }
 
@@ -51,8 +52,8 @@ std::optional<DiameterLine> referenceLine(const std::vector<Eigen::Vector2d>& di
     if (diameters.size() < minDiameters) {
         return std::nullopt;
     }
-    DiameterLine line = lineThrough(diameters);
-    for (const double shareBelow : sharesBelow) {
+    DiameterLine line = fitLine(diameters);
+    for (const double shareBelow : outlierFractions) {
         std::vector<Eigen::Vector2d> healthy;
         for (const Eigen::Vector2d& each : diameters) {
             const double expected = line.at(each.x());
@@ -60,10 +61,10 @@ std::optional<DiameterLine> referenceLine(const std::vector<Eigen::Vector2d>& di
                 healthy.push_back(each);
             }
         }
-        if (static_cast<double>(healthy.size()) < minShareThatAgrees * static_cast<double>(diameters.size())) {
+        if (static_cast<double>(healthy.size()) < minInlierFraction * static_cast<double>(diameters.size())) {
             return std::nullopt;
         }
-        line = lineThrough(healthy);
+        line = fitLine(healthy);
     }
     return line;
 }
@@ -74,8 +75,8 @@ constexpr double curvatureReachMm = 3.0;
 constexpr double minCurvatureArcMm = 2.0;   // minimum arc length for measuring curvature
 constexpr double referenceReachMm = 30.0;   // beyond this distance, bifurcations have changed the vessel
 constexpr double recoveryReachMm = 20.0;
-constexpr double stenosisEnds = 0.9;   // fraction of the reference diameter at which a stenosis ends
-constexpr double unknownHere = std::numeric_limits<double>::quiet_NaN();
+constexpr double stenosisEndRatio = 0.9;   // fraction of the reference diameter at which a stenosis ends
+constexpr double unknownProfileValue = std::numeric_limits<double>::quiet_NaN();
 
 /// Whether every point has a valid radius.
 bool hasAllRadii(const VesselBranch& branch)
@@ -104,7 +105,7 @@ double curvatureAt(const std::vector<ProfileSample>& samples, std::size_t middle
 {
     const auto [first, end] = samplesAround(samples, middle, curvatureReachMm);
     if (end - first < 4 || samples[end - 1].arcMm - samples[first].arcMm < minCurvatureArcMm) {
-        return unknownHere;
+        return unknownProfileValue;
     }
     const auto count = static_cast<Eigen::Index>(end - first);
     Eigen::MatrixXd powers(count, 3);
@@ -128,7 +129,8 @@ std::vector<ProfileSample> profileSamples(const VesselBranch& branch)
     std::vector<ProfileSample> samples(points.size());
     const double stepMm = branch.lengthMm() / static_cast<double>(points.size() - 1);
     for (std::size_t i = 0; i < points.size(); ++i) {
-        samples[i] = {stepMm * static_cast<double>(i), points[i], unknownHere, unknownHere, unknownHere};
+        samples[i] = {stepMm * static_cast<double>(i), points[i], unknownProfileValue, unknownProfileValue,
+                      unknownProfileValue};
     }
     for (std::size_t i = 0; i < points.size(); ++i) {
         samples[i].curvaturePerMm = curvatureAt(samples, i);
@@ -146,33 +148,33 @@ std::vector<ProfileSample> profileSamples(const VesselBranch& branch)
     return samples;
 }
 
-double narrowness(const ProfileSample& sample)
+double diameterRatio(const ProfileSample& sample)
 {
     return sample.diameterMm / sample.referenceMm;
 }
 
 /// Returns the stenosis at the narrowest sample relative to its reference; requires a sample with a reference.
-StenosisMeasure narrowestOf(const std::vector<ProfileSample>& samples)
+StenosisMeasure narrowestStenosis(const std::vector<ProfileSample>& samples)
 {
-    std::size_t least = 0;
+    std::size_t narrowest = 0;
     for (std::size_t i = 1; i < samples.size(); ++i) {
-        const bool isFirst = std::isnan(narrowness(samples[least]));
-        least = isFirst || narrowness(samples[i]) < narrowness(samples[least]) ? i : least;
+        const bool isFirst = std::isnan(diameterRatio(samples[narrowest]));
+        narrowest = isFirst || diameterRatio(samples[i]) < diameterRatio(samples[narrowest]) ? i : narrowest;
     }
-    std::size_t from = least;
-    std::size_t to = least;
-    while (from > 0 && narrowness(samples[from]) < stenosisEnds) {
+    std::size_t from = narrowest;
+    std::size_t to = narrowest;
+    while (from > 0 && diameterRatio(samples[from]) < stenosisEndRatio) {
         --from;
     }
-    while (to + 1 < samples.size() && narrowness(samples[to]) < stenosisEnds) {
+    while (to + 1 < samples.size() && diameterRatio(samples[to]) < stenosisEndRatio) {
         ++to;
     }
-    return {std::max(0.0, 100.0 * (1.0 - narrowness(samples[least]))),
-            samples[least].arcMm,
+    return {std::max(0.0, 100.0 * (1.0 - diameterRatio(samples[narrowest]))),
+            samples[narrowest].arcMm,
             samples[from].arcMm,
             samples[to].arcMm,
-            samples[least].diameterMm,
-            samples[least].referenceMm};
+            samples[narrowest].diameterMm,
+            samples[narrowest].referenceMm};
 }
 
 /// Adds reference diameters to the samples from `first` up to, but excluding, `end`. Each is computed from the
@@ -196,14 +198,14 @@ void addReferences(std::vector<ProfileSample>& samples, std::size_t first, std::
 
 /// Lowers the reference where the vessel stays narrow because it tapers or has given off a branch: if the diameter does
 /// not recover to the reference farther along, the reference becomes the diameter to which it recovers.
-void lowerWhereNothingRecovers(std::vector<ProfileSample>& samples)
+void lowerUnrecoveredReferences(std::vector<ProfileSample>& samples)
 {
     const auto reach = static_cast<std::size_t>(recoveryReachMm / profileSpacingMm);
     std::vector<double> lowered;
     for (std::size_t i = 0; i < samples.size(); ++i) {
-        double recovered = narrowness(samples[i]);
+        double recovered = diameterRatio(samples[i]);
         for (std::size_t k = i; k < std::min(samples.size(), i + reach); ++k) {
-            recovered = std::fmax(recovered, narrowness(samples[k]));
+            recovered = std::fmax(recovered, diameterRatio(samples[k]));
         }
         lowered.push_back(samples[i].referenceMm * std::min(1.0, recovered));
     }
@@ -223,12 +225,12 @@ void addStenosis(BranchProfile& profile)
                                         samples.begin());
     };
     addReferences(samples, at(endMm), at(profile.lengthMm - endMm));
-    lowerWhereNothingRecovers(samples);
+    lowerUnrecoveredReferences(samples);
     const auto hasReference = [](const ProfileSample& sample) { return std::isfinite(sample.referenceMm); };
     if (std::ranges::any_of(samples, hasReference)) {
-        profile.stenosis = narrowestOf(samples);
+        profile.stenosis = narrowestStenosis(samples);
     } else {
-        profile.doubts.push_back(messages::profileNoReference());
+        profile.warnings.push_back(messages::profileNoReference());
     }
 }
 
@@ -238,10 +240,10 @@ void addDiameters(BranchProfile& profile)
     for (const ProfileSample& sample : profile.samples) {
         sum += sample.diameterMm;
     }
-    const auto [least, greatest] = std::ranges::minmax_element(profile.samples, {}, &ProfileSample::diameterMm);
+    const auto [narrowest, widest] = std::ranges::minmax_element(profile.samples, {}, &ProfileSample::diameterMm);
     profile.meanDiameterMm = sum / static_cast<double>(profile.samples.size());
-    profile.minDiameterMm = least->diameterMm;
-    profile.greatestDiameterMm = greatest->diameterMm;
+    profile.minDiameterMm = narrowest->diameterMm;
+    profile.maxDiameterMm = widest->diameterMm;
     addStenosis(profile);
 }
 
@@ -258,15 +260,15 @@ Result<BranchProfile> profileOf(const VesselBranch& branch)
     profile.samples = profileSamples(branch);
     profile.lengthMm = branch.lengthMm();
     const double chordMm = (branch.pointsInPatient.back() - branch.pointsInPatient.front()).norm();
-    profile.tortuosity = chordMm > 1e-9 * profile.lengthMm ? profile.lengthMm / chordMm : unknownHere;
-    profile.greatestCurvaturePerMm = unknownHere;
+    profile.tortuosity = chordMm > 1e-9 * profile.lengthMm ? profile.lengthMm / chordMm : unknownProfileValue;
+    profile.maxCurvaturePerMm = unknownProfileValue;
     for (const ProfileSample& sample : profile.samples) {
-        profile.greatestCurvaturePerMm = std::fmax(profile.greatestCurvaturePerMm, sample.curvaturePerMm);
+        profile.maxCurvaturePerMm = std::fmax(profile.maxCurvaturePerMm, sample.curvaturePerMm);
     }
     if (hasAllRadii(branch)) {
         addDiameters(profile);
     } else {
-        profile.doubts.push_back(messages::profileNoRadii());
+        profile.warnings.push_back(messages::profileNoRadii());
     }
     return profile;
 }

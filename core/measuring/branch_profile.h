@@ -33,12 +33,12 @@ struct BranchProfile {
     std::vector<ProfileSample> samples;   ///< ordered along the branch, 0.5 mm apart, including both ends
     double lengthMm = 0.0;
     double tortuosity = 1.0;   ///< length over distance between the ends; 1 is straight; NaN for a closed loop
-    double greatestCurvaturePerMm = 0.0;   ///< NaN for branches shorter than 2 mm
+    double maxCurvaturePerMm = 0.0;   ///< NaN for branches shorter than 2 mm
     std::optional<double> meanDiameterMm;   ///< mean over the branch length; not set without radii
     std::optional<double> minDiameterMm;
-    std::optional<double> greatestDiameterMm;
+    std::optional<double> maxDiameterMm;
     std::optional<StenosisMeasure> stenosis;   ///< not set without a reference diameter
-    Messages doubts;   ///< measurements that failed, with the reason
+    Messages warnings;   ///< measurements that failed, with the reason
 };
 
 /// Measures diameter, curvature, tortuosity and the narrowest place of a branch. The reference at a sample is a line

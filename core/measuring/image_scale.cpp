@@ -10,7 +10,7 @@ namespace angiopose::core {
 namespace {
 
 /// Returns the least certain origin.
-Origin minCertain(const std::vector<Origin>& origins)
+Origin weakestOrigin(const std::vector<Origin>& origins)
 {
     constexpr std::array order{Origin::Header, Origin::Derived, Origin::User, Origin::Assumed, Origin::Missing};
     const auto rank = [&order](Origin origin) { return std::ranges::find(order, origin); };
@@ -36,7 +36,7 @@ Result<ImageScale> scaleAtVessels(const MeasuredView& seen)
     const Origin origin =
         view.geometry.cameraOverride
             ? Origin::User
-            : minCertain({cArm.sourceToDetectorMm.origin, cArm.columnSpacingMm.origin, cArm.rowSpacingMm.origin});
+            : weakestOrigin({cArm.sourceToDetectorMm.origin, cArm.columnSpacingMm.origin, cArm.rowSpacingMm.origin});
     return ImageScale{MeasurementPlane::Vessels,
                       {depthMm / std::abs(camera.value().fx), depthMm / std::abs(camera.value().fy)},
                       depthMm,
@@ -55,15 +55,15 @@ Result<ImageScale> scaleAtDetector(const View& view)
     return ImageScale{MeasurementPlane::Detector,
                       {*cArm.columnSpacingMm.value, *cArm.rowSpacingMm.value},
                       0.0,
-                      minCertain({cArm.columnSpacingMm.origin, cArm.rowSpacingMm.origin})};
+                      weakestOrigin({cArm.columnSpacingMm.origin, cArm.rowSpacingMm.origin})};
 }
 
-Result<ImageScale> scaleAsTyped(const View& view)
+Result<ImageScale> enteredScale(const View& view)
 {
-    if (!view.typedMmPerPx || !(*view.typedMmPerPx > 0.0) || !std::isfinite(*view.typedMmPerPx)) {
-        return Error(messages::measureNeedsTypedScale());
+    if (!view.enteredMmPerPx || !(*view.enteredMmPerPx > 0.0) || !std::isfinite(*view.enteredMmPerPx)) {
+        return Error(messages::measureNeedsEnteredScale());
     }
-    return ImageScale{MeasurementPlane::Typed, Eigen::Vector2d::Constant(*view.typedMmPerPx), 0.0, Origin::User};
+    return ImageScale{MeasurementPlane::Typed, Eigen::Vector2d::Constant(*view.enteredMmPerPx), 0.0, Origin::User};
 }
 
 }   // namespace
@@ -82,14 +82,14 @@ Result<ImageScale> imageScaleOf(const MeasuredView& seen, MeasurementPlane plane
         case MeasurementPlane::Detector:
             return scaleAtDetector(seen.view);
         case MeasurementPlane::Typed:
-            return scaleAsTyped(seen.view);
+            return enteredScale(seen.view);
         case MeasurementPlane::Pixels:
             break;
     }
     return ImageScale{};
 }
 
-MeasurementPlane bestPlaneOf(const MeasuredView& seen)
+MeasurementPlane preferredPlane(const MeasuredView& seen)
 {
     for (const MeasurementPlane plane :
          {MeasurementPlane::Vessels, MeasurementPlane::Typed, MeasurementPlane::Detector}) {

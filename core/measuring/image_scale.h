@@ -41,6 +41,6 @@ Result<ImageScale> imageScaleOf(const MeasuredView& seen, MeasurementPlane plane
 
 /// Returns the preferred plane for which the view has a scale: the vessels, then the entered pixel size, then the
 /// detector, otherwise pixels.
-MeasurementPlane bestPlaneOf(const MeasuredView& seen);
+MeasurementPlane preferredPlane(const MeasuredView& seen);
 
 }   // namespace angiopose::core

@@ -16,17 +16,18 @@ double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
 }
 
 /// Whether the segments a–b and c–d have an interior point in common.
-bool doCross(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c, const Eigen::Vector2d& d)
+bool segmentsIntersect(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c,
+                       const Eigen::Vector2d& d)
 {
     return cross(b - a, c - a) * cross(b - a, d - a) < 0.0 && cross(d - c, a - c) * cross(d - c, b - c) < 0.0;
 }
 
-bool crossesItself(const Polyline<2>& outline)
+bool isSelfIntersecting(const Polyline<2>& outline)
 {
     const std::size_t count = outline.size();
     for (std::size_t i = 0; i < count; ++i) {
         for (std::size_t j = i + 1; j < count; ++j) {
-            if (doCross(outline[i], outline[(i + 1) % count], outline[j], outline[(j + 1) % count])) {
+            if (segmentsIntersect(outline[i], outline[(i + 1) % count], outline[j], outline[(j + 1) % count])) {
                 return true;
             }
         }
@@ -39,15 +40,15 @@ Result<Quantity> angleAt(const Polyline<2>& points)
     const Eigen::Vector2d one = points[0] - points[1];
     const Eigen::Vector2d other = points[2] - points[1];
     if (!(one.norm() > 0.0) || !(other.norm() > 0.0)) {
-        return Error(messages::measureAngleOpen());
+        return Error(messages::measureAngleDegenerate());
     }
     return Quantity{degreesPerRadian * std::abs(std::atan2(cross(one, other), one.dot(other))), 1, "°"};
 }
 
 Result<Quantity> areaOf(const Polyline<2>& outline, bool isInMm)
 {
-    if (crossesItself(outline)) {
-        return Error(messages::measureCrossed());
+    if (isSelfIntersecting(outline)) {
+        return Error(messages::measureSelfIntersecting());
     }
     double twice = 0.0;
     for (std::size_t i = 0; i < outline.size(); ++i) {
@@ -56,7 +57,7 @@ Result<Quantity> areaOf(const Polyline<2>& outline, bool isInMm)
     return Quantity{0.5 * std::abs(twice), isInMm ? 1 : 0, isInMm ? "mm²" : "px²"};
 }
 
-Message basisSentence(const MeasuredImage& measured, MeasurementKind kind)
+Message basisSentence(const ImageMeasurementResult& measured, MeasurementKind kind)
 {
     const ImageScale& scale = measured.scale;
     const Quantity pixel{std::sqrt(scale.unitsPerPx.prod()), 3, "mm"};
@@ -69,7 +70,7 @@ Message basisSentence(const MeasuredImage& measured, MeasurementKind kind)
         case MeasurementPlane::Detector:
             return messages::measureBasisDetector(pixel);
         case MeasurementPlane::Typed:
-            return messages::measureBasisTyped(pixel);
+            return messages::measureBasisEntered(pixel);
         case MeasurementPlane::Pixels:
             break;
     }
@@ -77,14 +78,14 @@ Message basisSentence(const MeasuredImage& measured, MeasurementKind kind)
 }
 
 /// Adds notes on the uncertainty of the vessel depth from which the length was computed.
-void addDepthDoubt(Messages& basis, const ImageScale& scale, const RegistrationResult* result)
+void addDepthUncertainty(Messages& basis, const ImageScale& scale, const RegistrationResult* result)
 {
     if (!result) {
         basis.push_back(messages::measureDepthUnchecked());
         return;
     }
     if (!result->trustworthy) {
-        basis.push_back(messages::measurePoseDoubtful());
+        basis.push_back(messages::measurePoseUnreliable());
     }
     const double spreadMm = result->uncertainty.depthMm;
     if (std::isfinite(spreadMm) && spreadMm > 0.0) {
@@ -123,7 +124,7 @@ Result<Quantity> valueOf(const ImageMeasurement& measurement, const ImageScale& 
     return Quantity{polylineLength<2>(points), 1, scale.isInMm() ? "mm" : "px"};
 }
 
-Result<MeasuredImage> measureImage(const ImageMeasurement& measurement, const MeasuredView& seen)
+Result<ImageMeasurementResult> measureImage(const ImageMeasurement& measurement, const MeasuredView& seen)
 {
     const auto scale = imageScaleOf(seen, measurement.plane);
     if (!scale) {
@@ -133,16 +134,16 @@ Result<MeasuredImage> measureImage(const ImageMeasurement& measurement, const Me
     if (!value) {
         return value.error();
     }
-    return MeasuredImage{value.value(), scale.value()};
+    return ImageMeasurementResult{value.value(), scale.value()};
 }
 
-Message labelOf(const MeasuredImage& measured, MeasurementKind kind)
+Message labelOf(const ImageMeasurementResult& measured, MeasurementKind kind)
 {
     if (kind == MeasurementKind::Angle || !measured.scale.isInMm()) {
         return messages::measuredPlain(measured.value);
     }
     if (measured.scale.plane == MeasurementPlane::Typed) {
-        return messages::measuredByTyped(measured.value);
+        return messages::measuredWithEnteredScale(measured.value);
     }
     const Message label = measured.scale.plane == MeasurementPlane::Vessels
                               ? messages::measuredAtVessels(measured.value)
@@ -150,7 +151,7 @@ Message labelOf(const MeasuredImage& measured, MeasurementKind kind)
     return measured.scale.origin == Origin::Assumed ? messages::measuredAssumed(label) : label;
 }
 
-Messages basisOf(const MeasuredImage& measured, MeasurementKind kind, const MeasuredView& seen)
+Messages basisOf(const ImageMeasurementResult& measured, MeasurementKind kind, const MeasuredView& seen)
 {
     Messages basis{basisSentence(measured, kind)};
     if (kind == MeasurementKind::Angle) {
@@ -163,10 +164,10 @@ Messages basisOf(const MeasuredImage& measured, MeasurementKind kind, const Meas
         basis.push_back(messages::measureScaleAssumed());
     } else if (measured.scale.isInMm() && measured.scale.origin == Origin::User &&
                measured.scale.plane != MeasurementPlane::Typed) {
-        basis.push_back(messages::measureScaleTyped());
+        basis.push_back(messages::measureScaleEntered());
     }
     if (measured.scale.plane == MeasurementPlane::Vessels) {
-        addDepthDoubt(basis, measured.scale, seen.result());
+        addDepthUncertainty(basis, measured.scale, seen.result());
     }
     return basis;
 }
@@ -192,7 +193,7 @@ Messages basisOf(const SliceMeasurement& measurement, const VolumeGeometry* scan
         basis.push_back(messages::measureBasisScan(Quantity{mm.x(), 3, "mm"}, Quantity{mm.y(), 3, "mm"},
                                                    Quantity{mm.z(), 3, "mm"}));
     } else {
-        basis.push_back(messages::measureBasisScanAway());
+        basis.push_back(messages::measureBasisScanNotOpen());
     }
     if (measurement.kind == MeasurementKind::Angle) {
         basis.push_back(messages::measureBasisScanAngle());
@@ -200,14 +201,14 @@ Messages basisOf(const SliceMeasurement& measurement, const VolumeGeometry* scan
     return basis;
 }
 
-double sliceAtMm(const SliceMeasurement& measurement)
+double slicePositionMm(const SliceMeasurement& measurement)
 {
     return measurement.pointsInPatient.empty()
                ? 0.0
                : measurement.pointsInPatient.front().dot(axesOf(measurement.plane).normal);
 }
 
-Eigen::Vector3d middleOf(const SliceMeasurement& measurement)
+Eigen::Vector3d centerOf(const SliceMeasurement& measurement)
 {
     if (measurement.pointsInPatient.empty()) {
         return Eigen::Vector3d::Zero();

@@ -7,7 +7,7 @@
 namespace angiopose::core {
 
 /// Value of a measurement and the scale used for it.
-struct MeasuredImage {
+struct ImageMeasurementResult {
     Quantity value;   ///< in mm, mm², px, px² or °
     ImageScale scale;
 };
@@ -21,13 +21,13 @@ std::size_t minPoints(MeasurementKind kind);
 Result<Quantity> valueOf(const ImageMeasurement& measurement, const ImageScale& scale);
 
 /// Does the same with the scale of the view in the measurement's plane.
-Result<MeasuredImage> measureImage(const ImageMeasurement& measurement, const MeasuredView& seen);
+Result<ImageMeasurementResult> measureImage(const ImageMeasurement& measurement, const MeasuredView& seen);
 
 /// Returns the label next to the drawing: the value, the plane, and whether the scale is assumed.
-Message labelOf(const MeasuredImage& measured, MeasurementKind kind);
+Message labelOf(const ImageMeasurementResult& measured, MeasurementKind kind);
 
 /// Returns what the value is based on, followed by its limitations, one sentence each.
-Messages basisOf(const MeasuredImage& measured, MeasurementKind kind, const MeasuredView& seen);
+Messages basisOf(const ImageMeasurementResult& measured, MeasurementKind kind, const MeasuredView& seen);
 
 /// Returns the length along the points, the angle (0°…180°) at the second point, or the area inside the closed outline,
 /// in the plane of the slice: mm, ° or mm². Fails with a reason on invalid points, as valueOf for an image does.
@@ -37,9 +37,9 @@ Result<Quantity> valueOf(const SliceMeasurement& measurement);
 Messages basisOf(const SliceMeasurement& measurement, const VolumeGeometry* scan);
 
 /// Returns the position of the slice along its normal, mm.
-double sliceAtMm(const SliceMeasurement& measurement);
+double slicePositionMm(const SliceMeasurement& measurement);
 
 /// Returns the center of the bounding box of the measurement's points.
-Eigen::Vector3d middleOf(const SliceMeasurement& measurement);
+Eigen::Vector3d centerOf(const SliceMeasurement& measurement);
 
 }   // namespace angiopose::core

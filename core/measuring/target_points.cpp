@@ -14,7 +14,7 @@ namespace angiopose::core {
 namespace {
 
 constexpr double minAngleDeg = 10.0;   // below this angle, one pixel in the image is 6 pixels along the ray
-constexpr int refinements = 10;
+constexpr int refinementIterations = 10;
 
 /// A ray from the X-ray source, in patient coordinates.
 struct Ray {
@@ -22,19 +22,19 @@ struct Ray {
     Eigen::Vector3d direction;   ///< unit vector
 };
 
-Ray rayOf(const PointedPixel& seen)
+Ray rayOf(const MarkedPixel& seen)
 {
     const RigidTransform patientFromCamera = seen.sight.cameraFromPatient.inverse();
     return {patientFromCamera.translation,
-            patientFromCamera.rotation * rayThroughPixel(seen.sight.camera, seen.seenPx)};
+            patientFromCamera.rotation * rayThroughPixel(seen.sight.camera, seen.markedPx)};
 }
 
-Eigen::Matrix3d acrossRay(const Ray& ray)
+Eigen::Matrix3d rayNormalProjector(const Ray& ray)
 {
     return Eigen::Matrix3d::Identity() - ray.direction * ray.direction.transpose();
 }
 
-double widestAngleDeg(const std::vector<Ray>& rays)
+double maxAngleDeg(const std::vector<Ray>& rays)
 {
     double widest = 0.0;
     for (std::size_t i = 0; i < rays.size(); ++i) {
@@ -47,24 +47,24 @@ double widestAngleDeg(const std::vector<Ray>& rays)
 }
 
 /// Returns the point with the smallest sum of squared distances to the rays.
-Eigen::Vector3d nearestToRays(const std::vector<Ray>& rays)
+Eigen::Vector3d nearestPointToRays(const std::vector<Ray>& rays)
 {
     Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(3, 3);
     Eigen::MatrixXd right = Eigen::MatrixXd::Zero(3, 1);
     for (const Ray& ray : rays) {
-        normal += acrossRay(ray);
-        right += acrossRay(ray) * ray.source;
+        normal += rayNormalProjector(ray);
+        right += rayNormalProjector(ray) * ray.source;
     }
     return solveSymmetric(normal, right);
 }
 
 /// Refines by Gauss–Newton on the pixels; returns the point unchanged if it does not project into one of the images.
-Eigen::Vector3d refined(std::span<const PointedPixel> seen, Eigen::Vector3d point)
+Eigen::Vector3d refinePoint(std::span<const MarkedPixel> seen, Eigen::Vector3d point)
 {
-    for (int k = 0; k < refinements; ++k) {
+    for (int k = 0; k < refinementIterations; ++k) {
         Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(3, 3);
         Eigen::MatrixXd right = Eigen::MatrixXd::Zero(3, 1);
-        for (const PointedPixel& each : seen) {
+        for (const MarkedPixel& each : seen) {
             const Eigen::Vector3d inCamera = each.sight.cameraFromPatient * point;
             const auto pixel = project(each.sight.camera, inCamera);
             if (!pixel) {
@@ -73,7 +73,7 @@ Eigen::Vector3d refined(std::span<const PointedPixel> seen, Eigen::Vector3d poin
             const Eigen::Matrix<double, 2, 3> jacobian =
                 projectionJacobian(each.sight.camera, inCamera) * each.sight.cameraFromPatient.rotation;
             normal += jacobian.transpose() * jacobian;
-            right += jacobian.transpose() * (each.seenPx - *pixel);
+            right += jacobian.transpose() * (each.markedPx - *pixel);
         }
         point += solveSymmetric(normal, right);
     }
@@ -81,16 +81,16 @@ Eigen::Vector3d refined(std::span<const PointedPixel> seen, Eigen::Vector3d poin
 }
 
 /// Returns the millimeters per pixel, along u and v, in the plane parallel to the detector at this depth.
-Eigen::Vector2d mmPerPixel(const ProjectionCamera& camera, double depthMm)
+Eigen::Vector2d pixelSizeMm(const ProjectionCamera& camera, double depthMm)
 {
     return {depthMm / std::abs(camera.fx), depthMm / std::abs(camera.fy)};
 }
 
 /// Returns the marked position in the view's current frame, or else the first one; null if there is none.
-const Sighting* sightingOf(const View& view, int markId)
+const TargetObservation* observationOf(const View& view, int markId)
 {
-    const Sighting* found = nullptr;
-    for (const Sighting& each : view.sightings) {
+    const TargetObservation* found = nullptr;
+    for (const TargetObservation& each : view.observations) {
         if (each.markId == markId && (!found || each.frame == view.frame)) {
             found = &each;
         }
@@ -98,22 +98,22 @@ const Sighting* sightingOf(const View& view, int markId)
     return found;
 }
 
-std::optional<double> errorDeformed(const View& view, const Vessels& vessels, const Sight& sight,
-                                    const VesselMark& mark, const Sighting& seen)
+std::optional<double> deformedErrorMm(const View& view, const Vessels& vessels, const PosedCamera& sight,
+                                      const VesselMark& mark, const TargetObservation& seen)
 {
     const auto deformation = knownDeformation(view, vessels, sight.cameraFromPatient);
     if (!deformation) {
         return std::nullopt;
     }
     const VesselTree deformed = deformedTreeAt(*vessels.tree, *deformation, sight.cameraFromPatient);
-    const auto error = imageError(sight, movedWith(*vessels.tree, deformed, mark).pointInPatient, seen.pixel);
+    const auto error = imageError(sight, moveWithVessels(*vessels.tree, deformed, mark).pointInPatient, seen.pixel);
     return error ? std::optional(error.value().mm) : std::nullopt;
 }
 
-CheckedView checkedView(const View& view, const Vessels& vessels, const RigidTransform& pose, const VesselMark& mark,
-                        const Sighting& seen)
+TargetPointViewResult evaluateInView(const View& view, const Vessels& vessels, const RigidTransform& pose,
+                                     const VesselMark& mark, const TargetObservation& seen)
 {
-    CheckedView checked{0, seen.frame, Error(messages::checkNotSeen()), {}, {}};
+    TargetPointViewResult checked{0, seen.frame, Error(messages::checkNotMarked()), {}, {}};
     const auto camera = cameraOf(view);
     if (!camera) {
         checked.error = camera.error();
@@ -123,17 +123,17 @@ CheckedView checkedView(const View& view, const Vessels& vessels, const RigidTra
         checked.error = Error(messages::checkOtherFrame(seen.frame + 1, view.frame + 1));
         return checked;
     }
-    const Sight sight{camera.value(), pose};
+    const PosedCamera sight{camera.value(), pose};
     checked.error = imageError(sight, mark.pointInPatient, seen.pixel);
-    checked.deformedMm = errorDeformed(view, vessels, sight, mark, seen);
+    checked.deformedMm = deformedErrorMm(view, vessels, sight, mark, seen);
     const bool isFound = view.result && view.result->cameraFromPatient.matrix() == pose.matrix();
     if (isFound && vessels.tree) {
-        checked.claimed = claimedError(*view.result, *vessels.tree, camera.value(), mark.pointInPatient);
+        checked.predicted = predictError(*view.result, *vessels.tree, camera.value(), mark.pointInPatient);
     }
     return checked;
 }
 
-std::string listed(const std::vector<std::size_t>& views)
+std::string joinedViewNumbers(const std::vector<std::size_t>& views)
 {
     std::string text;
     for (const std::size_t view : views) {
@@ -142,42 +142,44 @@ std::string listed(const std::vector<std::size_t>& views)
     return text;
 }
 
-CheckedPoint checkedPoint(const Case& session, const VesselMark& mark, const PoseOfView& poseOf)
+TargetPointResult evaluateTargetPoint(const Case& session, const VesselMark& mark, const PoseOfView& poseOf)
 {
-    CheckedPoint checked{mark, {}, Error(messages::checkNeedsTwoViews()), {}, {}};
-    std::vector<PointedPixel> rays;
+    TargetPointResult checked{mark, {}, Error(messages::checkNeedsTwoViews()), {}, {}};
+    std::vector<MarkedPixel> rays;
     for (std::size_t place = 0; place < session.views.size(); ++place) {
         const View& view = session.views[place];
-        const Sighting* seen = view.angiogram ? sightingOf(view, mark.id) : nullptr;
+        const TargetObservation* seen = view.angiogram ? observationOf(view, mark.id) : nullptr;
         if (!seen) {
             continue;
         }
         const RigidTransform pose = poseOf(place);
-        CheckedView& reported = checked.views.emplace_back(checkedView(view, session.vessels, pose, mark, *seen));
+        TargetPointViewResult& reported =
+            checked.views.emplace_back(evaluateInView(view, session.vessels, pose, mark, *seen));
         reported.view = place;
         if (!reported.error) {
             continue;
         }
         rays.push_back({{cameraOf(view).value(), pose}, seen->pixel});
-        checked.meetingViews.push_back(place);
-        if (reported.claimed) {
-            const double claimed = reported.claimed->spaceMm;
-            checked.claimedSpaceMm = std::min(claimed, checked.claimedSpaceMm.value_or(claimed));
+        checked.triangulationViews.push_back(place);
+        if (reported.predicted) {
+            const double predicted = reported.predicted->spaceMm;
+            checked.predictedSpaceMm = std::min(predicted, checked.predictedSpaceMm.value_or(predicted));
         }
     }
-    checked.meeting = meetingPoint(rays);
+    checked.triangulated = triangulate(rays);
     return checked;
 }
 
-Message offBy(double mm, const std::optional<double>& claimedMm)
+Message errorLabel(double mm, const std::optional<double>& predictedMm)
 {
     const Quantity off = inMm(mm, 1);
-    return claimedMm ? messages::checkLabelClaimed(off, inMm(*claimedMm, 1)) : messages::checkLabel(off);
+    return predictedMm ? messages::checkLabelPredicted(off, inMm(*predictedMm, 1)) : messages::checkLabel(off);
 }
 
 }   // namespace
 
-Result<ImageError> imageError(const Sight& sight, const Eigen::Vector3d& pointInPatient, const Eigen::Vector2d& seenPx)
+Result<ImageError> imageError(const PosedCamera& sight, const Eigen::Vector3d& pointInPatient,
+                              const Eigen::Vector2d& markedPx)
 {
     if (const auto problem = findProblem(sight.camera)) {
         return Error(*problem);
@@ -187,89 +189,92 @@ Result<ImageError> imageError(const Sight& sight, const Eigen::Vector3d& pointIn
     if (!expected) {
         return Error(messages::checkBehindSource());
     }
-    const Eigen::Vector2d pixelMm = mmPerPixel(sight.camera, inCamera.z());
-    const Eigen::Vector2d apart = seenPx - *expected;
+    const Eigen::Vector2d pixelMm = pixelSizeMm(sight.camera, inCamera.z());
+    const Eigen::Vector2d apart = markedPx - *expected;
     return ImageError{
-        *expected, seenPx, apart.norm(), apart.cwiseProduct(pixelMm).norm(), inCamera.z(), std::sqrt(pixelMm.prod())};
+        *expected, markedPx, apart.norm(), apart.cwiseProduct(pixelMm).norm(), inCamera.z(), std::sqrt(pixelMm.prod())};
 }
 
-Eigen::Matrix3d placeCovariance(const Matrix6d& poseCovariance, const Eigen::Vector3d& armInCamera)
+Eigen::Matrix3d pointCovariance(const Matrix6d& poseCovariance, const Eigen::Vector3d& leverArmInCamera)
 {
     Eigen::Matrix<double, 3, 6> shift;   // displacement of the point, ω × a + δ, as a matrix
-    shift << -skew(armInCamera), Eigen::Matrix3d::Identity();
+    shift << -skew(leverArmInCamera), Eigen::Matrix3d::Identity();
     return shift * poseCovariance * shift.transpose();
 }
 
-ClaimedError claimedError(const RegistrationResult& result, const VesselTree& tree, const ProjectionCamera& camera,
-                          const Eigen::Vector3d& pointInPatient)
+PredictedError predictError(const RegistrationResult& result, const VesselTree& tree, const ProjectionCamera& camera,
+                            const Eigen::Vector3d& pointInPatient)
 {
     const RigidTransform& pose = result.cameraFromPatient;
     const Eigen::Vector3d arm = pose.rotation * (pointInPatient - centroidInPatient(tree));
     const Eigen::Vector3d inCamera = pose * pointInPatient;
     const PoseUncertainty& uncertainty = result.uncertainty;
-    ClaimedError claimed{0.0, std::sqrt(std::max(0.0, placeCovariance(uncertainty.covariance, arm).trace()))};
+    PredictedError predicted{0.0, std::sqrt(std::max(0.0, pointCovariance(uncertainty.covariance, arm).trace()))};
     if (inCamera.z() >= minProjectableDepthMm) {
         const Eigen::Matrix<double, 2, 3> inPlane =
-            mmPerPixel(camera, inCamera.z()).asDiagonal() * projectionJacobian(camera, inCamera);
+            pixelSizeMm(camera, inCamera.z()).asDiagonal() * projectionJacobian(camera, inCamera);
         const Eigen::Matrix2d across =
-            inPlane * placeCovariance(uncertainty.imageCovariance, arm) * inPlane.transpose();
-        claimed.inPlaneMm = std::sqrt(std::max(0.0, across.trace()));
+            inPlane * pointCovariance(uncertainty.imageCovariance, arm) * inPlane.transpose();
+        predicted.inPlaneMm = std::sqrt(std::max(0.0, across.trace()));
     }
-    return claimed;
+    return predicted;
 }
 
-Result<MeetingPoint> meetingPoint(std::span<const PointedPixel> seen)
+Result<TriangulatedPoint> triangulate(std::span<const MarkedPixel> seen)
 {
     if (seen.size() < 2) {
         return Error(messages::checkNeedsTwoViews());
     }
     std::vector<Ray> rays;
-    for (const PointedPixel& each : seen) {
+    for (const MarkedPixel& each : seen) {
         if (const auto problem = findProblem(each.sight.camera)) {
             return Error(*problem);
         }
         rays.push_back(rayOf(each));
     }
-    MeetingPoint meeting;
-    meeting.angleDeg = widestAngleDeg(rays);
-    if (!(meeting.angleDeg >= minAngleDeg)) {
-        return Error(messages::checkRaysAlike(Quantity{meeting.angleDeg, 1, "°"}));
+    TriangulatedPoint triangulated;
+    triangulated.angleDeg = maxAngleDeg(rays);
+    if (!(triangulated.angleDeg >= minAngleDeg)) {
+        return Error(messages::checkRaysNearlyParallel(Quantity{triangulated.angleDeg, 1, "°"}));
     }
-    meeting.pointInPatient = refined(seen, nearestToRays(rays));
+    triangulated.pointInPatient = refinePoint(seen, nearestPointToRays(rays));
     for (const Ray& ray : rays) {
-        meeting.raysApartMm =
-            std::max(meeting.raysApartMm, (acrossRay(ray) * (meeting.pointInPatient - ray.source)).norm());
+        triangulated.maxRayDistanceMm =
+            std::max(triangulated.maxRayDistanceMm,
+                     (rayNormalProjector(ray) * (triangulated.pointInPatient - ray.source)).norm());
     }
-    return meeting;
+    return triangulated;
 }
 
-std::vector<CheckedPoint> checkedPoints(const Case& session, const PoseOfView& poseOf)
+std::vector<TargetPointResult> evaluateTargetPoints(const Case& session, const PoseOfView& poseOf)
 {
-    std::vector<CheckedPoint> checked;
+    std::vector<TargetPointResult> checked;
     for (const VesselMark& mark : session.vessels.marks) {
         if (mark.kind == VesselMarkKind::TargetPoint) {
-            checked.push_back(checkedPoint(session, mark, poseOf));
+            checked.push_back(evaluateTargetPoint(session, mark, poseOf));
         }
     }
     return checked;
 }
 
-std::vector<CheckedPoint> checkedPoints(const Case& session)
+std::vector<TargetPointResult> evaluateTargetPoints(const Case& session)
 {
-    return checkedPoints(session, [&session](std::size_t view) { return session.views[view].cameraFromPatient; });
+    return evaluateTargetPoints(session,
+                                [&session](std::size_t view) { return session.views[view].cameraFromPatient; });
 }
 
-std::optional<Message> labelOf(const CheckedPoint& checked, std::size_t shownView)
+std::optional<Message> labelOf(const TargetPointResult& checked, std::size_t shownView)
 {
-    const auto shown = std::ranges::find(checked.views, shownView, &CheckedView::view);
+    const auto shown = std::ranges::find(checked.views, shownView, &TargetPointViewResult::view);
     if (shown != checked.views.end() && shown->error) {
-        const std::optional<double> claimed = shown->claimed ? std::optional(shown->claimed->inPlaneMm) : std::nullopt;
-        return offBy(shown->error.value().mm, claimed);
+        const std::optional<double> predicted =
+            shown->predicted ? std::optional(shown->predicted->inPlaneMm) : std::nullopt;
+        return errorLabel(shown->error.value().mm, predicted);
     }
-    return checked.meeting ? std::optional(offBy(checked.spaceMm(), checked.claimedSpaceMm)) : std::nullopt;
+    return checked.triangulated ? std::optional(errorLabel(checked.spaceMm(), checked.predictedSpaceMm)) : std::nullopt;
 }
 
-Messages sentencesOf(const CheckedView& checked)
+Messages sentencesOf(const TargetPointViewResult& checked)
 {
     if (!checked.error) {
         return {checked.error.error().message};
@@ -277,27 +282,28 @@ Messages sentencesOf(const CheckedView& checked)
     const ImageError& error = checked.error.value();
     Messages sentences{messages::checkImageError(inMm(error.depthMm, 0), inMm(error.mm, 2), Quantity{error.px, 1, "px"},
                                                  inMm(error.mmPerPx, 2)),
-                       checked.claimed ? messages::checkClaimed(inMm(checked.claimed->inPlaneMm, 2))
-                                       : messages::checkNothingClaimed()};
+                       checked.predicted ? messages::checkPredicted(inMm(checked.predicted->inPlaneMm, 2))
+                                         : messages::checkNothingPredicted()};
     if (checked.deformedMm) {
         sentences.push_back(messages::checkDeformed(inMm(*checked.deformedMm, 2)));
     }
     return sentences;
 }
 
-Messages spaceSentences(const CheckedPoint& checked)
+Messages spaceErrorMessages(const TargetPointResult& checked)
 {
     if (checked.views.empty()) {
-        return {messages::checkNotSeen()};
+        return {messages::checkNotMarked()};
     }
-    if (!checked.meeting) {
-        return {checked.meeting.error().message};
+    if (!checked.triangulated) {
+        return {checked.triangulated.error().message};
     }
-    const MeetingPoint& meeting = checked.meeting.value();
-    Messages sentences{messages::checkSpaceError(listed(checked.meetingViews), Quantity{meeting.angleDeg, 0, "°"},
-                                                 inMm(checked.spaceMm(), 2), inMm(meeting.raysApartMm, 2))};
-    if (checked.claimedSpaceMm) {
-        sentences.push_back(messages::checkClaimed(inMm(*checked.claimedSpaceMm, 2)));
+    const TriangulatedPoint& triangulated = checked.triangulated.value();
+    Messages sentences{messages::checkSpaceError(joinedViewNumbers(checked.triangulationViews),
+                                                 Quantity{triangulated.angleDeg, 0, "°"}, inMm(checked.spaceMm(), 2),
+                                                 inMm(triangulated.maxRayDistanceMm, 2))};
+    if (checked.predictedSpaceMm) {
+        sentences.push_back(messages::checkPredicted(inMm(*checked.predictedSpaceMm, 2)));
     }
     return sentences;
 }

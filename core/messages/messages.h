@@ -6,7 +6,7 @@
 /// messages.def; a new message needs a line there and its translations.
 namespace angiopose::core::messages {
 
-#define MESSAGE(name, id, english) inline constexpr MessageKind<placesIn(english)> name{{id, english}};
+#define MESSAGE(name, id, english) inline constexpr MessageKind<placeholderCount(english)> name{{id, english}};
 #include "core/messages/messages.def"
 #undef MESSAGE
 

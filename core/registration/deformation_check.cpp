@@ -40,15 +40,15 @@ double foundShare(const Alignment& alignment, const CentroidPose& pose)
 /// Whether deformation alone explains a warning about a rigid fit.
 bool isExplained(const Message& reason)
 {
-    return reason.is(messages::trustLittleAgreement) || reason.is(messages::trustBetterAside) ||
-           reason.is(messages::trustPoseUncertain);
+    return reason.is(messages::agreementTooLow) || reason.is(messages::betterFitNearby) ||
+           reason.is(messages::poseUncertain);
 }
 
 /// Withdraws the fit warnings that a certain but small deformation explains.
-void withdrawExplained(RigidJudgement judgement)
+void withdrawExplained(RigidAssessment assessment)
 {
-    if (std::erase_if(judgement.warnings, isExplained) > 0) {
-        judgement.trustworthy = std::ranges::none_of(judgement.warnings, speaksAgainstTrust);
+    if (std::erase_if(assessment.warnings, isExplained) > 0) {
+        assessment.trustworthy = std::ranges::none_of(assessment.warnings, lowersConfidence);
     }
 }
 
@@ -60,7 +60,7 @@ std::string nameOrNumber(const VesselTree& tree, int branchId)
 }
 
 /// Returns a message about the error of the rigid overlay, worded according to how certain the deformation is.
-Message offWords(const DeformableResult& deformed, const VesselTree& tree)
+Message overlayErrorMessage(const DeformableResult& deformed, const VesselTree& tree)
 {
     const Quantity mean = inMm(deformed.rigid.meanMm, 1);
     const Quantity farthest = inMm(deformed.rigid.farthestMm, 1);
@@ -71,19 +71,19 @@ Message offWords(const DeformableResult& deformed, const VesselTree& tree)
 
 /// Lowers the confidence if the rigid overlay is too far off; withdraws the warnings that a small deformation explains.
 /// Always reports the overlay error, first among the warnings if it is certain.
-void tellDeformation(const DeformableResult& deformed, const VesselTree& tree, RigidJudgement judgement)
+void reportDeformation(const DeformableResult& deformed, const VesselTree& tree, RigidAssessment assessment)
 {
-    const bool isOff = putsOverlayOff(deformed);
+    const bool isOff = makesOverlayUnreliable(deformed);
     if (deformed.verdict == DeformationVerdict::Deformed && !isOff) {
-        withdrawExplained(judgement);
+        withdrawExplained(assessment);
     }
-    judgement.trustworthy = judgement.trustworthy && !isOff;
-    Messages said{offWords(deformed, tree).as(isOff ? Severity::Warning : Severity::Note)};
+    assessment.trustworthy = assessment.trustworthy && !isOff;
+    Messages said{overlayErrorMessage(deformed, tree).as(isOff ? Severity::Warning : Severity::Note)};
     std::ranges::copy_if(deformed.messages, std::back_inserter(said),
                          [](const Message& message) { return !message.is(messages::deformationDepthUnknown); });
-    const auto place = isOff && deformed.verdict == DeformationVerdict::Deformed ? judgement.warnings.begin()
-                                                                                 : judgement.warnings.end();
-    judgement.warnings.insert(place, said.begin(), said.end());
+    const auto place = isOff && deformed.verdict == DeformationVerdict::Deformed ? assessment.warnings.begin()
+                                                                                 : assessment.warnings.end();
+    assessment.warnings.insert(place, said.begin(), said.end());
 }
 
 }   // namespace
@@ -97,17 +97,17 @@ DeformableOptions deformationOptions(const RegistrationOptions& options)
     return deformation;
 }
 
-bool putsOverlayOff(const DeformableResult& deformed)
+bool makesOverlayUnreliable(const DeformableResult& deformed)
 {
     return deformed.verdict != DeformationVerdict::Rigid &&
            std::hypot(deformed.rigid.meanMm, deformed.placeStdMm) > maxRigidOffMm;
 }
 
-bool speaksAgainstTrust(const Message& said)
+bool lowersConfidence(const Message& said)
 {
     const std::string_view id = said.id();
-    const bool isKnown = said.is(messages::trustDepthUnknown) || said.is(messages::trustDepthMoved) ||
-                         said.is(messages::trustPartFilled) || said.is(messages::trustFewFilled);
+    const bool isKnown = said.is(messages::depthUndetermined) || said.is(messages::depthChangeUndetermined) ||
+                         said.is(messages::treePartlyOpacified) || said.is(messages::fewBranchesOpacified);
     return (id.starts_with("trust.") && !isKnown) || id.starts_with("frame.") || id.starts_with("views.");
 }
 
@@ -117,12 +117,12 @@ bool looksDeformed(const RigidFit& fit)
     const double depthMm = std::max(minProjectableDepthMm, pose.centroidInCamera.z());
     const Alignment alignment(informativePoints(fit.problem.tree, millimetersPerPixel(fit.problem.camera, depthMm)),
                               fit.problem.camera, fit.target);
-    return likelyOffsetOf(alignment, pose) > minOffsetPx || foundShare(alignment, pose) < minFoundShare;
+    return estimateOffset(alignment, pose) > minOffsetPx || foundShare(alignment, pose) < minFoundShare;
 }
 
-std::shared_ptr<const DeformableResult> judgeByDeformation(std::span<const DeformableView> views,
-                                                           const DeformableOptions& options, RigidJudgement judgement,
-                                                           const IterationObserver& observe)
+std::shared_ptr<const DeformableResult> deformAndAssess(std::span<const DeformableView> views,
+                                                        const DeformableOptions& options, RigidAssessment assessment,
+                                                        const IterationObserver& observe)
 {
     auto deformed = deformVessels(views, options, observe);
     if (!deformed) {
@@ -130,12 +130,12 @@ std::shared_ptr<const DeformableResult> judgeByDeformation(std::span<const Defor
     }
     auto result = std::make_shared<const DeformableResult>(std::move(deformed).value());
     if (result->stopReason == StopReason::StoppedByUser) {   // the check is incomplete, and the fit had looked deformed
-        judgement.trustworthy = false;
-        judgement.warnings.insert(judgement.warnings.begin(), messages::deformationStopped().as(Severity::Warning));
+        assessment.trustworthy = false;
+        assessment.warnings.insert(assessment.warnings.begin(), messages::deformationStopped().as(Severity::Warning));
     } else if (result->verdict != DeformationVerdict::Rigid) {
         const Matrix6d covariance = result->rigid.covariance + result->rigid.step * result->rigid.step.transpose();
-        replaceImageCovariance(judgement.uncertainty, covariance, result->rigid.spreadMm);
-        tellDeformation(*result, views.front().input.tree, judgement);
+        replaceImageCovariance(assessment.uncertainty, covariance, result->rigid.spreadMm);
+        reportDeformation(*result, views.front().input.tree, assessment);
     }
     return result;
 }

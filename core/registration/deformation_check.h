@@ -20,13 +20,13 @@ struct RigidFit {
 bool looksDeformed(const RigidFit& fit);
 
 /// Whether the deformation displaces the vessels so far that the rigid overlay is unreliable.
-bool putsOverlayOff(const DeformableResult& deformed);
+bool makesOverlayUnreliable(const DeformableResult& deformed);
 
 /// Whether a message lowers the confidence regardless of the deformation.
-bool speaksAgainstTrust(const Message& said);
+bool lowersConfidence(const Message& said);
 
 /// Assessment of a rigid pose, to be updated by the deformable registration.
-struct RigidJudgement {
+struct RigidAssessment {
     PoseUncertainty& uncertainty;
     bool& trustworthy;
     Messages& warnings;
@@ -39,8 +39,8 @@ DeformableOptions deformationOptions(const RegistrationOptions& options);
 /// pose, the confidence drops if the overlay is too far off, and messages state which part is displaced, by how much
 /// and how certainly. If stopped early, marks the result as unreliable. Returns null if the vessels cannot be deformed
 /// (target points without curves). For `observe`, see deformVessels.
-std::shared_ptr<const DeformableResult> judgeByDeformation(std::span<const DeformableView> views,
-                                                           const DeformableOptions& options, RigidJudgement judgement,
-                                                           const IterationObserver& observe);
+std::shared_ptr<const DeformableResult> deformAndAssess(std::span<const DeformableView> views,
+                                                        const DeformableOptions& options, RigidAssessment assessment,
+                                                        const IterationObserver& observe);
 
 }   // namespace angiopose::core

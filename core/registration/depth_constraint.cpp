@@ -23,25 +23,25 @@ CentroidPose atDepthOf(const CentroidPose& start, CentroidPose pose)
 
 }   // namespace
 
-std::optional<MethodSolution> withConstrainedDepth(const RegistrationProblem& whole, const RegistrationOptions& options,
-                                                   const MethodSolution& solution, const RegistrationResult& judged)
+std::optional<MethodSolution> constrainDepth(const RegistrationProblem& whole, const RegistrationOptions& options,
+                                             const MethodSolution& solution, const RegistrationResult& assessed)
 {
-    const bool stays = std::abs(depthShiftMm(whole, judged.cameraFromPatient)) < stayedMm;
-    if (judged.uncertainty.observed[5] || whole.freedom.isLocked(PoseAxis::AlongRay) || stays) {
+    const bool stays = std::abs(depthShiftMm(whole, assessed.cameraFromPatient)) < stayedMm;
+    if (assessed.uncertainty.observed[5] || whole.freedom.isLocked(PoseAxis::AlongRay) || stays) {
         return {};
     }
     const bool isPart = std::ranges::count(solution.isOpacified, std::uint8_t{1}) > 0;
-    const RegistrationProblem part = isPart ? partOf(whole, solution.isOpacified) : RegistrationProblem();
+    const RegistrationProblem part = isPart ? restrictedProblem(whole, solution.isOpacified) : RegistrationProblem();
     const RegistrationProblem& problem = isPart ? part : whole;
     const Eigen::Vector3d& centroid = problem.tree.centroid;
     const CentroidPose start = aboutCentroid(problem.start, centroid);
-    const CentroidPose there = atDepthOf(start, aboutCentroid(judged.cameraFromPatient, centroid));
-    const PoseFreedom freedom = problem.freedom.alsoLocking({PoseAxis::AlongRay}, there);
+    const CentroidPose there = atDepthOf(start, aboutCentroid(assessed.cameraFromPatient, centroid));
+    const PoseFreedom freedom = problem.freedom.withLockedAxes({PoseAxis::AlongRay}, there);
     Alignment alignment(alignmentPoints(problem.tree, strideFor(problem.tree.size(), heldPoints)), problem.camera,
                         *solution.targetLines);
     MethodSolution held = solution;
-    held.cameraFromPatient =
-        cameraFromPatient(refine(alignment, startPrior(start, options, freedom), there, heldSchedule).pose, centroid);
+    held.cameraFromPatient = cameraFromPatient(
+        refine(alignment, initialPosePrior(start, options, freedom), there, heldSchedule).pose, centroid);
     held.agreement.reset();
     return held;
 }

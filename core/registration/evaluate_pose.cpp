@@ -2,7 +2,7 @@
 
 #include "core/messages/messages.h"
 #include "core/registration/deformation_check.h"
-#include "core/registration/judging/judge_pose.h"
+#include "core/registration/judging/assess_pose.h"
 
 #include <algorithm>
 
@@ -14,17 +14,17 @@ constexpr double mostlyExplained = 0.5;
 
 /// Withdraws the single-path warning unless the pose explains the image: at a wrong pose, even a fully opacified tree
 /// seems to match only a few vessels.
-void withdrawSinglePath(RegistrationResult& judged)
+void withdrawSinglePath(RegistrationResult& assessed)
 {
-    const FitSigns& signs = judged.signs;
-    const bool explains = signs.settlingMm <= settledMm && judged.metrics.coverage >= mostlyExplained;
-    const auto withdrawn = explains ? 0 : std::erase_if(judged.warnings, [](const Message& said) {
-        return said.is(messages::trustSinglePath);
+    const FitIndicators& indicators = assessed.indicators;
+    const bool explains = indicators.refinementMm <= settledMm && assessed.metrics.coverage >= mostlyExplained;
+    const auto withdrawn = explains ? 0 : std::erase_if(assessed.warnings, [](const Message& said) {
+        return said.is(messages::singlePathVisible);
     });
-    if (withdrawn > 0 && std::ranges::none_of(judged.warnings, speaksAgainstTrust)) {
-        judged.warnings.insert(judged.warnings.begin(),
-                               messages::trustLittleAgreement(Quantity{100.0 * signs.treeShare, 0, "%"},
-                                                              Quantity{100.0 * judged.metrics.coverage, 0, "%"}));
+    if (withdrawn > 0 && std::ranges::none_of(assessed.warnings, lowersConfidence)) {
+        assessed.warnings.insert(assessed.warnings.begin(),
+                                 messages::agreementTooLow(Quantity{100.0 * indicators.treeShare, 0, "%"},
+                                                           Quantity{100.0 * assessed.metrics.coverage, 0, "%"}));
     }
 }
 
@@ -33,7 +33,7 @@ void withdrawSinglePath(RegistrationResult& judged)
 Result<RegistrationResult> evaluatePose(const RegistrationInput& input, const RigidTransform& cameraFromPatient)
 {
     if (!isRigid(cameraFromPatient)) {
-        return Error(messages::judgedPoseNotRigid());
+        return Error(messages::evaluatedPoseNotRigid());
     }
     const RegistrationOptions options;
     const Result<RegistrationProblem> problem = makeProblem(input, options);
@@ -43,9 +43,9 @@ Result<RegistrationResult> evaluatePose(const RegistrationInput& input, const Ri
     MethodSolution solution;
     solution.cameraFromPatient = cameraFromPatient;
     solution.stopReason = StopReason::Converged;
-    RegistrationResult judged = judgePose(problem.value(), options, solution);
-    withdrawSinglePath(judged);
-    return judged;
+    RegistrationResult assessed = assessPose(problem.value(), options, solution);
+    withdrawSinglePath(assessed);
+    return assessed;
 }
 
 }   // namespace angiopose::core

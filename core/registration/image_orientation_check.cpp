@@ -13,19 +13,20 @@ namespace {
 // Thresholds measured on synthetic trees (wrong_geometry_table --family development).
 constexpr double minBetter = 0.15;   // required gain in agreement of another orientation hypothesis
 constexpr double minConvincing = 0.45;
-constexpr double middlingAgreement = 0.5;   // a reliable fit of many branches with higher agreement is not questioned
+constexpr double maxQuestionedAgreement =
+    0.5;   // a reliable fit of many branches with higher agreement is not questioned
 constexpr std::size_t fewBranches = 6;
 constexpr double asWell = 0.9;
 
 /// Hypothesis about the stored orientation of an image relative to its camera: mirrored left to right, then rotated by
 /// multiples of 90°.
-struct FrameReading {
+struct ImageOrientation {
     bool isMirrored = false;
     int quarterTurns = 0;   ///< rotations by 90° about the camera's z axis
 };
 
 /// Returns the problem for this orientation: keeps the image and changes its camera and the initial pose.
-RegistrationProblem readAs(const FrameReading& reading, const RegistrationProblem& problem)
+RegistrationProblem withOrientation(const ImageOrientation& reading, const RegistrationProblem& problem)
 {
     RegistrationProblem other = problem;
     if (reading.isMirrored) {
@@ -38,7 +39,7 @@ RegistrationProblem readAs(const FrameReading& reading, const RegistrationProble
 }
 
 /// Returns the problem for a device that reports its angles relative to the table.
-RegistrationProblem readAs(const TableReading& reading, const RegistrationProblem& problem)
+RegistrationProblem withOrientation(const TableAngles& reading, const RegistrationProblem& problem)
 {
     RegistrationProblem other = problem;
     const Eigen::Vector3d& pivot = problem.wholeTreeCentroid;
@@ -52,11 +53,11 @@ double agreementOf(const RegistrationProblem& problem, const RegistrationOptions
 {
     const TargetLines lines(problem.target, problem.camera);
     const CentroidPose start = aboutCentroid(problem.start, problem.tree.centroid);
-    PoseRanking ranking(problem, lines, startPrior(start, options));
+    PoseRanking ranking(problem, lines, initialPosePrior(start, options));
     ranking.add(start);
     if (!ranking.isConclusive()) {
-        for (const CentroidPose& hypothesis : PoseSearch(problem, lines, options).nearby(start, observe)) {
-            if (observe(1.0) == Verdict::Stop) {
+        for (const CentroidPose& hypothesis : PoseSearch(problem, lines, options).searchNearby(start, observe)) {
+            if (observe(1.0) == ObserverDecision::Stop) {
                 return 0.0;
             }
             ranking.add(hypothesis);
@@ -74,10 +75,11 @@ bool isClockwise(int quarterTurns, const ProjectionCamera& camera)
     return (quarterTurns == 1) == (camera.fx * camera.fy > 0.0);
 }
 
-Message wordsOf(const FrameReading& reading, const ProjectionCamera& camera, double agreement, double asItIs)
+Message orientationMessage(const ImageOrientation& reading, const ProjectionCamera& camera, double agreement,
+                           double storedAgreement)
 {
     const Quantity better{100.0 * agreement, 0, "%"};
-    const Quantity plain{100.0 * asItIs, 0, "%"};
+    const Quantity plain{100.0 * storedAgreement, 0, "%"};
     if (reading.isMirrored) {
         return reading.quarterTurns == 0   ? messages::frameMirroredLeftRight(better, plain)
                : reading.quarterTurns == 2 ? messages::frameMirroredUpDown(better, plain)
@@ -90,38 +92,39 @@ Message wordsOf(const FrameReading& reading, const ProjectionCamera& camera, dou
                                                      : messages::frameTurnedAnticlockwise(better, plain);
 }
 
-Message wordsOf(const TableReading& reading, double agreement, double asItIs)
+Message orientationMessage(const TableAngles& reading, double agreement, double storedAgreement)
 {
     const PatientAngles& angles = reading.angles;
-    return messages::frameCountedFromTable(std::string(toText(reading.position)), Quantity{100.0 * agreement, 0, "%"},
-                                           Quantity{100.0 * asItIs, 0, "%"}, Quantity{angles.primaryDeg, 1, "°"},
-                                           Quantity{angles.secondaryDeg, 1, "°"}, Quantity{angles.rollDeg, 1, "°"});
+    return messages::frameAnglesFromTable(std::string(toText(reading.position)), Quantity{100.0 * agreement, 0, "%"},
+                                          Quantity{100.0 * storedAgreement, 0, "%"},
+                                          Quantity{angles.primaryDeg, 1, "°"}, Quantity{angles.secondaryDeg, 1, "°"},
+                                          Quantity{angles.rollDeg, 1, "°"});
 }
 
-std::optional<Message> likelyReading(const RegistrationProblem& problem, const RegistrationOptions& options,
-                                     double asItIs, const SearchObserver& observe)
+std::optional<Message> findLikelyOrientation(const RegistrationProblem& problem, const RegistrationOptions& options,
+                                             double storedAgreement, const SearchObserver& observe)
 {
-    static constexpr std::array readings{FrameReading{true, 0},  FrameReading{true, 2},  FrameReading{false, 1},
-                                         FrameReading{false, 2}, FrameReading{false, 3}, FrameReading{true, 1},
-                                         FrameReading{true, 3}};
-    double best = std::max(minConvincing, asItIs + minBetter);
+    static constexpr std::array readings{
+        ImageOrientation{true, 0},  ImageOrientation{true, 2}, ImageOrientation{false, 1}, ImageOrientation{false, 2},
+        ImageOrientation{false, 3}, ImageOrientation{true, 1}, ImageOrientation{true, 3}};
+    double best = std::max(minConvincing, storedAgreement + minBetter);
     std::optional<Message> likely;
-    if (problem.tableReading) {   // tried first, because the header supports it and a frontal view rotated by 180°
-                                  // looks the same
-        const double agreement = agreementOf(readAs(*problem.tableReading, problem), options, observe);
+    if (problem.tableAngles) {   // tried first, because the header supports it and a frontal view rotated by 180°
+                                 // looks the same
+        const double agreement = agreementOf(withOrientation(*problem.tableAngles, problem), options, observe);
         if (agreement > best) {
             best = agreement;
-            likely = wordsOf(*problem.tableReading, agreement, asItIs);
+            likely = orientationMessage(*problem.tableAngles, agreement, storedAgreement);
         }
     }
-    for (const FrameReading& reading : readings) {
-        if (observe(0.0) == Verdict::Stop) {
+    for (const ImageOrientation& reading : readings) {
+        if (observe(0.0) == ObserverDecision::Stop) {
             return {};
         }
-        const double agreement = agreementOf(readAs(reading, problem), options, observe);
+        const double agreement = agreementOf(withOrientation(reading, problem), options, observe);
         if (agreement > best) {
             best = agreement;
-            likely = wordsOf(reading, problem.camera, agreement, asItIs);
+            likely = orientationMessage(reading, problem.camera, agreement, storedAgreement);
         }
     }
     return likely;
@@ -130,26 +133,28 @@ std::optional<Message> likelyReading(const RegistrationProblem& problem, const R
 }   // namespace
 
 ImageOrientationCheck checkImageOrientation(const RegistrationProblem& problem, const RegistrationOptions& options,
-                                            const MethodSolution& solution, const RegistrationResult& judged,
+                                            const MethodSolution& solution, const RegistrationResult& assessed,
                                             const SearchObserver& observe)
 {
-    if (!options.geometry.otherFrames || !options.angiopose.search || isAnyLocked(options.locks)) {
+    if (!options.geometry.checkOrientation || !options.angiopose.search || isAnyLocked(options.locks)) {
         return {};
     }
-    const CentroidPose pose = aboutCentroid(judged.cameraFromPatient, problem.tree.centroid);
-    const double asItIs =
+    const CentroidPose pose = aboutCentroid(assessed.cameraFromPatient, problem.tree.centroid);
+    const double storedAgreement =
         solution.agreement ? *solution.agreement : AgreementScore(problem, *solution.targetLines).of(pose);
-    if (!judged.trustworthy) {
-        return {likelyReading(problem, options, asItIs, observe), false};
+    if (!assessed.trustworthy) {
+        return {findLikelyOrientation(problem, options, storedAgreement, observe), false};
     }
-    if (asItIs >= middlingAgreement && problem.tree.branchIds.size() >= fewBranches) {
+    if (storedAgreement >= maxQuestionedAgreement && problem.tree.branchIds.size() >= fewBranches) {
         return {};
     }
-    const double mirrored = agreementOf(readAs({true, 0}, problem), options, observe);
-    if (mirrored < asWell * asItIs) {
+    const double mirrored = agreementOf(withOrientation({true, 0}, problem), options, observe);
+    if (mirrored < asWell * storedAgreement) {
         return {};
     }
-    return {messages::frameMirrorRival(Quantity{100.0 * mirrored, 0, "%"}, Quantity{100.0 * asItIs, 0, "%"}), true};
+    return {messages::frameMirroredFitsEqually(Quantity{100.0 * mirrored, 0, "%"},
+                                               Quantity{100.0 * storedAgreement, 0, "%"}),
+            true};
 }
 
 }   // namespace angiopose::core

@@ -11,17 +11,17 @@ SnapshotMetrics metricsOf(const RegistrationResult& result)
     return {metrics.medianPx, metrics.medianMm, metrics.p95Mm, metrics.coverage, result.trustworthy};
 }
 
-std::vector<PoseSnapshot> withSnapshot(std::vector<PoseSnapshot> snapshots, PoseSnapshot added, int keptRuns)
+std::vector<PoseSnapshot> withSnapshot(std::vector<PoseSnapshot> snapshots, PoseSnapshot added, int maxRuns)
 {
     int highest = 0;
-    for (const PoseSnapshot& each : snapshots) {
-        highest = std::max(highest, each.id);
+    for (const PoseSnapshot& snapshot : snapshots) {
+        highest = std::max(highest, snapshot.id);
     }
     added.id = highest + 1;
     snapshots.push_back(std::move(added));
-    auto surplus = std::ranges::count(snapshots, SnapshotKind::Run, &PoseSnapshot::kind) - keptRuns;
-    std::erase_if(snapshots, [&surplus](const PoseSnapshot& each) {   // erases the oldest first
-        return each.kind == SnapshotKind::Run && surplus-- > 0;
+    auto surplus = std::ranges::count(snapshots, SnapshotKind::Run, &PoseSnapshot::kind) - maxRuns;
+    std::erase_if(snapshots, [&surplus](const PoseSnapshot& snapshot) {   // erases the oldest first
+        return snapshot.kind == SnapshotKind::Run && surplus-- > 0;
     });
     return snapshots;
 }

@@ -9,7 +9,7 @@
 namespace angiopose::core {
 
 /// Origin of a snapshot: saved by the user, or created by a registration.
-enum class SnapshotKind { Kept, Run };
+enum class SnapshotKind { Saved, Run };
 
 /// Quality of fit of a snapshot's pose in its frame, computed when the snapshot was taken.
 struct SnapshotMetrics {
@@ -25,7 +25,7 @@ struct SnapshotMetrics {
 /// Saved pose with its method, time, frame and quality of fit.
 struct PoseSnapshot {
     int id = 0;   ///< unique within the case
-    SnapshotKind kind = SnapshotKind::Kept;
+    SnapshotKind kind = SnapshotKind::Saved;
     std::string name;
     std::string author;
     std::string note;
@@ -41,9 +41,9 @@ struct PoseSnapshot {
 /// Returns the metrics of an assessed pose that a snapshot stores.
 SnapshotMetrics metricsOf(const RegistrationResult& result);
 
-/// Appends `added` with a new id. Keeps all snapshots saved by the user, but only the newest `keptRuns` of those
+/// Appends `added` with a new id. Keeps all snapshots saved by the user, but only the newest `maxRuns` of those
 /// created by registrations.
-std::vector<PoseSnapshot> withSnapshot(std::vector<PoseSnapshot> snapshots, PoseSnapshot added, int keptRuns = 20);
+std::vector<PoseSnapshot> withSnapshot(std::vector<PoseSnapshot> snapshots, PoseSnapshot added, int maxRuns = 20);
 
 /// Snapshot with this id, or null.
 const PoseSnapshot* findSnapshot(const std::vector<PoseSnapshot>& snapshots, int id);

@@ -4,13 +4,13 @@
 #include "core/registration/deformation_check.h"
 #include "core/registration/depth_constraint.h"
 #include "core/registration/image_orientation_check.h"
+#include "core/registration/judging/assess_pose.h"
 #include "core/registration/judging/distance_metrics.h"
-#include "core/registration/judging/judge_pose.h"
 #include "core/registration/judging/pose_shift.h"
 #include "core/registration/judging/pose_uncertainty.h"
 #include "core/registration/judging/within_2mm.h"
 #include "core/registration/methods/method.h"
-#include "core/registration/wire/follow_wire.h"
+#include "core/registration/wire/find_wire_path.h"
 #include "core/support/stopwatch.h"
 
 #include <algorithm>
@@ -41,14 +41,14 @@ std::vector<std::string> namesOf(const WirePath& path)
     return names;
 }
 
-Messages reasonsAgainst(const WireFinding& finding, const RegistrationResult& result)
+Messages wireWarnings(const WireResult& finding, const RegistrationResult& result)
 {
     Messages reasons;
     const WirePath& best = finding.paths.front();
     if (best.probability < sureProbability) {
         if (finding.paths.size() > 1 && finding.paths[1].probability >= minReportedProbability) {
             reasons.push_back(
-                messages::wireMayFollow(namesOf(finding.paths[1]), percent(finding.paths[1].probability)));
+                messages::wireAlternativePath(namesOf(finding.paths[1]), percent(finding.paths[1].probability)));
         } else {
             reasons.push_back(messages::wireUnlikely(percent(best.probability)));
         }
@@ -57,31 +57,31 @@ Messages reasonsAgainst(const WireFinding& finding, const RegistrationResult& re
         reasons.push_back(messages::wireOffTree(percent(best.followedShare)));
     }
     if (finding.gapShare > maxGaps) {
-        reasons.push_back(messages::wireInPieces(percent(finding.gapShare)));
+        reasons.push_back(messages::wireFragmented(percent(finding.gapShare)));
     }
-    if (result.signs.expectedErrorMm > maxExpectedErrorMm) {
-        reasons.push_back(messages::trustPoseUncertain(inMm(result.signs.expectedErrorMm, 1)));
+    if (result.indicators.expectedErrorMm > maxExpectedErrorMm) {
+        reasons.push_back(messages::poseUncertain(inMm(result.indicators.expectedErrorMm, 1)));
     }
     if (result.stopReason == StopReason::StoppedByUser) {
-        reasons.push_back(messages::trustStopped());
+        reasons.push_back(messages::registrationStopped());
     }
     return reasons;
 }
 
 /// Measures distances along the best path only, because the rest of the tree is not visible.
-void measureAlongWay(const RegistrationProblem& problem, const WireFinding& finding, RegistrationResult& result)
+void measureAlongPath(const RegistrationProblem& problem, const WireResult& finding, RegistrationResult& result)
 {
     if (std::ranges::count(finding.isFollowed, std::uint8_t{1}) == 0) {
         return;
     }
-    const RegistrationProblem way = partOf(problem, finding.isFollowed);
+    const RegistrationProblem way = restrictedProblem(problem, finding.isFollowed);
     const GridIndex target(problem.target.points);
     result.metrics = distanceMetrics(way, result.cameraFromPatient, projectTree(way, result.cameraFromPatient, target));
 }
 
 /// Replaces the assessment for vessels by one for a wire: distances along the wire's path, a covariance that includes
 /// the uncertainty of the path, confidence, messages and ranked paths.
-void judgeByWire(const RegistrationProblem& problem, const WireFinding& finding, RegistrationResult& result)
+void assessWire(const RegistrationProblem& problem, const WireResult& finding, RegistrationResult& result)
 {
     result.wirePaths = finding.paths;
     result.camera.reset();
@@ -89,50 +89,50 @@ void judgeByWire(const RegistrationProblem& problem, const WireFinding& finding,
     if (finding.paths.empty()) {
         result.trustworthy = false;
         result.warnings.insert(result.warnings.begin(), result.stopReason == StopReason::StoppedByUser
-                                                            ? messages::trustStopped()
-                                                            : messages::wireNowhere());
+                                                            ? messages::registrationStopped()
+                                                            : messages::wireNoMatch());
         return;
     }
     replaceImageCovariance(result.uncertainty, finding.covariance, problem.tree.spreadMm);
     for (int k = 0; k < 6; ++k) {
         const double std = std::sqrt(std::max(0.0, finding.covariance(k, k)));
-        result.uncertainty.observed[static_cast<std::size_t>(k)] = std < observedShare * finding.stdBefore[k];
+        result.uncertainty.observed[static_cast<std::size_t>(k)] = std < observedShare * finding.initialStd[k];
     }
-    result.signs.expectedErrorMm = expectedShiftMm(problem, result.cameraFromPatient, result.uncertainty);
-    measureAlongWay(problem, finding, result);
-    if (!finding.isAskedFor) {
-        result.warnings.push_back(messages::wireFewerWays(std::to_string(finding.paths.size())));
+    result.indicators.expectedErrorMm = expectedShiftMm(problem, result.cameraFromPatient, result.uncertainty);
+    measureAlongPath(problem, finding, result);
+    if (!finding.hasRequestedPath) {
+        result.warnings.push_back(messages::wireFewerPaths(std::to_string(finding.paths.size())));
     }
-    const Messages reasons = reasonsAgainst(finding, result);
+    const Messages reasons = wireWarnings(finding, result);
     result.trustworthy = reasons.empty();
     result.warnings.insert(result.warnings.end(), reasons.begin(), reasons.end());
     if (!result.uncertainty.observed[5]) {
-        result.warnings.push_back(messages::trustDepthUnknown());
+        result.warnings.push_back(messages::depthUndetermined());
     }
     const WirePath& best = finding.paths.front();
     result.warnings.push_back(
-        messages::wireFollows(namesOf(best), percent(best.probability), inMm(best.offAxisMm, 1)).as(Severity::Note));
+        messages::wirePath(namesOf(best), percent(best.probability), inMm(best.offAxisMm, 1)).as(Severity::Note));
 }
 
 // Chosen on synthetic data (DECISIONS D73): gives fewer false alarms and fewer undetected errors than rules alone.
-constexpr double allButSure = 0.99;
-constexpr double oftenFails = 0.8;
+constexpr double nearlyCertain = 0.99;
+constexpr double minReliable = 0.8;
 
 /// Whether a message results from a rule of thumb that the calibrated probability may override. The probability must
 /// not override findings about other poses or image orientations.
 bool isRuleOfThumb(const Message& said)
 {
-    return said.is(messages::trustFilledDoubtful) || said.is(messages::trustLittleAgreement) ||
-           said.is(messages::trustLittleExplained) || said.is(messages::trustBetterAside) ||
-           said.is(messages::trustPoseUncertain);
+    return said.is(messages::opacificationUncertain) || said.is(messages::agreementTooLow) ||
+           said.is(messages::tooLittleExplained) || said.is(messages::betterFitNearby) ||
+           said.is(messages::poseUncertain);
 }
 
-bool onlyRulesOfThumbSpeakAgainst(const RegistrationResult& result)
+bool hasOnlyRuleOfThumbWarnings(const RegistrationResult& result)
 {
-    const bool isOff = result.deformed && putsOverlayOff(*result.deformed);
-    const bool isHeard = std::ranges::any_of(result.warnings, speaksAgainstTrust);
-    return !isOff && isHeard && std::ranges::all_of(result.warnings, [](const Message& said) {
-        return !speaksAgainstTrust(said) || isRuleOfThumb(said);
+    const bool isOff = result.deformed && makesOverlayUnreliable(*result.deformed);
+    const bool hasFindings = std::ranges::any_of(result.warnings, lowersConfidence);
+    return !isOff && hasFindings && std::ranges::all_of(result.warnings, [](const Message& said) {
+        return !lowersConfidence(said) || isRuleOfThumb(said);
     });
 }
 
@@ -144,16 +144,16 @@ void calibrateConfidence(RegistrationResult& result)
 {
     const double probability = overlayProbability(result);
     result.probabilityWithin2Mm = probability;
-    if (!result.trustworthy && probability >= allButSure && onlyRulesOfThumbSpeakAgainst(result)) {
+    if (!result.trustworthy && probability >= nearlyCertain && hasOnlyRuleOfThumbWarnings(result)) {
         std::erase_if(result.warnings, isRuleOfThumb);
         result.trustworthy = true;
     }
-    if (result.trustworthy && probability < oftenFails) {
+    if (result.trustworthy && probability < minReliable) {
         result.trustworthy = false;
         result.warnings.insert(result.warnings.begin(),
-                               messages::trustOftenFails(Quantity{100.0 * probability, 0, "%"}));
+                               messages::similarFitsOftenFail(Quantity{100.0 * probability, 0, "%"}));
     }
-    if (!result.trustworthy && probability >= oftenFails) {   // the probability ignores the findings against this fit
+    if (!result.trustworthy && probability >= minReliable) {   // the probability ignores the findings against this fit
         result.probabilityWithin2Mm.reset();
     }
 }
@@ -161,24 +161,24 @@ void calibrateConfidence(RegistrationResult& result)
 /// Assesses a fit of the default method: constrains a depth that the image does not determine, unless the user selected
 /// auxiliary branches to determine it, and reports an image that may be mirrored or rotated. If the user stops, keeps
 /// the pose but marks it as unreliable, because the assessment is incomplete.
-RegistrationResult judgeWithCare(const RegistrationProblem& problem, const RegistrationOptions& options,
-                                 const MethodSolution& solution, ProgressLog& progress)
+RegistrationResult assessFit(const RegistrationProblem& problem, const RegistrationOptions& options,
+                             const MethodSolution& solution, ProgressLog& progress)
 {
-    RegistrationResult result = judgePose(problem, options, solution);
+    RegistrationResult result = assessPose(problem, options, solution);
     const auto held =
-        solution.isSettled ? withConstrainedDepth(problem, options, solution, result) : std::optional<MethodSolution>();
+        solution.isFullyRefined ? constrainDepth(problem, options, solution, result) : std::optional<MethodSolution>();
     if (held) {
-        result = judgePose(problem, options, *held);
+        result = assessPose(problem, options, *held);
     }
-    const ImageOrientationCheck doubt =
-        checkImageOrientation(problem, options, solution, result, [&](double) { return progress.askAgain(); });
+    const ImageOrientationCheck check =
+        checkImageOrientation(problem, options, solution, result, [&](double) { return progress.checkForStop(); });
     if (progress.isStopped()) {
         result.stopReason = StopReason::StoppedByUser;
         result.trustworthy = false;
     }
-    if (doubt.message) {
-        result.warnings.insert(result.warnings.begin(), *doubt.message);
-        result.trustworthy = result.trustworthy && !doubt.shakesTrust;
+    if (check.message) {
+        result.warnings.insert(result.warnings.begin(), *check.message);
+        result.trustworthy = result.trustworthy && !check.invalidatesFit;
     }
     return result;
 }
@@ -189,12 +189,12 @@ bool isDeformationRequested(const RegistrationProblem& problem, const Registrati
     if (result.stopReason == StopReason::StoppedByUser || options.deformation != Deformation::Auto) {
         return result.stopReason != StopReason::StoppedByUser && options.deformation == Deformation::Always;
     }
-    if (!solution.wantsCare || isAnyLocked(options.locks)) {
+    if (!solution.needsChecks || isAnyLocked(options.locks)) {
         return false;
     }
     return result.unopacified.empty() ? looksDeformed({problem, *solution.targetLines, result.cameraFromPatient})
-                                      : looksDeformed({partOf(problem, solution.isOpacified), *solution.targetLines,
-                                                       result.cameraFromPatient});
+                                      : looksDeformed({restrictedProblem(problem, solution.isOpacified),
+                                                       *solution.targetLines, result.cameraFromPatient});
 }
 
 /// Branches that appear unopacified do not count as evidence of deformation.
@@ -223,19 +223,19 @@ Result<RegistrationResult> registerVessels(const RegistrationInput& input, const
     ProgressLog progress(problem.value(), observe);
     const MethodSolution solution = findMethod(options.method)->solve(problem.value(), options, progress);
 
-    RegistrationResult result = solution.wantsCare ? judgeWithCare(problem.value(), options, solution, progress)
-                                                   : judgePose(problem.value(), options, solution);
+    RegistrationResult result = solution.needsChecks ? assessFit(problem.value(), options, solution, progress)
+                                                     : assessPose(problem.value(), options, solution);
     if (solution.wire) {
-        judgeByWire(problem.value(), *solution.wire, result);
+        assessWire(problem.value(), *solution.wire, result);
     }
     if (isDeformationRequested(problem.value(), options, solution, result)) {
         const DeformableView view = deformationView(input, result);
-        result.deformed = judgeByDeformation({&view, 1}, deformationOptions(options),
-                                             {result.uncertainty, result.trustworthy, result.warnings},
-                                             [&](const IterationReport&) { return progress.askAgain("bending"); });
+        result.deformed = deformAndAssess({&view, 1}, deformationOptions(options),
+                                          {result.uncertainty, result.trustworthy, result.warnings},
+                                          [&](const IterationReport&) { return progress.checkForStop("bending"); });
         result.stopReason = progress.isStopped() ? StopReason::StoppedByUser : result.stopReason;
     }
-    if (solution.wantsCare && result.stopReason != StopReason::StoppedByUser) {
+    if (solution.needsChecks && result.stopReason != StopReason::StoppedByUser) {
         calibrateConfidence(result);
     }
     result.method = options.method;

@@ -3,9 +3,9 @@
 #include "core/geometry/angle_units.h"
 #include "core/messages/messages.h"
 #include "core/registration/alignment/camera_influence.h"
-#include "core/registration/alignment/joint_solve.h"
+#include "core/registration/alignment/joint_solver.h"
 #include "core/registration/deformation_check.h"
-#include "core/registration/judging/judge_pose.h"
+#include "core/registration/judging/assess_pose.h"
 #include "core/registration/judging/pose_uncertainty.h"
 #include "core/registration/methods/method_info.h"
 #include "core/registration/pose/tree_shift.h"
@@ -25,8 +25,8 @@ constexpr double widestForDeformationMm =
     8.0;   // maximum shift uncertainty between views for deformation; larger corrections have other causes
 constexpr double aloneShare = 0.9;   // fraction of a view's progress before its joint refinement
 
-Result<JointSolve::Views> makeViews(std::span<const RegistrationInput> inputs, const RegistrationOptions& options,
-                                    const MultiViewOptions& multiView)
+Result<JointSolver::Views> makeViews(std::span<const RegistrationInput> inputs, const RegistrationOptions& options,
+                                     const MultiViewOptions& multiView)
 {
     if (inputs.size() < 2) {
         return Error(messages::viewsTooFew());
@@ -34,17 +34,17 @@ Result<JointSolve::Views> makeViews(std::span<const RegistrationInput> inputs, c
     if (isAnyLocked(options.locks)) {
         return Error(messages::viewsCannotLock());
     }
-    JointSolve::Views views;
+    JointSolver::Views views;
     for (std::size_t k = 0; k < inputs.size(); ++k) {
         auto problem = makeProblem(inputs[k], options);
         if (!problem) {
-            return inView(multiView.numberOf(k), problem.error());
+            return inView(multiView.viewNumber(k), problem.error());
         }
         views.push_back(std::make_unique<JointView>(std::move(problem).value()));
         const TreeSamples& tree = views.back()->problem.tree;
         const TreeSamples& firstTree = views.front()->problem.tree;
         if (tree.size() != firstTree.size() || (tree.centroid - firstTree.centroid).norm() > 1e-6) {
-            return Error(messages::viewsOfOtherTree(multiView.numberOf(k), multiView.numberOf(0)));
+            return Error(messages::viewsOfOtherTree(multiView.viewNumber(k), multiView.viewNumber(0)));
         }
     }
     return views;
@@ -60,7 +60,7 @@ public:
     }
 
     /// Forwards a report of a single-view registration, with the pose in that view.
-    Verdict report(std::size_t view, IterationReport report)
+    ObserverDecision report(std::size_t view, IterationReport report)
     {
         report.view = view;
         report.progress *= aloneShare;
@@ -70,7 +70,7 @@ public:
 
     /// Forwards a report of a joint refinement that started from a pose of `view`, with the pose in the first view;
     /// `done` is the completed fraction over all starting poses of that view.
-    Verdict report(std::size_t view, const JointPose& joint, double scalePx, double done)
+    ObserverDecision report(std::size_t view, const JointPose& joint, double scalePx, double done)
     {
         IterationReport report;
         report.stage = "joint";
@@ -84,24 +84,24 @@ public:
     }
 
     /// Checks for a stop request while the poses are unchanged.
-    Verdict askAgain(std::string_view stage)
+    ObserverDecision checkForStop(std::string_view stage)
     {
         reported_.stage = stage;
-        isStopped_ = isStopped_ || (observe_ && iterations_ > 0 && observe_(reported_) == Verdict::Stop);
-        return isStopped_ ? Verdict::Stop : Verdict::Continue;
+        isStopped_ = isStopped_ || (observe_ && iterations_ > 0 && observe_(reported_) == ObserverDecision::Stop);
+        return isStopped_ ? ObserverDecision::Stop : ObserverDecision::Continue;
     }
 
     bool isStopped() const { return isStopped_; }
 
 private:
-    Verdict pass(std::size_t view, IterationReport report)
+    ObserverDecision pass(std::size_t view, IterationReport report)
     {
         report.iteration = ++iterations_;
         report.progress = std::max(reported_.progress,
                                    (static_cast<double>(view) + report.progress) / static_cast<double>(viewCount_));
         reported_ = report;
-        isStopped_ = isStopped_ || (observe_ && observe_(report) == Verdict::Stop);
-        return isStopped_ ? Verdict::Stop : Verdict::Continue;
+        isStopped_ = isStopped_ || (observe_ && observe_(report) == ObserverDecision::Stop);
+        return isStopped_ ? ObserverDecision::Stop : ObserverDecision::Continue;
     }
 
     const JointView& first_;
@@ -129,7 +129,7 @@ struct BestJoint {
     JointPose pose;
     double score = -1.0;
 
-    void offer(const JointSolve& solve, const JointPose& joint)
+    void offer(const JointSolver& solve, const JointPose& joint)
     {
         if (const double reached = solve.scoreOf(joint); reached > score) {
             pose = joint;
@@ -139,21 +139,21 @@ struct BestJoint {
 };
 
 /// Combines one pose of a view with those poses of the other views that contradict the geometry least.
-JointPose withLikeliestOthers(const JointSolve& solve, const std::vector<std::vector<RigidTransform>>& poses,
-                              std::size_t view, const RigidTransform& pose)
+JointPose combineWithOtherViews(const JointSolver& solve, const std::vector<std::vector<RigidTransform>>& poses,
+                                std::size_t view, const RigidTransform& pose)
 {
     std::vector<RigidTransform> chosen;
     for (const auto& each : poses) {
         chosen.push_back(each.front());
     }
     chosen[view] = pose;
-    JointPose best = solve.ofEach(chosen);
+    JointPose best = solve.jointPoseFromViews(chosen);
     for (std::size_t k = 0; k < poses.size(); ++k) {
         for (std::size_t i = 0; k != view && i < poses[k].size(); ++i) {
             std::vector<RigidTransform> changed = chosen;
             changed[k] = poses[k][i];
-            const JointPose joint = solve.ofEach(changed);
-            if (solve.contradiction(joint) < solve.contradiction(best)) {
+            const JointPose joint = solve.jointPoseFromViews(changed);
+            if (solve.correctionCost(joint) < solve.correctionCost(best)) {
                 chosen = std::move(changed);
                 best = joint;
             }
@@ -165,59 +165,60 @@ JointPose withLikeliestOthers(const JointSolve& solve, const std::vector<std::ve
 /// Finds the joint pose from the poses of single views.
 class JointSearch {
 public:
-    JointSearch(JointSolve& solve, std::span<const RegistrationInput> inputs, const RegistrationOptions& options,
+    JointSearch(JointSolver& solve, std::span<const RegistrationInput> inputs, const RegistrationOptions& options,
                 const MultiViewOptions& multiView, JointProgress& progress)
         : solve_(solve), inputs_(inputs), ofOneView_(options), multiView_(multiView), progress_(progress)
     {
-        ofOneView_.geometry.otherFrames = false;   // decided from all views together
+        ofOneView_.geometry.checkOrientation = false;   // decided from all views together
         ofOneView_.deformation = Deformation::Off;
-        best_.pose = {solve.inFirst(inputs.front().initialCameraFromPatient, 0),
+        best_.pose = {solve.toFirstView(inputs.front().initialCameraFromPatient, 0),
                       std::vector<Vector6d>(inputs.size(), Vector6d::Zero())};
         for (std::size_t k = 1; k < inputs.size(); ++k) {
-            knowsShift_ = knowsShift_ && multiView.stepTo(k).knowsShift();
-            isTight_ = isTight_ && multiView.stepTo(k).shiftMm.maxCoeff() <= StepSpread().shiftMm.maxCoeff();
+            predictsPosition_ = predictsPosition_ && multiView.relativePoseStd(k).predictsPosition();
+            isTight_ =
+                isTight_ && multiView.relativePoseStd(k).shiftMm.maxCoeff() <= RelativePoseStd().shiftMm.maxCoeff();
         }
     }
 
     Result<JointPose> find()
     {
         for (std::size_t k = 0; k < inputs_.size() && !progress_.isStopped(); ++k) {
-            auto alone = posesAlone(k, inputs_[k], ofOneView_);
+            auto alone = singleViewPoses(k, inputs_[k], ofOneView_);
             if (!alone) {
                 return alone.error();
             }
             poses_.push_back(std::move(alone).value());
-            if (knowsShift_ || best_.score < 0.0) {   // otherwise the first pose is the result of an early stop
+            if (predictsPosition_ || best_.score < 0.0) {   // otherwise the first pose is the result of an early stop
                 refineFrom(k);
             }
         }
         if (poses_.size() < inputs_.size() || progress_.isStopped()) {
             return best_.pose;
         }
-        if (!knowsShift_) {
+        if (!predictsPosition_) {
             best_.score = -1.0;
         }
         if (!isTight_) {
             refineTogether();
         }
-        if (!knowsShift_ && best_.score < 0.0) {
-            if (const auto again = searchTurnedAlike(); !again) {
+        if (!predictsPosition_ && best_.score < 0.0) {
+            if (const auto again = searchWithKnownRotation(); !again) {
                 return again.error();
             }
             refineTogether();
         }
-        return orEachAtItsOwn();
+        return bestOrIndependentPoses();
     }
 
 private:
     /// Registers a single view and returns its result and the nearly equally good alternatives.
-    Result<std::vector<RigidTransform>> posesAlone(std::size_t view, const RegistrationInput& input,
-                                                   const RegistrationOptions& options)
+    Result<std::vector<RigidTransform>> singleViewPoses(std::size_t view, const RegistrationInput& input,
+                                                        const RegistrationOptions& options)
     {
         const auto alone = registerVessels(
             input, options, [&](const IterationReport& report) { return progress_.report(view, report); });
         if (!alone) {
-            return inView(multiView_.numberOf(view), alone.error());
+            return inView(multiView_.viewNumber(view), alone.error());
         }
         return posesOf(alone.value());
     }
@@ -234,7 +235,7 @@ private:
     {
         const double share = 1.0 / static_cast<double>(poses_[view].size());
         for (std::size_t i = 0; i < poses_[view].size(); ++i) {
-            const JointPose start{solve_.inFirst(poses_[view][i], view),
+            const JointPose start{solve_.toFirstView(poses_[view][i], view),
                                   std::vector<Vector6d>(inputs_.size(), Vector6d::Zero())};
             best_.offer(solve_, refined(start, view, share * static_cast<double>(i), share));
         }
@@ -246,7 +247,7 @@ private:
     {
         for (std::size_t view = 0; view < poses_.size(); ++view) {
             for (const RigidTransform& pose : poses_[view]) {
-                const JointPose joint = withLikeliestOthers(solve_, poses_, view, pose);
+                const JointPose joint = combineWithOtherViews(solve_, poses_, view, pose);
                 if (solve_.isPlausible(joint) && !progress_.isStopped()) {
                     best_.offer(solve_, refined(joint, inputs_.size() - 1, 1.0, 0.0));
                 }
@@ -256,17 +257,17 @@ private:
 
     /// Searches the other views again, starting with the rotation implied by each pose of the first view. Needed if no
     /// combination of poses agrees with the gantry rotation.
-    Status searchTurnedAlike()
+    Status searchWithKnownRotation()
     {
         RegistrationOptions turned = ofOneView_;
         turned.angiopose.searchTiltDeg = turned.angiopose.searchRollDeg = knownTurnReachDeg;
         const std::vector<RigidTransform> ofFirst = poses_.front();
         for (std::size_t k = 1; k < inputs_.size(); ++k) {
-            turned.angiopose.priorRotationDeg = multiView_.stepTo(k).rotationDeg;
+            turned.angiopose.priorRotationDeg = multiView_.relativePoseStd(k).rotationDeg;
             for (std::size_t i = 0; i < std::min(ofFirst.size(), maxSearchedAgain) && !progress_.isStopped(); ++i) {
                 RegistrationInput input = inputs_[k];
-                input.initialCameraFromPatient = solve_.turnedLike(ofFirst[i], k);
-                auto found = posesAlone(k, input, turned);
+                input.initialCameraFromPatient = solve_.rotatedInitialPose(ofFirst[i], k);
+                auto found = singleViewPoses(k, input, turned);
                 if (!found) {
                     return found.error();
                 }
@@ -278,23 +279,23 @@ private:
 
     /// Returns the best joint pose or, if it fits clearly better, the joint pose that combines the separate poses of
     /// the views. The geometry is then wrong, as the large corrections show.
-    JointPose orEachAtItsOwn()
+    JointPose bestOrIndependentPoses()
     {
         std::vector<RigidTransform> own;
         for (const auto& each : poses_) {
             own.push_back(each.front());
         }
-        const JointPose each = solve_.ofEach(own);
+        const JointPose each = solve_.jointPoseFromViews(own);
         return best_.score < clearlyLess * solve_.scoreOf(each) ? refined(each, inputs_.size() - 1, 1.0, 0.0)
                                                                 : best_.pose;
     }
 
-    JointSolve& solve_;
+    JointSolver& solve_;
     std::span<const RegistrationInput> inputs_;
     RegistrationOptions ofOneView_;
     const MultiViewOptions& multiView_;
     JointProgress& progress_;
-    bool knowsShift_ = true;   ///< whether StepSpread::knowsShift holds for all views
+    bool predictsPosition_ = true;   ///< whether RelativePoseStd::predictsPosition holds for all views
     bool isTight_ = true;   ///< whether the relative geometry is as accurate as for simultaneous acquisition
     std::vector<std::vector<RigidTransform>> poses_;   ///< poses that explain each view
     BestJoint best_;
@@ -304,11 +305,11 @@ private:
 void addView(MultiViewResult& result, std::size_t number, const JointView& view, MethodSolution solution,
              bool isPlausible, const RegistrationOptions& options)
 {
-    result.views.push_back(judgePose(view.problem, options, solution));
+    result.views.push_back(assessPose(view.problem, options, solution));
     result.views.back().method = options.method;
     if (!result.views.back().trustworthy) {
         result.trustworthy = false;
-        result.warnings.push_back(messages::viewDisagrees(number));
+        result.warnings.push_back(messages::viewInconsistent(number));
     }
     if (!isPlausible) {
         result.trustworthy = false;
@@ -316,7 +317,7 @@ void addView(MultiViewResult& result, std::size_t number, const JointView& view,
     }
 }
 
-bool isDeformationRequested(const JointSolve::Views& views, const RegistrationOptions& options,
+bool isDeformationRequested(const JointSolver::Views& views, const RegistrationOptions& options,
                             const MultiViewResult& result)
 {
     if (options.deformation != Deformation::Auto || options.method != methodInfos().front().id) {
@@ -332,25 +333,25 @@ bool isDeformationRequested(const JointSolve::Views& views, const RegistrationOp
 
 /// Determines the deformation jointly from all views. Uses the relative geometry of the initial poses, because
 /// corrections found for a rigid tree may be an effect of the deformation.
-void hearDeformation(MultiViewResult& result, std::span<const RegistrationInput> inputs,
-                     const RegistrationOptions& options, const MultiViewOptions& multiView, JointProgress& progress)
+void assessDeformation(MultiViewResult& result, std::span<const RegistrationInput> inputs,
+                       const RegistrationOptions& options, const MultiViewOptions& multiView, JointProgress& progress)
 {
     std::vector<DeformableView> views;
     DeformableOptions deformation = deformationOptions(options);
     const RigidTransform fromStart =
         inputs.front().initialCameraFromPatient.inverse() * result.views.front().cameraFromPatient;
     for (std::size_t k = 0; k < inputs.size(); ++k) {
-        const StepSpread spread = multiView.stepTo(k);
-        const bool isKnownFromHeader = spread.shiftMm.maxCoeff() <= StepSpread().shiftMm.maxCoeff();
+        const RelativePoseStd spread = multiView.relativePoseStd(k);
+        const bool isKnownFromHeader = spread.shiftMm.maxCoeff() <= RelativePoseStd().shiftMm.maxCoeff();
         const RigidTransform& found = result.views[k].cameraFromPatient;
         views.push_back({inputs[k], isKnownFromHeader ? inputs[k].initialCameraFromPatient * fromStart : found,
-                         multiView.numberOf(k)});
+                         multiView.viewNumber(k)});
         deformation.geometryDeg = std::max(deformation.geometryDeg, spread.rotationDeg);
         deformation.geometryMm =
             std::max(deformation.geometryMm, std::min(spread.shiftMm.maxCoeff(), widestForDeformationMm));
     }
-    result.deformed = judgeByDeformation(views, deformation, {result.uncertainty, result.trustworthy, result.warnings},
-                                         [&](const IterationReport&) { return progress.askAgain("bending"); });
+    result.deformed = deformAndAssess(views, deformation, {result.uncertainty, result.trustworthy, result.warnings},
+                                      [&](const IterationReport&) { return progress.checkForStop("bending"); });
     for (RegistrationResult& view : result.views) {
         view.stopReason = progress.isStopped() ? StopReason::StoppedByUser : view.stopReason;
     }
@@ -369,11 +370,11 @@ Result<MultiViewResult> registerViews(std::span<const RegistrationInput> inputs,
     const RegistrationProblem& first = views.front()->problem;
     std::vector<Vector6d> correctionStd(views.size());
     for (std::size_t k = 0; k < views.size(); ++k) {
-        const StepSpread spread = multiView.stepTo(k);
+        const RelativePoseStd spread = multiView.relativePoseStd(k);
         correctionStd[k] << Eigen::Vector3d::Constant(spread.rotationDeg / degreesPerRadian), spread.shiftMm;
     }
-    JointSolve solve(views, startPrior(aboutCentroid(first.start, first.tree.centroid), options),
-                     std::move(correctionStd));
+    JointSolver solve(views, initialPosePrior(aboutCentroid(first.start, first.tree.centroid), options),
+                      std::move(correctionStd));
     JointProgress progress(*views.front(), views.size(), observe);
     const auto best = JointSearch(solve, inputs, options, multiView, progress).find();
     if (!best) {
@@ -383,25 +384,25 @@ Result<MultiViewResult> registerViews(std::span<const RegistrationInput> inputs,
     const JointPose& pose = best.value();
     MultiViewResult result;
     result.corrections = pose.corrections;
-    const JointKnowledge knowledge = solve.knowledge(pose);
-    result.uncertainty =
-        poseUncertainty(first, knowledge.information, knowledge.covarianceByCameras, solve.prior(), pose.first);
-    result.cameras = knowledge.cameras;
+    const JointInformation jointInformation = solve.jointInformation(pose);
+    result.uncertainty = poseUncertainty(first, jointInformation.information, jointInformation.cameraCovariance,
+                                         solve.prior(), pose.first);
+    result.cameras = jointInformation.cameras;
     result.trustworthy = true;
     for (std::size_t k = 0; k < views.size(); ++k) {
         MethodSolution solution;
         solution.cameraFromPatient = cameraFromPatient(solve.inView(pose, k), views[k]->problem.tree.centroid);
         solution.stopReason = progress.isStopped() ? StopReason::StoppedByUser : StopReason::Converged;
-        addView(result, multiView.numberOf(k), *views[k], std::move(solution), k == 0 || solve.isPlausible(pose, k),
+        addView(result, multiView.viewNumber(k), *views[k], std::move(solution), k == 0 || solve.isPlausible(pose, k),
                 options);
     }
     for (std::size_t k = 0; k < result.cameras.size(); ++k) {
         for (const Message& said : contradictionsOf(result.cameras[k], views[k]->problem.camera, views.size())) {
-            result.warnings.push_back(messages::inView(multiView.numberOf(k), said));
+            result.warnings.push_back(messages::inView(multiView.viewNumber(k), said));
         }
     }
     if (!progress.isStopped() && isDeformationRequested(views, options, result)) {
-        hearDeformation(result, inputs, options, multiView, progress);
+        assessDeformation(result, inputs, options, multiView, progress);
     }
     return result;
 }

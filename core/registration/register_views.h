@@ -10,21 +10,24 @@ namespace angiopose::core {
 
 /// 1-σ uncertainty per axis of the transform from the first view to another (ALGORITHMS §5.5). The defaults apply to
 /// simultaneously acquired planes and cover rounded header values and gantry sag.
-struct StepSpread {
+struct RelativePoseStd {
     double rotationDeg = 0.5;
     Eigen::Vector3d shiftMm =
         Eigen::Vector3d::Constant(1.5);   ///< shift of the tree's centroid, in that view's camera axes
 
     /// Whether a pose in one view predicts the approximate position of the vessels in the other.
-    bool knowsShift() const { return shiftMm.maxCoeff() < 20.0; }
+    bool predictsPosition() const { return shiftMm.maxCoeff() < 20.0; }
 };
 
 struct MultiViewOptions {
-    std::vector<StepSpread> steps{};   ///< one per view, the first unused; empty for simultaneous acquisition
+    std::vector<RelativePoseStd> steps{};   ///< one per view, the first unused; empty for simultaneous acquisition
     std::vector<std::size_t> numbers{};   ///< view numbers for messages; empty for 1, 2, … in the given order
 
-    StepSpread stepTo(std::size_t index) const { return index < steps.size() ? steps[index] : StepSpread(); }
-    std::size_t numberOf(std::size_t index) const { return index < numbers.size() ? numbers[index] : index + 1; }
+    RelativePoseStd relativePoseStd(std::size_t index) const
+    {
+        return index < steps.size() ? steps[index] : RelativePoseStd();
+    }
+    std::size_t viewNumber(std::size_t index) const { return index < numbers.size() ? numbers[index] : index + 1; }
 };
 
 /// Result of registering one rigid tree to several views.

@@ -10,7 +10,7 @@ namespace angiopose::core {
 namespace {
 
 constexpr std::size_t minPoses = 12;
-constexpr double cyclesSeen = 1.8;   // minimum number of observed cycles of the slowest period
+constexpr double minCycles = 1.8;   // minimum number of observed cycles of the slowest period
 constexpr double samplesPerCycle = 3.0;   // minimum number of samples per cycle of the fastest period searched
 constexpr double stepsPerCycle = 8.0;   // frequency grid points per 1 / duration, the width of a peak
 constexpr double minAmplitudeMm = 0.3;
@@ -26,7 +26,7 @@ constexpr Band beating{0.4, 1.5};
 using Signal = Eigen::Matrix<double, Eigen::Dynamic, 2>;   // position perpendicular to the rays, mm, one row per pose
 
 /// Returns the regression columns for a constant, a linear drift and, at a nonzero frequency, a wave.
-Eigen::MatrixXd waves(const Eigen::VectorXd& seconds, double frequencyHz)
+Eigen::MatrixXd designMatrix(const Eigen::VectorXd& seconds, double frequencyHz)
 {
     const bool hasWave = frequencyHz > 0.0;
     Eigen::MatrixXd basis(seconds.size(), hasWave ? 4 : 2);
@@ -47,7 +47,7 @@ struct WaveFit {
 
 WaveFit fitWave(const Eigen::VectorXd& seconds, const Signal& signal, double frequencyHz)
 {
-    const Eigen::MatrixXd basis = waves(seconds, frequencyHz);
+    const Eigen::MatrixXd basis = designMatrix(seconds, frequencyHz);
     WaveFit fit;
     fit.factors = basis.colPivHouseholderQr().solve(signal);
     fit.left = signal - basis * fit.factors;
@@ -61,11 +61,11 @@ double amplitudeOf(const WaveFit& fit)
 }
 
 /// Finds the strongest wave in a band and, if it is significant, subtracts it from the signal.
-std::optional<PeriodicMotion> takeOut(const Band& band, const Eigen::VectorXd& seconds, Signal& signal)
+std::optional<PeriodicMotion> extractWave(const Band& band, const Eigen::VectorXd& seconds, Signal& signal)
 {
     const double duration = seconds.maxCoeff() - seconds.minCoeff();
     const double meanStep = duration / static_cast<double>(seconds.size() - 1);
-    const double slowest = std::max(1.0 / band.longestS, cyclesSeen / duration);
+    const double slowest = std::max(1.0 / band.longestS, minCycles / duration);
     const double fastest = std::min(1.0 / band.shortestS, 1.0 / (samplesPerCycle * meanStep));
     const double before = fitWave(seconds, signal, 0.0).left.squaredNorm();
     if (!(slowest < fastest) || !(before > 0.0)) {
@@ -117,8 +117,8 @@ RunPeriods findPeriods(std::span<const TimedPose> poses, const Eigen::Vector3d& 
     if (!(seconds.maxCoeff() > seconds.minCoeff())) {
         return periods;
     }
-    periods.breath = takeOut(breathing, seconds, places);
-    periods.heart = takeOut(beating, seconds, places);
+    periods.breath = extractWave(breathing, seconds, places);
+    periods.heart = extractWave(beating, seconds, places);
     return periods;
 }
 

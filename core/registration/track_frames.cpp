@@ -12,8 +12,9 @@ namespace {
 
 constexpr std::size_t usedTrackingPoints = 250;
 constexpr std::size_t rememberedScores = 15;
-constexpr double fitsLikeBefore = 0.8;   // minimum score of a fit, as a fraction of the median score of the last frames
-constexpr double fitsAtAll = 0.25;   // minimum score of any fit; lower scores are meaningless (see PoseRanking)
+constexpr double minRelativeScore =
+    0.8;   // minimum score of a fit, as a fraction of the median score of the last frames
+constexpr double minScore = 0.25;   // minimum score of any fit; lower scores are meaningless (see PoseRanking)
 constexpr RefinementSchedule fromPrediction{6.0, 1.0, 0.55, 2, 4, 16};
 
 }   // namespace
@@ -28,7 +29,7 @@ FrameTracker::FrameTracker(RegistrationProblem first, const RegistrationOptions&
 }
 
 /// Replaces the tree but keeps its centroid, to which the poses refer.
-void FrameTracker::followAsDeformed(RegistrationProblem deformed)
+void FrameTracker::updateTree(RegistrationProblem deformed)
 {
     deformed.tree.centroid = problem_.tree.centroid;
     problem_ = std::move(deformed);
@@ -40,9 +41,9 @@ double FrameTracker::medianScore() const
     return scores_.empty() ? 0.0 : quantile({scores_.begin(), scores_.end()}, 0.5);
 }
 
-bool FrameTracker::isFit(double score) const
+bool FrameTracker::isGoodFit(double score) const
 {
-    return score >= std::max(fitsAtAll, fitsLikeBefore * medianScore());
+    return score >= std::max(minScore, minRelativeScore * medianScore());
 }
 
 Result<TrackedFrame> FrameTracker::next(const Centerline2d& target, const SearchObserver& observe)
@@ -51,28 +52,28 @@ Result<TrackedFrame> FrameTracker::next(const Centerline2d& target, const Search
         return Error(*problem);
     }
     Stopwatch stopwatch;
-    problem_.target = sampledTarget(target, options_);
+    problem_.target = sampleTarget(target, options_);
     const TargetLines lines(problem_.target, problem_.camera);
     TrackedFrame frame;
     frame.time.targetMs = stopwatch.lapMs();
 
-    StartPrior prediction = motion_.predict();
+    InitialPosePrior prediction = motion_.predict();
     prediction.freedom = problem_.freedom;
-    prediction.start = problem_.freedom.held(prediction.start);
+    prediction.start = problem_.freedom.restoreLocked(prediction.start);
     AgreementScore agreement(problem_, lines);
     Alignment alignment(points_, problem_.camera, lines);
     CentroidPose pose = refine(alignment, prediction, prediction.start, fromPrediction).pose;
     frame.score = agreement.of(pose);
     frame.time.solveMs = stopwatch.lapMs();
 
-    if (!isFit(frame.score)) {
+    if (!isGoodFit(frame.score)) {
         frame.searched = true;
         pose = searchAround(lines, prediction.start, pose, observe);
         frame.score = agreement.of(pose);
         frame.time.searchMs = stopwatch.lapMs();
     }
-    frame.isTrustworthy = isFit(frame.score);
-    learnFrom(frame, pose);
+    frame.isTrustworthy = isGoodFit(frame.score);
+    updateMotion(frame, pose);
     frame.cameraFromPatient = cameraFromPatient(frame.isTrustworthy ? pose : prediction.start, problem_.tree.centroid);
     frame.time.totalMs = frame.time.targetMs + frame.time.solveMs + frame.time.searchMs;
     return frame;
@@ -81,13 +82,15 @@ Result<TrackedFrame> FrameTracker::next(const Centerline2d& target, const Search
 CentroidPose FrameTracker::searchAround(const TargetLines& lines, const CentroidPose& prediction,
                                         const CentroidPose& refined, const SearchObserver& observe) const
 {
-    const StartPrior anywhereNear = startPrior(prediction, options_, problem_.freedom);
+    const InitialPosePrior anywhereNear = initialPosePrior(prediction, options_, problem_.freedom);
     PoseRanking ranking(problem_, lines, anywhereNear);
     ranking.add(refined);
     const PoseSearch search(problem_, lines, options_);
-    const SearchObserver hear = [&observe](double done) { return observe ? observe(done) : Verdict::Continue; };
-    for (const CentroidPose& found : search.nearby(prediction, hear)) {
-        if (hear(1.0) == Verdict::Stop) {
+    const SearchObserver report = [&observe](double done) {
+        return observe ? observe(done) : ObserverDecision::Continue;
+    };
+    for (const CentroidPose& found : search.searchNearby(prediction, report)) {
+        if (report(1.0) == ObserverDecision::Stop) {
             break;
         }
         ranking.add(found);
@@ -96,14 +99,14 @@ CentroidPose FrameTracker::searchAround(const TargetLines& lines, const Centroid
     return refine(alignment, anywhereNear, ranking.best().pose, fromPrediction).pose;
 }
 
-void FrameTracker::learnFrom(const TrackedFrame& frame, const CentroidPose& pose)
+void FrameTracker::updateMotion(const TrackedFrame& frame, const CentroidPose& pose)
 {
     if (!frame.isTrustworthy) {
         motion_.advance({});
         return;
     }
     if (frame.searched) {
-        motion_.jumpTo(pose);
+        motion_.resetTo(pose);
     } else {
         motion_.advance(pose);
     }

@@ -24,14 +24,14 @@ public:
     Result<TrackedFrame> next(const Centerline2d& target, const SearchObserver& observe = {});
 
     /// Replaces the vessel shape; `deformed` is the problem with the same branches in their current shape.
-    void followAsDeformed(RegistrationProblem deformed);
+    void updateTree(RegistrationProblem deformed);
 
 private:
-    bool isFit(double score) const;
+    bool isGoodFit(double score) const;
     double medianScore() const;
     CentroidPose searchAround(const TargetLines& lines, const CentroidPose& prediction, const CentroidPose& refined,
                               const SearchObserver& observe) const;
-    void learnFrom(const TrackedFrame& frame, const CentroidPose& pose);
+    void updateMotion(const TrackedFrame& frame, const CentroidPose& pose);
 
     RegistrationProblem problem_;
     RegistrationOptions options_;

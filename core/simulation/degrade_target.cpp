@@ -14,15 +14,15 @@ constexpr double clutterLengthPx = 500.0;
 /// Adds AR(1) noise to both coordinates.
 void jitter(Curve2d& curve, CounterRandom& random)
 {
-    const double kept = std::exp(-1.0 / degradedCorrelationPoints);
-    const double fresh = degradedJitterPx * std::sqrt(1.0 - kept * kept);
+    const double correlation = std::exp(-1.0 / degradedCorrelationPoints);
+    const double innovationStd = degradedJitterPx * std::sqrt(1.0 - correlation * correlation);
     Eigen::Vector2d noise = Eigen::Vector2d::Zero();
     bool isFirst = true;
     for (Eigen::Vector2d& point : curve.pointsPx) {
         const double x = random.normal();
         const double y = random.normal();
         const Eigen::Vector2d white(x, y);
-        noise = isFirst ? (degradedJitterPx * white).eval() : (kept * noise + fresh * white).eval();
+        noise = isFirst ? (degradedJitterPx * white).eval() : (correlation * noise + innovationStd * white).eval();
         isFirst = false;
         point += noise;
     }
@@ -60,7 +60,7 @@ Curve2d drawClutter(const ProjectionCamera& camera, CounterRandom& random)
 
 }   // namespace
 
-Centerline2d degraded(const Centerline2d& exact, const ProjectionCamera& camera, CounterRandom random)
+Centerline2d addTracingErrors(const Centerline2d& exact, const ProjectionCamera& camera, CounterRandom random)
 {
     Centerline2d result;
     std::set<std::pair<int, int>> taken;

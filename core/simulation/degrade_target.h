@@ -9,7 +9,7 @@ namespace angiopose::core {
 /// Degrades an exact target with simulated tracing errors (ALGORITHMS §4.4, "oracle + noise"): a fifth of the branches
 /// missing, jitter of σ 0.7 px correlated over about five points, rounding to whole pixels, and one spurious curve of
 /// about 500 px (id −1).
-Centerline2d degraded(const Centerline2d& exact, const ProjectionCamera& camera, CounterRandom random);
+Centerline2d addTracingErrors(const Centerline2d& exact, const ProjectionCamera& camera, CounterRandom random);
 
 /// Parameters of this noise, from which the error bound is computed (evaluation/cramer_rao_bound.h).
 inline constexpr double degradedJitterPx = 0.7;

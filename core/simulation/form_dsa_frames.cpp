@@ -2,7 +2,7 @@
 
 #include "core/imaging/image2d.h"
 #include "core/imaging/image_filters.h"
-#include "core/imaging/wide_blur.h"
+#include "core/imaging/wide_gaussian_blur.h"
 #include "core/simulation/splat_disc.h"
 #include "core/support/random.h"
 
@@ -21,7 +21,7 @@ ImageF randomField(int width, int height, double sigmaPx, CounterRandom& random)
     for (float& value : field.pixels) {
         value = static_cast<float>(random.normal());
     }
-    return widelyBlurred(field, sigmaPx);
+    return wideGaussianBlur(field, sigmaPx);
 }
 
 void addScaled(ImageF& image, const ImageF& field, double standardDeviation)
@@ -107,12 +107,12 @@ ImageF bodyAttenuation(int width, int height, CounterRandom& random)
 constexpr double attenuationPerMm = 0.08;   ///< attenuation of undiluted contrast agent
 constexpr double scatterShare = 0.2;
 constexpr double scatterSigmaShare = 40.0 / 512.0;   ///< σ of the scatter blur as a fraction of the image width
-constexpr double focalSpotSigmaPx = 0.5;   ///< focal-spot blur; combined with screenSigmaPx, σ is 0.7 px
-constexpr double screenSigmaPx = 0.5;   ///< detector blur, which also affects the quantum noise
+constexpr double focalSpotSigmaPx = 0.5;   ///< focal-spot blur; combined with detectorSigmaPx, σ is 0.7 px
+constexpr double detectorSigmaPx = 0.5;   ///< detector blur, which also affects the quantum noise
 constexpr int maskAverage = 4;   ///< number of frames averaged for the mask
 constexpr double midGray = 2048.0;
 constexpr double grayPerAttenuation = 2200.0;
-constexpr double largestGray = 4095.0;
+constexpr double maxGray = 4095.0;
 constexpr int bodyMarginPx = 8;   ///< margin of the simulated body around the field of view, for patient motion
 
 /// Independent random streams of a run.
@@ -124,7 +124,7 @@ ImageF shiftedBody(const ImageF& body, const Eigen::Vector2d& shiftPx)
     ImageF result(body.width - 2 * bodyMarginPx, body.height - 2 * bodyMarginPx);
     for (int y = 0; y < result.height; ++y) {
         for (int x = 0; x < result.width; ++x) {
-            result.at(x, y) = sampled(body, x + bodyMarginPx + shiftPx.x(), y + bodyMarginPx + shiftPx.y());
+            result.at(x, y) = sampleBilinear(body, x + bodyMarginPx + shiftPx.x(), y + bodyMarginPx + shiftPx.y());
         }
     }
     return result;
@@ -136,8 +136,8 @@ ImageF expectedCounts(const ImageF& attenuation, double photonCount)
     ImageF primary(attenuation.width, attenuation.height);
     std::transform(attenuation.pixels.begin(), attenuation.pixels.end(), primary.pixels.begin(),
                    [photonCount](float a) { return static_cast<float>(photonCount) * std::exp(-a); });
-    const ImageF scattered = widelyBlurred(primary, scatterSigmaShare * attenuation.width);
-    ImageF counts = blurred(primary, focalSpotSigmaPx);
+    const ImageF scattered = wideGaussianBlur(primary, scatterSigmaShare * attenuation.width);
+    ImageF counts = gaussianBlur(primary, focalSpotSigmaPx);
     for (std::size_t i = 0; i < counts.pixels.size(); ++i) {
         counts.pixels[i] =
             static_cast<float>((1.0 - scatterShare) * counts.pixels[i] + scatterShare * scattered.pixels[i]);
@@ -146,14 +146,14 @@ ImageF expectedCounts(const ImageF& attenuation, double photonCount)
 }
 
 /// Returns ln of the detected photon counts, averaged over `frames` exposures.
-ImageF logDetected(const ImageF& expected, int frames, CounterRandom random)
+ImageF logDetectedCounts(const ImageF& expected, int frames, CounterRandom random)
 {
     ImageF counts(expected.width, expected.height);
     for (std::size_t i = 0; i < counts.pixels.size(); ++i) {
         const double total = static_cast<double>(random.poisson(frames * static_cast<double>(expected.pixels[i])));
         counts.pixels[i] = static_cast<float>(total / frames);
     }
-    counts = blurred(counts, screenSigmaPx);
+    counts = gaussianBlur(counts, detectorSigmaPx);
     for (float& value : counts.pixels) {
         value = std::log(std::max(value, 0.5F));
     }
@@ -203,8 +203,9 @@ ImageF withContrast(ImageF attenuation, const ImageF& thicknessMm)
 /// Returns the noise-free change of the gray values of a DSA frame that is due to the contrast agent.
 ImageF noiselessContrast(const ImageF& attenuation, const ImageF& thicknessMm, double photonCount)
 {
-    ImageF contrast = blurred(expectedCounts(attenuation, photonCount), screenSigmaPx);
-    const ImageF filled = blurred(expectedCounts(withContrast(attenuation, thicknessMm), photonCount), screenSigmaPx);
+    ImageF contrast = gaussianBlur(expectedCounts(attenuation, photonCount), detectorSigmaPx);
+    const ImageF filled =
+        gaussianBlur(expectedCounts(withContrast(attenuation, thicknessMm), photonCount), detectorSigmaPx);
     for (std::size_t i = 0; i < contrast.pixels.size(); ++i) {
         contrast.pixels[i] = static_cast<float>(grayPerAttenuation) * std::log(contrast.pixels[i] / filled.pixels[i]);
     }
@@ -217,8 +218,7 @@ ImageF subtracted(const ImageF& logMask, const ImageF& logFrame, const Mask2d& o
     for (std::size_t i = 0; i < result.pixels.size(); ++i) {
         const double gray =
             midGray - grayPerAttenuation * (static_cast<double>(logMask.pixels[i]) - logFrame.pixels[i]);
-        result.pixels[i] =
-            open.pixels[i] != 0 ? static_cast<float>(std::round(std::clamp(gray, 0.0, largestGray))) : 0.0F;
+        result.pixels[i] = open.pixels[i] != 0 ? static_cast<float>(std::round(std::clamp(gray, 0.0, maxGray))) : 0.0F;
     }
     return result;
 }
@@ -231,11 +231,12 @@ DsaRun formDsaFrames(const DsaScene& scene, const DsaOptions& options, const Cou
     const int height = options.height;
     CounterRandom bodyRandom = random.fork(BodyStream);
     const ImageF body = bodyAttenuation(width + 2 * bodyMarginPx, height + 2 * bodyMarginPx, bodyRandom);
-    const ImageF logMask = logDetected(expectedCounts(shiftedBody(body, Eigen::Vector2d::Zero()), options.photonCount),
-                                       maskAverage, random.fork(MaskStream));
+    const ImageF logMask =
+        logDetectedCounts(expectedCounts(shiftedBody(body, Eigen::Vector2d::Zero()), options.photonCount), maskAverage,
+                          random.fork(MaskStream));
     const Mask2d open = drawShutter(width, height, options.shutterProbability, random.fork(ShutterStream));
     const ContrastTiming& timing = options.timing;
-    const Bolus bolus{scene.longestPathMm / timing.fillingS, timing.injectionS, timing.riseS, timing.washoutS};
+    const Bolus bolus{scene.maxPathMm / timing.fillingS, timing.injectionS, timing.riseS, timing.washoutS};
 
     DsaRun run;
     run.frameTimeMs = options.frameCount > 1 ? std::round(1000.0 * timing.runS / options.frameCount) : 0.0;
@@ -254,8 +255,9 @@ DsaRun formDsaFrames(const DsaScene& scene, const DsaOptions& options, const Cou
             peakThicknessMm = thicknessMm;
             peakAttenuation = attenuation;
         }
-        const ImageF logFrame = logDetected(expectedCounts(withContrast(attenuation, thicknessMm), options.photonCount),
-                                            1, random.fork(FirstFrameStream + static_cast<std::uint64_t>(k)));
+        const ImageF logFrame =
+            logDetectedCounts(expectedCounts(withContrast(attenuation, thicknessMm), options.photonCount), 1,
+                              random.fork(FirstFrameStream + static_cast<std::uint64_t>(k)));
         run.frames.push_back(subtracted(logMask, logFrame, open));
     }
     if (!run.frames.empty()) {

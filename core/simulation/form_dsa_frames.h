@@ -11,7 +11,7 @@ namespace angiopose::core {
 /// Contrast agent in the vessels and the camera that acquires it.
 struct DsaScene {
     std::vector<ContrastPath> paths;
-    double longestPathMm = 0.0;
+    double maxPathMm = 0.0;
     ProjectionCamera camera;
     RigidTransform cameraFromPatient;
 };

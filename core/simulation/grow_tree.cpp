@@ -47,7 +47,7 @@ Eigen::Vector3d randomDirection(CounterRandom& random)
     return (Eigen::Vector3d(x, y, z) + Eigen::Vector3d(0.0, 0.0, 1e-9)).normalized();
 }
 
-Eigen::Vector3d randomPlaceInOrgan(const Anatomy& anatomy, CounterRandom& random)
+Eigen::Vector3d randomPointInOrgan(const Anatomy& anatomy, CounterRandom& random)
 {
     const Eigen::Vector3d direction = randomDirection(random);
     const double filled = std::cbrt(random.uniform());
@@ -67,12 +67,12 @@ double distanceToTree(const VesselTree& tree, const Eigen::Vector3d& place)
 }
 
 /// Returns the random candidate position farthest from the tree; this farthest-point sampling fills the organ evenly.
-Eigen::Vector3d emptiestPlace(const VesselTree& tree, const Anatomy& anatomy, CounterRandom& random)
+Eigen::Vector3d emptiestPosition(const VesselTree& tree, const Anatomy& anatomy, CounterRandom& random)
 {
     Eigen::Vector3d best = Eigen::Vector3d::Zero();
     double bestDistance = -1.0;
     for (int i = 0; i < candidateCount; ++i) {
-        const Eigen::Vector3d place = randomPlaceInOrgan(anatomy, random);
+        const Eigen::Vector3d place = randomPointInOrgan(anatomy, random);
         const double distance = distanceToTree(tree, place);
         if (distance > bestDistance) {
             bestDistance = distance;
@@ -115,9 +115,9 @@ Takeoff cheapestTakeoff(const GrownTree& grown, const Eigen::Vector3d& place)
         const std::vector<Eigen::Vector3d> tangents = polylineTangents<3>(points, 3);
         const double generationFactor = 1.0 + 0.2 * generationOf(grown, b);
         for (std::size_t i = 0; i < points.size(); ++i) {
-            const Eigen::Vector3d way = place - points[i];
-            const double cost = generationFactor * (4.0 * way.norm() - 3.0 * tangents[i].dot(way));
-            if (cost < bestCost && way.norm() > minReachMm && isFree(grown, b, i)) {
+            const Eigen::Vector3d offset = place - points[i];
+            const double cost = generationFactor * (4.0 * offset.norm() - 3.0 * tangents[i].dot(offset));
+            if (cost < bestCost && offset.norm() > minReachMm && isFree(grown, b, i)) {
                 bestCost = cost;
                 best = {static_cast<int>(b), i};
             }
@@ -142,7 +142,7 @@ std::vector<Eigen::Vector3d> growTrunk(const Anatomy& anatomy, CounterRandom& ra
 /// Adds one branch; returns false if no position was reachable.
 bool growBranch(GrownTree& grown, const Anatomy& anatomy, CounterRandom& random)
 {
-    const Eigen::Vector3d place = emptiestPlace(grown.tree, anatomy, random);
+    const Eigen::Vector3d place = emptiestPosition(grown.tree, anatomy, random);
     const Takeoff takeoff = cheapestTakeoff(grown, place);
     if (takeoff.parentIndex < 0) {
         return false;
@@ -152,9 +152,9 @@ bool growBranch(GrownTree& grown, const Anatomy& anatomy, CounterRandom& random)
     PathPlan plan;
     plan.start = parent[takeoff.parentPoint];
     plan.end = place;
-    const Eigen::Vector3d way = (plan.end - plan.start).normalized();
-    plan.startDirection = (0.5 * polylineTangents<3>(parent, 3)[takeoff.parentPoint] + way).normalized();
-    plan.endDirection = (way + 0.4 * randomDirection(random)).normalized();
+    const Eigen::Vector3d offset = (plan.end - plan.start).normalized();
+    plan.startDirection = (0.5 * polylineTangents<3>(parent, 3)[takeoff.parentPoint] + offset).normalized();
+    plan.endDirection = (offset + 0.4 * randomDirection(random)).normalized();
     plan.tortuosity = anatomy.tortuosity;
 
     VesselBranch branch;

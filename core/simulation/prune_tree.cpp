@@ -26,7 +26,7 @@ std::vector<int> leafBranchIds(const VesselTree& tree)
     return leaves;
 }
 
-VesselTree pruned(const VesselTree& tree, int count, CounterRandom& random)
+VesselTree removeRandomLeaves(const VesselTree& tree, int count, CounterRandom& random)
 {
     std::vector<int> leaves = leafBranchIds(tree);
     std::vector<int> removed;

@@ -9,6 +9,6 @@ namespace angiopose::core {
 std::vector<int> leafBranchIds(const VesselTree& tree);
 
 /// Returns the tree without `count` random leaf branches, or without all of them if there are fewer.
-VesselTree pruned(const VesselTree& tree, int count, CounterRandom& random);
+VesselTree removeRandomLeaves(const VesselTree& tree, int count, CounterRandom& random);
 
 }   // namespace angiopose::core

@@ -6,7 +6,7 @@ namespace angiopose::core {
 namespace {
 
 /// Returns the fraction of each voxel that is lumen.
-ScanGrid lumenShares(const VesselTree& tree, const VolumeGeometry& geometry)
+ScanGrid lumenFractions(const VesselTree& tree, const VolumeGeometry& geometry)
 {
     ScanGrid shares(geometry, 0.0F);
     ScanPainter painter(shares);
@@ -17,7 +17,7 @@ ScanGrid lumenShares(const VesselTree& tree, const VolumeGeometry& geometry)
             const double radius = branch.radiusMm[n];
             painter.around(center, Eigen::Vector3d::Constant(radius + painter.voxelMm()),
                            [&](std::size_t voxel, const Eigen::Vector3d& point) {
-                               const double share = shareInside((point - center).norm() - radius, painter.voxelMm());
+                               const double share = fractionInside((point - center).norm() - radius, painter.voxelMm());
                                shares.voxels[voxel] = std::max(shares.voxels[voxel], static_cast<float>(share));
                            });
         }
@@ -38,7 +38,7 @@ VolumeGeometry gridAroundOrigin(const Eigen::Vector3i& size, const Eigen::Vector
 
 void paintTree(ScanPainter& painter, const VesselTree& tree, const VolumeGeometry& geometry, double hu)
 {
-    const ScanGrid shares = lumenShares(tree, geometry);
+    const ScanGrid shares = lumenFractions(tree, geometry);
     for (std::size_t voxel = 0; voxel < shares.voxels.size(); ++voxel) {
         painter.blend(voxel, shares.voxels[voxel], hu);
     }
@@ -83,10 +83,10 @@ void blurScan(ScanGrid& grid, double sigmaVoxels)
     }
 }
 
-Volume asStored(const ScanGrid& grid, double noiseHu, const CounterRandom& random)
+Volume storedVolume(const ScanGrid& grid, double noiseHu, const CounterRandom& random)
 {
-    return asWholeNumbers(grid, random, [noiseHu](double hu, CounterRandom& ofSlice) {
-        return std::clamp(hu + noiseHu * ofSlice.normal(), -1024.0, 3071.0);
+    return roundedVolume(grid, random, [noiseHu](double hu, CounterRandom& sliceRandom) {
+        return std::clamp(hu + noiseHu * sliceRandom.normal(), -1024.0, 3071.0);
     });
 }
 

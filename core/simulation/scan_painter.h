@@ -13,7 +13,7 @@ namespace angiopose::core {
 using ScanGrid = VoxelGrid<float>;   ///< HU of a simulated scan; axes parallel to the patient's axes
 
 /// Returns the fraction of a voxel inside a wall at `distanceMm` (negative inside).
-inline double shareInside(double distanceMm, double voxelMm)
+inline double fractionInside(double distanceMm, double voxelMm)
 {
     return std::clamp(0.5 - distanceMm / voxelMm, 0.0, 1.0);
 }
@@ -61,7 +61,7 @@ public:
         const double smallest = halfAxes.minCoeff();
         around(center, halfAxes.cwiseMin(1e5), [&](std::size_t voxel, const Eigen::Vector3d& point) {
             const double radius = (point - center).cwiseQuotient(halfAxes).norm();
-            if (const double share = shareInside((radius - 1.0) * smallest, voxelMm_); share > 0.0) {
+            if (const double share = fractionInside((radius - 1.0) * smallest, voxelMm_); share > 0.0) {
                 blend(voxel, share, draw());
             }
         });
@@ -86,22 +86,22 @@ void blurScan(ScanGrid& grid, double sigmaVoxels);
 
 /// Rounds `value(voxel of the grid, generator)` to an integer for each voxel, with one random generator per slice.
 template <class Value>
-Volume asWholeNumbers(const ScanGrid& grid, const CounterRandom& random, const Value& value)
+Volume roundedVolume(const ScanGrid& grid, const CounterRandom& random, const Value& value)
 {
     Volume volume(grid.geometry);
     const auto sliceVoxels =
         static_cast<std::size_t>(grid.geometry.size.x()) * static_cast<std::size_t>(grid.geometry.size.y());
     for (int k = 0; k < grid.geometry.size.z(); ++k) {
-        CounterRandom ofSlice = random.fork(static_cast<std::uint64_t>(k));
+        CounterRandom sliceRandom = random.fork(static_cast<std::uint64_t>(k));
         for (std::size_t n = 0; n < sliceVoxels; ++n) {
             const std::size_t voxel = static_cast<std::size_t>(k) * sliceVoxels + n;
-            volume.voxels[voxel] = static_cast<std::int16_t>(std::lround(value(grid.voxels[voxel], ofSlice)));
+            volume.voxels[voxel] = static_cast<std::int16_t>(std::lround(value(grid.voxels[voxel], sliceRandom)));
         }
     }
     return volume;
 }
 
 /// Returns the scan in stored values, with noise added.
-Volume asStored(const ScanGrid& grid, double noiseHu, const CounterRandom& random);
+Volume storedVolume(const ScanGrid& grid, double noiseHu, const CounterRandom& random);
 
 }   // namespace angiopose::core

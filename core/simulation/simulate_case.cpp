@@ -2,9 +2,9 @@
 
 #include "core/messages/messages.h"
 #include "core/simulation/deform_tree.h"
-#include "core/simulation/fill_vessels.h"
-#include "core/simulation/fit_known_pose.h"
+#include "core/simulation/fit_pose_to_correspondences.h"
 #include "core/simulation/form_dsa_frames.h"
+#include "core/simulation/opacify_vessels.h"
 #include "core/simulation/simulate_view_of.h"
 
 #include <algorithm>
@@ -20,7 +20,7 @@ enum CaseStream : std::uint64_t { GeometryStream = 1, DeformationStream, Filling
 constexpr double angleErrorDeg = 1.0;
 constexpr double lateralErrorMm = 15.0;
 constexpr double depthErrorMm = 30.0;
-constexpr double centringErrorMm = 8.0;   ///< accuracy with which operators center the vessels
+constexpr double centeringErrorMm = 8.0;   ///< accuracy with which operators center the vessels
 
 template <class T>
 Sourced<T> fromHeader(T value, const char* tag)
@@ -70,13 +70,13 @@ Eigen::Vector3d drawOffset(const CArm& cArm, double lateralStdMm, double depthSt
     return pose.value().rotation.transpose() * Eigen::Vector3d(x, y, z);
 }
 
-ViewGeometryTruth drawGeometry(const Eigen::Vector3d& centroid, double extentMm, const DsaOptions& dsa,
-                               CounterRandom random)
+TrueViewGeometry drawGeometry(const Eigen::Vector3d& centroid, double extentMm, const DsaOptions& dsa,
+                              CounterRandom random)
 {
-    ViewGeometryTruth geometry;
+    TrueViewGeometry geometry;
     geometry.header = drawCArm(extentMm, dsa, random);
     const CArm truth = withTrueAngles(geometry.header, random);
-    const Eigen::Vector3d isocenter = centroid + drawOffset(truth, centringErrorMm, 0.5 * depthErrorMm, random);
+    const Eigen::Vector3d isocenter = centroid + drawOffset(truth, centeringErrorMm, 0.5 * depthErrorMm, random);
     const Eigen::Vector3d guess = isocenter + drawOffset(geometry.header, lateralErrorMm, depthErrorMm, random);
     const Result<ProjectionCamera> camera = cameraFromCArm(geometry.header, dsa.width, dsa.height);
     const Result<RigidTransform> truePose = cameraFromPatient(truth, isocenter);
@@ -103,10 +103,10 @@ RigidTransform bestRigidPose(const VesselTree& tree, const VesselTree& warped, c
             }
         }
     }
-    return fitKnownPose(points, pixels, camera, cameraFromPatient);
+    return fitPoseToCorrespondences(points, pixels, camera, cameraFromPatient);
 }
 
-VesselTree movedTree(VesselTree tree, const RigidTransform& motion)
+VesselTree transformedTree(VesselTree tree, const RigidTransform& motion)
 {
     for (VesselBranch& branch : tree.branches) {
         for (Eigen::Vector3d& point : branch.pointsInPatient) {
@@ -146,7 +146,7 @@ std::optional<Message> findProblem(const TreeOptions& tree, const DsaOptions& ds
                   {"frameCount", static_cast<double>(dsa.frameCount), 1.0, 1000.0}};
     for (const auto& [name, value, min, max] : limits) {
         if (!(value >= min && value <= max)) {
-            const auto number = [](double given) { return Quantity{given, Quantity::asNeeded}; };
+            const auto number = [](double given) { return Quantity{given, Quantity::significantDigits}; };
             return messages::simulationOutOfRange(name, number(min), number(max), number(value));
         }
     }
@@ -166,12 +166,12 @@ SimulatedCase simulateView(std::uint64_t treeSeed, std::uint64_t viewSeed, const
 
 SimulatedCase simulateViewOf(const GrownTree& grown, double extentMm, std::uint64_t viewSeed, const DsaOptions& dsa)
 {
-    const ViewGeometryTruth geometry =
+    const TrueViewGeometry geometry =
         drawGeometry(centroidInPatient(grown.tree), extentMm, dsa, CounterRandom(viewSeed).fork(GeometryStream));
     return simulateViewOf(grown, geometry, viewSeed, dsa);
 }
 
-SimulatedCase simulateViewOf(const GrownTree& grown, const ViewGeometryTruth& geometry, std::uint64_t viewSeed,
+SimulatedCase simulateViewOf(const GrownTree& grown, const TrueViewGeometry& geometry, std::uint64_t viewSeed,
                              const DsaOptions& dsa)
 {
     const CounterRandom random(viewSeed);
@@ -181,7 +181,7 @@ SimulatedCase simulateViewOf(const GrownTree& grown, const ViewGeometryTruth& ge
         warped.tree = deformed(grown.tree, dsa.nonRigidStdMm, deformation);
     }
     CounterRandom filling = random.fork(FillingStream);
-    FilledVessels vessels = fillVessels(warped, dsa, filling);
+    OpacifiedVessels vessels = opacifyVessels(warped, dsa, filling);
 
     SimulatedCase result;
     result.tree = grown.tree;
@@ -192,13 +192,12 @@ SimulatedCase simulateViewOf(const GrownTree& grown, const ViewGeometryTruth& ge
         result.trueCameraFromPatient =
             bestRigidPose(grown.tree, warped.tree, geometry.camera, geometry.trueCameraFromPatient);
         result.deformedTree =
-            movedTree(warped.tree, result.trueCameraFromPatient.inverse() * geometry.trueCameraFromPatient);
+            transformedTree(warped.tree, result.trueCameraFromPatient.inverse() * geometry.trueCameraFromPatient);
     }
     result.missingBranchIds = vessels.missingBranchIds;
     result.trueTarget = projectCurves(vessels.visible, geometry.camera, geometry.trueCameraFromPatient);
     result.trueCatheter = projectCurves(vessels.catheter, geometry.camera, geometry.trueCameraFromPatient);
-    const DsaScene scene{std::move(vessels.paths), vessels.longestPathMm, geometry.camera,
-                         geometry.trueCameraFromPatient};
+    const DsaScene scene{std::move(vessels.paths), vessels.maxPathMm, geometry.camera, geometry.trueCameraFromPatient};
     DsaRun run = formDsaFrames(scene, dsa, random.fork(ImageStream));
     result.trueContrast = std::move(run.trueContrast);
     result.angiogram = asAngiogram(std::move(run), geometry.header, viewSeed);

@@ -1,6 +1,6 @@
 #include "core/simulation/simulate_cta.h"
 
-#include "core/simulation/paint_trunk.h"
+#include "core/simulation/paint_torso.h"
 #include "core/simulation/scan_painter.h"
 #include "core/simulation/stent_wires.h"
 #include "core/vessel/polyline.h"
@@ -40,7 +40,7 @@ void paintTable(ScanPainter& painter, const ScanField& field)
     const double top = field.center.y() + 0.95 * field.half.y();
     painter.around({field.center.x(), top + 2.0, field.center.z()}, {field.half.x(), 3.0, field.half.z()},
                    [&](std::size_t voxel, const Eigen::Vector3d& point) {
-                       painter.blend(voxel, shareInside(std::abs(point.y() - top - 2.0) - 1.5, painter.voxelMm()),
+                       painter.blend(voxel, fractionInside(std::abs(point.y() - top - 2.0) - 1.5, painter.voxelMm()),
                                      tableHu);
                    });
 }
@@ -61,7 +61,7 @@ void paintCalcifications(ScanPainter& painter, const VesselTree& tree, int count
 
 }   // namespace
 
-TreeOptions treeInScan(const TreeOptions& tree, const CtaOptions& cta)
+TreeOptions treeOptionsForScan(const TreeOptions& tree, const CtaOptions& cta)
 {
     TreeOptions fitting = tree;
     const ScanField field = fieldOf(gridAroundOrigin(cta.size, cta.spacingMm));
@@ -76,11 +76,11 @@ SimulatedCta simulateCta(std::uint64_t seed, const TreeOptions& tree, const CtaO
     const ScanField field = fieldOf(geometry);
 
     SimulatedCta result;
-    result.tree = simulateTree(seed, treeInScan(tree, cta));
+    result.tree = simulateTree(seed, treeOptionsForScan(tree, cta));
 
     ScanGrid grid(geometry, static_cast<float>(airHu));
     ScanPainter painter(grid);
-    paintTrunk(painter, field);
+    paintTorso(painter, field);
     paintOrgans(painter, field, random);
     paintSkeleton(painter, field, random);
     paintTable(painter, field);
@@ -90,7 +90,7 @@ SimulatedCta simulateCta(std::uint64_t seed, const TreeOptions& tree, const CtaO
     }
     paintCalcifications(painter, result.tree, cta.calcificationCount, random);
     blurScan(grid, cta.blurVoxels);
-    result.volume = asStored(grid, cta.noiseHu, random.fork(1));
+    result.volume = storedVolume(grid, cta.noiseHu, random.fork(1));
     return result;
 }
 

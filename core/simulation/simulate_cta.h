@@ -25,7 +25,7 @@ struct SimulatedCta {
 
 /// Returns the tree options with which `simulateCta` grows its tree: the requested ones, limited to the size of the
 /// scan. simulateCase with these options and the same seed simulates an angiogram of the same vessels.
-TreeOptions treeInScan(const TreeOptions& tree, const CtaOptions& cta);
+TreeOptions treeOptionsForScan(const TreeOptions& tree, const CtaOptions& cta);
 
 /// Simulates the CT scan of a grown tree in a body of fat, muscle and organs with spine, ribs and the scanner table,
 /// including partial volume, blur and noise. The tree extends over about three quarters of the scan, close to bone.

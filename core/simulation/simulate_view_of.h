@@ -5,7 +5,7 @@
 namespace angiopose::core {
 
 /// True geometry of a view, and the geometry in its header.
-struct ViewGeometryTruth {
+struct TrueViewGeometry {
     CArm header;
     ProjectionCamera camera;
     RigidTransform trueCameraFromPatient;
@@ -13,7 +13,7 @@ struct ViewGeometryTruth {
 };
 
 /// Does the same as simulateView for an existing tree and geometry.
-SimulatedCase simulateViewOf(const GrownTree& grown, const ViewGeometryTruth& geometry, std::uint64_t viewSeed,
+SimulatedCase simulateViewOf(const GrownTree& grown, const TrueViewGeometry& geometry, std::uint64_t viewSeed,
                              const DsaOptions& dsa);
 
 /// Does the same as simulateView for an existing tree. `extentMm` determines the field of view, like the extent of a

@@ -13,7 +13,7 @@ namespace {
 constexpr double pathSpacingMm = 1.0;
 
 /// One lateral wave along a vessel.
-struct Sway {
+struct LateralWave {
     double amplitudeMm;
     double waveLengthMm;
     double phase;
@@ -21,19 +21,19 @@ struct Sway {
 };
 
 /// Draws two long waves and a shorter, smaller one; the radius of curvature of each wave stays above about 15 mm.
-std::array<Sway, 3> drawSways(const Eigen::Vector3d& chord, double tortuosity, CounterRandom& random)
+std::array<LateralWave, 3> drawLateralWaves(const Eigen::Vector3d& chord, double tortuosity, CounterRandom& random)
 {
     const Eigen::Vector3d u = chord.unitOrthogonal();
     const Eigen::Vector3d v = chord.normalized().cross(u);
     const std::array<double, 3> shortestMm{60.0, 45.0, 24.0};
-    std::array<Sway, 3> sways{};
-    for (std::size_t i = 0; i < sways.size(); ++i) {
+    std::array<LateralWave, 3> waves{};
+    for (std::size_t i = 0; i < waves.size(); ++i) {
         const double turn = random.uniform(0.0, 2.0 * std::numbers::pi);
         const double waveLengthMm = shortestMm[i] * random.uniform(1.0, 1.5);
-        sways[i] = {tortuosity * waveLengthMm * random.uniform(0.015, 0.05), waveLengthMm,
+        waves[i] = {tortuosity * waveLengthMm * random.uniform(0.015, 0.05), waveLengthMm,
                     random.uniform(0.0, 2.0 * std::numbers::pi), std::cos(turn) * u + std::sin(turn) * v};
     }
-    return sways;
+    return waves;
 }
 
 Eigen::Vector3d bezier(const std::array<Eigen::Vector3d, 4>& control, double t)
@@ -51,7 +51,7 @@ std::vector<Eigen::Vector3d> smoothPath(const PathPlan& plan, CounterRandom& ran
     const double reach = 0.36 * chord.norm();
     const std::array<Eigen::Vector3d, 4> control{plan.start, plan.start + reach * plan.startDirection,
                                                  plan.end - reach * plan.endDirection, plan.end};
-    const std::array<Sway, 3> sways = drawSways(chord, plan.tortuosity, random);
+    const std::array<LateralWave, 3> waves = drawLateralWaves(chord, plan.tortuosity, random);
 
     const int steps = std::max(8, static_cast<int>(2.0 * chord.norm()));
     std::vector<Eigen::Vector3d> points;
@@ -61,9 +61,9 @@ std::vector<Eigen::Vector3d> smoothPath(const PathPlan& plan, CounterRandom& ran
         // The waves fade in to let the vessel leave its parent in the planned direction.
         const double faded = 1.0 - std::exp(-alongMm * alongMm / (15.0 * 15.0));
         Eigen::Vector3d point = bezier(control, t);
-        for (const Sway& sway : sways) {
-            const double angle = 2.0 * std::numbers::pi * alongMm / sway.waveLengthMm + sway.phase;
-            point += faded * sway.amplitudeMm * std::sin(angle) * sway.axis;
+        for (const LateralWave& wave : waves) {
+            const double angle = 2.0 * std::numbers::pi * alongMm / wave.waveLengthMm + wave.phase;
+            point += faded * wave.amplitudeMm * std::sin(angle) * wave.axis;
         }
         points.push_back(point);
     }

@@ -7,9 +7,9 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double smallestPlain = 1e-3;
+constexpr double minFixedValue = 1e-3;
 
-std::string printed(double value, std::chars_format format, int decimals)
+std::string formatNumber(double value, std::chars_format format, int decimals)
 {
     std::array<char, 400> buffer;   // the largest double has 309 digits
     const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, format, decimals).ptr;
@@ -20,7 +20,7 @@ std::string printed(double value, std::chars_format format, int decimals)
 
 std::string fixedText(double value, int decimals)
 {
-    return std::isfinite(value) ? printed(value, std::chars_format::fixed, decimals) : "–";
+    return std::isfinite(value) ? formatNumber(value, std::chars_format::fixed, decimals) : "–";
 }
 
 std::string significantText(double value)
@@ -28,13 +28,14 @@ std::string significantText(double value)
     if (value == 0.0) {
         return "0";
     }
-    return std::isfinite(value) && std::abs(value) < smallestPlain ? printed(value, std::chars_format::scientific, 1)
-                                                                   : fixedText(value, 3);
+    return std::isfinite(value) && std::abs(value) < minFixedValue
+               ? formatNumber(value, std::chars_format::scientific, 1)
+               : fixedText(value, 3);
 }
 
 std::string plainText(double value)
 {
-    return printed(value, std::chars_format::general, 6);
+    return formatNumber(value, std::chars_format::general, 6);
 }
 
 }   // namespace angiopose::core

@@ -7,33 +7,33 @@
 namespace angiopose::core {
 namespace {
 
-constexpr MessageEntry plainSentence{"text.plain", "%1"};
+constexpr MessageEntry verbatimEntry{"text.plain", "%1"};
 
-struct EnglishWords {
+struct EnglishFormatter {
     std::string operator()(const std::string& text) const { return text; }
 
     std::string operator()(const Quantity& quantity) const
     {
         const std::string_view unit = quantity.unit;
         const bool isApart = !unit.empty() && unit != "°";
-        return (quantity.decimals == Quantity::asNeeded ? plainText(quantity.value)
-                                                        : fixedText(quantity.value, quantity.decimals)) +
+        return (quantity.decimals == Quantity::significantDigits ? plainText(quantity.value)
+                                                                 : fixedText(quantity.value, quantity.decimals)) +
                (isApart ? " " : "") + std::string(unit);
     }
 
     std::string operator()(const std::vector<std::string>& texts) const
     {
-        return inARow(texts, [](auto& text) { return text; });
+        return joinedTexts(texts, [](auto& text) { return text; });
     }
 
     std::string operator()(const Messages& messages) const
     {
-        return inARow(messages, [](const Message& message) { return message.text(); });
+        return joinedTexts(messages, [](const Message& message) { return message.text(); });
     }
 
 private:
     template <class Item, class ToText>
-    static std::string inARow(const std::vector<Item>& items, const ToText& toText)
+    static std::string joinedTexts(const std::vector<Item>& items, const ToText& toText)
     {
         std::string row;
         for (const Item& item : items) {
@@ -65,21 +65,21 @@ std::string_view toText(Severity severity)
 
 Message Message::verbatim(std::string words)
 {
-    return {plainSentence, {std::move(words)}};
+    return {verbatimEntry, {std::move(words)}};
 }
 
 Message Message::as(Severity severity) const
 {
-    Message graded = *this;
-    graded.severity_ = severity;
-    return graded;
+    Message copy = *this;
+    copy.severity_ = severity;
+    return copy;
 }
 
 Message Message::about(std::string_view subject) const
 {
-    Message placed = *this;
-    placed.subject_ = std::string(subject) + (subject_.empty() ? "" : ": " + subject_);
-    return placed;
+    Message copy = *this;
+    copy.subject_ = std::string(subject) + (subject_.empty() ? "" : ": " + subject_);
+    return copy;
 }
 
 std::string Message::text() const
@@ -107,7 +107,7 @@ std::ostream& operator<<(std::ostream& stream, const Message& message)
 
 std::string argumentText(const MessageArgument& argument)
 {
-    return std::visit(EnglishWords(), argument);
+    return std::visit(EnglishFormatter(), argument);
 }
 
 }   // namespace angiopose::core

@@ -25,7 +25,7 @@ using Messages = std::vector<Message>;
 
 /// A number in a message. `unit` is appended after a space (without one for "°") and may be empty.
 struct Quantity {
-    static constexpr int asNeeded = -1;   ///< as many significant digits as needed, at most six
+    static constexpr int significantDigits = -1;   ///< as many significant digits as needed, at most six
 
     double value;
     int decimals = 0;
@@ -88,7 +88,7 @@ std::ostream& operator<<(std::ostream& stream, const Message& message);
 std::string argumentText(const MessageArgument& argument);
 
 /// Returns the highest placeholder number in `english`: two for "… %1 of %2 …".
-constexpr std::size_t placesIn(std::string_view english)
+constexpr std::size_t placeholderCount(std::string_view english)
 {
     std::size_t places = 0;
     for (std::size_t at = 0; at + 1 < english.size(); ++at) {

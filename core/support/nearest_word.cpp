@@ -6,7 +6,7 @@
 namespace angiopose::core {
 namespace {
 
-int lettersBetween(const std::string& a, const std::string& b)
+int editDistance(const std::string& a, const std::string& b)
 {
     const auto rows = static_cast<Eigen::Index>(a.size());
     const auto columns = static_cast<Eigen::Index>(b.size());
@@ -33,10 +33,10 @@ int lettersBetween(const std::string& a, const std::string& b)
 std::string nearestWord(const std::string& word, const std::vector<std::string>& words)
 {
     std::string nearest;
-    int least = static_cast<int>(word.size()) / 3 + 1;
+    int minDistance = static_cast<int>(word.size()) / 3 + 1;
     for (const std::string& each : words) {
-        if (const int distance = lettersBetween(word, each); distance < least) {
-            least = distance;
+        if (const int distance = editDistance(word, each); distance < minDistance) {
+            minDistance = distance;
             nearest = each;
         }
     }

@@ -8,19 +8,19 @@
 namespace angiopose::core {
 namespace {
 
-std::atomic<int> threadsAllowed{0};   // thread limit of the process; 0 for all processors
+std::atomic<int> threadLimit{0};   // thread limit of the process; 0 for all processors
 
 }   // namespace
 
-int usableThreads()
+int availableThreads()
 {
-    const int allowed = threadsAllowed;
+    const int allowed = threadLimit;
     return allowed > 0 ? allowed : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
 void limitThreads(int threads)
 {
-    threadsAllowed = std::max(1, threads);
+    threadLimit = std::max(1, threads);
     cv::setNumThreads(std::max(1, threads));
 }
 

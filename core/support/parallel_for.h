@@ -12,7 +12,7 @@ namespace angiopose::core {
 
 /// Returns the number of threads this process may use at once: the number of processors, or the limit if one is set.
 /// Affects only computation times, never results.
-int usableThreads();
+int availableThreads();
 
 /// Limits the threads of this process, including those of the libraries it uses, when several such processes share the
 /// machine. Call before any work begins.
@@ -51,42 +51,42 @@ private:
 };
 
 /// Returns `asked`, or the number of usable threads if `asked` is 0.
-inline int threadCount(int asked)
+inline int threadCount(int requested)
 {
-    return asked > 0 ? asked : usableThreads();
+    return requested > 0 ? requested : availableThreads();
 }
 
 /// Calls `work(i)` once for each i below `count` on `threads` threads, including the calling one. The calling thread
 /// also calls `meanwhile(done)` between its work items; if that returns false, the remaining items are skipped. Results
 /// that depend only on i and are stored by i are the same for any number of threads. An exception from `work` skips the
 /// remaining items and is rethrown to the caller.
-template <class Work, class Meanwhile>
-bool parallelFor(std::size_t count, int threads, const Work& work, const Meanwhile& meanwhile)
+template <class Work, class OnProgress>
+bool parallelFor(std::size_t count, int threads, const Work& work, const OnProgress& onProgress)
 {
     std::atomic<std::size_t> next{0};
     std::atomic<bool> stopped{false};
     FirstException thrown;
-    const auto doPiece = [&](std::size_t i) {
+    const auto runItem = [&](std::size_t i) {
         if (!thrown.run([&] { work(i); })) {
             stopped = true;
         }
     };
-    std::vector<std::jthread> helpers;
+    std::vector<std::jthread> workers;
     for (int t = 1; t < threads; ++t) {
-        helpers.emplace_back([&] {
+        workers.emplace_back([&] {
             for (std::size_t i = next++; i < count && !stopped; i = next++) {
-                doPiece(i);
+                runItem(i);
             }
         });
     }
     for (std::size_t i = next++; i < count && !stopped; i = next++) {
-        doPiece(i);
+        runItem(i);
         const double done = static_cast<double>(i + 1) / static_cast<double>(count);
-        if (!stopped && !thrown.run([&] { stopped = !meanwhile(done); })) {
+        if (!stopped && !thrown.run([&] { stopped = !onProgress(done); })) {
             stopped = true;
         }
     }
-    helpers.clear();   // waits until the other threads have finished their current items
+    workers.clear();   // waits until the other threads have finished their current items
     thrown.rethrow();
     return !stopped;
 }
@@ -94,9 +94,9 @@ bool parallelFor(std::size_t count, int threads, const Work& work, const Meanwhi
 /// Runs both functions in parallel, the first on the calling thread; neither may read what the other writes. An
 /// exception from either is rethrown to the caller after both have finished.
 template <class First, class Second>
-void atOnce(const First& first, const Second& second)
+void runInParallel(const First& first, const Second& second)
 {
-    if (usableThreads() == 1) {
+    if (availableThreads() == 1) {
         first();
         second();
         return;

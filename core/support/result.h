@@ -8,7 +8,7 @@
 namespace angiopose::core {
 
 /// Outcome of an operation that the user canceled; the message states what was left undone.
-struct Stopped {
+struct Cancellation {
     Message message;
 };
 
@@ -17,9 +17,9 @@ struct Stopped {
 class Error {
 public:
     Error(const Message& problem) : message(problem.as(Severity::Error)) {}
-    Error(const Stopped& stopped) : message(stopped.message.as(Severity::Note)), isStop_(true) {}
+    Error(const Cancellation& stopped) : message(stopped.message.as(Severity::Note)), isCancellation_(true) {}
 
-    bool isStop() const { return isStop_; }
+    bool isCancellation() const { return isCancellation_; }
 
     /// Returns the same error with a file, or a key in a file, as its subject.
     Error about(std::string_view subject) const
@@ -32,7 +32,7 @@ public:
     Message message;
 
 private:
-    bool isStop_ = false;
+    bool isCancellation_ = false;
 };
 
 /// A value, or the reason why there is none: an error or a cancellation. Check before use.
@@ -41,10 +41,10 @@ class [[nodiscard]] Result {
 public:
     Result(T value) : content_(std::move(value)) {}
     Result(Error error) : content_(std::move(error)) {}
-    Result(const Stopped& stopped) : content_(Error(stopped)) {}
+    Result(const Cancellation& stopped) : content_(Error(stopped)) {}
 
     explicit operator bool() const { return std::holds_alternative<T>(content_); }
-    bool isStopped() const { return !*this && error().isStop(); }
+    bool isStopped() const { return !*this && error().isCancellation(); }
     const T& value() const& { return std::get<T>(content_); }
     T&& value() && { return std::get<T>(std::move(content_)); }
     const Error& error() const { return std::get<Error>(content_); }

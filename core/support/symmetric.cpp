@@ -8,7 +8,7 @@ namespace angiopose::core {
 namespace {
 
 template <int Size>
-Axes<Size> solvedAxes(const Eigen::Matrix<double, Size, Size>& matrix)
+EigenDecomposition<Size> solveEigen(const Eigen::Matrix<double, Size, Size>& matrix)
 {
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, Size, Size>> solver(matrix);
     return {solver.eigenvalues(), solver.eigenvectors()};
@@ -16,22 +16,22 @@ Axes<Size> solvedAxes(const Eigen::Matrix<double, Size, Size>& matrix)
 
 }   // namespace
 
-Axes<2> axesOf(const Eigen::Matrix<double, 2, 2>& matrix)
+EigenDecomposition<2> eigenDecomposition(const Eigen::Matrix<double, 2, 2>& matrix)
 {
-    return solvedAxes<2>(matrix);
+    return solveEigen<2>(matrix);
 }
 
-Axes<3> axesOf(const Eigen::Matrix<double, 3, 3>& matrix)
+EigenDecomposition<3> eigenDecomposition(const Eigen::Matrix<double, 3, 3>& matrix)
 {
-    return solvedAxes<3>(matrix);
+    return solveEigen<3>(matrix);
 }
 
-Axes<6> axesOf(const Eigen::Matrix<double, 6, 6>& matrix)
+EigenDecomposition<6> eigenDecomposition(const Eigen::Matrix<double, 6, 6>& matrix)
 {
-    return solvedAxes<6>(matrix);
+    return solveEigen<6>(matrix);
 }
 
-UpToSix inverseOf(const UpToSix& matrix)
+SmallMatrix inverseOf(const SmallMatrix& matrix)
 {
     return matrix.inverse();
 }

@@ -11,42 +11,42 @@ namespace angiopose::core {
 namespace {
 
 /// A point of a branch and its distance from a given position.
-struct PlaceInBranch {
+struct BranchPoint {
     const VesselBranch* branch = nullptr;
     std::size_t point = 0;
-    double awayMm = 0.0;
+    double distanceMm = 0.0;
 };
 
 /// Returns the branch whose lumen contains the position or that touches it; if there are several, the one with the
 /// nearest axis.
-std::optional<PlaceInBranch> branchAround(const VesselTree& tree, const Eigen::Vector3d& place)
+std::optional<BranchPoint> findSurroundingBranch(const VesselTree& tree, const Eigen::Vector3d& position)
 {
-    std::optional<PlaceInBranch> around;
+    std::optional<BranchPoint> surrounding;
     for (const VesselBranch& branch : tree.branches) {
-        const std::size_t point = nearestPoint(tree, branch.id, place);
-        const double awayMm = (branch.pointsInPatient[point] - place).norm();
+        const std::size_t point = nearestPoint(tree, branch.id, position);
+        const double distanceMm = (branch.pointsInPatient[point] - position).norm();
         const double reachMm = (branch.radiusMm.size() == branch.pointsInPatient.size())
-                                   ? std::max(branch.radiusMm[point], touchingMm)
-                                   : touchingMm;
-        if (awayMm <= reachMm && (!around || awayMm < around->awayMm)) {
-            around = {&branch, point, awayMm};
+                                   ? std::max(branch.radiusMm[point], maxContactMm)
+                                   : maxContactMm;
+        if (distanceMm <= reachMm && (!surrounding || distanceMm < surrounding->distanceMm)) {
+            surrounding = {&branch, point, distanceMm};
         }
     }
-    return around;
+    return surrounding;
 }
 
 /// Removes the start of the branch that runs inside other branches; the branch then begins on the axis of the branch
 /// from which it emerges.
-std::optional<PlaceInBranch> trimInside(const VesselTree& tree, VesselBranch& branch)
+std::optional<BranchPoint> trimInside(const VesselTree& tree, VesselBranch& branch)
 {
-    std::optional<PlaceInBranch> last;
+    std::optional<BranchPoint> last;
     std::size_t inside = 0;
     for (; inside < branch.pointsInPatient.size(); ++inside) {
-        const auto around = branchAround(tree, branch.pointsInPatient[inside]);
-        if (!around) {
+        const auto surrounding = findSurroundingBranch(tree, branch.pointsInPatient[inside]);
+        if (!surrounding) {
             break;
         }
-        last = around;
+        last = surrounding;
     }
     if (!last) {
         return {};
@@ -64,7 +64,7 @@ std::optional<PlaceInBranch> trimInside(const VesselTree& tree, VesselBranch& br
     return last;
 }
 
-VesselBranch turnedAround(VesselBranch branch)
+VesselBranch reverseDirection(VesselBranch branch)
 {
     std::ranges::reverse(branch.pointsInPatient);
     std::ranges::reverse(branch.radiusMm);
@@ -73,24 +73,25 @@ VesselBranch turnedAround(VesselBranch branch)
 
 }   // namespace
 
-Result<VesselTree> withBranch(const VesselTree& tree, VesselBranch branch)
+Result<VesselTree> attachBranch(const VesselTree& tree, VesselBranch branch)
 {
-    const auto inFront = trimInside(tree, branch);
+    const auto parentAtStart = trimInside(tree, branch);
     if (branch.pointsInPatient.size() < 2) {
-        return Error(messages::branchRunsInside());
+        return Error(messages::branchInsideTracedVessels());
     }
-    branch = turnedAround(std::move(branch));
-    const auto atBack = trimInside(tree, branch);
+    branch = reverseDirection(std::move(branch));
+    const auto parentAtEnd = trimInside(tree, branch);
     if (branch.pointsInPatient.size() < 2) {
-        return Error(messages::branchRunsInside());
+        return Error(messages::branchInsideTracedVessels());
     }
-    const auto generationOf = [](const std::optional<PlaceInBranch>& place) {
-        return place && place->branch->generation >= 0 ? place->branch->generation : std::numeric_limits<int>::max();
+    const auto generationOf = [](const std::optional<BranchPoint>& position) {
+        return position && position->branch->generation >= 0 ? position->branch->generation
+                                                             : std::numeric_limits<int>::max();
     };
-    const bool beginsAtBack = atBack && (!inFront || generationOf(atBack) < generationOf(inFront));
-    const std::optional<PlaceInBranch>& parent = beginsAtBack ? atBack : inFront;
-    if (!beginsAtBack) {
-        branch = turnedAround(std::move(branch));
+    const bool startsAtEnd = parentAtEnd && (!parentAtStart || generationOf(parentAtEnd) < generationOf(parentAtStart));
+    const std::optional<BranchPoint>& parent = startsAtEnd ? parentAtEnd : parentAtStart;
+    if (!startsAtEnd) {
+        branch = reverseDirection(std::move(branch));
     }
     branch.id = 1;
     for (const VesselBranch& other : tree.branches) {

@@ -10,23 +10,23 @@ namespace angiopose::core {
 namespace {
 
 constexpr double reachInSpacings = 2.5;
-constexpr double besideOnGridPx = 1.5;   // distance up to which grid pixels are adjacent, slightly more than √2
+constexpr double maxGridNeighborPx = 1.5;   // distance up to which grid pixels are adjacent, slightly more than √2
 
-struct Joint {
+struct PointLink {
     double lengthPx = 0.0;
     std::size_t first = 0;
     std::size_t second = 0;
 
-    bool operator<(const Joint& other) const
+    bool operator<(const PointLink& other) const
     {
         return std::tie(lengthPx, first, second) < std::tie(other.lengthPx, other.first, other.second);
     }
 };
 
 using ImagePoints = std::vector<Eigen::Vector2d>;
-using JoinedPoints = std::vector<std::vector<std::size_t>>;
+using NeighborLists = std::vector<std::vector<std::size_t>>;
 
-std::vector<std::size_t> fromLeftToRight(const ImagePoints& points)
+std::vector<std::size_t> sortLeftToRight(const ImagePoints& points)
 {
     std::vector<std::size_t> order(points.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -37,21 +37,21 @@ std::vector<std::size_t> fromLeftToRight(const ImagePoints& points)
 }
 
 /// Returns every pair of points closer than `reachPx`; `order` sorts the points from left to right.
-std::vector<Joint> jointsWithin(const ImagePoints& points, const std::vector<std::size_t>& order, double reachPx)
+std::vector<PointLink> findLinksWithin(const ImagePoints& points, const std::vector<std::size_t>& order, double reachPx)
 {
-    std::vector<Joint> joints;
+    std::vector<PointLink> links;
     for (std::size_t i = 0; i < order.size(); ++i) {
         for (std::size_t k = i + 1; k < order.size(); ++k) {
-            const Eigen::Vector2d apart = points[order[k]] - points[order[i]];
-            if (apart.x() > reachPx) {
+            const Eigen::Vector2d offset = points[order[k]] - points[order[i]];
+            if (offset.x() > reachPx) {
                 break;
             }
-            if (apart.norm() <= reachPx) {
-                joints.push_back({apart.norm(), std::min(order[i], order[k]), std::max(order[i], order[k])});
+            if (offset.norm() <= reachPx) {
+                links.push_back({offset.norm(), std::min(order[i], order[k]), std::max(order[i], order[k])});
             }
         }
     }
-    return joints;
+    return links;
 }
 
 /// Returns the distance from the point at `place` of `order` to its nearest neighbor; infinite if there is none.
@@ -59,20 +59,20 @@ double distanceToNearest(const ImagePoints& points, const std::vector<std::size_
 {
     double nearest = std::numeric_limits<double>::infinity();
     const Eigen::Vector2d& point = points[order[place]];
-    const auto isFurther = [&](std::size_t other) {   // if true, all points beyond this one are farther away, too
-        const Eigen::Vector2d apart = points[order[other]] - point;
-        nearest = std::min(nearest, apart.norm());
-        return std::abs(apart.x()) > nearest;
+    const auto isTooFar = [&](std::size_t other) {   // if true, all points beyond this one are farther away, too
+        const Eigen::Vector2d offset = points[order[other]] - point;
+        nearest = std::min(nearest, offset.norm());
+        return std::abs(offset.x()) > nearest;
     };
-    for (std::size_t right = place + 1; right < order.size() && !isFurther(right); ++right) {
+    for (std::size_t right = place + 1; right < order.size() && !isTooFar(right); ++right) {
     }
-    for (std::size_t left = place; left > 0 && !isFurther(left - 1); --left) {
+    for (std::size_t left = place; left > 0 && !isTooFar(left - 1); --left) {
     }
     return nearest;
 }
 
 /// Returns the median distance of the points to their nearest neighbors.
-double usualSpacing(const ImagePoints& points, const std::vector<std::size_t>& order)
+double typicalSpacing(const ImagePoints& points, const std::vector<std::size_t>& order)
 {
     std::vector<double> nearest(order.size());
     for (std::size_t place = 0; place < order.size(); ++place) {
@@ -93,33 +93,33 @@ std::size_t rootOf(std::vector<std::size_t>& parents, std::size_t point)
 }
 
 /// Returns the neighbors of each point in the minimum spanning forest (Kruskal).
-JoinedPoints spanningForest(std::size_t count, std::vector<Joint> joints)
+NeighborLists spanningForest(std::size_t count, std::vector<PointLink> links)
 {
-    std::ranges::sort(joints, std::less{});
+    std::ranges::sort(links, std::less{});
     std::vector<std::size_t> parents(count);
     std::iota(parents.begin(), parents.end(), std::size_t{0});
-    JoinedPoints neighbors(count);
-    for (const Joint& joint : joints) {
-        const std::size_t first = rootOf(parents, joint.first);
-        const std::size_t second = rootOf(parents, joint.second);
+    NeighborLists neighbors(count);
+    for (const PointLink& link : links) {
+        const std::size_t first = rootOf(parents, link.first);
+        const std::size_t second = rootOf(parents, link.second);
         if (first != second) {
             parents[first] = second;
-            neighbors[joint.first].push_back(joint.second);
-            neighbors[joint.second].push_back(joint.first);
+            neighbors[link.first].push_back(link.second);
+            neighbors[link.second].push_back(link.first);
         }
     }
     return neighbors;
 }
 
 /// Follows unused points from `start` to the next end or bifurcation.
-Curve2d curveFrom(std::size_t start, const ImagePoints& points, const JoinedPoints& neighbors,
-                  std::vector<char>& isTaken)
+Curve2d curveFrom(std::size_t start, const ImagePoints& points, const NeighborLists& neighbors,
+                  std::vector<char>& isUsed)
 {
     Curve2d curve;
     for (std::size_t at = start;;) {
-        isTaken[at] = 1;
+        isUsed[at] = 1;
         curve.pointsPx.push_back(points[at]);
-        const auto next = std::ranges::find_if(neighbors[at], [&](std::size_t point) { return !isTaken[point]; });
+        const auto next = std::ranges::find_if(neighbors[at], [&](std::size_t point) { return !isUsed[point]; });
         if (next == neighbors[at].end() || (neighbors[at].size() > 2 && at != start)) {
             return curve;
         }
@@ -135,21 +135,21 @@ Centerline2d chainPoints(const ImagePoints& points)
     if (points.empty()) {
         return centerline;
     }
-    const std::vector<std::size_t> order = fromLeftToRight(points);
-    const double reachPx = std::max(besideOnGridPx, reachInSpacings * usualSpacing(points, order));
-    const JoinedPoints neighbors = spanningForest(points.size(), jointsWithin(points, order, reachPx));
-    std::vector<char> isTaken(points.size());
+    const std::vector<std::size_t> order = sortLeftToRight(points);
+    const double reachPx = std::max(maxGridNeighborPx, reachInSpacings * typicalSpacing(points, order));
+    const NeighborLists neighbors = spanningForest(points.size(), findLinksWithin(points, order, reachPx));
+    std::vector<char> isUsed(points.size());
     const auto collect = [&](const auto& isStart) {
         for (std::size_t i = 0; i < points.size(); ++i) {
-            if (!isTaken[i] && isStart(i)) {
-                centerline.curves.push_back(curveFrom(i, points, neighbors, isTaken));
+            if (!isUsed[i] && isStart(i)) {
+                centerline.curves.push_back(curveFrom(i, points, neighbors, isUsed));
                 centerline.curves.back().id = static_cast<int>(centerline.curves.size());
             }
         }
     };
     collect([&](std::size_t i) { return neighbors[i].size() < 2; });   // curves that start at an end
     collect([&](std::size_t i) { return neighbors[i].size() > 2; });   // start at bifurcations that no end led to
-    const auto isCutOff = [&](std::size_t point) { return isTaken[point] != 0; };
+    const auto isCutOff = [&](std::size_t point) { return isUsed[point] != 0; };
     collect([&](std::size_t i) { return std::ranges::any_of(neighbors[i], isCutOff); });   // start between bifurcations
     collect([](std::size_t) { return true; });
     return centerline;

@@ -30,10 +30,10 @@ VesselBranch* findBranch(VesselTree& tree, int branchId)
 bool touches(const VesselBranch& branch, const Eigen::Vector3d& point)
 {
     return std::any_of(branch.pointsInPatient.begin(), branch.pointsInPatient.end(),
-                       [&](const Eigen::Vector3d& other) { return (other - point).norm() <= touchingMm; });
+                       [&](const Eigen::Vector3d& other) { return (other - point).norm() <= maxContactMm; });
 }
 
-int newId(const VesselTree& tree)
+int nextFreeId(const VesselTree& tree)
 {
     int largest = 0;
     for (const VesselBranch& branch : tree.branches) {
@@ -59,7 +59,7 @@ bool isEndBranch(const VesselTree& tree, const VesselBranch& branch)
     return std::none_of(tree.branches.begin(), tree.branches.end(), [&](const VesselBranch& other) {
         const Eigen::Vector3d& start = other.pointsInPatient.front();
         return other.id != branch.id && touches(branch, start) &&
-               (start - branch.pointsInPatient.front()).norm() > touchingMm;
+               (start - branch.pointsInPatient.front()).norm() > maxContactMm;
     });
 }
 
@@ -99,42 +99,42 @@ void bridge(VesselBranch& branch, const Eigen::Vector3d& to, std::optional<doubl
     const auto steps = static_cast<int>(std::floor((to - from).norm() / std::max(spacing, 1e-3)));
     const double radius = radiusAtEnd ? branch.radiusMm.back() : 0.0;
     for (int step = 1; step < steps; ++step) {
-        const double share = static_cast<double>(step) / steps;
-        branch.pointsInPatient.emplace_back(from + share * (to - from));
+        const double fraction = static_cast<double>(step) / steps;
+        branch.pointsInPatient.emplace_back(from + fraction * (to - from));
         if (radiusAtEnd) {
-            branch.radiusMm.push_back((1.0 - share) * radius + share * *radiusAtEnd);
+            branch.radiusMm.push_back((1.0 - fraction) * radius + fraction * *radiusAtEnd);
         }
     }
 }
 
 }   // namespace
 
-Result<VesselTree> withoutSubtree(const VesselTree& tree, int branchId)
+Result<VesselTree> removeSubtree(const VesselTree& tree, int branchId)
 {
     if (tree.find(branchId) == nullptr) {
         return noSuchBranch(branchId);
     }
-    std::set<int> gone{branchId};
-    for (bool grew = true; grew;) {
-        grew = false;
+    std::set<int> removedIds{branchId};
+    for (bool hasGrown = true; hasGrown;) {
+        hasGrown = false;
         for (const VesselBranch& branch : tree.branches) {
-            const bool leavesGone = std::any_of(gone.begin(), gone.end(), [&](int id) {
+            const bool startsOnRemoved = std::any_of(removedIds.begin(), removedIds.end(), [&](int id) {
                 const VesselBranch& parent = *tree.find(id);
                 const Eigen::Vector3d& start = branch.pointsInPatient.front();
-                return touches(parent, start) && (start - parent.pointsInPatient.front()).norm() > touchingMm;
+                return touches(parent, start) && (start - parent.pointsInPatient.front()).norm() > maxContactMm;
             });
-            if (!gone.contains(branch.id) && leavesGone) {
-                grew = gone.insert(branch.id).second;
+            if (!removedIds.contains(branch.id) && startsOnRemoved) {
+                hasGrown = removedIds.insert(branch.id).second;
             }
         }
     }
-    if (gone.size() == tree.branches.size()) {
-        return Error(messages::allHangOnBranch(branchId));
+    if (removedIds.size() == tree.branches.size()) {
+        return Error(messages::allDescendFromBranch(branchId));
     }
-    return without(tree, {gone.begin(), gone.end()});
+    return without(tree, {removedIds.begin(), removedIds.end()});
 }
 
-Result<VesselTree> pruned(const VesselTree& tree, double minLengthMm, double minRadiusMm)
+Result<VesselTree> prunedTree(const VesselTree& tree, double minLengthMm, double minRadiusMm)
 {
     VesselTree result = tree;
     while (const auto worst = worstEndBranch(result, minLengthMm, minRadiusMm)) {
@@ -146,7 +146,7 @@ Result<VesselTree> pruned(const VesselTree& tree, double minLengthMm, double min
     return result;
 }
 
-Result<VesselTree> cutAt(const VesselTree& tree, int branchId, std::size_t point)
+Result<VesselTree> splitAt(const VesselTree& tree, int branchId, std::size_t point)
 {
     VesselTree result = tree;
     VesselBranch* first = findBranch(result, branchId);
@@ -157,8 +157,11 @@ Result<VesselTree> cutAt(const VesselTree& tree, int branchId, std::size_t point
         return Error(messages::cutTooNearEnd(branchId));
     }
     const auto at = static_cast<std::ptrdiff_t>(point) + 1;
-    VesselBranch second{
-        newId(tree), "", {first->pointsInPatient.begin() + at, first->pointsInPatient.end()}, {}, first->generation};
+    VesselBranch second{nextFreeId(tree),
+                        "",
+                        {first->pointsInPatient.begin() + at, first->pointsInPatient.end()},
+                        {},
+                        first->generation};
     first->pointsInPatient.resize(point + 1);
     if (!first->radiusMm.empty()) {
         second.radiusMm.assign(first->radiusMm.begin() + at, first->radiusMm.end());
@@ -180,18 +183,18 @@ Result<VesselTree> joined(const VesselTree& tree, int firstId, int secondId)
     double shortest = std::numeric_limits<double>::infinity();
     for (const bool firstBack : {true, false}) {
         for (const bool secondBack : {false, true}) {
-            const double way = (endOf(*first, firstBack) - endOf(*second, secondBack)).norm();
-            if (way < shortest) {
-                shortest = way;
+            const double distance = (endOf(*first, firstBack) - endOf(*second, secondBack)).norm();
+            if (distance < shortest) {
+                shortest = distance;
                 from.atBack = firstBack;
                 to.atBack = secondBack;
             }
         }
     }
-    return joinedOver(tree, from, to);
+    return joinAtEnds(tree, from, to);
 }
 
-Result<VesselTree> joinedOver(const VesselTree& tree, const BranchEnd& first, const BranchEnd& second)
+Result<VesselTree> joinAtEnds(const VesselTree& tree, const BranchEnd& first, const BranchEnd& second)
 {
     if (tree.find(first.branchId) == nullptr || tree.find(second.branchId) == nullptr) {
         return noSuchBranch(tree.find(first.branchId) == nullptr ? first.branchId : second.branchId);
@@ -222,7 +225,7 @@ Result<VesselTree> joinedOver(const VesselTree& tree, const BranchEnd& first, co
     return result;
 }
 
-Result<VesselTree> extendedTo(const VesselTree& tree, const BranchEnd& end, const Eigen::Vector3d& pointInPatient)
+Result<VesselTree> extendTo(const VesselTree& tree, const BranchEnd& end, const Eigen::Vector3d& pointInPatient)
 {
     VesselTree result = tree;
     VesselBranch* branch = findBranch(result, end.branchId);
@@ -230,10 +233,10 @@ Result<VesselTree> extendedTo(const VesselTree& tree, const BranchEnd& end, cons
         return noSuchBranch(end.branchId);
     }
     VesselBranch longer = end.atBack ? *branch : reversedBranch(*branch);
-    const bool knowsRadii = hasRadii(longer);
-    bridge(longer, pointInPatient, knowsRadii ? std::optional(longer.radiusMm.back()) : std::nullopt);
+    const bool hasKnownRadii = hasRadii(longer);
+    bridge(longer, pointInPatient, hasKnownRadii ? std::optional(longer.radiusMm.back()) : std::nullopt);
     longer.pointsInPatient.push_back(pointInPatient);
-    if (knowsRadii) {
+    if (hasKnownRadii) {
         longer.radiusMm.push_back(longer.radiusMm.back());
     }
     *branch = end.atBack ? std::move(longer) : reversedBranch(std::move(longer));
@@ -249,7 +252,7 @@ std::size_t nearestPoint(const VesselTree& tree, int branchId, const Eigen::Vect
     return static_cast<std::size_t>(nearest - points.begin());
 }
 
-Result<VesselTree> smoothedBranch(const VesselTree& tree, int branchId, double widthMm)
+Result<VesselTree> smoothBranch(const VesselTree& tree, int branchId, double widthMm)
 {
     VesselTree result = tree;
     VesselBranch* branch = findBranch(result, branchId);
@@ -266,7 +269,7 @@ Result<VesselTree> smoothedBranch(const VesselTree& tree, int branchId, double w
     std::vector<double> weights(count, 1.0);
     weights.front() = 1e6;
     weights.back() = 1e6;
-    branch->pointsInPatient = smoothed(branch->pointsInPatient, weights, lambda);
+    branch->pointsInPatient = smoothSpline(branch->pointsInPatient, weights, lambda);
     branch->pointsInPatient.front() = tree.find(branchId)->pointsInPatient.front();
     branch->pointsInPatient.back() = tree.find(branchId)->pointsInPatient.back();
     return result;
@@ -283,7 +286,7 @@ Result<VesselTree> renamed(const VesselTree& tree, int branchId, const std::stri
     return result;
 }
 
-Result<VesselTree> withGeneration(const VesselTree& tree, int branchId, int generation)
+Result<VesselTree> assignGeneration(const VesselTree& tree, int branchId, int generation)
 {
     VesselTree result = tree;
     VesselBranch* branch = findBranch(result, branchId);

@@ -12,18 +12,18 @@
 namespace angiopose::core {
 
 /// Maximum distance at which two branches count as connected, mm; same as for `findNodes`.
-inline constexpr double touchingMm = 1.5;
+inline constexpr double maxContactMm = 1.5;
 
 /// Removes the branch and all its descendants.
-Result<VesselTree> withoutSubtree(const VesselTree& tree, int branchId);
+Result<VesselTree> removeSubtree(const VesselTree& tree, int branchId);
 
 /// Removes end branches that are too short or, on average, too thin, shortest first, until none is left. A branch of
 /// unknown radius never counts as too thin.
-Result<VesselTree> pruned(const VesselTree& tree, double minLengthMm, double minRadiusMm);
+Result<VesselTree> prunedTree(const VesselTree& tree, double minLengthMm, double minRadiusMm);
 
 /// Splits the branch after its point `point`. The second part begins with the next point and gets a new id. Each part
 /// needs at least two points.
-Result<VesselTree> cutAt(const VesselTree& tree, int branchId, std::size_t point);
+Result<VesselTree> splitAt(const VesselTree& tree, int branchId, std::size_t point);
 
 /// Joins two branches at their nearest ends and bridges the gap with a straight line. The result keeps id, name and
 /// direction of the first branch.
@@ -36,13 +36,13 @@ struct BranchEnd {
 };
 
 /// Does the same as `joined`, at the given ends.
-Result<VesselTree> joinedOver(const VesselTree& tree, const BranchEnd& first, const BranchEnd& second);
+Result<VesselTree> joinAtEnds(const VesselTree& tree, const BranchEnd& first, const BranchEnd& second);
 
 /// Extends the branch straight from one of its ends to a point, usually of another branch, which it then touches.
-Result<VesselTree> extendedTo(const VesselTree& tree, const BranchEnd& end, const Eigen::Vector3d& pointInPatient);
+Result<VesselTree> extendTo(const VesselTree& tree, const BranchEnd& end, const Eigen::Vector3d& pointInPatient);
 
 /// Smooths the branch with a smoothing spline, which removes curves narrower than about `widthMm` and keeps both ends.
-Result<VesselTree> smoothedBranch(const VesselTree& tree, int branchId, double widthMm);
+Result<VesselTree> smoothBranch(const VesselTree& tree, int branchId, double widthMm);
 
 /// Returns the index of the branch's point nearest to a position; the branch must exist.
 std::size_t nearestPoint(const VesselTree& tree, int branchId, const Eigen::Vector3d& pointInPatient);
@@ -50,6 +50,6 @@ std::size_t nearestPoint(const VesselTree& tree, int branchId, const Eigen::Vect
 Result<VesselTree> renamed(const VesselTree& tree, int branchId, const std::string& name);
 
 /// Sets the generation of the branch; −1 means unknown.
-Result<VesselTree> withGeneration(const VesselTree& tree, int branchId, int generation);
+Result<VesselTree> assignGeneration(const VesselTree& tree, int branchId, int generation);
 
 }   // namespace angiopose::core

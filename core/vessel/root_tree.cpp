@@ -10,33 +10,33 @@
 namespace angiopose::core {
 namespace {
 
-constexpr std::size_t thicknessStretch = 5;   ///< number of points over which the radius of an end is averaged
+constexpr std::size_t radiusPoints = 5;   ///< number of points over which the radius of an end is averaged
 
 double endRadius(const VesselBranch& branch, bool atBack)
 {
     if (branch.radiusMm.empty()) {
         return 0.0;
     }
-    const std::size_t count = std::min(thicknessStretch, branch.radiusMm.size());
+    const std::size_t count = std::min(radiusPoints, branch.radiusMm.size());
     const auto first = atBack ? branch.radiusMm.end() - static_cast<std::ptrdiff_t>(count) : branch.radiusMm.begin();
     return std::accumulate(first, first + static_cast<std::ptrdiff_t>(count), 0.0) / static_cast<double>(count);
 }
 
-void turnAround(VesselBranch& branch)
+void reverseBranch(VesselBranch& branch)
 {
     std::reverse(branch.pointsInPatient.begin(), branch.pointsInPatient.end());
     std::reverse(branch.radiusMm.begin(), branch.radiusMm.end());
 }
 
 /// Returns the index of the branch point nearest to `place`, or the number of points if none touches it.
-std::size_t touchingPoint(const VesselBranch& branch, const Eigen::Vector3d& place)
+std::size_t touchingPoint(const VesselBranch& branch, const Eigen::Vector3d& point)
 {
     std::size_t best = branch.pointsInPatient.size();
-    double nearest = touchingMm;
+    double nearest = maxContactMm;
     for (std::size_t i = 0; i < branch.pointsInPatient.size(); ++i) {
-        const double away = (branch.pointsInPatient[i] - place).norm();
-        if (away <= nearest) {
-            nearest = away;
+        const double distance = (branch.pointsInPatient[i] - point).norm();
+        if (distance <= nearest) {
+            nearest = distance;
             best = i;
         }
     }
@@ -44,77 +44,77 @@ std::size_t touchingPoint(const VesselBranch& branch, const Eigen::Vector3d& pla
 }
 
 /// Traverses the vessels from a root and collects the branches in this order.
-class RootWalker {
+class RootedTreeBuilder {
 public:
-    explicit RootWalker(const VesselTree& tree) : left_(tree.branches.begin(), tree.branches.end())
+    explicit RootedTreeBuilder(const VesselTree& tree) : remaining_(tree.branches.begin(), tree.branches.end())
     {
         for (const VesselBranch& branch : tree.branches) {
             nextId_ = std::max(nextId_, branch.id + 1);
         }
     }
 
-    bool isDone() const { return left_.empty(); }
+    bool isDone() const { return remaining_.empty(); }
 
     /// Traverses the vessels from the branch end with the highest score, `worth(branch, atBack)`.
-    template <class Worth>
-    void walkFromBest(const Worth& worth)
+    template <class Score>
+    void addFromBestEnd(const Score& score)
     {
         std::size_t best = 0;
         bool bestAtBack = false;
-        double greatest = -std::numeric_limits<double>::infinity();
-        for (std::size_t b = 0; b < left_.size(); ++b) {
+        double bestScore = -std::numeric_limits<double>::infinity();
+        for (std::size_t b = 0; b < remaining_.size(); ++b) {
             for (const bool atBack : {false, true}) {
-                if (const double value = worth(left_[b], atBack); value > greatest) {
-                    greatest = value;
+                if (const double value = score(remaining_[b], atBack); value > bestScore) {
+                    bestScore = value;
                     best = b;
                     bestAtBack = atBack;
                 }
             }
         }
-        VesselBranch root = take(best);
+        VesselBranch root = extract(best);
         if (bestAtBack) {
-            turnAround(root);
+            reverseBranch(root);
         }
         root.generation = 0;
         const std::size_t first = result_.branches.size();
         result_.branches.push_back(std::move(root));
         for (std::size_t b = first; b < result_.branches.size(); ++b) {
-            gatherChildren(b);
+            addChildren(b);
         }
     }
 
     VesselTree result() { return std::move(result_); }
 
 private:
-    VesselBranch take(std::size_t index)
+    VesselBranch extract(std::size_t index)
     {
-        VesselBranch branch = std::move(left_[index]);
-        left_.erase(left_.begin() + static_cast<std::ptrdiff_t>(index));
+        VesselBranch branch = std::move(remaining_[index]);
+        remaining_.erase(remaining_.begin() + static_cast<std::ptrdiff_t>(index));
         return branch;
     }
 
-    void gatherChildren(std::size_t parentIndex)
+    void addChildren(std::size_t parentIndex)
     {
-        for (std::size_t b = 0; b < left_.size();) {
+        for (std::size_t b = 0; b < remaining_.size();) {
             const VesselBranch& parent = result_.branches[parentIndex];
             const int generation = parent.generation + 1;
             const Eigen::Vector3d end = parent.pointsInPatient.back();
             const bool startsHere =
-                touchingPoint(parent, left_[b].pointsInPatient.front()) < parent.pointsInPatient.size();
+                touchingPoint(parent, remaining_[b].pointsInPatient.front()) < parent.pointsInPatient.size();
             const bool endsHere =
-                touchingPoint(parent, left_[b].pointsInPatient.back()) < parent.pointsInPatient.size();
-            const std::size_t at = touchingPoint(left_[b], end);
-            const bool isEntered = at < left_[b].pointsInPatient.size();
+                touchingPoint(parent, remaining_[b].pointsInPatient.back()) < parent.pointsInPatient.size();
+            const std::size_t at = touchingPoint(remaining_[b], end);
+            const bool isEntered = at < remaining_[b].pointsInPatient.size();
             if (!startsHere && !endsHere && !isEntered) {
                 ++b;
                 continue;
             }
-            VesselBranch child = take(b);
+            VesselBranch child = extract(b);
             if (!startsHere && endsHere) {
-                turnAround(child);
+                reverseBranch(child);
             } else if (!startsHere && at + 1 < child.pointsInPatient.size() && at > 0) {
                 addChild(secondPart(child, at), generation);
-                turnAround(child);
+                reverseBranch(child);
             }
             addChild(std::move(child), generation);
         }
@@ -140,26 +140,26 @@ private:
         return second;
     }
 
-    std::deque<VesselBranch> left_;
+    std::deque<VesselBranch> remaining_;
     VesselTree result_;
     int nextId_ = 1;
 };
 
 }   // namespace
 
-VesselTree rootedAt(const VesselTree& tree, const Eigen::Vector3d& rootInPatient)
+VesselTree rootTreeAt(const VesselTree& tree, const Eigen::Vector3d& rootInPatient)
 {
-    RootWalker walker(tree);
-    if (!walker.isDone()) {
-        walker.walkFromBest([&](const VesselBranch& branch, bool atBack) {
+    RootedTreeBuilder builder(tree);
+    if (!builder.isDone()) {
+        builder.addFromBestEnd([&](const VesselBranch& branch, bool atBack) {
             const auto& points = branch.pointsInPatient;
             return -((atBack ? points.back() : points.front()) - rootInPatient).norm();
         });
     }
-    while (!walker.isDone()) {
-        walker.walkFromBest([](const VesselBranch& branch, bool atBack) { return endRadius(branch, atBack); });
+    while (!builder.isDone()) {
+        builder.addFromBestEnd([](const VesselBranch& branch, bool atBack) { return endRadius(branch, atBack); });
     }
-    return walker.result();
+    return builder.result();
 }
 
 }   // namespace angiopose::core

@@ -8,6 +8,6 @@ namespace angiopose::core {
 /// counts the branches on the path from there, and parents come before their children. Ids and names are kept; a branch
 /// that another one meets in the middle is split, and the part that ran toward the junction keeps the id. Disconnected
 /// parts (farther than `touchingMm`) follow, each from its own thickest end.
-VesselTree rootedAt(const VesselTree& tree, const Eigen::Vector3d& rootInPatient);
+VesselTree rootTreeAt(const VesselTree& tree, const Eigen::Vector3d& rootInPatient);
 
 }   // namespace angiopose::core

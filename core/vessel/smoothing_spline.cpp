@@ -73,19 +73,19 @@ std::vector<Value> smoothedValues(const std::vector<Value>& points, const std::v
 
 }   // namespace
 
-std::vector<Eigen::Vector2d> smoothed(const std::vector<Eigen::Vector2d>& points, const std::vector<double>& weights,
-                                      double lambda)
+std::vector<Eigen::Vector2d> smoothSpline(const std::vector<Eigen::Vector2d>& points,
+                                          const std::vector<double>& weights, double lambda)
 {
     return smoothedValues(points, weights, lambda);
 }
 
-std::vector<Eigen::Vector3d> smoothed(const std::vector<Eigen::Vector3d>& points, const std::vector<double>& weights,
-                                      double lambda)
+std::vector<Eigen::Vector3d> smoothSpline(const std::vector<Eigen::Vector3d>& points,
+                                          const std::vector<double>& weights, double lambda)
 {
     return smoothedValues(points, weights, lambda);
 }
 
-std::vector<double> smoothed(const std::vector<double>& values, const std::vector<double>& weights, double lambda)
+std::vector<double> smoothSpline(const std::vector<double>& values, const std::vector<double>& weights, double lambda)
 {
     return smoothedValues(values, weights, lambda);
 }

@@ -7,10 +7,10 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double maxStrayShare = 0.01;
+constexpr double maxStrayFraction = 0.01;
 
 /// Returns the median of the points along each axis, ignoring non-finite points.
-Eigen::Vector3d middleOf(const std::vector<Eigen::Vector3d>& points)
+Eigen::Vector3d componentwiseMedian(const std::vector<Eigen::Vector3d>& points)
 {
     Eigen::Vector3d middle = Eigen::Vector3d::Zero();
     for (int axis = 0; axis < 3; ++axis) {
@@ -32,31 +32,31 @@ Eigen::Vector3d middleOf(const std::vector<Eigen::Vector3d>& points)
 
 }   // namespace
 
-std::size_t dropStrayPoints(SurfaceMesh& mesh)
+std::size_t removeStrayPoints(SurfaceMesh& mesh)
 {
-    const Eigen::Vector3d middle = middleOf(mesh.pointsInPatient);
-    constexpr std::uint32_t gone = 0xFFFFFFFFU;
-    std::vector<std::uint32_t> kept;
-    kept.reserve(mesh.pointsInPatient.size());
+    const Eigen::Vector3d middle = componentwiseMedian(mesh.pointsInPatient);
+    constexpr std::uint32_t removedIndex = 0xFFFFFFFFU;
+    std::vector<std::uint32_t> newIndices;
+    newIndices.reserve(mesh.pointsInPatient.size());
     std::uint32_t next = 0;
     for (const Eigen::Vector3d& point : mesh.pointsInPatient) {
-        const bool isNear = point.allFinite() && (point - middle).norm() <= largestReachMm;
-        kept.push_back(isNear ? next++ : gone);
+        const bool isNear = point.allFinite() && (point - middle).norm() <= maxBodySizeMm;
+        newIndices.push_back(isNear ? next++ : removedIndex);
     }
-    const std::size_t stray = kept.size() - next;
-    if (stray == 0 || static_cast<double>(stray) > maxStrayShare * static_cast<double>(kept.size())) {
+    const std::size_t stray = newIndices.size() - next;
+    if (stray == 0 || static_cast<double>(stray) > maxStrayFraction * static_cast<double>(newIndices.size())) {
         return 0;
     }
-    for (std::size_t n = 0; n < kept.size(); ++n) {
-        if (kept[n] != gone) {
-            mesh.pointsInPatient[kept[n]] = mesh.pointsInPatient[n];
+    for (std::size_t n = 0; n < newIndices.size(); ++n) {
+        if (newIndices[n] != removedIndex) {
+            mesh.pointsInPatient[newIndices[n]] = mesh.pointsInPatient[n];
         }
     }
     mesh.pointsInPatient.resize(next);
     std::vector<std::array<std::uint32_t, 3>> triangles;
     for (const auto& [a, b, c] : mesh.triangles) {
-        if (kept[a] != gone && kept[b] != gone && kept[c] != gone) {
-            triangles.push_back({kept[a], kept[b], kept[c]});
+        if (newIndices[a] != removedIndex && newIndices[b] != removedIndex && newIndices[c] != removedIndex) {
+            triangles.push_back({newIndices[a], newIndices[b], newIndices[c]});
         }
     }
     mesh.triangles = std::move(triangles);

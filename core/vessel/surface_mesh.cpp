@@ -8,7 +8,7 @@
 namespace angiopose::core {
 namespace {
 
-constexpr std::size_t pointsUnheard = 0xFFFF;   ///< bit mask: points between checks for cancellation, minus one
+constexpr std::size_t weldProgressMask = 0xFFFF;   ///< bit mask: points between checks for cancellation, minus one
 
 /// Undirected edge of a triangle, and whether the triangle traverses the edge in ascending order.
 struct HalfEdge {
@@ -46,26 +46,26 @@ MeshCheck checkMesh(const SurfaceMesh& mesh)
             upward += edges[end].isUpward ? 1 : -1;
         }
         const std::size_t count = end - first;
-        check.openEdges += count == 1 ? 1 : 0;
-        check.crowdedEdges += count > 2 ? 1 : 0;
+        check.boundaryEdges += count == 1 ? 1 : 0;
+        check.nonManifoldEdges += count > 2 ? 1 : 0;
         check.isOriented = check.isOriented && (count == 1 || upward == 0);
         first = end;
     }
     return check;
 }
 
-SurfaceMesh welded(const SurfaceMesh& mesh, const std::function<bool()>& shouldContinue)
+SurfaceMesh weldPoints(const SurfaceMesh& mesh, const std::function<bool()>& shouldContinue)
 {
     SurfaceMesh result;
-    std::map<std::tuple<double, double, double>, std::uint32_t> indexOfPlace;
+    std::map<std::tuple<double, double, double>, std::uint32_t> indexByPosition;
     std::vector<std::uint32_t> merged;
     merged.reserve(mesh.pointsInPatient.size());
     for (const Eigen::Vector3d& point : mesh.pointsInPatient) {
-        if ((merged.size() & pointsUnheard) == 0 && shouldContinue && !shouldContinue()) {
+        if ((merged.size() & weldProgressMask) == 0 && shouldContinue && !shouldContinue()) {
             return {};
         }
-        const auto [place, isNew] = indexOfPlace.try_emplace({point.x(), point.y(), point.z()},
-                                                             static_cast<std::uint32_t>(result.pointsInPatient.size()));
+        const auto [place, isNew] = indexByPosition.try_emplace(
+            {point.x(), point.y(), point.z()}, static_cast<std::uint32_t>(result.pointsInPatient.size()));
         if (isNew) {
             result.pointsInPatient.push_back(point);
         }

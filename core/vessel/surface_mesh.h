@@ -17,16 +17,16 @@ struct SurfaceMesh {
 
 /// Result of checking whether a mesh encloses a volume.
 struct MeshCheck {
-    std::size_t openEdges = 0;   ///< number of edges with one triangle, which border a hole
-    std::size_t crowdedEdges = 0;   ///< number of edges with more than two triangles
+    std::size_t boundaryEdges = 0;   ///< number of edges with one triangle, which border a hole
+    std::size_t nonManifoldEdges = 0;   ///< number of edges with more than two triangles
     bool isOriented = false;   ///< whether neighboring triangles have consistent orientation
 
-    bool isClosed() const { return openEdges == 0 && crowdedEdges == 0; }
+    bool isClosed() const { return boundaryEdges == 0 && nonManifoldEdges == 0; }
 };
 MeshCheck checkMesh(const SurfaceMesh& mesh);
 
 /// Returns the mesh with coincident points merged and zero-area triangles removed. Incomplete if `shouldContinue`,
 /// which is called regularly, returns false.
-SurfaceMesh welded(const SurfaceMesh& mesh, const std::function<bool()>& shouldContinue = {});
+SurfaceMesh weldPoints(const SurfaceMesh& mesh, const std::function<bool()>& shouldContinue = {});
 
 }   // namespace angiopose::core

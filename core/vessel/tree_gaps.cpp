@@ -11,7 +11,7 @@
 namespace angiopose::core {
 namespace {
 
-constexpr std::size_t directionStretch = 5;   ///< number of points from which the direction of an end is computed
+constexpr std::size_t directionPoints = 5;   ///< number of points from which the direction of an end is computed
 
 /// Returns the distance from a point to the polyline of a branch, including between its points, which may be far apart.
 double distanceTo(const VesselBranch& branch, const Eigen::Vector3d& point)
@@ -19,48 +19,48 @@ double distanceTo(const VesselBranch& branch, const Eigen::Vector3d& point)
     const auto& points = branch.pointsInPatient;
     double nearest = (points.front() - point).norm();
     for (std::size_t i = 1; i < points.size(); ++i) {
-        const Eigen::Vector3d way = points[i] - points[i - 1];
-        const double length = way.squaredNorm();
-        const double share = length > 0.0 ? std::clamp((point - points[i - 1]).dot(way) / length, 0.0, 1.0) : 0.0;
-        nearest = std::min(nearest, (points[i - 1] + share * way - point).norm());
+        const Eigen::Vector3d span = points[i] - points[i - 1];
+        const double length = span.squaredNorm();
+        const double fraction = length > 0.0 ? std::clamp((point - points[i - 1]).dot(span) / length, 0.0, 1.0) : 0.0;
+        nearest = std::min(nearest, (points[i - 1] + fraction * span - point).norm());
     }
     return nearest;
 }
 
 /// Returns, for each branch, the representative of its connected component.
-std::vector<std::size_t> piecesOf(const VesselTree& tree)
+std::vector<std::size_t> componentsByBranch(const VesselTree& tree)
 {
     const std::size_t count = tree.branches.size();
-    std::vector<std::size_t> piece(count);
-    std::iota(piece.begin(), piece.end(), 0);
+    std::vector<std::size_t> component(count);
+    std::iota(component.begin(), component.end(), 0);
     const auto touches = [](const VesselBranch& branch, const VesselBranch& other) {
-        return distanceTo(other, branch.pointsInPatient.front()) <= touchingMm ||
-               distanceTo(other, branch.pointsInPatient.back()) <= touchingMm;
+        return distanceTo(other, branch.pointsInPatient.front()) <= maxContactMm ||
+               distanceTo(other, branch.pointsInPatient.back()) <= maxContactMm;
     };
     for (std::size_t a = 0; a < count; ++a) {
         for (std::size_t b = 0; b < count; ++b) {
-            if (piece[a] != piece[b] && touches(tree.branches[a], tree.branches[b])) {
-                std::replace(piece.begin(), piece.end(), std::size_t{piece[b]}, std::size_t{piece[a]});
+            if (component[a] != component[b] && touches(tree.branches[a], tree.branches[b])) {
+                std::replace(component.begin(), component.end(), std::size_t{component[b]}, std::size_t{component[a]});
             }
         }
     }
-    return piece;
+    return component;
 }
 
 /// Returns the outward unit direction at an end of a branch.
-Eigen::Vector3d outwards(const VesselBranch& branch, bool atBack)
+Eigen::Vector3d outwardDirection(const VesselBranch& branch, bool atBack)
 {
     const auto& points = branch.pointsInPatient;
-    const std::size_t reach = std::min(directionStretch, points.size() - 1);
-    const Eigen::Vector3d way =
+    const std::size_t reach = std::min(directionPoints, points.size() - 1);
+    const Eigen::Vector3d span =
         atBack ? points.back() - points[points.size() - 1 - reach] : points.front() - points[reach];
-    return way.norm() > 1e-9 ? way.normalized().eval() : Eigen::Vector3d::Zero().eval();
+    return span.norm() > 1e-9 ? span.normalized().eval() : Eigen::Vector3d::Zero().eval();
 }
 
 /// Returns the plausibility of a gap, in which a short distance outweighs a change of direction.
-double worthOf(const TreeGap& gap)
+double plausibilityOf(const TreeGap& gap)
 {
-    return (1.5 + gap.directionAgreement) / (touchingMm + gap.distanceMm);
+    return (1.5 + gap.directionAgreement) / (maxContactMm + gap.distanceMm);
 }
 
 /// Returns the best connection from one end to a branch of another component.
@@ -77,44 +77,45 @@ TreeGap gapBetween(const VesselBranch& from, bool atBack, const VesselBranch& to
     gap.toInPatient = *nearest;
     const bool isFront = nearest == to.pointsInPatient.begin();
     gap.toIsEnd = isFront || nearest + 1 == to.pointsInPatient.end();
-    const Eigen::Vector3d way = gap.toInPatient - gap.fromInPatient;
-    gap.distanceMm = way.norm();
-    const Eigen::Vector3d direction = gap.distanceMm > 1e-9 ? (way / gap.distanceMm).eval() : outwards(from, atBack);
-    gap.directionAgreement = outwards(from, atBack).dot(direction);
+    const Eigen::Vector3d span = gap.toInPatient - gap.fromInPatient;
+    gap.distanceMm = span.norm();
+    const Eigen::Vector3d direction =
+        gap.distanceMm > 1e-9 ? (span / gap.distanceMm).eval() : outwardDirection(from, atBack);
+    gap.directionAgreement = outwardDirection(from, atBack).dot(direction);
     if (gap.toIsEnd) {
-        gap.directionAgreement = 0.5 * (gap.directionAgreement - outwards(to, !isFront).dot(direction));
+        gap.directionAgreement = 0.5 * (gap.directionAgreement - outwardDirection(to, !isFront).dot(direction));
     }
     return gap;
 }
 
-double lengthOfPiece(const VesselTree& tree, const std::vector<std::size_t>& piece, std::size_t which)
+double componentLength(const VesselTree& tree, const std::vector<std::size_t>& component, std::size_t which)
 {
     double length = 0.0;
-    for (std::size_t b = 0; b < piece.size(); ++b) {
-        length += piece[b] == which ? tree.branches[b].lengthMm() : 0.0;
+    for (std::size_t b = 0; b < component.size(); ++b) {
+        length += component[b] == which ? tree.branches[b].lengthMm() : 0.0;
     }
     return length;
 }
 
 }   // namespace
 
-std::vector<TreeGap> findGaps(const VesselTree& tree, double longestMm)
+std::vector<TreeGap> findGaps(const VesselTree& tree, double maxGapMm)
 {
-    const std::vector<std::size_t> piece = piecesOf(tree);
+    const std::vector<std::size_t> component = componentsByBranch(tree);
     std::map<std::size_t, std::optional<TreeGap>> best;   // best gap of each component
-    for (const std::size_t which : piece) {
+    for (const std::size_t which : component) {
         best.try_emplace(which);
     }
-    for (std::size_t a = 0; a < piece.size(); ++a) {
-        for (std::size_t b = 0; b < piece.size(); ++b) {
+    for (std::size_t a = 0; a < component.size(); ++a) {
+        for (std::size_t b = 0; b < component.size(); ++b) {
             for (const bool atBack : {false, true}) {
-                if (piece[a] == piece[b]) {
+                if (component[a] == component[b]) {
                     continue;
                 }
                 const TreeGap gap = gapBetween(tree.branches[a], atBack, tree.branches[b]);
-                for (const std::size_t which : {piece[a], piece[b]}) {   // each gap counts for both components
+                for (const std::size_t which : {component[a], component[b]}) {   // each gap counts for both components
                     std::optional<TreeGap>& known = best[which];
-                    if (gap.distanceMm <= longestMm && (!known || worthOf(gap) > worthOf(*known))) {
+                    if (gap.distanceMm <= maxGapMm && (!known || plausibilityOf(gap) > plausibilityOf(*known))) {
                         known = gap;
                     }
                 }
@@ -123,7 +124,7 @@ std::vector<TreeGap> findGaps(const VesselTree& tree, double longestMm)
     }
     if (!best.empty()) {   // the largest component needs no gap; the others connect to it
         best.erase(std::max_element(best.begin(), best.end(), [&](const auto& a, const auto& b) {
-            return lengthOfPiece(tree, piece, a.first) < lengthOfPiece(tree, piece, b.first);
+            return componentLength(tree, component, a.first) < componentLength(tree, component, b.first);
         }));
     }
     std::vector<TreeGap> gaps;
@@ -133,17 +134,17 @@ std::vector<TreeGap> findGaps(const VesselTree& tree, double longestMm)
         }
     }
     std::stable_sort(gaps.begin(), gaps.end(),
-                     [](const TreeGap& a, const TreeGap& b) { return worthOf(a) > worthOf(b); });
+                     [](const TreeGap& a, const TreeGap& b) { return plausibilityOf(a) > plausibilityOf(b); });
     return gaps;
 }
 
-int pieceCount(const VesselTree& tree)
+int componentCount(const VesselTree& tree)
 {
-    const std::vector<std::size_t> piece = piecesOf(tree);
-    return static_cast<int>(std::set<std::size_t>(piece.begin(), piece.end()).size());
+    const std::vector<std::size_t> component = componentsByBranch(tree);
+    return static_cast<int>(std::set<std::size_t>(component.begin(), component.end()).size());
 }
 
-Result<VesselTree> mended(const VesselTree& tree, const TreeGap& gap)
+Result<VesselTree> closeGap(const VesselTree& tree, const TreeGap& gap)
 {
     const auto endAt = [&tree](int branchId, const Eigen::Vector3d& point) {
         const VesselBranch* branch = tree.find(branchId);
@@ -152,8 +153,8 @@ Result<VesselTree> mended(const VesselTree& tree, const TreeGap& gap)
         return BranchEnd{branchId, !isFront};
     };
     const BranchEnd from = endAt(gap.fromBranchId, gap.fromInPatient);
-    return gap.toIsEnd ? joinedOver(tree, from, endAt(gap.toBranchId, gap.toInPatient))
-                       : extendedTo(tree, from, gap.toInPatient);
+    return gap.toIsEnd ? joinAtEnds(tree, from, endAt(gap.toBranchId, gap.toInPatient))
+                       : extendTo(tree, from, gap.toInPatient);
 }
 
 }   // namespace angiopose::core

@@ -19,14 +19,14 @@ struct TreeGap {
 };
 
 /// Finds the gaps of a disconnected tree. For each component except the largest, returns the most plausible gap (short
-/// and straight) to another component, sorted by plausibility. Gaps longer than `longestMm` are ignored.
-std::vector<TreeGap> findGaps(const VesselTree& tree, double longestMm = 25.0);
+/// and straight) to another component, sorted by plausibility. Gaps longer than `maxGapMm` are ignored.
+std::vector<TreeGap> findGaps(const VesselTree& tree, double maxGapMm = 25.0);
 
 /// Returns the number of connected components.
-int pieceCount(const VesselTree& tree);
+int componentCount(const VesselTree& tree);
 
 /// Closes a gap: the two branches become one if the gap lies at ends of both (see `joinedOver`); otherwise one branch
 /// is extended to the side of the other.
-Result<VesselTree> mended(const VesselTree& tree, const TreeGap& gap);
+Result<VesselTree> closeGap(const VesselTree& tree, const TreeGap& gap);
 
 }   // namespace angiopose::core

@@ -72,8 +72,8 @@ std::vector<KnotLink> linkForest(const TreeKnots& knots, const std::vector<KnotP
                 if (isReached[child] == 0) {
                     isReached[child] = 1;
                     waiting.push_back(child);
-                    const double apart = (knots.places[child] - knots.places[parent]).norm();
-                    links.push_back({parent, child, std::max(minLinkMm, apart)});
+                    const double distanceMm = (knots.places[child] - knots.places[parent]).norm();
+                    links.push_back({parent, child, std::max(minLinkMm, distanceMm)});
                 }
             }
         }
@@ -102,7 +102,7 @@ void addBranch(const VesselBranch& branch, bool isUsed, double spacingMm, TreeKn
 }
 
 /// Returns the pairs that are not links of the forest.
-std::vector<KnotLink> cutLinks(const TreeKnots& knots, const std::vector<KnotPair>& pairs)
+std::vector<KnotLink> findCutLinks(const TreeKnots& knots, const std::vector<KnotPair>& pairs)
 {
     std::vector<std::size_t> parents(knots.size(), knots.size());
     for (const KnotLink& link : knots.links) {
@@ -111,8 +111,8 @@ std::vector<KnotLink> cutLinks(const TreeKnots& knots, const std::vector<KnotPai
     std::vector<KnotLink> cuts;
     for (const KnotPair& pair : pairs) {
         if (pair.a != pair.b && parents[pair.a] != pair.b && parents[pair.b] != pair.a) {
-            const double apart = (knots.places[pair.a] - knots.places[pair.b]).norm();
-            cuts.push_back({pair.a, pair.b, std::max(minLinkMm, apart)});
+            const double distanceMm = (knots.places[pair.a] - knots.places[pair.b]).norm();
+            cuts.push_back({pair.a, pair.b, std::max(minLinkMm, distanceMm)});
         }
     }
     return cuts;
@@ -151,7 +151,7 @@ TreeKnots treeKnots(const VesselTree& tree, const std::vector<int>& excludedBran
     }
     const std::vector<KnotPair> pairs = neighborPairs(tree, knots);
     knots.links = linkForest(knots, pairs);
-    knots.cuts = cutLinks(knots, pairs);
+    knots.cuts = findCutLinks(knots, pairs);
     return knots;
 }
 

@@ -1,6 +1,6 @@
 #include "core/vessel/vessel_mark.h"
 
-#include "core/vessel/place_on_tree.h"
+#include "core/vessel/tree_position.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -40,9 +40,9 @@ std::vector<Eigen::Vector3d> ringPoints(const VesselMark& ring, std::size_t coun
     return points;
 }
 
-VesselMark movedWith(const VesselTree& from, const VesselTree& to, VesselMark mark)
+VesselMark moveWithVessels(const VesselTree& from, const VesselTree& to, VesselMark mark)
 {
-    const auto place = haveSamePoints(from, to) ? nearestPlace(from, mark.pointInPatient) : std::nullopt;
+    const auto place = haveSamePoints(from, to) ? nearestPosition(from, mark.pointInPatient) : std::nullopt;
     if (place) {
         mark.pointInPatient += pointAt(to, *place) - pointAt(from, *place);
         mark.normal =

@@ -31,6 +31,6 @@ std::vector<Eigen::Vector3d> ringPoints(const VesselMark& ring, std::size_t coun
 
 /// Moves a mark together with deforming vessels. Both trees must have the same branches and points; otherwise the mark
 /// stays unchanged. The mark keeps its offset to the nearest point of the vessels, and a ring rotates with its branch.
-VesselMark movedWith(const VesselTree& from, const VesselTree& to, VesselMark mark);
+VesselMark moveWithVessels(const VesselTree& from, const VesselTree& to, VesselMark mark);
 
 }   // namespace angiopose::core

@@ -12,14 +12,14 @@
 namespace angiopose::core {
 namespace {
 
-struct EndOfBranch {
+struct BranchTip {
     int branchId;
     Eigen::Vector3d point;
 };
 
-std::vector<EndOfBranch> endsOf(const VesselTree& tree)
+std::vector<BranchTip> endsOf(const VesselTree& tree)
 {
-    std::vector<EndOfBranch> ends;
+    std::vector<BranchTip> ends;
     for (const VesselBranch& branch : tree.branches) {
         if (!branch.pointsInPatient.empty()) {
             ends.push_back({branch.id, branch.pointsInPatient.front()});
@@ -44,7 +44,7 @@ struct BoxedBranch {
     }
 };
 
-std::vector<BoxedBranch> boxed(const VesselTree& tree)
+std::vector<BoxedBranch> addBoxes(const VesselTree& tree)
 {
     std::vector<BoxedBranch> all;
     for (const VesselBranch& branch : tree.branches) {
@@ -82,8 +82,8 @@ const VesselBranch* VesselTree::find(int branchId) const
 std::vector<VesselNode> findNodes(const VesselTree& tree, double toleranceMm)
 {
     std::vector<VesselNode> nodes;
-    const std::vector<BoxedBranch> branches = boxed(tree);
-    for (const EndOfBranch& end : endsOf(tree)) {
+    const std::vector<BoxedBranch> branches = addBoxes(tree);
+    for (const BranchTip& end : endsOf(tree)) {
         const bool known = std::any_of(nodes.begin(), nodes.end(), [&](const VesselNode& node) {
             return (node.pointInPatient - end.point).norm() <= toleranceMm;
         });
@@ -149,26 +149,26 @@ VesselTree without(const VesselTree& tree, const std::vector<int>& excludedIds)
 
 bool isCompact(const VesselTree& tree)
 {
-    double lengthMm = 0.0, greatestRadiusMm = 0.0;
+    double lengthMm = 0.0, maxRadiusMm = 0.0;
     for (const VesselBranch& branch : tree.branches) {
         lengthMm += branch.lengthMm();
         for (const double radius : branch.radiusMm) {
-            greatestRadiusMm = std::max(greatestRadiusMm, radius);
+            maxRadiusMm = std::max(maxRadiusMm, radius);
         }
     }
-    return lengthMm < 2.0 * (2.0 * greatestRadiusMm);
+    return lengthMm < 2.0 * (2.0 * maxRadiusMm);
 }
 
 double acrossMm(const VesselTree& tree)
 {
     Eigen::AlignedBox3d box;
-    for (const BoxedBranch& branch : boxed(tree)) {
+    for (const BoxedBranch& branch : addBoxes(tree)) {
         box.extend(branch.box);
     }
     return box.isEmpty() ? 0.0 : box.diagonal().norm();
 }
 
-bool isUsualSize(const VesselTree& tree)
+bool isPlausibleSize(const VesselTree& tree)
 {
     constexpr double shortestMm = 10.0, longestMm = 2000.0;   // from one short branch to the vessels of a whole body
     constexpr double thinnestMm = 0.15, widestMm = 60.0;   // from half a CT voxel to an aneurysm
@@ -197,7 +197,7 @@ std::optional<Message> findProblem(const VesselTree& tree)
     std::set<int> ids;
     for (const VesselBranch& branch : tree.branches) {
         if (!ids.insert(branch.id).second) {
-            return messages::branchTwice(branch.id);
+            return messages::duplicateBranchId(branch.id);
         }
         if (branch.pointsInPatient.size() < 2) {
             return messages::branchTooFewPoints(branch.id);

@@ -61,7 +61,7 @@ bool isCompact(const VesselTree& tree);
 double acrossMm(const VesselTree& tree);
 
 /// Returns whether size and width are typical of vessels in CT; if not, the coordinates may have another unit.
-bool isUsualSize(const VesselTree& tree);
+bool isPlausibleSize(const VesselTree& tree);
 
 /// Returns the reason why a tree is unusable (no branch, one point, NaN, …); nothing if it is valid.
 std::optional<Message> findProblem(const VesselTree& tree);

@@ -12,11 +12,11 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double finestStepDeg = 0.5;
-constexpr double foundToDeg = 0.1;
-constexpr double minApartDeg = 20.0;
+constexpr double minStepDeg = 0.5;
+constexpr double angleToleranceDeg = 0.1;
+constexpr double minSeparationDeg = 20.0;
 constexpr std::size_t maxSuggestions = 3;
-constexpr double worthFollowing = 0.1;   // cost above the best grid point beyond which refinement is not worthwhile
+constexpr double maxRefinedCostGap = 0.1;   // cost above the best grid point beyond which refinement is not worthwhile
 
 std::optional<Message> findProblem(const AngleMapOptions& options)
 {
@@ -24,19 +24,19 @@ std::optional<Message> findProblem(const AngleMapOptions& options)
         return range.fromDeg <= range.toDeg && std::abs(range.fromDeg) <= limitDeg && std::abs(range.toDeg) <= limitDeg;
     };
     if (!isRange(options.primary, 180.0)) {
-        return messages::angleRangeOdd("LAO/RAO", 180);
+        return messages::angleRangeInvalid("LAO/RAO", 180);
     }
     if (!isRange(options.secondary, 90.0)) {
-        return messages::angleRangeOdd("CRA/CAU", 90);
+        return messages::angleRangeInvalid("CRA/CAU", 90);
     }
-    if (!(options.stepDeg >= finestStepDeg)) {
-        return messages::angleStepFine(Quantity{finestStepDeg, 1, "°"});
+    if (!(options.stepDeg >= minStepDeg)) {
+        return messages::angleStepTooFine(Quantity{minStepDeg, 1, "°"});
     }
     return {};
 }
 
 /// Divides the range into equal steps of at most `stepDeg`, including both ends.
-std::vector<double> gridOf(const AngleRange& range, double stepDeg)
+std::vector<double> angleGrid(const AngleRange& range, double stepDeg)
 {
     const auto steps = static_cast<int>(std::ceil((range.toDeg - range.fromDeg) / stepDeg - 1e-9));
     std::vector<double> grid{range.fromDeg};
@@ -47,7 +47,7 @@ std::vector<double> gridOf(const AngleRange& range, double stepDeg)
 }
 
 /// Whether no neighboring grid point has a lower cost.
-bool isLowest(const AngleMap& map, std::size_t column, std::size_t row)
+bool isLocalMinimum(const AngleMap& map, std::size_t column, std::size_t row)
 {
     const double cost = map.at(column, row).cost();
     for (std::size_t y = row - std::min<std::size_t>(row, 1); y <= std::min(row + 1, map.secondaryDeg.size() - 1);
@@ -64,7 +64,7 @@ bool isLowest(const AngleMap& map, std::size_t column, std::size_t row)
 
 class AngleSearch {
 public:
-    AngleSearch(const PartSight& sight, const PoseAtAngles& poseAt, const AngleMapOptions& options)
+    AngleSearch(const ViewEvaluator& sight, const PoseAtAngles& poseAt, const AngleMapOptions& options)
         : sight_(sight), poseAt_(poseAt), options_(options)
     {
     }
@@ -74,7 +74,7 @@ public:
     /// Descends in eight directions, halving the step, within the gantry limits.
     AngleSuggestion refined(AngleSuggestion best) const
     {
-        for (double step = 0.5 * options_.stepDeg; step > 0.5 * foundToDeg;) {
+        for (double step = 0.5 * options_.stepDeg; step > 0.5 * angleToleranceDeg;) {
             const AngleSuggestion next = bestAround(best, step);
             const bool isBetter = next.quality.cost() < best.quality.cost();
             best = isBetter ? next : best;
@@ -89,10 +89,10 @@ private:
         AngleSuggestion best = middle;
         for (int y = -1; y <= 1; ++y) {
             for (int x = -1; x <= 1; ++x) {
-                const AngleSuggestion tried =
+                const AngleSuggestion candidate =
                     at({within(options_.primary, middle.angles.primaryDeg + x * stepDeg),
                         within(options_.secondary, middle.angles.secondaryDeg + y * stepDeg)});
-                best = tried.quality.cost() < best.quality.cost() ? tried : best;
+                best = candidate.quality.cost() < best.quality.cost() ? candidate : best;
             }
         }
         return best;
@@ -100,13 +100,13 @@ private:
 
     static double within(const AngleRange& range, double deg) { return std::clamp(deg, range.fromDeg, range.toDeg); }
 
-    const PartSight& sight_;
+    const ViewEvaluator& sight_;
     const PoseAtAngles& poseAt_;
     const AngleMapOptions& options_;
 };
 
 /// Returns the angle in degrees between the rays of two gantry positions.
-double apartDeg(const GantryAngles& a, const GantryAngles& b)
+double angleBetweenBeamsDeg(const GantryAngles& a, const GantryAngles& b)
 {
     const double cosine =
         detectorDirection(a.primaryDeg, a.secondaryDeg).dot(detectorDirection(b.primaryDeg, b.secondaryDeg));
@@ -115,50 +115,52 @@ double apartDeg(const GantryAngles& a, const GantryAngles& b)
 
 std::vector<AngleSuggestion> suggestions(const AngleMap& map, const AngleSearch& search)
 {
-    std::vector<AngleSuggestion> lows;
-    double least = std::numeric_limits<double>::infinity();
-    for (const SightQuality& quality : map.qualities) {
-        least = std::min(least, quality.cost());
+    std::vector<AngleSuggestion> minima;
+    double minCost = std::numeric_limits<double>::infinity();
+    for (const ViewQuality& quality : map.qualities) {
+        minCost = std::min(minCost, quality.cost());
     }
     for (std::size_t row = 0; row < map.secondaryDeg.size(); ++row) {
         for (std::size_t column = 0; column < map.primaryDeg.size(); ++column) {
-            if (map.at(column, row).cost() <= least + worthFollowing && isLowest(map, column, row)) {
-                lows.push_back(search.refined({{map.primaryDeg[column], map.secondaryDeg[row]}, map.at(column, row)}));
+            if (map.at(column, row).cost() <= minCost + maxRefinedCostGap && isLocalMinimum(map, column, row)) {
+                minima.push_back(
+                    search.refined({{map.primaryDeg[column], map.secondaryDeg[row]}, map.at(column, row)}));
             }
         }
     }
-    std::ranges::stable_sort(lows, {}, [](const AngleSuggestion& each) { return each.quality.cost(); });
-    std::vector<AngleSuggestion> apart;
-    for (const AngleSuggestion& low : lows) {
-        const bool isNew = std::ranges::none_of(
-            apart, [&](const AngleSuggestion& better) { return apartDeg(better.angles, low.angles) < minApartDeg; });
-        if (isNew && apart.size() < maxSuggestions) {
-            apart.push_back(low);
+    std::ranges::stable_sort(minima, {}, [](const AngleSuggestion& each) { return each.quality.cost(); });
+    std::vector<AngleSuggestion> separated;
+    for (const AngleSuggestion& minimum : minima) {
+        const bool isNew = std::ranges::none_of(separated, [&](const AngleSuggestion& better) {
+            return angleBetweenBeamsDeg(better.angles, minimum.angles) < minSeparationDeg;
+        });
+        if (isNew && separated.size() < maxSuggestions) {
+            separated.push_back(minimum);
         }
     }
-    return apart;
+    return separated;
 }
 
 const Eigen::Vector3d anyIsocenter = Eigen::Vector3d::Zero();   // same before and after the rotation, so it cancels
 
 }   // namespace
 
-Result<AngleMap> mapAngles(const PartSight& sight, const PoseAtAngles& poseAt, const AngleMapOptions& options,
-                           const std::function<Verdict(double)>& observe)
+Result<AngleMap> computeAngleMap(const ViewEvaluator& sight, const PoseAtAngles& poseAt, const AngleMapOptions& options,
+                                 const std::function<ObserverDecision(double)>& observe)
 {
     if (const auto problem = findProblem(options)) {
         return Error(*problem);
     }
     const AngleSearch search(sight, poseAt, options);
-    AngleMap map{gridOf(options.primary, options.stepDeg), gridOf(options.secondary, options.stepDeg), {}, {}};
+    AngleMap map{angleGrid(options.primary, options.stepDeg), angleGrid(options.secondary, options.stepDeg), {}, {}};
     const std::size_t columns = map.primaryDeg.size();
     map.qualities.resize(columns * map.secondaryDeg.size());
-    const auto lookAt = [&](std::size_t i) {
+    const auto evaluate = [&](std::size_t i) {
         map.qualities[i] = search.at({map.primaryDeg[i % columns], map.secondaryDeg[i / columns]}).quality;
     };
-    const auto shouldContinue = [&](double done) { return !observe || observe(done) == Verdict::Continue; };
-    if (!parallelFor(map.qualities.size(), threadCount(options.threads), lookAt, shouldContinue)) {
-        return Stopped{messages::anglesStopped()};
+    const auto shouldContinue = [&](double done) { return !observe || observe(done) == ObserverDecision::Continue; };
+    if (!parallelFor(map.qualities.size(), threadCount(options.threads), evaluate, shouldContinue)) {
+        return Cancellation{messages::anglesStopped()};
     }
     map.best = suggestions(map, search);
     return map;
@@ -173,7 +175,7 @@ std::optional<GantryAngles> gantryAnglesOf(const View& view)
     return GantryAngles{*cArm.primaryAngleDeg.value, *cArm.secondaryAngleDeg.value};
 }
 
-Result<PoseAtAngles> turningGantry(const View& view)
+Result<PoseAtAngles> poseForGantryAngles(const View& view)
 {
     const CArm now = cArmOfFrame(view);
     const auto gantry = cameraFromPatient(now, anyIsocenter);

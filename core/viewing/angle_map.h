@@ -1,9 +1,9 @@
 #pragma once
 
 #include "core/case/view.h"
+#include "core/support/observer_decision.h"
 #include "core/support/result.h"
-#include "core/support/verdict.h"
-#include "core/viewing/part_sight.h"
+#include "core/viewing/view_evaluator.h"
 
 #include <functional>
 #include <vector>
@@ -33,17 +33,17 @@ struct AngleMapOptions {
 /// Suggested gantry angles and the view quality they give.
 struct AngleSuggestion {
     GantryAngles angles;
-    SightQuality quality;
+    ViewQuality quality;
 };
 
 /// View quality of a part of the vessels from all gantry angles.
 struct AngleMap {
     std::vector<double> primaryDeg;   ///< angles of the columns, ascending
     std::vector<double> secondaryDeg;   ///< angles of the rows, ascending
-    std::vector<SightQuality> qualities;   ///< one per grid point, row by row
+    std::vector<ViewQuality> qualities;   ///< one per grid point, row by row
     std::vector<AngleSuggestion> best;   ///< at most three suggestions, at least 20° apart, best first
 
-    const SightQuality& at(std::size_t column, std::size_t row) const
+    const ViewQuality& at(std::size_t column, std::size_t row) const
     {
         return qualities[row * primaryDeg.size() + column];
     }
@@ -55,14 +55,15 @@ using PoseAtAngles = std::function<RigidTransform(const GantryAngles&)>;
 /// Evaluates the view of the part on a grid of angles, then refines the best angles to a tenth of a degree. `observe`
 /// receives the progress, 0…1, and can cancel. Fails if a range is empty, not finite, or beyond ±180° (primary) or ±90°
 /// (secondary), or if the step is below half a degree.
-Result<AngleMap> mapAngles(const PartSight& sight, const PoseAtAngles& poseAt, const AngleMapOptions& options = {},
-                           const std::function<Verdict(double)>& observe = {});
+Result<AngleMap> computeAngleMap(const ViewEvaluator& sight, const PoseAtAngles& poseAt,
+                                 const AngleMapOptions& options = {},
+                                 const std::function<ObserverDecision(double)>& observe = {});
 
 /// Returns the gantry angles of a view at its current frame; nothing if they are unknown.
 std::optional<GantryAngles> gantryAnglesOf(const View& view);
 
 /// Returns the pose of the vessels in the view as a function of the gantry angles, with rotation about the isocenter.
 /// Fails if the view lacks angles or the source-to-isocenter distance.
-Result<PoseAtAngles> turningGantry(const View& view);
+Result<PoseAtAngles> poseForGantryAngles(const View& view);
 
 }   // namespace angiopose::core

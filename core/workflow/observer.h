@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/registration/registration.h"
-#include "core/support/verdict.h"
+#include "core/support/observer_decision.h"
 
 #include <cstddef>
 #include <functional>
@@ -19,21 +19,21 @@ struct WorkReport {
 
 /// Observer of operations on a case. It is called on the calling thread, several times a second. Returning Stop cancels
 /// the operation, which keeps useful intermediate results.
-using WorkObserver = std::function<Verdict(const WorkReport&)>;
+using WorkObserver = std::function<ObserverDecision(const WorkReport&)>;
 
 /// Reports the progress of an operation to its observer, for use in the implementation. Converts the progress of each
 /// part to a never-decreasing fraction of the whole and records a stop request.
-class Course {
+class ProgressReporter {
 public:
-    explicit Course(const WorkObserver& observe) : observe_(observe) {}
-    Course(const Course&) = delete;
-    Course& operator=(const Course&) = delete;
+    explicit ProgressReporter(const WorkObserver& observe) : observe_(observe) {}
+    ProgressReporter(const ProgressReporter&) = delete;
+    ProgressReporter& operator=(const ProgressReporter&) = delete;
 
     /// Starts a part: subsequent reports are about `view`, with progress from `first` to `last` of the whole.
     void enter(double first, double last, std::size_t view);
 
     /// Reports `fraction`, the progress within the part, and returns the observer's decision.
-    Verdict tell(std::string_view stage, double fraction, const IterationReport* iteration = nullptr);
+    ObserverDecision report(std::string_view stage, double fraction, const IterationReport* iteration = nullptr);
     bool isStopped() const { return isStopped_; }
 
 private:

@@ -2,7 +2,7 @@
 
 #include "core/case/case_patients.h"
 #include "core/case/case_views.h"
-#include "core/case/geometry_of_images.h"
+#include "core/case/estimated_geometry.h"
 #include "core/case/registration_input.h"
 #include "core/messages/messages.h"
 #include "core/registration/deformable/deformed_tree.h"
@@ -28,7 +28,7 @@ Result<std::vector<std::size_t>> plannedViews(const Case& session, RegistrationP
     for (const View& view : session.views) {
         if (views == RegistrationPlan::Views::All && !view.angiogram) {
             const std::string& path = view.imageFile.path.empty() ? view.caseFile.path : view.imageFile.path;
-            return Error(messages::viewImageUnread().about(path));
+            return Error(messages::viewImageUnreadable().about(path));
         }
     }
     return registeredViews(session);
@@ -37,39 +37,39 @@ Result<std::vector<std::size_t>> plannedViews(const Case& session, RegistrationP
 /// Names the image file in the error if there are several views.
 Error about(const Error& error, const View& view, std::size_t viewCount)
 {
-    return viewCount > 1 && !error.isStop() ? error.about(view.imageFile.path) : error;
+    return viewCount > 1 && !error.isCancellation() ? error.about(view.imageFile.path) : error;
 }
 
 /// Targets of the registered views and tracing times (NaN if the target was known).
 struct TracedViews {
     std::vector<Centerline2d> targets;
-    std::vector<double> tookMs;
+    std::vector<double> durationsMs;
 };
 
-Result<TracedViews> traceViews(const Case& session, const std::vector<std::size_t>& places,
-                               std::optional<Centerline2d> shownTarget, Course& course)
+Result<TracedViews> traceViews(const Case& session, const std::vector<std::size_t>& viewIndices,
+                               std::optional<Centerline2d> shownTarget, ProgressReporter& progress)
 {
     TracedViews traced;
-    const double share = tracingShare / static_cast<double>(places.size());
-    for (std::size_t k = 0; k < places.size(); ++k) {
-        course.enter(share * static_cast<double>(k), share * static_cast<double>(k + 1), places[k]);
-        const View& view = session.views[places[k]];
+    const double share = tracingShare / static_cast<double>(viewIndices.size());
+    for (std::size_t k = 0; k < viewIndices.size(); ++k) {
+        progress.enter(share * static_cast<double>(k), share * static_cast<double>(k + 1), viewIndices[k]);
+        const View& view = session.views[viewIndices[k]];
         const bool isWire = session.options.method == "wire" && devicesOf(view);
         if (k == 0 && shownTarget && !isWire) {
             traced.targets.push_back(*std::move(shownTarget));
-            traced.tookMs.push_back(StageTimes::notMeasured);
+            traced.durationsMs.push_back(StageTimes::notMeasured);
             continue;
         }
-        if (course.tell("tracing", 0.0) == Verdict::Stop) {
-            return Stopped{messages::stoppedBeforeRun()};
+        if (progress.report("tracing", 0.0) == ObserverDecision::Stop) {
+            return Cancellation{messages::stoppedBeforeRun()};
         }
         Stopwatch watch;
         auto target = targetOf(view, session.options.method);
         if (!target) {
-            return about(target.error(), view, places.size());
+            return about(target.error(), view, viewIndices.size());
         }
         traced.targets.push_back(std::move(target).value());
-        traced.tookMs.push_back(watch.lapMs());
+        traced.durationsMs.push_back(watch.lapMs());
     }
     return traced;
 }
@@ -81,17 +81,18 @@ struct Part {
 };
 
 /// Returns an observer that forwards the solver's reports on the views at `places` as one part of the progress.
-IterationObserver solverObserver(Course& course, const std::vector<std::size_t>& places, const Part& part)
+IterationObserver solverObserver(ProgressReporter& progress, const std::vector<std::size_t>& viewIndices,
+                                 const Part& part)
 {
-    return [&course, &places, part](const IterationReport& report) {
-        course.enter(part.first, part.last, places[report.view]);
-        return course.tell(report.stage, report.progress, &report);
+    return [&progress, &viewIndices, part](const IterationReport& report) {
+        progress.enter(part.first, part.last, viewIndices[report.view]);
+        return progress.report(report.stage, report.progress, &report);
     };
 }
 
 /// Returns the result of one view. The first view gets the joint uncertainty, because the other views determine its
 /// depth. If the joint result is unreliable, the result of every view is.
-RegistrationResult resultOfAll(const MultiViewResult& joint, std::size_t view)
+RegistrationResult resultWithJointRating(const MultiViewResult& joint, std::size_t view)
 {
     RegistrationResult result = joint.views[view];
     if (view > 0 && joint.trustworthy) {
@@ -108,7 +109,7 @@ RegistrationResult resultOfAll(const MultiViewResult& joint, std::size_t view)
 }
 
 /// Data stored with every result of a registration in addition to the solver's output.
-struct RunNotes {
+struct RunMetadata {
     Provenance provenance;
     double readMs;
     std::vector<double> traceMs;   ///< one per registered view
@@ -123,7 +124,7 @@ struct RunNotes {
 };
 
 /// Registers a single view. `spreads` replaces the camera uncertainties that follow from the origins; may be empty.
-Status registerOne(RegisteredCase& run, const RunNotes& notes, std::span<const CameraSpread> spreads,
+Status registerOne(RegisteredCase& run, const RunMetadata& notes, std::span<const CameraUncertainty> uncertainties,
                    const IterationObserver& observe)
 {
     auto asked = registrationInputOf(run.session, run.targets.front());
@@ -131,8 +132,8 @@ Status registerOne(RegisteredCase& run, const RunNotes& notes, std::span<const C
         return asked.error();
     }
     RegistrationInput input = std::move(asked).value();
-    if (!spreads.empty()) {
-        input.cameraSpread = spreads.front();
+    if (!uncertainties.empty()) {
+        input.cameraUncertainty = uncertainties.front();
     }
     auto found =
         registerVessels(input, optionsFor(run.session.shown(), run.session.vessels, run.session.options), observe);
@@ -141,25 +142,25 @@ Status registerOne(RegisteredCase& run, const RunNotes& notes, std::span<const C
     }
     RegistrationResult result = std::move(found).value();
     notes.addTo(result, 0, run.session.shown());
-    takeOver(run.session.shown(), std::move(result));
+    applyRegistration(run.session.shown(), std::move(result));
     return Done{};
 }
 
-Status registerTogether(RegisteredCase& run, const RunNotes& notes, std::span<const CameraSpread> spreads,
-                        const IterationObserver& observe)
+Status registerJointly(RegisteredCase& run, const RunMetadata& notes, std::span<const CameraUncertainty> uncertainties,
+                       const IterationObserver& observe)
 {
     Stopwatch watch;
     MultiViewOptions multiView;
-    for (const std::size_t place : run.places) {
-        multiView.numbers.push_back(place + 1);
+    for (const std::size_t viewIndex : run.viewIndices) {
+        multiView.numbers.push_back(viewIndex + 1);
     }
-    auto asked = jointInputsOf(viewsAt(run.session, run.places), run.session.vessels, run.targets, multiView);
+    auto asked = jointInputsOf(viewsAt(run.session, run.viewIndices), run.session.vessels, run.targets, multiView);
     if (!asked) {
         return asked.error();
     }
     JointInputs inputs = std::move(asked).value();
-    for (std::size_t k = 0; k < spreads.size(); ++k) {
-        inputs.views[k].cameraSpread = spreads[k];
+    for (std::size_t k = 0; k < uncertainties.size(); ++k) {
+        inputs.views[k].cameraUncertainty = uncertainties[k];
     }
     auto joint = registerViews(inputs.views, optionsFor(run.session.shown(), run.session.vessels, run.session.options),
                                inputs.multiView, observe);
@@ -169,102 +170,102 @@ Status registerTogether(RegisteredCase& run, const RunNotes& notes, std::span<co
     run.joint = std::move(joint).value();
     run.joint->warnings.insert(run.joint->warnings.begin(), inputs.notes.begin(), inputs.notes.end());
     const double totalMs = watch.lapMs();   // common to all views, which were registered jointly
-    for (std::size_t k = 0; k < run.places.size(); ++k) {
+    for (std::size_t k = 0; k < run.viewIndices.size(); ++k) {
         RegistrationResult& result = run.joint->views[k];
         result.time.totalMs = totalMs;
-        notes.addTo(result, k, run.session.views[run.places[k]]);
-        RegistrationResult kept = resultOfAll(*run.joint, k);
+        notes.addTo(result, k, run.session.views[run.viewIndices[k]]);
+        RegistrationResult viewResult = resultWithJointRating(*run.joint, k);
         if (!run.joint->cameras.empty()) {
-            kept.camera = run.joint->cameras[k];
+            viewResult.camera = run.joint->cameras[k];
         }
         if (run.joint->deformed) {
-            kept.deformed = std::make_shared<const DeformableResult>(seenFirst(*run.joint->deformed, k));
+            viewResult.deformed = std::make_shared<const DeformableResult>(withViewFirst(*run.joint->deformed, k));
         }
-        takeOver(run.session.views[run.places[k]], std::move(kept));
+        applyRegistration(run.session.views[run.viewIndices[k]], std::move(viewResult));
     }
     return Done{};
 }
 
-Status registerPlanned(RegisteredCase& run, const RunNotes& notes, std::span<const CameraSpread> spreads,
+Status registerPlanned(RegisteredCase& run, const RunMetadata& notes, std::span<const CameraUncertainty> uncertainties,
                        const IterationObserver& observe)
 {
-    return run.places.size() > 1 ? registerTogether(run, notes, spreads, observe)
-                                 : registerOne(run, notes, spreads, observe);
+    return run.viewIndices.size() > 1 ? registerJointly(run, notes, uncertainties, observe)
+                                      : registerOne(run, notes, uncertainties, observe);
 }
 
 /// Poses and camera uncertainties of the planned views before registration, and the camera corrections made since.
-class GivenGeometry {
+class GeometryCorrection {
 public:
-    explicit GivenGeometry(const RegisteredCase& run)
+    explicit GeometryCorrection(const RegisteredCase& run)
     {
-        for (const std::size_t place : run.places) {
-            const View& view = run.session.views[place];
+        for (const std::size_t viewIndex : run.viewIndices) {
+            const View& view = run.session.views[viewIndex];
             starts_.push_back(view.cameraFromPatient);
-            spreads_.push_back(cameraSpreadOf(view));
+            uncertainties_.push_back(cameraUncertaintyOf(view));
         }
     }
 
-    const std::vector<CameraSpread>& spreads() const { return spreads_; }
+    const std::vector<CameraUncertainty>& uncertainties() const { return uncertainties_; }
 
     /// Applies the cameras estimated from the images and resets the poses to those before registration; returns false
     /// if the views already have these cameras.
     bool correct(RegisteredCase& run)
     {
         bool isChanged = false;
-        for (std::size_t k = 0; k < run.places.size(); ++k) {
-            if (const auto error = takeGeometryOfImages(run.session.views[run.places[k]])) {
-                spreads_[k].taken += *error;
+        for (std::size_t k = 0; k < run.viewIndices.size(); ++k) {
+            if (const auto error = applyEstimatedGeometry(run.session.views[run.viewIndices[k]])) {
+                uncertainties_[k].taken += *error;
                 isChanged = true;
             }
         }
-        for (std::size_t k = 0; isChanged && k < run.places.size(); ++k) {
-            run.session.views[run.places[k]].cameraFromPatient = starts_[k];
+        for (std::size_t k = 0; isChanged && k < run.viewIndices.size(); ++k) {
+            run.session.views[run.viewIndices[k]].cameraFromPatient = starts_[k];
         }
         return isChanged;
     }
 
     /// Adds a note about the camera corrections to the results that depend on them.
-    void tell(RegisteredCase& run) const
+    void report(RegisteredCase& run) const
     {
-        for (std::size_t k = 0; k < spreads_.size(); ++k) {
-            const CameraError& taken = spreads_[k].taken;
+        for (std::size_t k = 0; k < uncertainties_.size(); ++k) {
+            const CameraError& taken = uncertainties_[k].taken;
             if (taken.isZero()) {
                 continue;
             }
-            const Message said = messages::cameraEstimated(Quantity{100.0 * std::exp(taken[0]), 1, "%"},
+            const Message note = messages::cameraEstimated(Quantity{100.0 * std::exp(taken[0]), 1, "%"},
                                                            static_cast<int>(std::lround(taken[1])),
                                                            static_cast<int>(std::lround(taken[2])))
                                      .as(Severity::Note);
-            run.session.views[run.places[k]].result->warnings.push_back(said);
+            run.session.views[run.viewIndices[k]].result->warnings.push_back(note);
             if (run.joint) {
-                run.joint->warnings.push_back(messages::inView(run.places[k] + 1, said).as(Severity::Note));
+                run.joint->warnings.push_back(messages::inView(run.viewIndices[k] + 1, note).as(Severity::Note));
             }
         }
     }
 
 private:
     std::vector<RigidTransform> starts_;
-    std::vector<CameraSpread> spreads_;
+    std::vector<CameraUncertainty> uncertainties_;
 };
 
 /// Marks the results as unreliable, whatever the fit, if the images come from different patients or opposite sides.
-void distrustOtherPatients(RegisteredCase& run)
+void flagPatientMismatch(RegisteredCase& run)
 {
     Case registered;
     registered.vessels.scanIdentity = run.session.vessels.scanIdentity;
     registered.views.clear();
-    for (const std::size_t place : run.places) {
-        if (!run.session.views[place].isSamePatient) {
-            registered.views.push_back(run.session.views[place]);
+    for (const std::size_t viewIndex : run.viewIndices) {
+        if (!run.session.views[viewIndex].isSamePatient) {
+            registered.views.push_back(run.session.views[viewIndex]);
         }
     }
     Messages mismatch = findMismatch(registered);
-    std::erase_if(mismatch, [](const Message& said) { return said.is(messages::examinationOfRunsDiffers); });
+    std::erase_if(mismatch, [](const Message& note) { return note.is(messages::examinationOfRunsDiffers); });
     if (mismatch.empty()) {
         return;
     }
-    for (const std::size_t place : run.places) {
-        RegistrationResult& result = *run.session.views[place].result;
+    for (const std::size_t viewIndex : run.viewIndices) {
+        RegistrationResult& result = *run.session.views[viewIndex].result;
         result.trustworthy = false;
         result.probabilityWithin2Mm.reset();
         result.warnings.insert(result.warnings.begin(), mismatch.begin(), mismatch.end());
@@ -283,49 +284,50 @@ bool isStopped(const RegisteredCase& run)
 /// Whether the images contradict the geometry of any view.
 bool isContradicted(const RegisteredCase& run)
 {
-    return std::ranges::any_of(run.places, [&run](std::size_t place) {
-        return isGeometryContradicted(run.session.views[place], run.places.size());
+    return std::ranges::any_of(run.viewIndices, [&run](std::size_t viewIndex) {
+        return isGeometryContradicted(run.session.views[viewIndex], run.viewIndices.size());
     });
 }
 
 /// Registers, and repeats with the geometry estimated from the images as long as they contradict the current one. An
 /// estimate that does not lead to a reliable fit is discarded, because a wrong pose implies a wrong geometry.
-Status registerEstimating(RegisteredCase& run, const RunNotes& notes, Course& course, double begin)
+Status registerWithEstimation(RegisteredCase& run, const RunMetadata& notes, ProgressReporter& progress, double begin)
 {
-    GivenGeometry geometry(run);
+    GeometryCorrection geometry(run);
     const double firstEnd = begin + firstShare * (1.0 - begin);
-    const Status first = registerPlanned(run, notes, {}, solverObserver(course, run.places, {begin, firstEnd}));
+    const Status first = registerPlanned(run, notes, {}, solverObserver(progress, run.viewIndices, {begin, firstEnd}));
     if (!first || !isContradicted(run)) {
         return first;
     }
-    const RegisteredCase asGiven = run;
+    const RegisteredCase uncorrected = run;
     for (int round = 0; round < maxEstimates && !isStopped(run) && geometry.correct(run); ++round) {
         const double step = (1.0 - firstEnd) / maxEstimates;
         const Part part{firstEnd + round * step, firstEnd + (round + 1) * step};
-        const Status again = registerPlanned(run, notes, geometry.spreads(), solverObserver(course, run.places, part));
+        const Status again =
+            registerPlanned(run, notes, geometry.uncertainties(), solverObserver(progress, run.viewIndices, part));
         if (!again) {
             return again.error();
         }
     }
     if (run.result().trustworthy) {
-        geometry.tell(run);
+        geometry.report(run);
     } else {
-        run = asGiven;
+        run = uncorrected;
     }
     return Done{};
 }
 
 }   // namespace
 
-void takeOver(View& view, const View& registered)
+void applyRegistration(View& view, const View& registered)
 {
     view.geometry = registered.geometry;
-    takeOver(view, *registered.result);
+    applyRegistration(view, *registered.result);
 }
 
-void takeOver(View& view, RegistrationResult result)
+void applyRegistration(View& view, RegistrationResult result)
 {
-    forgetFindings(view);
+    discardResults(view);
     view.caseFile = {};
     view.cameraFromPatient = result.cameraFromPatient;
     view.result = std::move(result);
@@ -334,31 +336,32 @@ void takeOver(View& view, RegistrationResult result)
 Result<RegisteredCase> registerCase(Case session, RegistrationPlan plan, const WorkObserver& observe)
 {
     const bool isTraced = !plan.shownTarget;
-    auto places = plannedViews(session, plan.views);
-    if (!places) {
-        return places.error();
+    auto viewIndices = plannedViews(session, plan.views);
+    if (!viewIndices) {
+        return viewIndices.error();
     }
-    Course course(observe);
-    auto traced = traceViews(session, places.value(), std::move(plan.shownTarget), course);
+    ProgressReporter progress(observe);
+    auto traced = traceViews(session, viewIndices.value(), std::move(plan.shownTarget), progress);
     if (!traced) {
         return traced.error();
     }
     auto asked = std::make_shared<const Case>(session);
     RegisteredCase run{
-        std::move(session), std::move(places).value(), std::move(traced).value().targets, {}, std::move(asked)};
-    const double begin = isTraced || run.places.size() > 1 ? tracingShare : 0.0;
-    const RunNotes notes{{std::move(plan.author), std::move(plan.time), ANGIOPOSE_VERSION, run.session.options},
-                         plan.readMs,
-                         traced.value().tookMs};
-    const Status status = run.session.options.geometry.estimate
-                              ? registerEstimating(run, notes, course, begin)
-                              : registerPlanned(run, notes, {}, solverObserver(course, run.places, {begin, 1.0}));
+        std::move(session), std::move(viewIndices).value(), std::move(traced).value().targets, {}, std::move(asked)};
+    const double begin = isTraced || run.viewIndices.size() > 1 ? tracingShare : 0.0;
+    const RunMetadata notes{{std::move(plan.author), std::move(plan.time), ANGIOPOSE_VERSION, run.session.options},
+                            plan.readMs,
+                            traced.value().durationsMs};
+    const Status status =
+        run.session.options.geometry.estimate
+            ? registerWithEstimation(run, notes, progress, begin)
+            : registerPlanned(run, notes, {}, solverObserver(progress, run.viewIndices, {begin, 1.0}));
     if (!status) {
         return status.error();
     }
-    distrustOtherPatients(run);
-    for (const std::size_t place : run.places) {
-        run.session.views[place].result->provenance.start = run.asked->views[place].cameraFromPatient;
+    flagPatientMismatch(run);
+    for (const std::size_t viewIndex : run.viewIndices) {
+        run.session.views[viewIndex].result->provenance.start = run.asked->views[viewIndex].cameraFromPatient;
     }
     return run;
 }

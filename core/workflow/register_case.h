@@ -27,7 +27,7 @@ struct RegistrationPlan {
 /// A case after registration.
 struct RegisteredCase {
     Case session;   ///< every registered view with its pose and result; the shown view's result holds for all jointly
-    std::vector<std::size_t> places;   ///< indices of the registered views in `session.views`, the shown one first
+    std::vector<std::size_t> viewIndices;   ///< indices of the registered views in `session.views`, the shown one first
     std::vector<Centerline2d> targets;   ///< targets of these views, in the same order
     std::optional<MultiViewResult> joint;   ///< joint result, if several views were registered
     std::shared_ptr<const Case> asked{};   ///< the case before registration
@@ -36,10 +36,10 @@ struct RegisteredCase {
 };
 
 /// Applies a result to the view: sets its pose and marks the view as changed from its case file.
-void takeOver(View& view, RegistrationResult result);
+void applyRegistration(View& view, RegistrationResult result);
 
 /// Does the same for a view of a registered case, including the geometry if the registration estimated it.
-void takeOver(View& view, const View& registered);
+void applyRegistration(View& view, const View& registered);
 
 /// Main entry point. Traces the vessels in each view, registers the tree to one view (registerVessels) or to all views
 /// jointly (registerViews), and applies the result. If the images contradict the geometry and the options request it,

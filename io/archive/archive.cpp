@@ -14,21 +14,21 @@
 namespace angiopose::io {
 namespace {
 
-StopQuestion stopQuestion(const ArchiveObserver& observe)
+StopCheck stopQuestion(const ArchiveObserver& observe)
 {
-    return [&observe] { return observe && observe({}) == core::Verdict::Stop; };
+    return [&observe] { return observe && observe({}) == core::ObserverDecision::Stop; };
 }
 
 /// Whether a file found in a folder should be sent. Export folders also contain other files; a damaged DICOM file is
 /// recognized by its extension and reported.
-bool isMeantToGo(const std::filesystem::path& path)
+bool shouldSend(const std::filesystem::path& path)
 {
     return !path.filename().string().starts_with('.') &&
            (extensionOf(path.string()) == ".dcm" || isDicomFile(path.string()));
 }
 
 /// Expands the paths to files: each folder is replaced by its DICOM files, sorted by name.
-std::vector<std::string> filesOf(const std::vector<std::string>& paths)
+std::vector<std::string> expandFolders(const std::vector<std::string>& paths)
 {
     namespace fs = std::filesystem;
     std::vector<std::string> files;
@@ -41,7 +41,7 @@ std::vector<std::string> filesOf(const std::vector<std::string>& paths)
         const std::size_t first = files.size();
         for (fs::recursive_directory_iterator each(path, failed), end; !failed && each != end; each.increment(failed)) {
             std::error_code unknown;
-            if (each->is_regular_file(unknown) && isMeantToGo(each->path())) {
+            if (each->is_regular_file(unknown) && shouldSend(each->path())) {
                 files.push_back(each->path().string());
             }
         }
@@ -53,8 +53,8 @@ std::vector<std::string> filesOf(const std::vector<std::string>& paths)
 /// Fetches the requested series one after another.
 class Retrieval {
 public:
-    Retrieval(SeriesSource& source, const ArchiveNode& node, Arrivals& arrivals, TransferReport& report)
-        : source_(source), node_(node), arrivals_(arrivals), report_(report)
+    Retrieval(SeriesSource& source, const ArchiveNode& node, StoreWriter& storeWriter, TransferReport& report)
+        : source_(source), node_(node), storeWriter_(storeWriter), report_(report)
     {
     }
 
@@ -105,21 +105,21 @@ private:
     core::Status fetch(const std::string& studyUid, const std::string& seriesUid,
                        const std::vector<ArchiveObject>& objects)
     {
-        const std::string folder = arrivals_.store().seriesFolder(studyUid, seriesUid);
+        const std::string folder = storeWriter_.store().seriesFolder(studyUid, seriesUid);
         report_.folders.push_back(folder);
         if (missingOf(studyUid, seriesUid, objects) == 0) {
-            arrivals_.addKnown(objects.size());
-            markSeriesWhole(folder);
+            storeWriter_.addExisting(objects.size());
+            markSeriesComplete(folder);
             return core::Done{};
         }
-        markSeriesBegun(folder);
+        markSeriesIncomplete(folder);
         const std::size_t failedBefore = report_.failed;
-        if (auto fetched = source_.fetch(studyUid, seriesUid, objects, arrivals_); !fetched) {
+        if (auto fetched = source_.fetch(studyUid, seriesUid, objects, storeWriter_); !fetched) {
             return fetched;
         }
         const std::size_t missing = missingOf(studyUid, seriesUid, objects);
         if (missing == 0) {
-            markSeriesWhole(folder);
+            markSeriesComplete(folder);
             return core::Done{};
         }
         report_.failed = std::max(report_.failed, failedBefore + missing);
@@ -132,19 +132,19 @@ private:
                           const std::vector<ArchiveObject>& objects) const
     {
         const auto isMissing = [&](const ArchiveObject& object) {
-            return !arrivals_.store().sizeOf({studyUid, seriesUid, object.sopInstance});
+            return !storeWriter_.store().storedSize({studyUid, seriesUid, object.sopInstance});
         };
         return static_cast<std::size_t>(std::ranges::count_if(objects, isMissing));
     }
 
     SeriesSource& source_;
     const ArchiveNode& node_;
-    Arrivals& arrivals_;
+    StoreWriter& storeWriter_;
     TransferReport& report_;
     std::vector<std::vector<ArchiveObject>> objects_;   ///< objects of each requested series
 };
 
-std::optional<std::string> wrongUid(const RetrieveRequest& request)
+std::optional<std::string> findInvalidUid(const RetrieveRequest& request)
 {
     if (!isUid(request.studyUid)) {
         return request.studyUid;
@@ -155,54 +155,54 @@ std::optional<std::string> wrongUid(const RetrieveRequest& request)
 
 }   // namespace
 
-ArchiveWay wayTo(const ArchiveNode& node, ArchiveWay requested)
+ArchiveProtocol protocolFor(const ArchiveNode& node, ArchiveProtocol requested)
 {
-    if (requested != ArchiveWay::Usual) {
+    if (requested != ArchiveProtocol::Default) {
         return requested;
     }
-    return node.host.empty() ? ArchiveWay::Web : ArchiveWay::Dimse;
+    return node.host.empty() ? ArchiveProtocol::Web : ArchiveProtocol::Dimse;
 }
 
-core::Status echoArchive(const ArchiveNode& node, ArchiveWay way, const ArchiveObserver& observe)
+core::Status echoArchive(const ArchiveNode& node, ArchiveProtocol way, const ArchiveObserver& observe)
 {
-    return wayTo(node, way) == ArchiveWay::Web ? webEcho(node, stopQuestion(observe))
-                                               : dimseEcho(node, stopQuestion(observe));
+    return protocolFor(node, way) == ArchiveProtocol::Web ? webEcho(node, stopQuestion(observe))
+                                                          : dimseEcho(node, stopQuestion(observe));
 }
 
-core::Result<ArchiveMatches> findInArchive(const ArchiveNode& node, ArchiveWay way, const ArchiveQuery& query,
-                                           const ArchiveObserver& observe)
+core::Result<ArchiveMatches> queryArchive(const ArchiveNode& node, ArchiveProtocol way, const ArchiveQuery& query,
+                                          const ArchiveObserver& observe)
 {
     if (!query.studyUid.empty() && !isUid(query.studyUid)) {
         return core::Error(messages::archiveBadUid(query.studyUid));
     }
-    return wayTo(node, way) == ArchiveWay::Web ? webFind(node, query, stopQuestion(observe))
-                                               : dimseFind(node, query, stopQuestion(observe));
+    return protocolFor(node, way) == ArchiveProtocol::Web ? webFind(node, query, stopQuestion(observe))
+                                                          : dimseFind(node, query, stopQuestion(observe));
 }
 
-TransferReport retrieveFromArchive(const ArchiveNode& node, ArchiveWay way, const RetrieveRequest& request,
+TransferReport retrieveFromArchive(const ArchiveNode& node, ArchiveProtocol way, const RetrieveRequest& request,
                                    const ObjectStore& store, const StoreLimit& limit, const ArchiveObserver& observe)
 {
     TransferReport report;
-    if (const auto wrong = wrongUid(request)) {
+    if (const auto wrong = findInvalidUid(request)) {
         report.end = core::Error(messages::archiveBadUid(*wrong));
         return report;
     }
     const auto isStopRequested = stopQuestion(observe);
-    const auto source = wayTo(node, way) == ArchiveWay::Web ? makeWebSource(node, isStopRequested)
-                                                            : makeDimseSource(node, isStopRequested);
-    Arrivals arrivals(store, limit, report, observe);
-    if (auto run = Retrieval(*source, node, arrivals, report).run(request); !run) {
+    const auto source = protocolFor(node, way) == ArchiveProtocol::Web ? makeWebSource(node, isStopRequested)
+                                                                       : makeDimseSource(node, isStopRequested);
+    StoreWriter storeWriter(store, limit, report, observe);
+    if (auto run = Retrieval(*source, node, storeWriter, report).run(request); !run) {
         report.end = run.error();
     }
     return report;
 }
 
-TransferReport sendToArchive(const ArchiveNode& node, ArchiveWay way, const std::vector<std::string>& paths,
+TransferReport sendToArchive(const ArchiveNode& node, ArchiveProtocol way, const std::vector<std::string>& paths,
                              const ArchiveObserver& observe)
 {
     TransferReport report;
     std::vector<SendableFile> files;
-    for (const std::string& path : filesOf(paths)) {
+    for (const std::string& path : expandFolders(paths)) {
         auto read = readSendableFile(path);
         ++report.all;
         if (read) {
@@ -212,7 +212,7 @@ TransferReport sendToArchive(const ArchiveNode& node, ArchiveWay way, const std:
             report.note(read.error().message);
         }
     }
-    if (wayTo(node, way) == ArchiveWay::Web) {
+    if (protocolFor(node, way) == ArchiveProtocol::Web) {
         webSend(node, files, observe, report);
     } else {
         dimseSend(node, files, observe, report);

@@ -32,16 +32,16 @@ ArchiveNode nodeOf(const Json& json)
     take(json, "host", node.host);
     take(json, "port", node.port);
     take(json, "title", node.title);
-    take(json, "ownTitle", node.ownTitle);
+    take(json, "ownTitle", node.ownAeTitle);
     take(json, "receivePort", node.receivePort);
     take(json, "tls", node.isTls);
     take(json, "caFile", node.caFile);
     take(json, "certificateFile", node.certificateFile);
     take(json, "keyFile", node.keyFile);
-    take(json, "checkHost", node.checksHost);
+    take(json, "checkHost", node.verifiesHost);
     take(json, "webUrl", node.webUrl);
     take(json, "authorizationFile", node.authorizationFile);
-    take(json, "answerSeconds", node.answerSeconds);
+    take(json, "answerSeconds", node.responseTimeoutSeconds);
     return node;
 }
 
@@ -59,17 +59,17 @@ Json jsonOf(const ArchiveNode& node)
     if (!node.host.empty()) {
         json["port"] = node.port;
         json["title"] = node.title;
-        json["ownTitle"] = node.ownTitle;
+        json["ownTitle"] = node.ownAeTitle;
     }
     put("receivePort", node.receivePort, usual.receivePort);
     put("tls", node.isTls, usual.isTls);
     put("caFile", node.caFile, usual.caFile);
     put("certificateFile", node.certificateFile, usual.certificateFile);
     put("keyFile", node.keyFile, usual.keyFile);
-    put("checkHost", node.checksHost, usual.checksHost);
+    put("checkHost", node.verifiesHost, usual.verifiesHost);
     put("webUrl", node.webUrl, usual.webUrl);
     put("authorizationFile", node.authorizationFile, usual.authorizationFile);
-    put("answerSeconds", node.answerSeconds, usual.answerSeconds);
+    put("answerSeconds", node.responseTimeoutSeconds, usual.responseTimeoutSeconds);
     return json;
 }
 
@@ -89,7 +89,7 @@ ArchiveSettings settingsOf(const Json& json)
 
 }   // namespace
 
-std::string defaultNodeFile()
+std::string defaultArchiveSettingsFile()
 {
     const char* config = std::getenv("XDG_CONFIG_HOME");
     const char* home = std::getenv("HOME");

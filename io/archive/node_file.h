@@ -19,7 +19,7 @@ struct ArchiveSettings {
 };
 
 /// Path of the user's settings file: $XDG_CONFIG_HOME/AngioPose/archives.json, or the same path below ~/.config.
-std::string defaultNodeFile();
+std::string defaultArchiveSettingsFile();
 
 /// Reads the settings file (FORMATS §7.1). If the file is missing, there are no archives. If its content is invalid,
 /// fails and names the file.

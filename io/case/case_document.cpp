@@ -3,7 +3,7 @@
 #include "io/case/case_file.h"
 #include "io/case/fields/case_fields.h"
 #include "io/case/fields/view_fields.h"
-#include "io/case/result_seal.h"
+#include "io/case/result_digests.h"
 #include "io/messages/messages.h"
 #include "io/support/json_text.h"
 
@@ -44,17 +44,17 @@ CaseDocument parseCaseDocument(std::string_view json)
         document.problems.push_back(messages::caseNewer().about("version"));
         return document;
     }
-    Reading reading;
+    ReadContext reading;
     readFields(root, document.values, caseFields(), reading);
     readUnknown(root, document.values);
     document.notes = std::move(reading.otherViews);
     document.notes.insert(document.notes.begin(), std::move(reading.view));
-    std::vector<ChangedParts> changed = changedBesideResults(json);
+    std::vector<ChangedParts> changed = findChangesSinceResults(json);
     for (std::size_t k = 0; k < document.notes.size(); ++k) {
-        document.notes[k].changedBesideResult = std::move(changed[k].besideResult);
-        document.notes[k].changedBesideFollowed = std::move(changed[k].besideFollowed);
+        document.notes[k].changedSinceResult = std::move(changed[k].sinceResult);
+        document.notes[k].changedSinceTracking = std::move(changed[k].sinceTracking);
     }
-    document.shownPlace = std::min(reading.shownPlace, document.values.views.size() - 1);
+    document.shownViewIndex = std::min(reading.shownViewIndex, document.values.views.size() - 1);
     document.problems = std::move(reading.problems);
     return document;
 }
@@ -63,7 +63,7 @@ std::string caseDocumentText(const core::Case& session, const std::filesystem::p
 {
     const Json known = writeFields(session, caseFields(), folder);
     const std::string whole = withExtraKeys(withExtraKeys(known.dump(), session.shown().extraKeys), session.extraKeys);
-    return prettyJson(withSealedResults(whole));
+    return prettyJson(addResultDigests(whole));
 }
 
 }   // namespace angiopose::io

@@ -14,7 +14,7 @@ namespace angiopose::io {
 struct CaseDocument {
     core::Case values;   ///< values of the file; paths as written, C-arms without values from image headers
     std::vector<ViewNotes> notes;   ///< for each of `values.views`; empty for views stored in separate case files
-    std::size_t shownPlace = 0;   ///< index of the shown view (`values.views.front()`) in the order of the views
+    std::size_t shownViewIndex = 0;   ///< index of the shown view (`values.views.front()`) in the order of the views
     core::Messages problems;   ///< invalid values, each with key and remedy
 };
 

@@ -6,7 +6,7 @@
 #include "io/case/case_document.h"
 #include "io/case/case_inputs.h"
 #include "io/case/case_schema.h"
-#include "io/case/load_case_with.h"
+#include "io/case/load_case_with_options.h"
 #include "io/case/saved_files.h"
 #include "io/case/stale_results.h"
 #include "io/case/tracked_deformations_file.h"
@@ -91,14 +91,14 @@ core::Status readViewOfCase(core::View& view, ViewNotes& notes)
     CaseDocument document = std::move(read).value();
     document.values.shown().caseFile = view.caseFile;
     view = std::move(document.values.shown());
-    view.sightings.clear();   // sightings refer to the target points of the other case
+    view.observations.clear();   // sightings refer to the target points of the other case
     notes = std::move(document.notes.front());
     return core::Done{};
 }
 
 /// Loads the other views; omits a view that cannot be loaded and adds a warning.
 void loadOtherViews(Case& loaded, std::vector<ViewNotes> notes, const std::string& path, core::Messages& warnings,
-                    PeakFrame peak)
+                    PeakFrameSearch peak)
 {
     core::Messages found;
     for (std::size_t k = 1; k < loaded.views.size(); ++k) {
@@ -147,11 +147,11 @@ void putInPlace(Case& session, std::size_t place)
 core::Result<Case> loadCase(const std::string& path, core::Messages& warnings, const ReadObserver& observe,
                             const MovedInputs& moved)
 {
-    return loadCaseWith({}, path, warnings, observe, moved);
+    return loadCaseWithOptions({}, path, warnings, observe, moved);
 }
 
-core::Result<Case> loadCaseWith(const CaseRequest& request, const std::string& path, core::Messages& warnings,
-                                const ReadObserver& observe, const MovedInputs& moved)
+core::Result<Case> loadCaseWithOptions(const CaseLoadOptions& request, const std::string& path,
+                                       core::Messages& warnings, const ReadObserver& observe, const MovedInputs& moved)
 {
     try {
         auto read = readDocument(path, request.text);
@@ -164,7 +164,7 @@ core::Result<Case> loadCaseWith(const CaseRequest& request, const std::string& p
             file->path = place == moved.end() ? file->path : place->second;
         }
         const std::vector<ViewNotes> notes = document.notes;
-        const std::size_t shownPlace = document.shownPlace;
+        const std::size_t shownViewIndex = document.shownViewIndex;
         const Case noted = document.values;
         request.settings.applyTo(document.values);
         auto loaded = loadInputs(std::move(document), path, warnings, observe, request.peak);
@@ -175,8 +175,8 @@ core::Result<Case> loadCaseWith(const CaseRequest& request, const std::string& p
         loadOtherViews(values, notes, path, warnings, request.peak);
         request.settings.applyTo(values);   // settings also apply to views with their own case files
         dropStaleResults(noted, notes, values, warnings);
-        readDeformationOfRuns(values, warnings);
-        putInPlace(values, shownPlace);
+        readTrackedDeformations(values, warnings);
+        putInPlace(values, shownViewIndex);
         const core::Messages mismatch = core::findMismatch(values);
         warnings.insert(warnings.end(), mismatch.begin(), mismatch.end());
         return values;
@@ -185,7 +185,7 @@ core::Result<Case> loadCaseWith(const CaseRequest& request, const std::string& p
     }
 }
 
-core::Result<std::vector<MissingInput>> missingInputs(const std::string& casePath)
+core::Result<std::vector<MissingInput>> findMissingInputs(const std::string& casePath)
 {
     try {
         auto read = readDocument(casePath);
@@ -208,7 +208,7 @@ core::Result<std::vector<MissingInput>> missingInputs(const std::string& casePat
     }
 }
 
-std::vector<std::string> filesNamedIn(const std::string& casePath)
+std::vector<std::string> referencedPaths(const std::string& casePath)
 {
     std::vector<std::string> paths;
     try {
@@ -223,7 +223,7 @@ std::vector<std::string> filesNamedIn(const std::string& casePath)
     return paths;
 }
 
-std::vector<core::InputFile> filesNamedBy(const std::string& text, const std::string& casePath)
+std::vector<core::InputFile> referencedFiles(const std::string& text, const std::string& casePath)
 {
     std::vector<core::InputFile> files;
     try {
@@ -236,7 +236,7 @@ std::vector<core::InputFile> filesNamedBy(const std::string& text, const std::st
     return files;
 }
 
-std::vector<core::InputFile> filesOf(const Case& session)
+std::vector<core::InputFile> inputFilesOf(const Case& session)
 {
     std::vector<core::InputFile> files;
     CaseDocument document;
@@ -272,7 +272,7 @@ core::Result<core::Messages> validateCase(const std::string& path)
     }
 }
 
-core::Result<core::Messages> doubtsOfCase(const std::string& path)
+core::Result<core::Messages> checkCaseGeometry(const std::string& path)
 {
     try {
         auto examined = examine(path);
@@ -299,7 +299,7 @@ core::Result<core::Messages> doubtsOfCase(const std::string& path)
     }
 }
 
-std::optional<core::Message> findUnsavable(const Case& session)
+std::optional<core::Message> findSaveObstacle(const Case& session)
 {
     if (!session.vessels.tree && session.vessels.scan) {
         return messages::caseScanAlone();
@@ -321,11 +321,11 @@ core::Status saveCase(const Case& session, const std::string& path)
     if (const std::string input = inputAt(session, path); !input.empty()) {
         return fileError(path, messages::caseIsInput());
     }
-    if (const auto unsavable = findUnsavable(session)) {
+    if (const auto unsavable = findSaveObstacle(session)) {
         return fileError(path, *unsavable);
     }
     Case hashed = session;
-    if (auto completed = completeFiles(hashed, path); !completed) {
+    if (auto completed = writeCompanionFiles(hashed, path); !completed) {
         return completed;
     }
     try {

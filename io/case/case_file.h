@@ -25,10 +25,10 @@ core::Result<core::Messages> validateCase(const std::string& path);
 
 /// Checks a case's geometry against the header of its image. Returns warnings about missing or implausible values,
 /// none of which prevents loading. Fails if the case or the image cannot be read.
-core::Result<core::Messages> doubtsOfCase(const std::string& path);
+core::Result<core::Messages> checkCaseGeometry(const std::string& path);
 
 /// Explains why the case cannot be saved to a file that can be reopened; returns nothing if it can.
-std::optional<core::Message> findUnsavable(const core::Case& session);
+std::optional<core::Message> findSaveObstacle(const core::Case& session);
 
 /// Writes the case atomically (temporary file, flush, rename), with paths relative to the case file, hashes of the
 /// inputs and the keys unknown to this version.

@@ -90,7 +90,7 @@ core::Status readVesselInput(Vessels& vessels, core::Messages& warnings, const R
     LoadedVessels loaded = std::move(read).value();
     vessels.input = loaded.input;
     vessels.scan = loaded.volume;
-    vessels.lumen = sharedLumen(loaded);
+    vessels.lumen = takeSharedLumen(loaded);
     vessels.scanIdentity = loaded.identity;
     vessels.tree = std::make_shared<const core::VesselTree>(std::move(loaded.tree));
     warnings.insert(warnings.end(), loaded.warnings.begin(), loaded.warnings.end());
@@ -138,10 +138,10 @@ void makePathsAbsolute(CaseDocument& document, const std::string& casePath)
 }
 
 core::Result<Case> loadInputs(CaseDocument document, const std::string& casePath, core::Messages& warnings,
-                              const ReadObserver& observe, PeakFrame peak)
+                              const ReadObserver& observe, PeakFrameSearch peak)
 {
     Case& values = document.values;
-    if (auto read = readVesselInput(values.vessels, warnings, partOf(observe, 0.0, 0.9)); !read) {
+    if (auto read = readVesselInput(values.vessels, warnings, progressPart(observe, 0.0, 0.9)); !read) {
         return read.error();
     }
     readScan(values.vessels, warnings);

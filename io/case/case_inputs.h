@@ -20,6 +20,6 @@ void makePathsAbsolute(CaseDocument& document, const std::string& casePath);
 /// branches, hashes, initial pose. Does not read other views. `peak` may skip the search for the peak-opacification
 /// frame if the case specifies the frame.
 core::Result<core::Case> loadInputs(CaseDocument document, const std::string& casePath, core::Messages& warnings,
-                                    const ReadObserver& observe, PeakFrame peak = PeakFrame::Sought);
+                                    const ReadObserver& observe, PeakFrameSearch peak = PeakFrameSearch::Enabled);
 
 }   // namespace angiopose::io

@@ -125,7 +125,7 @@ core::Result<Apply> fieldApplier(const std::string& name, const std::string& tex
     }
     return Apply([read = field->read, value, partsOf](core::Case& session) {
         for (Owner* part : partsOf(session)) {
-            Reading reading;
+            ReadContext reading;
             read(value, *part, reading);
         }
     });

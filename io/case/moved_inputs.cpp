@@ -73,7 +73,7 @@ private:
             return false;
         }
         hashedBytes_ += size;
-        return isFeasibleFor(missing, entry.string());
+        return canReplace(missing, entry.string());
     }
 
     const ReadObserver& observe_;
@@ -83,7 +83,7 @@ private:
 
 }   // namespace
 
-bool isFeasibleFor(const MissingInput& missing, const std::string& path)
+bool canReplace(const MissingInput& missing, const std::string& path)
 {
     std::error_code failed;
     if (fs::is_directory(path, failed)) {

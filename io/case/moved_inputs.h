@@ -22,7 +22,7 @@ struct MissingInput {
 using MovedInputs = std::map<std::string, std::string>;
 
 /// Returns the inputs of a case file that do not exist. Fails like loadCase if the file is not a case.
-core::Result<std::vector<MissingInput>> missingInputs(const std::string& casePath);
+core::Result<std::vector<MissingInput>> findMissingInputs(const std::string& casePath);
 
 /// Searches folders and their subfolders for inputs, first by name, then under any name with the same extension. A
 /// known hash must match; without a hash, the name decides. Finds a folder (a DICOM series) by its name. Stops
@@ -31,6 +31,6 @@ MovedInputs findMovedInputs(const std::vector<MissingInput>& missing, const std:
                             const ReadObserver& observe = {});
 
 /// Whether a file or folder can replace a missing input. The contents must match unless the original one is unknown.
-bool isFeasibleFor(const MissingInput& missing, const std::string& path);
+bool canReplace(const MissingInput& missing, const std::string& path);
 
 }   // namespace angiopose::io

@@ -16,36 +16,36 @@ namespace angiopose::io {
 namespace {
 
 /// Stores the hash, which identifies the file after it has been moved.
-void noteHash(core::InputFile& file, core::Result<std::string> hash)
+void storeHash(core::InputFile& file, core::Result<std::string> hash)
 {
     if (hash) {
         file.sha256 = std::move(hash).value();
     }
 }
 
-void noteMissingHash(core::InputFile& file)
+void storeMissingHash(core::InputFile& file)
 {
     if (!file.path.empty() && file.sha256.empty()) {
-        noteHash(file, sha256OfFile(file.path));
+        storeHash(file, sha256OfFile(file.path));
     }
 }
 
 core::Status completeView(core::View& view, const std::string& path, std::optional<std::size_t> otherView)
 {
     if (view.target.editedFrame && view.target.centerline) {
-        auto curves = keepEditedCurves(view.target, path, otherView);
+        auto curves = saveEditedCurves(view.target, path, otherView);
         if (!curves) {
             return curves.error();
         }
         view.target.file = std::move(curves).value();
     }
-    auto deformations = keepFollowedDeformation(view.followed, path, otherView);
+    auto deformations = saveTrackedDeformations(view.followed, path, otherView);
     if (!deformations) {
         return deformations.error();
     }
     view.followed.deformationsFile = std::move(deformations).value();
-    noteMissingHash(view.imageFile);
-    noteMissingHash(view.target.file);
+    storeMissingHash(view.imageFile);
+    storeMissingHash(view.target.file);
     return core::Done{};
 }
 
@@ -57,18 +57,18 @@ bool isBlank(const core::View& view)
 
 }   // namespace
 
-core::Status completeFiles(core::Case& hashed, const std::string& path)
+core::Status writeCompanionFiles(core::Case& hashed, const std::string& path)
 {
     core::Vessels& vessels = hashed.vessels;
     if (vessels.isLumenEdited) {
-        auto mask = keepEditedMask(vessels, path);
+        auto mask = saveEditedMask(vessels, path);
         if (!mask) {
             return mask.error();
         }
         vessels.file = std::move(mask).value();
     }
     if (!vessels.file.path.empty() && vessels.file.sha256.empty()) {
-        noteHash(vessels.file, sha256OfVesselInput(vessels.file.path, vessels.input));
+        storeHash(vessels.file, sha256OfVesselInput(vessels.file.path, vessels.input));
     }
     core::View shown = hashed.shown();
     if (auto completed = completeView(shown, path, std::nullopt); !completed) {
@@ -81,7 +81,7 @@ core::Status completeFiles(core::Case& hashed, const std::string& path)
     for (std::size_t k = 0; k < hashed.views.size(); ++k) {
         core::View& view = hashed.views[k];
         if (!view.caseFile.path.empty()) {
-            noteHash(view.caseFile, sha256OfFile(view.caseFile.path));
+            storeHash(view.caseFile, sha256OfFile(view.caseFile.path));
         } else if (auto completed = completeView(view, path, k); !completed) {
             return completed;
         }

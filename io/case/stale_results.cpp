@@ -12,62 +12,62 @@ namespace angiopose::io {
 namespace {
 
 /// Whether a file is unchanged; a file without a stored hash counts as changed.
-bool isAsNoted(const core::InputFile& noted, const core::InputFile& read)
+bool isAsStored(const core::InputFile& noted, const core::InputFile& read)
 {
     return noted.path.empty() || (!noted.sha256.empty() && noted.sha256 == read.sha256);
 }
 
-bool areAsNoted(const core::Vessels& noted, const core::Vessels& read)
+bool areAsStored(const core::Vessels& noted, const core::Vessels& read)
 {
-    return isAsNoted(noted.file, read.file) && isAsNoted(noted.scanFile, read.scanFile) &&
+    return isAsStored(noted.file, read.file) && isAsStored(noted.scanFile, read.scanFile) &&
            noted.excludedBranchIds == read.excludedBranchIds;
 }
 
 /// A view stored in another case file was registered with the vessels of that case, so it counts as changed.
-bool isAsNoted(const core::View& noted, const core::View& read)
+bool isAsStored(const core::View& noted, const core::View& read)
 {
-    return noted.caseFile.path.empty() && isAsNoted(noted.imageFile, read.imageFile) &&
-           isAsNoted(noted.target.file, read.target.file);
+    return noted.caseFile.path.empty() && isAsStored(noted.imageFile, read.imageFile) &&
+           isAsStored(noted.target.file, read.target.file);
 }
 
 /// Whether the view's deformation belongs to this tree; that of another tree would be drawn in the wrong place.
 bool isOfTree(const core::View& view, const core::Vessels& vessels)
 {
     const core::DeformableResult* const deformed = view.result ? view.result->deformed.get() : nullptr;
-    return !deformed || !vessels.tree || core::isOf(*vessels.tree, *deformed);
+    return !deformed || !vessels.tree || core::isCompatible(*vessels.tree, *deformed);
 }
 
 /// Explains why a view's result is no longer valid; returns nothing if it is valid.
-std::optional<core::Message> whyStale(bool haveInputsChanged, const core::Messages& changedBeside)
+std::optional<core::Message> staleReason(bool haveInputsChanged, const core::Messages& changedParts)
 {
     if (haveInputsChanged) {
         return messages::caseResultStale();
     }
-    if (!changedBeside.empty()) {
-        return messages::caseResultBeside(changedBeside);
+    if (!changedParts.empty()) {
+        return messages::caseResultBeside(changedParts);
     }
     return {};
 }
 
 /// Whether the tracked frames are distinct frames of the view's cine run, and the tracked pose of the view's current
 /// frame equals the pose in the case.
-bool fitsItsView(const core::FollowedRun& run, const core::View& view)
+bool matchesView(const core::TrackedRun& run, const core::View& view)
 {
     const auto& frames = core::framesOf(run);
     const bool areInOrder =
-        std::ranges::adjacent_find(frames, std::ranges::greater_equal{}, &core::FollowedFrame::frame) == frames.end();
+        std::ranges::adjacent_find(frames, std::ranges::greater_equal{}, &core::TrackedRunFrame::frame) == frames.end();
     const bool areThere = !view.angiogram || frames.empty() || frames.back().frame < view.angiogram->frameCount();
-    const core::FollowedFrame* shown = core::findFrame(run, view.frame);
+    const core::TrackedRunFrame* shown = core::findFrame(run, view.frame);
     return areInOrder && areThere &&
            (!shown || shown->tracked.cameraFromPatient.matrix() == view.cameraFromPatient.matrix());
 }
 
 /// Explains why a view's tracking result is no longer valid. Does not consider the view's registration result, which
 /// may be absent or belong to another frame.
-std::optional<core::Message> whyFollowedStale(bool haveInputsChanged, const ViewNotes& notes, const core::View& view)
+std::optional<core::Message> staleTrackingReason(bool haveInputsChanged, const ViewNotes& notes, const core::View& view)
 {
-    auto why = whyStale(haveInputsChanged, notes.changedBesideFollowed);
-    return why || fitsItsView(view.followed, view) ? why : messages::caseFollowedMisfit();
+    auto why = staleReason(haveInputsChanged, notes.changedSinceTracking);
+    return why || matchesView(view.followed, view) ? why : messages::caseFollowedMisfit();
 }
 
 }   // namespace
@@ -75,12 +75,12 @@ std::optional<core::Message> whyFollowedStale(bool haveInputsChanged, const View
 void dropStaleResults(const core::Case& noted, std::span<const ViewNotes> notes, core::Case& read,
                       core::Messages& warnings)
 {
-    const bool areVesselsNoted = areAsNoted(noted.vessels, read.vessels);
+    const bool areVesselsNoted = areAsStored(noted.vessels, read.vessels);
     for (std::size_t k = 0; k < read.views.size(); ++k) {
         core::View& view = read.views[k];
-        const bool areNoted = areVesselsNoted && isAsNoted(noted.views[k], view);
-        const auto whyResult = whyStale(!areNoted || !isOfTree(view, read.vessels), notes[k].changedBesideResult);
-        const auto whyFollowed = whyFollowedStale(!areNoted, notes[k], view);
+        const bool areNoted = areVesselsNoted && isAsStored(noted.views[k], view);
+        const auto whyResult = staleReason(!areNoted || !isOfTree(view, read.vessels), notes[k].changedSinceResult);
+        const auto whyFollowed = staleTrackingReason(!areNoted, notes[k], view);
         const bool isResultGone = whyResult && std::exchange(view.result, std::nullopt);
         const bool isFollowedGone = whyFollowed && std::exchange(view.followed, {}).frames;
         if ((isResultGone || isFollowedGone) && noted.views[k].caseFile.path.empty()) {

@@ -5,9 +5,9 @@
 #include "io/messages/messages.h"
 #include "io/support/atomic_file.h"
 #include "io/support/byte_order.h"
+#include "io/support/companion_path.h"
 #include "io/support/file_error.h"
 #include "io/support/input_bytes.h"
-#include "io/support/path_beside.h"
 
 #include <algorithm>
 #include <bit>
@@ -26,17 +26,17 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 using core::BranchMotion;
-using core::FollowedFrame;
-using core::FollowedRun;
+using core::TrackedRun;
+using core::TrackedRunFrame;
 
 constexpr std::size_t numbersOfPoint = 9;   // displacement x, y, z; covariance xx, xy, xz, yy, yz, zz
 constexpr std::size_t bytesOfNumber = 4;
 
-std::vector<const FollowedFrame*> framesWithDeformation(const FollowedRun& run)
+std::vector<const TrackedRunFrame*> framesWithDeformation(const TrackedRun& run)
 {
-    std::vector<const FollowedFrame*> frames;
-    for (const FollowedFrame& each : core::framesOf(run)) {
-        if (core::isDeformedByItself(each)) {
+    std::vector<const TrackedRunFrame*> frames;
+    for (const TrackedRunFrame& each : core::framesOf(run)) {
+        if (core::hasOwnDeformation(each)) {
             frames.push_back(&each);
         }
     }
@@ -79,7 +79,7 @@ void appendMotion(std::string& bytes, const BranchMotion& motion)
     }
 }
 
-std::string deformationsContent(const std::vector<const FollowedFrame*>& frames)
+std::string deformationsContent(const std::vector<const TrackedRunFrame*>& frames)
 {
     std::size_t points = 0;
     for (const BranchMotion& motion : frames.front()->deformed->branches) {
@@ -87,7 +87,7 @@ std::string deformationsContent(const std::vector<const FollowedFrame*>& frames)
     }
     std::string bytes = deformationsHeader(points, frames.size());
     bytes.reserve(bytes.size() + frames.size() * points * numbersOfPoint * bytesOfNumber);
-    for (const FollowedFrame* frame : frames) {
+    for (const TrackedRunFrame* frame : frames) {
         for (const BranchMotion& motion : frame->deformed->branches) {
             appendMotion(bytes, motion);
         }
@@ -109,9 +109,9 @@ fs::path namedDeformation(const fs::path& casePath, std::optional<std::size_t> o
 }
 
 /// Reads displacement and covariance point by point.
-class BendNumbers {
+class DeformationReader {
 public:
-    explicit BendNumbers(std::string_view bytes) : bytes_(bytes) {}
+    explicit DeformationReader(std::string_view bytes) : bytes_(bytes) {}
 
     double next()
     {
@@ -149,7 +149,7 @@ bool namesBranchesOf(const core::VesselTree& tree, const core::DeformableResult&
 {
     return deformed.branches.size() == tree.branches.size() &&
            std::ranges::all_of(tree.branches, [&deformed](const auto& branch) {
-               return core::motionOf(deformed, branch.id) != nullptr;
+               return core::findMotion(deformed, branch.id) != nullptr;
            });
 }
 
@@ -190,9 +190,9 @@ core::Result<InputBytes> openDeformation(const core::InputFile& file)
 }
 
 /// Reads all deformations of a cine run; reads none on failure.
-core::Status readDeformation(FollowedRun& run, const core::VesselTree& tree)
+core::Status readDeformation(TrackedRun& run, const core::VesselTree& tree)
 {
-    const std::vector<const FollowedFrame*> deformed = framesWithDeformation(run);
+    const std::vector<const TrackedRunFrame*> deformed = framesWithDeformation(run);
     const auto input = openDeformation(run.deformationsFile);
     if (!input) {
         return input.error();
@@ -201,10 +201,10 @@ core::Status readDeformation(FollowedRun& run, const core::VesselTree& tree)
     if (!bytes) {
         return fileError(run.deformationsFile.path, bytes.error());
     }
-    BendNumbers numbers(bytes.value());
-    auto frames = std::make_shared<std::vector<FollowedFrame>>(core::framesOf(run));
-    for (FollowedFrame& each : *frames) {
-        if (!core::isDeformedByItself(each)) {
+    DeformationReader numbers(bytes.value());
+    auto frames = std::make_shared<std::vector<TrackedRunFrame>>(core::framesOf(run));
+    for (TrackedRunFrame& each : *frames) {
+        if (!core::hasOwnDeformation(each)) {
             continue;
         }
         if (!namesBranchesOf(tree, *each.deformed)) {
@@ -224,24 +224,25 @@ core::Status readDeformation(FollowedRun& run, const core::VesselTree& tree)
 }
 
 /// Copies deformations to the frames that do not show the vessels.
-void carryDeformationOn(FollowedRun& run)
+void propagateDeformation(TrackedRun& run)
 {
-    auto frames = std::make_shared<std::vector<FollowedFrame>>(core::framesOf(run));
-    for (FollowedFrame& each : *frames) {
-        const FollowedFrame* from = each.deformedAsInFrame ? core::findFrame(run, *each.deformedAsInFrame) : nullptr;
-        if (from && core::isDeformedByItself(*from)) {
-            each.deformed = core::carriedDeformation(*from, each.tracked.cameraFromPatient);
+    auto frames = std::make_shared<std::vector<TrackedRunFrame>>(core::framesOf(run));
+    for (TrackedRunFrame& each : *frames) {
+        const TrackedRunFrame* from =
+            each.deformationSourceFrame ? core::findFrame(run, *each.deformationSourceFrame) : nullptr;
+        if (from && core::hasOwnDeformation(*from)) {
+            each.deformed = core::transferDeformation(*from, each.tracked.cameraFromPatient);
         }
     }
     run.frames = std::move(frames);
 }
 
-void dropDeformation(FollowedRun& run)
+void dropDeformation(TrackedRun& run)
 {
-    auto frames = std::make_shared<std::vector<FollowedFrame>>(core::framesOf(run));
-    for (FollowedFrame& each : *frames) {
+    auto frames = std::make_shared<std::vector<TrackedRunFrame>>(core::framesOf(run));
+    for (TrackedRunFrame& each : *frames) {
         each.deformed.reset();
-        each.deformedAsInFrame.reset();
+        each.deformationSourceFrame.reset();
     }
     run.frames = std::move(frames);
     run.deformationsFile = {};
@@ -249,17 +250,17 @@ void dropDeformation(FollowedRun& run)
 
 }   // namespace
 
-core::Result<core::InputFile> keepFollowedDeformation(const FollowedRun& run, const std::string& casePath,
+core::Result<core::InputFile> saveTrackedDeformations(const TrackedRun& run, const std::string& casePath,
                                                       std::optional<std::size_t> otherView)
 {
-    const std::vector<const FollowedFrame*> frames = framesWithDeformation(run);
+    const std::vector<const TrackedRunFrame*> frames = framesWithDeformation(run);
     if (frames.empty()) {
         return core::InputFile{};
     }
     const std::string content = deformationsContent(frames);
     const fs::path whole = fs::absolute(casePath);
     const std::string path =
-        pathBeside(whole, {otherView, "bends", "nrrd"}, namedDeformation(whole, otherView)).string();
+        companionPath(whole, {otherView, "bends", "nrrd"}, namedDeformation(whole, otherView)).string();
     if (const auto written = writeAtomically(path, content); !written) {
         return written.error();
     }
@@ -267,15 +268,15 @@ core::Result<core::InputFile> keepFollowedDeformation(const FollowedRun& run, co
     return hash ? core::Result<core::InputFile>(core::InputFile{path, std::move(hash).value()}) : hash.error();
 }
 
-void readDeformationOfRuns(core::Case& read, core::Messages& warnings)
+void readTrackedDeformations(core::Case& read, core::Messages& warnings)
 {
     for (core::View& view : read.views) {
-        FollowedRun& run = view.followed;
+        TrackedRun& run = view.followed;
         if (framesWithDeformation(run).empty() || !read.vessels.tree) {
             continue;
         }
         if (const core::Status status = readDeformation(run, *read.vessels.tree)) {
-            carryDeformationOn(run);
+            propagateDeformation(run);
         } else {
             warnings.push_back(messages::caseDeformationLeftOut(status.error().message));
             dropDeformation(run);

@@ -19,7 +19,7 @@ namespace {
 using core::View;
 
 /// Applies the subtraction settings of the case to the plan from the image header.
-core::SubtractionPlan completed(const SubtractionKeys& keys, core::SubtractionPlan plan)
+core::SubtractionPlan completed(const SubtractionOverrides& keys, core::SubtractionPlan plan)
 {
     if (keys.maskFrames || keys.interval) {
         plan.maskFrames = keys.maskFrames.value_or(std::vector<int>());
@@ -43,7 +43,7 @@ core::Status treatRun(View& view, const ViewNotes& notes)
     if (!view.treatment.changesFrames()) {
         return core::Done{};
     }
-    auto treated = core::treatedRun(*view.angiogram, view.treatment);
+    auto treated = core::processRun(*view.angiogram, view.treatment);
     if (!treated) {
         return treated.error().about("angiogram.subtraction");
     }
@@ -60,7 +60,8 @@ core::Status readTarget(View& view, const ViewNotes& notes)
         return read.error();
     }
     const std::vector<int> none;
-    core::CurvesApart apart = core::takenApart(read.value(), view.target.editedFrame ? notes.deviceCurveIds : none);
+    core::SeparatedCurves apart =
+        core::separateDevices(read.value(), view.target.editedFrame ? notes.deviceCurveIds : none);
     view.target.centerline = std::make_shared<const core::Centerline2d>(std::move(apart.vessels));
     if (!apart.devices.curves.empty()) {
         view.target.devices = std::make_shared<const core::Centerline2d>(std::move(apart.devices));
@@ -68,9 +69,9 @@ core::Status readTarget(View& view, const ViewNotes& notes)
     return core::Done{};
 }
 
-core::Status readImage(View& view, const ViewNotes& notes, core::Messages& warnings, PeakFrame peak)
+core::Status readImage(View& view, const ViewNotes& notes, core::Messages& warnings, PeakFrameSearch peak)
 {
-    auto angiogram = io::readAngiogram(view.imageFile.path, notes.hasFrame ? peak : PeakFrame::Sought);
+    auto angiogram = io::readAngiogram(view.imageFile.path, notes.hasFrame ? peak : PeakFrameSearch::Enabled);
     if (!angiogram) {
         return angiogram.error();
     }
@@ -131,7 +132,7 @@ core::Status complete(View& view, const ViewNotes& notes, const core::Vessels& v
     const bool isSpacingGiven =
         view.geometry.cameraOverride || view.geometry.cArm.columnSpacingMm.origin == core::Origin::User;
     std::copy_if(angiogram.warnings.begin(), angiogram.warnings.end(), std::back_inserter(warnings),
-                 [&](const core::Message& warning) { return !isSpacingGiven || !isAboutMissingSpacing(warning); });
+                 [&](const core::Message& warning) { return !isSpacingGiven || !isMissingSpacingWarning(warning); });
     fillFromHeader(view.geometry.cArm, angiogram.cArm);
     if (!notes.hasCurrentPose) {
         const auto start = core::initialPoseOf(view, vessels);
@@ -174,7 +175,7 @@ void fillFromHeader(core::CArm& cArm, const core::CArm& header)
 }
 
 core::Status loadView(View& view, const ViewNotes& notes, const core::Vessels& vessels, const std::string& casePath,
-                      core::Messages& warnings, PeakFrame peak)
+                      core::Messages& warnings, PeakFrameSearch peak)
 {
     if (const auto read = readImage(view, notes, warnings, peak); !read) {
         return read.error();
@@ -189,7 +190,7 @@ core::Status loadView(View& view, const ViewNotes& notes, const core::Vessels& v
 }
 
 void loadOtherView(View& view, const ViewNotes& notes, const core::Vessels& vessels, const std::string& casePath,
-                   core::Messages& warnings, PeakFrame peak)
+                   core::Messages& warnings, PeakFrameSearch peak)
 {
     if (const auto loaded = loadView(view, notes, vessels, casePath, warnings, peak); !loaded) {
         warnings.push_back(messages::caseViewLeftOut(loaded.error().message));

@@ -11,12 +11,12 @@ namespace angiopose::io {
 /// Reads the inputs of a view of these vessels: image, stored centerline and subtraction; sets frame, geometry and
 /// pose. If an input cannot be read, fails and names the file.
 core::Status loadView(core::View& view, const ViewNotes& notes, const core::Vessels& vessels,
-                      const std::string& casePath, core::Messages& warnings, PeakFrame peak);
+                      const std::string& casePath, core::Messages& warnings, PeakFrameSearch peak);
 
 /// Reads the inputs of an additional view; if they cannot be read, adds a warning and leaves the view without an
 /// angiogram.
 void loadOtherView(core::View& view, const ViewNotes& notes, const core::Vessels& vessels, const std::string& casePath,
-                   core::Messages& warnings, PeakFrame peak);
+                   core::Messages& warnings, PeakFrameSearch peak);
 
 /// Fills in missing values of `cArm` from the header.
 void fillFromHeader(core::CArm& cArm, const core::CArm& header);

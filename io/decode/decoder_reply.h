@@ -18,7 +18,7 @@
 
 namespace angiopose::io {
 
-constexpr unsigned char largestPercent = 100;
+constexpr unsigned char maxPercent = 100;
 
 /// Kind of the content that follows the progress.
 enum class ReplyKind : unsigned char {
@@ -85,15 +85,15 @@ private:
 /// missing value, all later values are missing as well.
 class ReplyReader {
 public:
-    explicit ReplyReader(std::string_view bytes) : rest_(bytes) {}
+    explicit ReplyReader(std::string_view bytes) : remaining_(bytes) {}
 
     template <class Value>
     requires std::is_arithmetic_v<Value>
     void take(Value& value)
     {
         if (has(sizeof value)) {
-            std::memcpy(&value, rest_.data(), sizeof value);
-            rest_.remove_prefix(sizeof value);
+            std::memcpy(&value, remaining_.data(), sizeof value);
+            remaining_.remove_prefix(sizeof value);
         }
     }
     template <class Value, std::size_t Count>
@@ -105,8 +105,8 @@ public:
 
     void take(std::string& text)
     {
-        text = rest_.substr(0, takeCount(1));
-        rest_.remove_prefix(text.size());
+        text = remaining_.substr(0, takeCount(1));
+        remaining_.remove_prefix(text.size());
     }
     template <class Value>
     void take(std::vector<Value>& values)
@@ -117,7 +117,7 @@ public:
     template <class Value>
     void take(std::map<std::string, Value>& values)
     {
-        for (std::size_t left = takeCount(16); left > 0 && isSound_; --left) {
+        for (std::size_t left = takeCount(16); left > 0 && isValid_; --left) {
             std::string name;
             take(name);
             take(values[name]);
@@ -125,21 +125,21 @@ public:
     }
 
     /// Whether all values were present and no bytes are left over.
-    bool isDone() const { return isSound_ && rest_.empty(); }
+    bool isDone() const { return isValid_ && remaining_.empty(); }
 
 private:
     bool has(std::size_t size)
     {
-        isSound_ = isSound_ && size <= rest_.size();
-        return isSound_;
+        isValid_ = isValid_ && size <= remaining_.size();
+        return isValid_;
     }
     /// Reads an element count; each element takes at least `size` bytes.
     std::size_t takeCount(std::size_t size)
     {
         std::uint64_t count = 0;
         take(count);
-        isSound_ = isSound_ && count <= rest_.size() / size;
-        return isSound_ ? static_cast<std::size_t>(count) : 0;
+        isValid_ = isValid_ && count <= remaining_.size() / size;
+        return isValid_ ? static_cast<std::size_t>(count) : 0;
     }
     template <class Values>
     void takeAll(Values& values)
@@ -149,8 +149,8 @@ private:
         }
     }
 
-    std::string_view rest_;
-    bool isSound_ = true;
+    std::string_view remaining_;
+    bool isValid_ = true;
 };
 
 }   // namespace angiopose::io

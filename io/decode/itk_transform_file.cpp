@@ -16,7 +16,7 @@ constexpr const char* program = "angiopose-decode-itk";
 
 core::Result<core::RigidTransform> poseFromItkHdf5(const std::string& path, const ReadObserver& observe)
 {
-    const auto reply = askDecoder(program, {"read", path}, path, observe);
+    const auto reply = runDecoder(program, {"read", path}, path, observe);
     if (!reply) {
         return reply.error();
     }
@@ -47,7 +47,7 @@ core::Status writeItkHdf5(const core::RigidTransform& cameraFromPatient, const s
             arguments.push_back(toText(value));
         }
     }
-    const auto reply = askDecoder(program, arguments, path);
+    const auto reply = runDecoder(program, arguments, path);
     if (!reply) {
         return reply.error();
     }

@@ -18,7 +18,7 @@ template <class SaysDamaged>
 core::Result<VtkLines> readByVtk(const std::string& format, const std::string& path, const ReadObserver& observe,
                                  const SaysDamaged& saysDamaged)
 {
-    auto asked = askDecoder("angiopose-decode-vtk", {format, path}, path, observe);
+    auto asked = runDecoder("angiopose-decode-vtk", {format, path}, path, observe);
     if (!asked) {
         return asked.error();
     }

@@ -7,7 +7,7 @@ namespace angiopose::io {
 
 /// Visits the members that are sent through the pipe, in the order of transmission.
 template <class Lines, class Use>
-void eachField(Lines& lines, const Use& use)
+void visitFields(Lines& lines, const Use& use)
 {
     use(lines.set.points);
     use(lines.set.lines);
@@ -23,7 +23,7 @@ void eachField(Lines& lines, const Use& use)
 inline std::string toReply(const VtkLines& lines)
 {
     ReplyWriter writer;
-    eachField(lines, [&writer](const auto& field) { writer.put(field); });
+    visitFields(lines, [&writer](const auto& field) { writer.put(field); });
     return std::move(writer).bytes();
 }
 
@@ -32,7 +32,7 @@ inline std::optional<VtkLines> linesFromReply(std::string_view bytes)
 {
     VtkLines lines;
     ReplyReader reader(bytes);
-    eachField(lines, [&reader](auto& field) { reader.take(field); });
+    visitFields(lines, [&reader](auto& field) { reader.take(field); });
     return reader.isDone() ? std::optional(std::move(lines)) : std::nullopt;
 }
 

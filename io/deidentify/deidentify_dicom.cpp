@@ -1,6 +1,6 @@
 #include "io/deidentify/deidentify_dicom.h"
 
-#include "io/deidentify/kept_pixels.h"
+#include "io/deidentify/copy_pixels.h"
 #include "io/dicom/dicom_file.h"
 #include "io/messages/messages.h"
 #include "io/support/file_error.h"
@@ -13,7 +13,7 @@ namespace angiopose::io {
 namespace {
 
 /// Kinds of DICOM objects that can be de-identified.
-enum class FreedClass { Image, Segmentation, Report, PresentationState, Registration };
+enum class DeidentifiableClass { Image, Segmentation, Report, PresentationState, Registration };
 
 constexpr std::string_view storage = "1.2.840.10008.5.1.4.1.1.";
 constexpr std::string_view grayState = "11.1";
@@ -23,47 +23,47 @@ constexpr std::string_view reports = "88.";
 constexpr std::string_view documents = "104.";
 
 /// Unsupported SOP classes: other presentation states and spatial objects, waveforms, raw data, treatment plans.
-constexpr std::array<std::string_view, 8> uncleared{"9.", "11.", "66", "67", "68.", "78.", "79.", "481."};
+constexpr std::array<std::string_view, 8> unsupportedClasses{"9.", "11.", "66", "67", "68.", "78.", "79.", "481."};
 
-core::Result<FreedClass> classOf(const DicomDataset& data, const std::string& path)
+core::Result<DeidentifiableClass> classOf(const DicomDataset& data, const std::string& path)
 {
     const std::string_view classUid = data.text(0x00080016);
     if (!classUid.starts_with(storage)) {
-        return data.text(0x00080060) == "SEG" ? FreedClass::Segmentation : FreedClass::Image;
+        return data.text(0x00080060) == "SEG" ? DeidentifiableClass::Segmentation : DeidentifiableClass::Image;
     }
     const std::string_view kind = classUid.substr(storage.size());
     if (kind == segmentClass) {
-        return FreedClass::Segmentation;
+        return DeidentifiableClass::Segmentation;
     }
     if (kind == grayState) {   // other presentation states require an ICC profile, which contains text
-        return FreedClass::PresentationState;
+        return DeidentifiableClass::PresentationState;
     }
     if (kind == spatialClass) {
-        return FreedClass::Registration;
+        return DeidentifiableClass::Registration;
     }
     if (kind.starts_with(reports)) {
-        return FreedClass::Report;
+        return DeidentifiableClass::Report;
     }
     if (kind.starts_with(documents)) {
         return fileError(path, messages::pagesStay());
     }
-    for (const std::string_view stays : uncleared) {
+    for (const std::string_view stays : unsupportedClasses) {
         if (kind.starts_with(stays)) {
             return fileError(path, messages::objectStays(std::string(classUid)));
         }
     }
-    return FreedClass::Image;
+    return DeidentifiableClass::Image;
 }
 
-bool hasPixels(FreedClass freed)
+bool hasPixels(DeidentifiableClass freed)
 {
-    return freed == FreedClass::Image || freed == FreedClass::Segmentation;
+    return freed == DeidentifiableClass::Image || freed == DeidentifiableClass::Segmentation;
 }
 
 /// Determines the kind of object from its SOP class; an image if the SOP class does not indicate otherwise. Fails,
 /// naming the file, if the texts or pages of the object cannot be cleared reliably, or if the object holds pixels
 /// unusual for its class, which would be lost.
-core::Result<FreedClass> freedClassOf(const DicomFile& file, const std::string& path)
+core::Result<DeidentifiableClass> deidentifiableClassOf(const DicomFile& file, const std::string& path)
 {
     const auto freed = classOf(file.dataset, path);
     if (freed && !hasPixels(freed.value()) && !file.pixels.empty()) {
@@ -102,7 +102,7 @@ void addMethod(DicomItem& root, const Method& method)
     item.text(0x00080104, "LO", method.meaning);
 }
 
-void sayWhatWasDone(DicomItem& root, const Deidentification& requested)
+void addDeidentificationMethod(DicomItem& root, const DeidentificationOptions& requested)
 {
     const bool areShifted = requested.dates == DatePolicy::Shifted;
     root.text(0x00120062, "CS", "YES");
@@ -110,7 +110,7 @@ void sayWhatWasDone(DicomItem& root, const Deidentification& requested)
     for (const Method& method : {basicProfile, cleanGraphics, cleanStructure, cleanDescriptors}) {
         addMethod(root, method);
     }
-    if (requested.letters == DrawnLetters::BlackedOut) {
+    if (requested.letters == BurnedInTextPolicy::Masked) {
         addMethod(root, cleanPixels);
     }
     if (areShifted) {
@@ -122,7 +122,7 @@ void sayWhatWasDone(DicomItem& root, const Deidentification& requested)
 /// Limits a text to a single value of at most 64 characters, as required for names and IDs.
 std::string asOneValue(const std::string& requested)
 {
-    std::string value = shortened(requested, 64);
+    std::string value = truncateUtf8(requested, 64);
     std::erase_if(value, [](char c) { return c == '\\' || static_cast<unsigned char>(c) < ' '; });
     return value;
 }
@@ -135,17 +135,18 @@ std::string patientOf(const DicomDataset& data)
 }
 
 /// Adds missing instance, study and series UIDs; files without series UID form one series per patient.
-void addPlaces(const DicomDataset& data, const std::string& path, const Replacements& replacements, DicomItem& root)
+void addMissingUids(const DicomDataset& data, const std::string& path, const Replacements& replacements,
+                    DicomItem& root)
 {
     const Pseudonyms& pseudonyms = replacements.pseudonyms;
-    root.textWhereAbsent(0x00080018, "UI", pseudonyms.uid("instance " + path));
-    root.textWhereAbsent(0x0020000d, "UI", pseudonyms.uid("study of " + replacements.patient));
-    root.textWhereAbsent(0x0020000e, "UI", pseudonyms.uid("series of " + replacements.patient));
+    root.textIfAbsent(0x00080018, "UI", pseudonyms.uid("instance " + path));
+    root.textIfAbsent(0x0020000d, "UI", pseudonyms.uid("study of " + replacements.patient));
+    root.textIfAbsent(0x0020000e, "UI", pseudonyms.uid("series of " + replacements.patient));
     const std::string_view modality = data.text(0x00080060);
     const bool saysSideElsewhere =
         data.has(0x00200062) || data.has(0x52009229) || modality == "SEG" || modality == "SR";
     if (!saysSideElsewhere) {
-        root.textWhereAbsent(0x00200060, "CS", "");
+        root.textIfAbsent(0x00200060, "CS", "");
     }
 }
 
@@ -156,19 +157,19 @@ void addPatient(const DicomDataset& data, const std::string& patient, DicomItem&
     root.text(0x00100010, "PN", patient);
     root.text(0x00100020, "LO", patient);
     for (const auto& [tag, vr] : emptyWhereAbsent) {
-        root.textWhereAbsent(tag, vr, "");
+        root.textIfAbsent(tag, vr, "");
     }
     if (data.has(0x00200052)) {
-        root.textWhereAbsent(0x00201040, "LO", "");   // position reference indicator
+        root.textIfAbsent(0x00201040, "LO", "");   // position reference indicator
     }
 }
 
 /// Adds the elements that the modules of objects other than images require.
-void addObjectParts(FreedClass freed, DicomItem& root)
+void addObjectParts(DeidentifiableClass freed, DicomItem& root)
 {
-    root.textWhereAbsent(0x00181000, "LO", "none");
-    root.textWhereAbsent(0x00181020, "LO", "unknown");
-    if (freed == FreedClass::Report) {
+    root.textIfAbsent(0x00181000, "LO", "none");
+    root.textIfAbsent(0x00181020, "LO", "unknown");
+    if (freed == DeidentifiableClass::Report) {
         root.emptySequence(0x00081111);
         root.emptySequence(0x0040a372);
         DicomItem ownTerms = root.addItem(0x00080110);
@@ -178,17 +179,17 @@ void addObjectParts(FreedClass freed, DicomItem& root)
 }
 
 /// Copies the pixels or voxels, if the object has any.
-core::Status copyBulk(FreedClass freed, const DicomFile& file, const std::string& path, DrawnLetters letters,
-                      NamelessDicom& nameless, DicomItem& root)
+core::Status copyBulk(DeidentifiableClass freed, const DicomFile& file, const std::string& path,
+                      BurnedInTextPolicy letters, DeidentifiedDicom& nameless, DicomItem& root)
 {
     switch (freed) {
-        case FreedClass::Image:
+        case DeidentifiableClass::Image:
             return copyPixels(file, path, letters, root, nameless.warnings);
-        case FreedClass::Segmentation:
+        case DeidentifiableClass::Segmentation:
             return copySegments(file, path, root);
-        case FreedClass::Report:
-        case FreedClass::PresentationState:
-        case FreedClass::Registration:
+        case DeidentifiableClass::Report:
+        case DeidentifiableClass::PresentationState:
+        case DeidentifiableClass::Registration:
             break;
     }
     return core::Done{};
@@ -196,22 +197,22 @@ core::Status copyBulk(FreedClass freed, const DicomFile& file, const std::string
 
 }   // namespace
 
-core::Result<NamelessDicom> withoutIdentity(const DicomFile& file, const std::string& path,
-                                            const Deidentification& requested, const Pseudonyms& pseudonyms)
+core::Result<DeidentifiedDicom> deidentifyDicom(const DicomFile& file, const std::string& path,
+                                                const DeidentificationOptions& requested, const Pseudonyms& pseudonyms)
 {
     const DicomDataset& data = file.dataset;
-    const auto freed = freedClassOf(file, path);
+    const auto freed = deidentifiableClassOf(file, path);
     if (!freed) {
         return freed.error();
     }
-    const bool isImage = freed.value() == FreedClass::Image;
+    const bool isImage = freed.value() == DeidentifiableClass::Image;
     const IdentityWords words(data);
-    KeptContent kept(words);
+    ContentCleaner kept(words);
     const Replacements replacements{pseudonyms, words, patientOf(data), requested.dates, isImage ? nullptr : &kept};
-    NamelessDicom nameless;
+    DeidentifiedDicom nameless;
     DicomObject object;
     DicomItem root = object.root();
-    copyKept(data, root, replacements);
+    copyPermittedElements(data, root, replacements);
     if (const auto copied = copyBulk(freed.value(), file, path, requested.letters, nameless, root); !copied) {
         return copied.error();
     }
@@ -224,8 +225,8 @@ core::Result<NamelessDicom> withoutIdentity(const DicomFile& file, const std::st
     const std::string patient =
         requested.patientName.empty() ? pseudonyms.patient(replacements.patient) : asOneValue(requested.patientName);
     addPatient(data, patient, root);
-    addPlaces(data, path, replacements, root);
-    sayWhatWasDone(root, requested);
+    addMissingUids(data, path, replacements, root);
+    addDeidentificationMethod(root, requested);
     auto content = object.content();
     if (!content) {
         return content.error().about(path);

@@ -1,22 +1,22 @@
 #pragma once
 
 #include "core/support/result.h"
-#include "io/deidentify/kept_elements.h"
-#include "io/deidentify/kept_pixels.h"
+#include "io/deidentify/copy_pixels.h"
+#include "io/deidentify/permitted_elements.h"
 
 #include <string>
 
 namespace angiopose::io {
 
 /// Options for de-identification.
-struct Deidentification {
+struct DeidentificationOptions {
     DatePolicy dates = DatePolicy::None;
-    DrawnLetters letters = DrawnLetters::Reported;
+    BurnedInTextPolicy letters = BurnedInTextPolicy::Reported;
     std::string patientName{};   ///< also used as the patient ID; if empty, a pseudonym is used
 };
 
 /// A de-identified DICOM object.
-struct NamelessDicom {
+struct DeidentifiedDicom {
     std::string content;   ///< bytes of the DICOM file
     std::string seriesUid;   ///< new UID that replaces the original
     int instanceNumber = 0;   ///< unchanged instance number; 0 if absent
@@ -27,7 +27,7 @@ struct NamelessDicom {
 /// Basic Application Level Confidentiality Profile (PS3.15 annex E): `copyKept`, `copyPixels`, pseudonyms for patient
 /// and study, and the applied methods as codes of the standard. Fails and names the file if it contains no image
 /// that can be stored again, or parts that cannot be cleared reliably.
-core::Result<NamelessDicom> withoutIdentity(const DicomFile& file, const std::string& path,
-                                            const Deidentification& requested, const Pseudonyms& pseudonyms);
+core::Result<DeidentifiedDicom> deidentifyDicom(const DicomFile& file, const std::string& path,
+                                                const DeidentificationOptions& requested, const Pseudonyms& pseudonyms);
 
 }   // namespace angiopose::io

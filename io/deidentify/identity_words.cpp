@@ -60,7 +60,7 @@ void IdentityWords::collect(const DicomDataset& data, int depth)
     }
 }
 
-bool IdentityWords::areIn(std::string_view text) const
+bool IdentityWords::occurIn(std::string_view text) const
 {
     bool found = false;
     eachWord(text, [&](const std::string& word) { found = found || words_.contains(word); });

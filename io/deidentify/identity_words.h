@@ -15,7 +15,7 @@ public:
     explicit IdentityWords(const DicomDataset& data);
 
     /// Whether `text` contains one of the words, ignoring case.
-    bool areIn(std::string_view text) const;
+    bool occurIn(std::string_view text) const;
 
 private:
     void collect(const DicomDataset& data, int depth);

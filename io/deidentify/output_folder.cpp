@@ -22,7 +22,7 @@ OutputFolder::~OutputFolder()
 {
     if (!isDone_) {
         std::error_code ignored;
-        for (const fs::path& made : made_) {
+        for (const fs::path& made : createdPaths_) {
             fs::remove_all(made, ignored);
         }
         if (isNew_) {
@@ -42,7 +42,7 @@ core::Status OutputFolder::open()
     return failed ? core::Status(fileError(path_, messages::fileNotWritten(failed.message()))) : core::Done{};
 }
 
-core::Status OutputFolder::write(const NamelessDicom& image)
+core::Status OutputFolder::write(const DeidentifiedDicom& image)
 {
     const auto [series, isNew] = counts_.try_emplace(image.seriesUid, std::pair(counts_.size() + 1, std::size_t{0}));
     auto& [number, count] = series->second;
@@ -50,15 +50,15 @@ core::Status OutputFolder::write(const NamelessDicom& image)
     if (isNew) {
         std::error_code failed;
         fs::create_directories(folder, failed);
-        made_.push_back(folder);
+        createdPaths_.push_back(folder);
     }
     return writeAtomically((folder / instanceFileName(++count)).string(), image.content);
 }
 
-core::Status OutputFolder::writePicture(const std::string& content, const std::string& ending)
+core::Status OutputFolder::writeImage(const std::string& content, const std::string& ending)
 {
-    made_.push_back(fs::path(path_) / ("picture-" + std::to_string(++pictures_) + ending));
-    return writeAtomically(made_.back().string(), content);
+    createdPaths_.push_back(fs::path(path_) / ("picture-" + std::to_string(++pictures_) + ending));
+    return writeAtomically(createdPaths_.back().string(), content);
 }
 
 }   // namespace angiopose::io

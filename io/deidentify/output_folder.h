@@ -26,8 +26,8 @@ public:
     OutputFolder& operator=(const OutputFolder&) = delete;
 
     core::Status open();
-    core::Status write(const NamelessDicom& image);
-    core::Status writePicture(const std::string& content, const std::string& ending);
+    core::Status write(const DeidentifiedDicom& image);
+    core::Status writeImage(const std::string& content, const std::string& ending);
 
     bool isEmpty() const { return counts_.empty() && pictures_ == 0; }
     void keep() { isDone_ = true; }
@@ -36,7 +36,7 @@ private:
     std::string path_;
     std::map<std::string, std::pair<std::size_t, std::size_t>> counts_;   ///< number and file count of each series
     std::size_t pictures_ = 0;
-    std::vector<std::filesystem::path> made_;
+    std::vector<std::filesystem::path> createdPaths_;
     bool isNew_ = false;
     bool isDone_ = false;
 };

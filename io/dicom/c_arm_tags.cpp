@@ -34,7 +34,7 @@ constexpr DicomTag columnsTag = 0x00280011;
 
 core::Quantity millimeters(double value)
 {
-    return {std::round(value * 1e4) / 1e4, core::Quantity::asNeeded, "mm"};
+    return {std::round(value * 1e4) / 1e4, core::Quantity::significantDigits, "mm"};
 }
 
 /// Copies tags that are missing at the top level from the functional group sequences, down to two levels.
@@ -165,7 +165,8 @@ void readAngles(const DicomDataset& data, CArm& cArm, core::Messages& warnings)
     const double detectorTilt =
         std::max(std::abs(data.number(0x00181530).value_or(0.0)), std::abs(data.number(0x00181531).value_or(0.0)));
     if (detectorTilt > 0.5) {
-        warnings.push_back(messages::detectorTilted(core::Quantity{detectorTilt, core::Quantity::asNeeded, "°"}));
+        warnings.push_back(
+            messages::detectorTilted(core::Quantity{detectorTilt, core::Quantity::significantDigits, "°"}));
     }
 }
 
@@ -225,7 +226,7 @@ Eigen::Vector3d directionOf(std::string_view letters)
 void readOrientation(const DicomDataset& data, CArm& cArm, core::Messages& warnings)
 {
     constexpr DicomTag orientationTag = 0x00200020;
-    constexpr double minLikeness = 0.45;   // minimum agreement; the letters give only coarse directions
+    constexpr double minLetterAgreement = 0.45;   // minimum agreement; the letters give only coarse directions
     const Eigen::Vector3d row = directionOf(data.text(orientationTag, 0));
     const Eigen::Vector3d column = directionOf(data.text(orientationTag, 1));
     CArm likeliest = cArm;
@@ -241,7 +242,8 @@ void readOrientation(const DicomDataset& data, CArm& cArm, core::Messages& warni
             const bool isUpright = rollDeg == 0.0;
             const double alongRow = row.dot(axes.right);
             const double alongColumn = column.isZero() ? (isUpright ? 1.0 : 0.0) : column.dot(axes.down);
-            const double likeness = std::min(alongRow, alongColumn) >= minLikeness ? alongRow + alongColumn : 0.0;
+            const double likeness =
+                std::min(alongRow, alongColumn) >= minLetterAgreement ? alongRow + alongColumn : 0.0;
             if (likeness > most + 1e-9) {
                 most = likeness;
                 likeliest = std::move(candidate);
@@ -288,7 +290,7 @@ core::CArm cArmOf(const DicomDataset& data, core::Messages& warnings)
     return cArm;
 }
 
-bool isAboutMissingSpacing(const core::Message& warning)
+bool isMissingSpacingWarning(const core::Message& warning)
 {
     return warning.is(messages::spacingFromCalibration) || warning.is(messages::spacingFromField) ||
            warning.is(messages::spacingMissing) || warning.is(messages::spacingMissingIntensifier);

@@ -20,6 +20,6 @@ DicomDataset withFunctionalGroups(const DicomDataset& data);
 
 /// Whether a message is the warning of `cArmOf` about missing pixel spacing, which is irrelevant if the spacing is
 /// known from another source.
-bool isAboutMissingSpacing(const core::Message& warning);
+bool isMissingSpacingWarning(const core::Message& warning);
 
 }   // namespace angiopose::io

@@ -2,7 +2,7 @@
 
 #include "io/dicom/decode_jpeg2000.h"
 #include "io/raster/read_jpeg.h"
-#include "io/support/quiet_libraries.h"
+#include "io/support/silence_libraries.h"
 
 #include <dcmtk/config/osconfig.h>
 // DCMTK headers must come first because of their macros.
@@ -26,7 +26,7 @@ constexpr std::string_view rleSyntax = "1.2.840.10008.1.2.5";
 
 /// Whether the stream declares the image that the header describes. A mismatch is rejected, because the decoders trust
 /// the stream; libjpeg converts color to gray.
-bool isTheImageExpected(const StreamHead& head, const PixelLayout& layout)
+bool matchesLayout(const StreamHeader& head, const PixelLayout& layout)
 {
     return head.columns == layout.columns && head.rows == layout.rows &&
            (head.isBaseline || head.components == layout.samples) && head.bits >= 2 &&
@@ -37,7 +37,7 @@ bool isTheImageExpected(const StreamHead& head, const PixelLayout& layout)
 std::optional<DecodedPixels> decodeBaseline(std::string_view compressed, PixelLayout& layout)
 {
     const auto raster =
-        readJpeg(compressed, layout.photometric == "RGB" ? JpegColors::RgbUnlessMarked : JpegColors::AsMarked);
+        readJpeg(compressed, layout.photometric == "RGB" ? JpegColors::RgbUnlessMarked : JpegColors::FromMarkers);
     if (!raster) {
         return std::nullopt;
     }
@@ -50,7 +50,7 @@ std::optional<DecodedPixels> decodeBaseline(std::string_view compressed, PixelLa
     std::vector<char> bytes(image.pixels.size());
     std::transform(image.pixels.begin(), image.pixels.end(), bytes.begin(),
                    [](float value) { return static_cast<char>(static_cast<unsigned char>(std::lround(value))); });
-    return DecodedPixels{std::move(bytes), raster->isFlawed};
+    return DecodedPixels{std::move(bytes), raster->isPartlyDamaged};
 }
 
 /// Whether a stream is complete, that is, contains its end marker, possibly followed by padding; DCMTK would fill
@@ -103,7 +103,7 @@ std::unique_ptr<DcmDataset> datasetOf(std::string_view compressed, E_TransferSyn
 }
 
 /// Decodes a frame through DCMTK; updates `layout` to the color format of the result.
-std::optional<DecodedPixels> decodedByDcmtk(std::string_view compressed, E_TransferSyntax syntax, PixelLayout& layout)
+std::optional<DecodedPixels> decodeByDcmtk(std::string_view compressed, E_TransferSyntax syntax, PixelLayout& layout)
 {
     registerDecoders();
     const auto data = datasetOf(compressed, syntax, layout);
@@ -138,17 +138,17 @@ std::optional<DecodedPixels> decodedByDcmtk(std::string_view compressed, E_Trans
 std::optional<DecodedPixels> decodeFrame(std::string_view compressed, const std::string& transferSyntax,
                                          PixelLayout& layout)
 {
-    quietLibraries();
+    silenceLibraries();
     const E_TransferSyntax syntax = DcmXfer(transferSyntax.c_str()).getXfer();
     if (syntax == EXS_Unknown || (layout.bitsAllocated != 8 && layout.bitsAllocated != 16)) {
         return std::nullopt;
     }
     try {
         if (transferSyntax == rleSyntax) {
-            return decodedByDcmtk(compressed, syntax, layout);
+            return decodeByDcmtk(compressed, syntax, layout);
         }
-        const auto head = streamHeadOf(compressed);
-        if (!head || !isTheImageExpected(*head, layout)) {
+        const auto head = readStreamHeader(compressed);
+        if (!head || !matchesLayout(*head, layout)) {
             return std::nullopt;
         }
         if (head->isBaseline) {
@@ -159,7 +159,7 @@ std::optional<DecodedPixels> decodeFrame(std::string_view compressed, const std:
             auto bytes = decodeJpeg2000(compressed, layout);
             return bytes ? std::optional(DecodedPixels{std::move(*bytes)}) : std::nullopt;
         }
-        return isWhole(compressed) ? decodedByDcmtk(compressed, syntax, layout) : std::nullopt;
+        return isWhole(compressed) ? decodeByDcmtk(compressed, syntax, layout) : std::nullopt;
     } catch (const std::exception&) {   // out of memory
         return std::nullopt;
     }

@@ -12,7 +12,7 @@ namespace angiopose::io {
 /// The result of decoding a compressed frame.
 struct DecodedPixels {
     std::vector<char> bytes;   ///< pixels in the native form of the layout, little endian
-    bool isFlawed = false;   ///< partly damaged; contains the part that could be decoded
+    bool isPartlyDamaged = false;   ///< partly damaged; contains the part that could be decoded
 };
 
 /// Decodes one compressed frame (JPEG, JPEG-LS, JPEG 2000, RLE). Corrects `layout` if the compressed stream contradicts
@@ -21,13 +21,13 @@ std::optional<DecodedPixels> decodeFrame(std::string_view compressed, const std:
                                          PixelLayout& layout);
 
 /// Image properties declared by a JPEG, JPEG-LS or JPEG 2000 stream.
-struct StreamHead {
+struct StreamHeader {
     int columns = 0;
     int rows = 0;
     int components = 0;
     int bits = 0;   ///< bits per sample
     bool isBaseline = false;   ///< whether the stream is 8-bit lossy JPEG
 };
-std::optional<StreamHead> streamHeadOf(std::string_view stream);
+std::optional<StreamHeader> readStreamHeader(std::string_view stream);
 
 }   // namespace angiopose::io

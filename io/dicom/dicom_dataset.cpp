@@ -1,7 +1,7 @@
 #include "io/dicom/dicom_dataset.h"
 
 #include "io/support/numbers.h"
-#include "io/support/quiet_libraries.h"
+#include "io/support/silence_libraries.h"
 
 #include <dcmtk/config/osconfig.h>
 // DCMTK headers must come first because of their macros.
@@ -205,7 +205,7 @@ void DicomDataset::addMissingFrom(const DicomDataset& other)
 
 DicomDataset readElements(std::string_view elements, DicomEncoding encoding)
 {
-    quietLibraries();
+    silenceLibraries();
     dcmEnableUnknownVRConversion.set(OFTrue);   // writers use VR UN for elements they do not know
     const auto data = std::make_shared<DcmDataset>();
     DcmInputBufferStream stream;

@@ -31,7 +31,7 @@ bool startsLikeDataset(std::string_view bytes)
         return false;
     }
     const auto isPlausible = [&](ByteOrder order) {
-        const auto head = readHead(bytes, DicomEncoding{true, order});
+        const auto head = readElementHeader(bytes, DicomEncoding{true, order});
         const DicomTag group = head ? head->tag >> 16 : 0;
         return (group == 0x0002 || group == 0x0008) && (head->tag & 0xffff) < 0x0100 && head->length <= bytes.size();
     };
@@ -57,7 +57,7 @@ std::string readMeta(std::string_view& rest)
 {
     constexpr DicomEncoding encoding;
     std::string syntax;
-    while (const auto head = readHead(rest, encoding)) {
+    while (const auto head = readElementHeader(rest, encoding)) {
         if (head->tag >> 16 != 0x0002 || head->length > rest.size() - head->size) {
             break;
         }
@@ -77,9 +77,9 @@ bool looksLikeDicom(std::string_view content)
     return hasPreamble(content) || content.starts_with(magic) || startsLikeDataset(content);
 }
 
-bool holdsPackedDicom(std::string_view content)
+bool isGzippedDicom(std::string_view content)
 {
-    return content.starts_with("\x1f\x8b") && looksLikeDicom(inflatedStart(content, packedStart));
+    return content.starts_with("\x1f\x8b") && looksLikeDicom(decompressStart(content, packedStart));
 }
 
 core::Result<InputBytes> openDicom(const std::string& path)
@@ -91,8 +91,8 @@ core::Result<InputBytes> openDicom(const std::string& path)
     if (looksLikeDicom(input.value().view())) {
         return input;
     }
-    if (holdsPackedDicom(input.value().view())) {
-        auto unpacked = inflated(input.value().view(), Packing::Gzip, maxFileBytes);
+    if (isGzippedDicom(input.value().view())) {
+        auto unpacked = decompress(input.value().view(), CompressionFormat::Gzip, maxFileBytes);
         if (unpacked && looksLikeDicom(*unpacked)) {
             return InputBytes(std::move(*unpacked));
         }
@@ -103,7 +103,7 @@ core::Result<InputBytes> openDicom(const std::string& path)
 bool isDicomFile(const std::string& path)
 {
     const auto start = openInputStart(path);
-    return start && (looksLikeDicom(start.value().view()) || holdsPackedDicom(start.value().view()));
+    return start && (looksLikeDicom(start.value().view()) || isGzippedDicom(start.value().view()));
 }
 
 core::Result<DicomFile> parseDicom(std::string_view content, const std::string& path)
@@ -117,7 +117,7 @@ core::Result<DicomFile> parseDicom(std::string_view content, const std::string& 
     DicomFile file;
     file.transferSyntax = readMeta(rest);
     if (file.transferSyntax == deflatedSyntax) {
-        auto unpacked = inflated(rest, Packing::RawDeflate, maxDatasetBytes);
+        auto unpacked = decompress(rest, CompressionFormat::RawDeflate, maxDatasetBytes);
         if (!unpacked) {
             return fileError(path, messages::dicomDeflateDamaged());
         }
@@ -125,7 +125,7 @@ core::Result<DicomFile> parseDicom(std::string_view content, const std::string& 
         rest = file.unpacked.view();
     }
     const DicomEncoding encoding = encodingOf(rest, file.transferSyntax);
-    PassedElements passed = passElements(rest, encoding);
+    FilteredElements passed = filterElements(rest, encoding);
     if (passed.isEmpty) {
         return fileError(path, messages::dicomNoElement());
     }

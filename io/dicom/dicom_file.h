@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/support/result.h"
-#include "io/dicom/dicom_gate.h"
+#include "io/dicom/element_filter.h"
 #include "io/support/input_bytes.h"
 
 #include <optional>
@@ -22,7 +22,7 @@ struct DicomFile {
 bool looksLikeDicom(std::string_view content);
 
 /// Whether the content is gzip-compressed DICOM; decompresses only the beginning.
-bool holdsPackedDicom(std::string_view content);
+bool isGzippedDicom(std::string_view content);
 
 /// Opens a DICOM file, which may be gzip-compressed. Fails like `openInput`, and if the content is not DICOM.
 core::Result<InputBytes> openDicom(const std::string& path);

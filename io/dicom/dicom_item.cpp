@@ -2,7 +2,7 @@
 
 #include "io/dicom/stored_values.h"
 #include "io/messages/messages.h"
-#include "io/support/quiet_libraries.h"
+#include "io/support/silence_libraries.h"
 
 #include <dcmtk/config/osconfig.h>
 // DCMTK headers must come first because of their macros.
@@ -24,7 +24,7 @@ void DicomItem::text(DicomTag tag, const char* vr, const std::string& value)
     item_->putAndInsertString(writtenTag(tag, DcmVR(vr)), value.c_str());
 }
 
-void DicomItem::textWhereAbsent(DicomTag tag, const char* vr, const std::string& value)
+void DicomItem::textIfAbsent(DicomTag tag, const char* vr, const std::string& value)
 {
     if (!item_->tagExists(writtenTag(tag, DcmVR(vr)))) {
         text(tag, vr, value);
@@ -131,7 +131,7 @@ void DicomItem::emptySequence(DicomTag sequence)
 
 DicomObject::DicomObject()
 {
-    quietLibraries();
+    silenceLibraries();
     file_ = std::make_unique<DcmFileFormat>();
 }
 
@@ -160,7 +160,7 @@ core::Result<std::string> DicomObject::content()
     return state.good() ? core::Result<std::string>(std::move(content)) : core::Error(messages::dicomNotWritten());
 }
 
-std::string shortened(std::string_view utf8, std::size_t characters)
+std::string truncateUtf8(std::string_view utf8, std::size_t characters)
 {
     std::size_t end = 0;
     for (; end < utf8.size(); ++end) {

@@ -20,7 +20,7 @@ public:
     explicit DicomItem(DcmItem& item) : item_(&item) {}
 
     void text(DicomTag tag, const char* vr, const std::string& value);   ///< may be empty; values separated by `\`
-    void textWhereAbsent(DicomTag tag, const char* vr, const std::string& value);
+    void textIfAbsent(DicomTag tag, const char* vr, const std::string& value);
     void decimals(DicomTag tag, const std::vector<double>& values);   ///< DS, as precise as 16 characters permit
     void unsignedShort(DicomTag tag, int value);
     void unsignedShorts(DicomTag tag, const std::vector<std::uint16_t>& values);   ///< writes no element if empty
@@ -63,6 +63,6 @@ private:
 };
 
 /// Truncates a UTF-8 string to the given number of characters (not bytes).
-std::string shortened(std::string_view utf8, std::size_t characters);
+std::string truncateUtf8(std::string_view utf8, std::size_t characters);
 
 }   // namespace angiopose::io

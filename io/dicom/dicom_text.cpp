@@ -40,7 +40,7 @@ constexpr std::array characterSets = {
 };
 
 /// Finds a character set by its defined term; returns null for ASCII and unknown terms.
-const CharacterSet* setCalled(std::string_view term)
+const CharacterSet* findCharacterSet(std::string_view term)
 {
     const auto* found = std::ranges::find_if(
         characterSets, [term](const CharacterSet& set) { return trimmed(term).ends_with(set.term); });
@@ -78,7 +78,7 @@ std::string converted(std::string_view text, const char* from, std::string_view 
 }
 
 /// Whether a set encodes characters as two bytes below 0x80, which only an escape sequence distinguishes from ASCII.
-bool isOfPairs(const CharacterSet& set)
+bool isDoubleByte(const CharacterSet& set)
 {
     return set.escape == "$B" || set.escape == "$(D";
 }
@@ -89,15 +89,15 @@ bool isUtf8(std::string_view text)
 }
 
 /// Converts bytes from one character set. If the set is unknown, tries UTF-8, then Latin-1.
-std::string ofSet(std::string_view bytes, const CharacterSet* set)
+std::string decodeWithCharacterSet(std::string_view bytes, const CharacterSet* set)
 {
-    const bool isGuess = !set || set->term == "IR 192" || isOfPairs(*set);
+    const bool isGuess = !set || set->term == "IR 192" || isDoubleByte(*set);
     return converted(bytes, isGuess ? isUtf8(bytes) ? "UTF-8" : "ISO-8859-1" : set->iconvName);
 }
 
 /// Converts a string that switches character sets by escape sequences (PS3.5 6.1.2.5). After a delimiter the first set
 /// applies again; if that set is ASCII only, non-ASCII bytes belong to the previous set.
-std::string ofSeveralSets(std::string_view text, const CharacterSet* first)
+std::string decodeWithEscapes(std::string_view text, const CharacterSet* first)
 {
     std::string result;
     const CharacterSet* upper = first;   // character set for bytes from 0x80
@@ -107,7 +107,7 @@ std::string ofSeveralSets(std::string_view text, const CharacterSet* first)
         const std::string_view bytes = text.substr(begin, end - begin);
         result += pairs ? converted("\x1b" + std::string(pairs->escape) + std::string(bytes), pairs->iconvName)
                   : isAscii(bytes) ? std::string(bytes)
-                                   : ofSet(bytes, upper);
+                                   : decodeWithCharacterSet(bytes, upper);
         begin = end;
     };
     for (std::size_t at = 0; at < text.size(); ++at) {
@@ -128,12 +128,12 @@ std::string ofSeveralSets(std::string_view text, const CharacterSet* first)
         while (intermediate < rest.size() && rest[intermediate] >= ' ' && rest[intermediate] <= '/') {
             ++intermediate;
         }
-        if (set != characterSets.end() && !isOfPairs(*set)) {
+        if (set != characterSets.end() && !isDoubleByte(*set)) {
             upper = set;
         } else {
             pairs = set != characterSets.end()
                         ? set
-                        : setCalled(rest.starts_with("$@") ? "IR 87" : "");   // "$@": the 1978 edition
+                        : findCharacterSet(rest.starts_with("$@") ? "IR 87" : "");   // "$@": the 1978 edition
         }
         at += std::min(intermediate + 1, rest.size());
         begin = at + 1;
@@ -170,11 +170,11 @@ std::string utf8Text(const DicomDataset& data, DicomTag tag, std::string_view de
     }
     const std::string_view own = data.text(0x00080005);
     const std::string_view terms = own.empty() ? declared : own;
-    const CharacterSet* first = setCalled(terms.substr(0, terms.find('\\')));
+    const CharacterSet* first = findCharacterSet(terms.substr(0, terms.find('\\')));
     if (text.find('\x1b') != std::string_view::npos) {
-        return ofSeveralSets(text, first);
+        return decodeWithEscapes(text, first);
     }
-    return ofSet(text, first ? first : setCalled(terms.substr(terms.rfind('\\') + 1)));
+    return decodeWithCharacterSet(text, first ? first : findCharacterSet(terms.substr(terms.rfind('\\') + 1)));
 }
 
 core::StudyIdentity identityOf(const DicomDataset& data)

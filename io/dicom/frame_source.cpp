@@ -154,7 +154,7 @@ ImageF FrameReader::nativeFrame(std::size_t index) const
     return imageFrom(SampleReader(bytes, layout_, pixels_.order), layout_, isSubsampled, 0);
 }
 
-core::Error FrameReader::undecodable(int index) const
+core::Error FrameReader::decodeError(int index) const
 {
     return fileError(path_, messages::dicomFrameUndecodable(index + 1, transferSyntax_.substr(0, 64)));
 }
@@ -170,13 +170,13 @@ core::Result<DecodedFrame> FrameReader::compressedFrame(std::size_t index) const
     const std::size_t needed = decoded.pixelsPerFrame() * static_cast<std::size_t>(decoded.samples) *
                                static_cast<std::size_t>(decoded.bitsAllocated) / 8;
     if (!pixels || pixels->bytes.size() < needed || layout_.bitsAllocated < 8) {
-        return undecodable(static_cast<int>(index));
+        return decodeError(static_cast<int>(index));
     }
     const SampleReader sample({pixels->bytes.data(), pixels->bytes.size()}, decoded, ByteOrder::Little);
-    return DecodedFrame{imageFrom(sample, decoded, false, 0), pixels->isFlawed};
+    return DecodedFrame{imageFrom(sample, decoded, false, 0), pixels->isPartlyDamaged};
 }
 
-core::Result<DecodedFrame> FrameReader::wholeOrPart(int index) const
+core::Result<DecodedFrame> FrameReader::frameAllowingDamage(int index) const
 {
     const auto at = static_cast<std::size_t>(index);
     if (index >= frameCount_) {
@@ -191,11 +191,11 @@ core::Result<DecodedFrame> FrameReader::wholeOrPart(int index) const
 
 core::Result<ImageF> FrameReader::frame(int index) const
 {
-    auto frame = wholeOrPart(index);
+    auto frame = frameAllowingDamage(index);
     if (!frame) {
         return frame.error();
     }
-    return frame.value().isFlawed ? core::Result<ImageF>(undecodable(index)) : std::move(frame).value().image;
+    return frame.value().isPartlyDamaged ? core::Result<ImageF>(decodeError(index)) : std::move(frame).value().image;
 }
 
 core::Result<DecodedRun> readFrames(const DicomFile& file, const PixelLayout& layout, const std::string& path)
@@ -209,10 +209,10 @@ core::Result<DecodedRun> readFrames(const DicomFile& file, const PixelLayout& la
     const auto maxFrames = static_cast<int>(maxRunPixels / layout.pixelsPerFrame());
     const int count = std::min(reader.value().frameCount(), std::max(maxFrames, layout.frames));
     for (int k = 0; k < count; ++k) {
-        auto frame = reader.value().wholeOrPart(k);
+        auto frame = reader.value().frameAllowingDamage(k);
         if (frame) {
-            if (frame.value().isFlawed) {
-                run.flawedFrames.push_back(k);
+            if (frame.value().isPartlyDamaged) {
+                run.damagedFrames.push_back(k);
             }
             run.frames.resize(static_cast<std::size_t>(k), frame.value().image);   // fills lost frames before it
             run.frames.push_back(std::move(frame).value().image);

@@ -13,7 +13,7 @@ namespace angiopose::io {
 /// Frame decoded as far as possible.
 struct DecodedFrame {
     core::ImageF image;
-    bool isFlawed = false;   ///< whether the frame is partly damaged
+    bool isPartlyDamaged = false;   ///< whether the frame is partly damaged
 };
 
 /// Decodes the frames of a DICOM file one at a time to stored values (color to luminance). The file must outlive the
@@ -29,11 +29,11 @@ public:
     /// Decodes frame `index`; fails if the frame is absent or cannot be decoded completely.
     core::Result<core::ImageF> frame(int index) const;
     /// Decodes frame `index`; also returns a frame that can be decoded only partly.
-    core::Result<DecodedFrame> wholeOrPart(int index) const;
+    core::Result<DecodedFrame> frameAllowingDamage(int index) const;
 
 private:
     FrameReader(PixelLayout layout, std::string path);
-    core::Error undecodable(int index) const;
+    core::Error decodeError(int index) const;
     core::ImageF nativeFrame(std::size_t index) const;
     core::Result<DecodedFrame> compressedFrame(std::size_t index) const;
 
@@ -48,7 +48,7 @@ private:
 /// Decoded frames of a cine run, as many as are present.
 struct DecodedRun {
     std::vector<core::ImageF> frames;
-    std::vector<int> flawedFrames;   ///< indices of partly damaged frames
+    std::vector<int> damagedFrames;   ///< indices of partly damaged frames
     std::vector<int> lostFrames;   ///< frames that cannot be decoded, replaced by copies of a neighboring frame
 };
 

@@ -309,7 +309,7 @@ void readBiplane(const DicomDataset& data, GantryHeader& header)
     const std::string_view date = both.size() >= 14 ? both.substr(0, 8) : data.text(0x00080022);
     const std::string_view time = both.size() >= 14 ? both.substr(8) : data.text(0x00080032);
     if ((type == "BIPLANE A" || type == "BIPLANE B") && !date.empty() && !time.empty()) {
-        header.biplane = core::BiplaneMoment{type.back(), std::string(date), secondsOf(time)};
+        header.biplane = core::BiplaneTime{type.back(), std::string(date), secondsOf(time)};
     }
 }
 

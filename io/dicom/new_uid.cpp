@@ -13,7 +13,7 @@ namespace {
 using UuidBytes = std::array<std::uint8_t, 16>;
 
 /// Sets version and variant bits of a UUID (RFC 9562). Version 4 is random, version 8 custom.
-void markUuid(UuidBytes& uuid, std::uint8_t version)
+void setUuidVersion(UuidBytes& uuid, std::uint8_t version)
 {
     uuid[6] = static_cast<std::uint8_t>((uuid[6] & 0x0fU) | static_cast<unsigned>(version << 4U));
     uuid[8] = static_cast<std::uint8_t>((uuid[8] & 0x3fU) | 0x80U);
@@ -38,7 +38,7 @@ std::string decimalOf(UuidBytes number)
 
 std::string uidOf(UuidBytes uuid, std::uint8_t version)
 {
-    markUuid(uuid, version);
+    setUuidVersion(uuid, version);
     return "2.25." + decimalOf(uuid);
 }
 
@@ -58,9 +58,9 @@ bool isUid(std::string_view text)
     return !text.empty() && text.size() <= 64 && !isStart;
 }
 
-std::string usableUid(const std::string& reported)
+std::string validUid(const std::string& reported)
 {
-    return isUid(reported) ? reported : uidOfContent("instead of " + reported);
+    return isUid(reported) ? reported : uidFromContent("instead of " + reported);
 }
 
 std::string newUid()
@@ -73,7 +73,7 @@ std::string newUid()
     return uidOf(uuid, 4);
 }
 
-std::string uidOfContent(std::string_view content)
+std::string uidFromContent(std::string_view content)
 {
     std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
     unsigned int size = 0;

@@ -10,12 +10,12 @@ std::string newUid();
 
 /// Creates a UID of the same form from a hash of the content: equal contents have equal UIDs, different contents have
 /// different UIDs.
-std::string uidOfContent(std::string_view content);
+std::string uidFromContent(std::string_view content);
 
 /// Whether `text` is a valid UID: numbers separated by dots.
 bool isUid(std::string_view text);
 
 /// Returns the UID of a file, or one derived from it if it is invalid; equal invalid UIDs give equal results.
-std::string usableUid(const std::string& reported);
+std::string validUid(const std::string& reported);
 
 }   // namespace angiopose::io

@@ -14,7 +14,7 @@ namespace {
 constexpr DicomTag placeTag = 0x00200032;
 
 /// Whether a SOP class has slices: CT, MR, and reconstructions from projections (angiography, head, breast).
-bool isClassOfSlices(std::string_view sopClass)
+bool isSliceClass(std::string_view sopClass)
 {
     static constexpr std::array<std::string_view, 9> classes{
         "1.2.840.10008.5.1.4.1.1.2",      "1.2.840.10008.5.1.4.1.1.2.1",    "1.2.840.10008.5.1.4.1.1.2.2",
@@ -24,14 +24,14 @@ bool isClassOfSlices(std::string_view sopClass)
 }
 
 /// Whether a SOP class has projections: angiography, fluoroscopy, radiography. An absent class counts as one.
-bool isClassOfProjections(std::string_view sopClass)
+bool isProjectionClass(std::string_view sopClass)
 {
     return sopClass.empty() || sopClass.starts_with("1.2.840.10008.5.1.4.1.1.12.") ||
            sopClass.starts_with("1.2.840.10008.5.1.4.1.1.1.") || sopClass == "1.2.840.10008.5.1.4.1.1.1";
 }
 
 /// Returns the distinct positions of a file's frames in the patient, as written in the header.
-std::set<std::string> placesOf(const DicomDataset& data)
+std::set<std::string> framePositions(const DicomDataset& data)
 {
     std::set<std::string> places;
     for (const DicomDataset& frame : data.items(perFrameGroupsTag)) {
@@ -49,8 +49,8 @@ bool isProjection(const DicomDataset& data)
     static constexpr std::array<std::string_view, 5> modalities{"XA", "RF", "DX", "CR", "DR"};
     const std::string_view sopClass = data.text(0x00080016);
     const bool isPlaced = data.number(placeTag) && data.number(0x00200037) && data.number(0x00280030);
-    return std::ranges::find(modalities, data.text(0x00080060)) != modalities.end() && !isClassOfSlices(sopClass) &&
-           (isClassOfProjections(sopClass) || !isPlaced) && placesOf(data).size() < 2;
+    return std::ranges::find(modalities, data.text(0x00080060)) != modalities.end() && !isSliceClass(sopClass) &&
+           (isProjectionClass(sopClass) || !isPlaced) && framePositions(data).size() < 2;
 }
 
 }   // namespace angiopose::io

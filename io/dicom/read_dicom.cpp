@@ -40,7 +40,7 @@ void applyRescale(const DicomDataset& data, std::vector<ImageF>& frames)
 }
 
 /// Inverts images stored for inverted display, so that high values are bright everywhere downstream.
-bool showBright(const DicomDataset& data, const PixelLayout& layout, std::vector<ImageF>& frames)
+bool invertIfNeeded(const DicomDataset& data, const PixelLayout& layout, std::vector<ImageF>& frames)
 {
     const bool isInverted = layout.photometric == "MONOCHROME1" || data.text(0x20500020) == "INVERSE";
     if (!isInverted) {
@@ -101,7 +101,7 @@ void describe(const DicomFile& file, const PixelLayout& layout, Angiogram& angio
         angiogram.warnings.push_back(messages::dicomEndDamaged(*file.damage));
     }
     const std::string& modality = angiogram.identity.modality;
-    angiogram.shutter = shutterOf(file.dataset, layout.columns, layout.rows, angiogram.warnings);
+    angiogram.shutter = shutterMask(file.dataset, layout.columns, layout.rows, angiogram.warnings);
     if (isProjection(file.dataset)) {
         angiogram.cArm = cArmOf(file.dataset, angiogram.warnings);
         angiogram.gantry = gantryHeaderOf(file.dataset, angiogram.frameCount(), angiogram.warnings);
@@ -149,7 +149,7 @@ core::Result<core::Angiogram> readDicomAngiogram(std::string_view content, const
     Angiogram angiogram;
     angiogram.frames = std::move(run.frames);
     applyRescale(file.dataset, angiogram.frames);
-    angiogram.polarity = polarityOf(file.dataset, showBright(file.dataset, layout.value(), angiogram.frames));
+    angiogram.polarity = polarityOf(file.dataset, invertIfNeeded(file.dataset, layout.value(), angiogram.frames));
     if (const FrameTime time = frameTimeOf(file.dataset); angiogram.frames.size() > 1) {
         angiogram.frameTimeMs = time.ms;
         if (time.contradiction) {
@@ -161,8 +161,8 @@ core::Result<core::Angiogram> readDicomAngiogram(std::string_view content, const
     if (!run.lostFrames.empty()) {
         blank(run.lostFrames, angiogram);
     }
-    if (!run.flawedFrames.empty()) {
-        angiogram.warnings.push_back(messages::dicomFramesFlawed(namesOf(run.flawedFrames), angiogram.frameCount()));
+    if (!run.damagedFrames.empty()) {
+        angiogram.warnings.push_back(messages::dicomFramesFlawed(namesOf(run.damagedFrames), angiogram.frameCount()));
     }
     return angiogram;
 }

@@ -166,7 +166,7 @@ std::string valuesOf(const DicomDataset& shutter)
 
 }   // namespace
 
-core::Mask2d shutterOf(const DicomDataset& data, int columns, int rows, core::Messages& warnings)
+core::Mask2d shutterMask(const DicomDataset& data, int columns, int rows, core::Messages& warnings)
 {
     const DicomDataset first = withFunctionalGroups(data);
     Mask2d field(columns, rows, 255);

@@ -10,7 +10,7 @@
 namespace angiopose::io {
 namespace {
 
-struct TakenOver {
+struct CopiedElement {
     DicomTag tag;
     const char* vr;
     bool isType2;   ///< type 2: must be present, but may be empty
@@ -18,7 +18,7 @@ struct TakenOver {
 
 /// Elements of the Patient, General Study and Patient Study modules (PS3.3 C.7.1.1, C.7.2.1, C.7.2.2) to copy; comments
 /// are omitted.
-constexpr auto patientAndStudyElements = std::to_array<TakenOver>({
+constexpr auto patientAndStudyElements = std::to_array<CopiedElement>({
     {0x00080020, "DA", true},
     {0x00080030, "TM", true},
     {0x00080050, "SH", true},
@@ -36,9 +36,9 @@ constexpr auto patientAndStudyElements = std::to_array<TakenOver>({
 });
 
 constexpr auto lossyElements =
-    std::to_array<TakenOver>({{0x00282110, "CS", false}, {0x00282112, "DS", false}, {0x00282114, "CS", false}});
+    std::to_array<CopiedElement>({{0x00282110, "CS", false}, {0x00282112, "DS", false}, {0x00282114, "CS", false}});
 constexpr auto rescaleElements =
-    std::to_array<TakenOver>({{0x00281052, "DS", false}, {0x00281053, "DS", false}, {0x00281054, "LO", false}});
+    std::to_array<CopiedElement>({{0x00281052, "DS", false}, {0x00281053, "DS", false}, {0x00281054, "LO", false}});
 
 bool isAllDigits(std::string_view text)
 {
@@ -46,7 +46,7 @@ bool isAllDigits(std::string_view text)
 }
 
 /// Whether the standard permits a value. Readers reject other values, which some devices write; they are left empty.
-bool isAllowed(const TakenOver& element, std::string_view value)
+bool isAllowed(const CopiedElement& element, std::string_view value)
 {
     const std::string_view vr = element.vr;
     if (vr == "DA") {
@@ -65,10 +65,10 @@ bool isAllowed(const TakenOver& element, std::string_view value)
     return true;
 }
 
-std::string takenOver(const DicomDataset& data, const TakenOver& element)
+std::string takenOver(const DicomDataset& data, const CopiedElement& element)
 {
     const std::size_t most = std::string_view(element.vr) == "SH" ? 16 : 64;
-    std::string value = shortened(utf8Text(data, element.tag), most);
+    std::string value = truncateUtf8(utf8Text(data, element.tag), most);
     if (!isAllowed(element, value)) {
         value.clear();
     }
@@ -76,10 +76,10 @@ std::string takenOver(const DicomDataset& data, const TakenOver& element)
 }
 
 template <std::size_t Count>
-std::vector<SourceImage::Text> textsOf(const DicomDataset& data, const std::array<TakenOver, Count>& elements)
+std::vector<SourceImage::Text> textsOf(const DicomDataset& data, const std::array<CopiedElement, Count>& elements)
 {
     std::vector<SourceImage::Text> texts;
-    for (const TakenOver& element : elements) {
+    for (const CopiedElement& element : elements) {
         std::string value = takenOver(data, element);
         if (element.isType2 || !value.empty()) {
             texts.push_back({element.tag, element.vr, std::move(value)});
@@ -104,7 +104,7 @@ SourceImage sourceImageOf(const DicomDataset& data)
     source.patientAndStudy = textsOf(data, patientAndStudyElements);
     source.sopClassUid = uid(0x00080016);
     source.sopInstanceUid = uid(0x00080018);
-    source.studyUid = text(0x0020000d).empty() ? std::string() : usableUid(text(0x0020000d));
+    source.studyUid = text(0x0020000d).empty() ? std::string() : validUid(text(0x0020000d));
     source.seriesUid = uid(0x0020000e);
     source.frameOfReferenceUid = uid(0x00200052);
     source.modality = text(0x00080060);
@@ -117,7 +117,7 @@ SourceImage sourceImageOf(const DicomDataset& data)
         source.lossyCompression = textsOf(data, lossyElements);
     }
     source.isShownInverted = data.text(0x00280004) == "MONOCHROME1" || data.text(0x20500020) == "INVERSE";
-    source.isAnnotated = data.text(0x00280301) == "YES";
+    source.declaresBurnedInText = data.text(0x00280301) == "YES";
     return source;
 }
 

@@ -25,9 +25,9 @@ struct SourceImage {
     std::vector<Text> modalityLut;   ///< rescale slope and intercept, if present
     std::vector<Text> lossyCompression;   ///< lossy compression history, if any
     bool isShownInverted = false;
-    bool isAnnotated = false;   ///< whether the header declares burned-in text that identifies the patient
+    bool declaresBurnedInText = false;   ///< whether the header declares burned-in text that identifies the patient
 
-    bool canBeReferredTo() const { return !sopClassUid.empty() && !sopInstanceUid.empty() && !seriesUid.empty(); }
+    bool isReferenceable() const { return !sopClassUid.empty() && !sopInstanceUid.empty() && !seriesUid.empty(); }
     std::string patientText(DicomTag tag) const;   ///< value of one element of `patientAndStudy`
 };
 

@@ -7,7 +7,7 @@ namespace {
 
 constexpr std::string_view codestreamStart("\xff\x4f\xff\x51", 4);   // markers SOC and SIZ (ISO 15444-1)
 
-std::optional<StreamHead> jpeg2000Head(std::string_view stream)
+std::optional<StreamHeader> jpeg2000Head(std::string_view stream)
 {
     const std::size_t start = stream.substr(0, 4096).find(codestreamStart);   // after the boxes of a JP2 file
     if (start == std::string_view::npos || stream.size() < start + 43) {
@@ -18,7 +18,7 @@ std::optional<StreamHead> jpeg2000Head(std::string_view stream)
     const std::uint32_t rows = at(12) - at(20);
     const int components = readUint16(stream.substr(start + 40), ByteOrder::Big);
     const int bits = (static_cast<unsigned char>(stream[start + 42]) & 0x7f) + 1;
-    return StreamHead{static_cast<int>(columns), static_cast<int>(rows), components, bits, false};
+    return StreamHeader{static_cast<int>(columns), static_cast<int>(rows), components, bits, false};
 }
 
 /// Whether a marker starts a frame: SOF0…SOF15 except DHT, JPG and DAC, and SOF55 of JPEG-LS.
@@ -30,7 +30,7 @@ bool isFrameStart(unsigned char marker)
 
 }   // namespace
 
-std::optional<StreamHead> streamHeadOf(std::string_view stream)
+std::optional<StreamHeader> readStreamHeader(std::string_view stream)
 {
     if (!stream.starts_with("\xff\xd8")) {
         return jpeg2000Head(stream);
@@ -45,10 +45,10 @@ std::optional<StreamHead> streamHeadOf(std::string_view stream)
             continue;
         }
         if (isFrameStart(marker)) {
-            return StreamHead{readUint16(stream.substr(at + 7), ByteOrder::Big),
-                              readUint16(stream.substr(at + 5), ByteOrder::Big),
-                              static_cast<unsigned char>(stream[at + 9]), static_cast<unsigned char>(stream[at + 4]),
-                              marker <= 0xc2 && stream[at + 4] == 8};
+            return StreamHeader{readUint16(stream.substr(at + 7), ByteOrder::Big),
+                                readUint16(stream.substr(at + 5), ByteOrder::Big),
+                                static_cast<unsigned char>(stream[at + 9]), static_cast<unsigned char>(stream[at + 4]),
+                                marker <= 0xc2 && stream[at + 4] == 8};
         }
         at += 2 + std::size_t{readUint16(stream.substr(at + 2), ByteOrder::Big)};
     }

@@ -38,10 +38,10 @@ std::optional<core::Message> findNoLength(const CArm& cArm)
         return length.value && !(std::isfinite(*length.value) && *length.value > 0.0);
     };
     if (isNone(cArm.sourceToDetectorMm)) {
-        return core::messages::valueMissing(core::messages::theSid());
+        return core::messages::valueMissing(core::messages::sidName());
     }
     return isNone(cArm.rowSpacingMm) || isNone(cArm.columnSpacingMm)
-               ? std::optional(core::messages::valueMissing(core::messages::theSpacing()))
+               ? std::optional(core::messages::valueMissing(core::messages::spacingName()))
                : std::nullopt;
 }
 
@@ -82,9 +82,9 @@ std::string_view bytesOf(const StoredValues& stored)
 /// Adds the identity of an image in a new series of the same study, which never collides with one in the archive.
 void addIdentity(DicomItem& out, const core::StudyIdentity& identity, const StoredValues& stored)
 {
-    const std::string pixels = uidOfContent(bytesOf(stored));
+    const std::string pixels = uidFromContent(bytesOf(stored));
     const std::string study =
-        identity.studyUid.empty() ? uidOfContent("study " + pixels) : usableUid(identity.studyUid);
+        identity.studyUid.empty() ? uidFromContent("study " + pixels) : validUid(identity.studyUid);
     const std::string series = identity.seriesUid.empty() ? pixels : identity.seriesUid;
     out.text(0x00080005, "CS", "ISO_IR 192");
     out.text(0x00080008, "CS", "DERIVED\\PRIMARY\\SINGLE PLANE");
@@ -102,7 +102,7 @@ void addIdentity(DicomItem& out, const core::StudyIdentity& identity, const Stor
     out.text(0x00100030, "DA", digitsOf(identity.birthDate));
     out.text(0x00100040, "CS", identity.sex);
     out.text(0x0020000d, "UI", study);
-    out.text(0x0020000e, "UI", uidOfContent("converted series " + series));
+    out.text(0x0020000e, "UI", uidFromContent("converted series " + series));
     out.text(0x00200010, "SH", "1");
     out.text(0x00200011, "IS", "1");
     out.text(0x00200013, "IS", "1");
@@ -257,14 +257,14 @@ void addPixelHeader(DicomItem& out, const Angiogram& angiogram, const StoredValu
 void addDerivation(DicomItem& out, const SourceImage* source)
 {
     out.text(0x00082111, "ST", derivation);
-    if (source == nullptr || !source->canBeReferredTo()) {
+    if (source == nullptr || !source->isReferenceable()) {
         return;
     }
     addReference(out, 0x00082112, source->sopClassUid, source->sopInstanceUid);
     for (const SourceImage::Text& lost : source->lossyCompression) {
         out.text(lost.tag, lost.vr, lost.value);
     }
-    if (source->isAnnotated) {
+    if (source->declaresBurnedInText) {
         out.text(0x00280301, "CS", "YES");
     }
 }
@@ -284,16 +284,16 @@ std::string instanceUidOf(const Angiogram& angiogram, const StoredValues& stored
     DicomObject header;
     DicomItem root = header.root();
     addHeader(root, angiogram, stored, source);
-    root.text(
-        0x00080018, "UI",
-        angiogram.identity.sopInstanceUid.empty() ? uidOfContent(bytesOf(stored)) : angiogram.identity.sopInstanceUid);
+    root.text(0x00080018, "UI",
+              angiogram.identity.sopInstanceUid.empty() ? uidFromContent(bytesOf(stored))
+                                                        : angiogram.identity.sopInstanceUid);
     const auto content = header.content();
-    return uidOfContent((content ? content.value() : std::string()) + uidOfContent(bytesOf(stored)));
+    return uidFromContent((content ? content.value() : std::string()) + uidFromContent(bytesOf(stored)));
 }
 
 }   // namespace
 
-core::Result<std::string> dicomText(const Angiogram& angiogram, const SourceImage* source)
+core::Result<std::string> encodeDicomAngiogram(const Angiogram& angiogram, const SourceImage* source)
 {
     if (const auto unwritable = findUnwritable(angiogram)) {
         return core::Error(*unwritable);

@@ -23,7 +23,7 @@ public:
     core::Result<double> number(const std::string& column) const
     {
         const auto index = table_.column(column);
-        return index ? numberAt(table_, row_, *index)
+        return index ? numberInCell(table_, row_, *index)
                      : core::Result<double>(fileError(table_.path, messages::observerColumnMissing(column)));
     }
 
@@ -66,7 +66,7 @@ core::Result<core::ObserverReading> parseReading(const ReadingRow& row)
     }
     reading.observer = observer.value();
     reading.cameraFromPatient = found.value();
-    reading.centerCameraFromPatient = center.value();
+    reading.referenceCameraFromPatient = center.value();
     for (int axis = 0; axis < 3; ++axis) {
         const auto value = row.number(std::string("pivot_") + "xyz"[axis]);
         if (!value) {

@@ -75,13 +75,13 @@ public:
         gif_.reset(EGifOpen(this, &GifMovie::write, &error));
     }
 
-    core::Status begin(const MovieFacts& facts);
+    core::Status begin(const MovieMetadata& facts);
     core::Status add(const core::ColorImage& picture, double ms) override;
     core::Status finish() override;
 
 private:
     static int write(GifFileType* gif, const GifByteType* bytes, int count);
-    bool writeHead(const MovieFacts& facts);
+    bool writeHead(const MovieMetadata& facts);
     bool putWaiting(std::int64_t until);
     bool putPixels(const Part& part, GifPalette& palette, bool isFirst);
     core::Status statusOf(bool isWritten) const
@@ -97,9 +97,10 @@ private:
     core::Status written_ = core::Done{};   ///< status of the writes of giflib's output to the file
     MovieClock clock_{ticksPerSecond};
     std::int64_t waitingFrom_ = 0;
-    core::ColorImage waiting_;   ///< image not written yet, because its delay is known only when the next image arrives
-    core::ColorImage before_;   ///< last image written to the file
-    core::ColorImage late_;   ///< image that arrived less than the minimum delay after the waiting image
+    core::ColorImage
+        pendingImage_;   ///< image not written yet, because its delay is known only when the next image arrives
+    core::ColorImage writtenImage_;   ///< last image written to the file
+    core::ColorImage skippedImage_;   ///< image that arrived less than the minimum delay after the waiting image
     std::unique_ptr<GifFileType, GifCloser> gif_;   ///< destroyed first, since that writes the trailer
 };
 
@@ -112,12 +113,12 @@ int GifMovie::write(GifFileType* gif, const GifByteType* bytes, int count)
     return movie.written_ ? count : 0;
 }
 
-core::Status GifMovie::begin(const MovieFacts& facts)
+core::Status GifMovie::begin(const MovieMetadata& facts)
 {
     return statusOf(gif_ && writeHead(facts));
 }
 
-bool GifMovie::writeHead(const MovieFacts& facts)
+bool GifMovie::writeHead(const MovieMetadata& facts)
 {
     EGifSetGifVersion(gif_.get(), true);
     constexpr unsigned char forEver[]{1, 0, 0};
@@ -139,35 +140,35 @@ core::Status GifMovie::add(const core::ColorImage& picture, double ms)
     }
     const std::int64_t from = clock_.now();
     clock_.advance(ms);
-    if (waiting_.rgb.empty()) {
-        waiting_ = picture;
+    if (pendingImage_.rgb.empty()) {
+        pendingImage_ = picture;
         return core::Done{};
     }
-    if (waiting_.rgb == picture.rgb) {
-        late_ = {};
+    if (pendingImage_.rgb == picture.rgb) {
+        skippedImage_ = {};
         return core::Done{};   // identical to the waiting image, which is shown longer instead
     }
     if (from - waitingFrom_ < minDelay) {
-        late_ = picture;   // written only if no other image follows
+        skippedImage_ = picture;   // written only if no other image follows
         return core::Done{};
     }
-    late_ = {};
+    skippedImage_ = {};
     const bool isWritten = putWaiting(from);
-    before_ = std::exchange(waiting_, picture);
+    writtenImage_ = std::exchange(pendingImage_, picture);
     waitingFrom_ = from;
     return statusOf(isWritten);
 }
 
 bool GifMovie::putWaiting(std::int64_t until)
 {
-    const bool isFirst = before_.rgb.empty();
-    const Part part = isFirst ? Part{0, 0, size_.width, size_.height} : changedPart(before_, waiting_);
-    GifPalette palette(waiting_);
+    const bool isFirst = writtenImage_.rgb.empty();
+    const Part part = isFirst ? Part{0, 0, size_.width, size_.height} : changedPart(writtenImage_, pendingImage_);
+    GifPalette palette(pendingImage_);
     const auto map = mapOf(palette);
     GraphicsControlBlock control{};
     control.DisposalMode = DISPOSE_DO_NOT;
     control.DelayTime = static_cast<int>(std::clamp(until - waitingFrom_, minDelay, maxDelay));
-    control.TransparentColor = isFirst ? NO_TRANSPARENT_COLOR : GifPalette::asBefore;
+    control.TransparentColor = isFirst ? NO_TRANSPARENT_COLOR : GifPalette::unchangedIndex;
     GifByteType extension[4];
     const auto length = static_cast<int>(EGifGCBToExtension(&control, extension));
     return map && EGifPutExtension(gif_.get(), GRAPHICS_EXT_FUNC_CODE, length, extension) == GIF_OK &&
@@ -182,9 +183,9 @@ bool GifMovie::putPixels(const Part& part, GifPalette& palette, bool isFirst)
         for (int x = 0; x < part.width; ++x) {
             const std::size_t at = 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(size_.width) +
                                         static_cast<std::size_t>(part.left + x));
-            const std::uint8_t* now = &waiting_.rgb[at];
-            line[static_cast<std::size_t>(x)] = !isFirst && isSamePixel(&before_.rgb[at], now)
-                                                    ? GifPalette::asBefore
+            const std::uint8_t* now = &pendingImage_.rgb[at];
+            line[static_cast<std::size_t>(x)] = !isFirst && isSamePixel(&writtenImage_.rgb[at], now)
+                                                    ? GifPalette::unchangedIndex
                                                     : palette.indexOf({now[0], now[1], now[2]});
         }
         if (EGifPutLine(gif_.get(), line.data(), part.width) != GIF_OK) {
@@ -196,15 +197,15 @@ bool GifMovie::putPixels(const Part& part, GifPalette& palette, bool isFirst)
 
 core::Status GifMovie::finish()
 {
-    if (waiting_.rgb.empty()) {
+    if (pendingImage_.rgb.empty()) {
         return fileError(path_, messages::movieNotMade());
     }
-    if (!late_.rgb.empty()) {   // never drop the last image
+    if (!skippedImage_.rgb.empty()) {   // never drop the last image
         const std::int64_t from = waitingFrom_ + minDelay;
         if (!putWaiting(from)) {
             return statusOf(false);
         }
-        before_ = std::exchange(waiting_, std::move(late_));
+        writtenImage_ = std::exchange(pendingImage_, std::move(skippedImage_));
         waitingFrom_ = from;
     }
     if (!putWaiting(clock_.now()) || EGifCloseFile(gif_.release(), nullptr) != GIF_OK) {
@@ -216,7 +217,7 @@ core::Status GifMovie::finish()
 }   // namespace
 
 core::Result<std::unique_ptr<MovieWriter>> createGif(const std::string& path, const MovieSize& size,
-                                                     const MovieFacts& facts)
+                                                     const MovieMetadata& facts)
 {
     auto file = AtomicFile::create(path);
     if (!file) {

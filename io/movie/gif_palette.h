@@ -13,7 +13,7 @@ namespace angiopose::io {
 /// colors.
 class GifPalette {
 public:
-    static constexpr std::uint8_t asBefore = 255;
+    static constexpr std::uint8_t unchangedIndex = 255;
 
     explicit GifPalette(const core::ColorImage& picture);
 

@@ -3,7 +3,7 @@
 #include "io/messages/messages.h"
 #include "io/movie/gif_movie.h"
 #include "io/movie/mp4_movie.h"
-#include "io/movie/planar_picture.h"
+#include "io/movie/yuv_image.h"
 #include "io/support/file_error.h"
 
 #include <algorithm>
@@ -35,7 +35,7 @@ std::optional<core::Message> findProblem(MovieKind kind, const MovieSize& size)
 }
 
 core::Result<std::unique_ptr<MovieWriter>> MovieWriter::create(const std::string& path, const MovieSize& size,
-                                                               const MovieFacts& facts)
+                                                               const MovieMetadata& facts)
 {
     const auto kind = movieKindOf(path);
     if (!kind) {

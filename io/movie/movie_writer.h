@@ -28,7 +28,7 @@ struct MovieSize {
 std::optional<core::Message> findProblem(MovieKind kind, const MovieSize& size);
 
 /// Title and provenance stored in a movie file.
-struct MovieFacts {
+struct MovieMetadata {
     std::string title;
     std::map<std::string, std::string> texts;   ///< provenance, with the same keys as PNG text chunks
 };
@@ -38,7 +38,7 @@ class MovieWriter {
 public:
     /// Creates a writer for MP4 or GIF, depending on the extension. All images must have the same size.
     static core::Result<std::unique_ptr<MovieWriter>> create(const std::string& path, const MovieSize& size,
-                                                             const MovieFacts& facts);
+                                                             const MovieMetadata& facts);
     virtual ~MovieWriter() = default;
     MovieWriter(const MovieWriter&) = delete;
     MovieWriter& operator=(const MovieWriter&) = delete;

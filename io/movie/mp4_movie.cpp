@@ -1,7 +1,7 @@
 #include "io/movie/mp4_movie.h"
 
 #include "io/messages/messages.h"
-#include "io/movie/planar_picture.h"
+#include "io/movie/yuv_image.h"
 #include "io/support/atomic_file.h"
 #include "io/support/file_error.h"
 
@@ -21,7 +21,7 @@ namespace {
 struct Mp4Sample {
     std::size_t bytes = 0;
     std::uint32_t ticks = 0;   ///< display duration, ticks
-    bool isWhole = false;   ///< whether the image is a key frame, at which playback can start
+    bool isKeyFrame = false;   ///< whether the image is a key frame, at which playback can start
 };
 
 /// H.264 track with everything that the file header states about it.
@@ -31,7 +31,7 @@ struct Mp4Track {
     std::string sequence;   ///< SPS (the next member is the PPS): NAL units 7 and 8 without start code
     std::string picture;
     std::vector<Mp4Sample> samples;
-    MovieFacts facts;
+    MovieMetadata facts;
 };
 
 constexpr std::size_t profilesWithChroma = 100;   // from this profile on, avcC has further fields (14496-15, 5.3.3.1)
@@ -153,7 +153,7 @@ std::string wholeSamples(const Mp4Track& track)
     std::string rows;
     std::uint32_t count = 0;
     for (std::size_t i = 0; i < track.samples.size(); ++i) {
-        if (track.samples[i].isWhole) {
+        if (track.samples[i].isKeyFrame) {
             rows += u32(i + 1);
             ++count;
         }
@@ -196,7 +196,7 @@ std::string namedText(std::string_view type, const std::string& text)
 }
 
 /// Returns the metadata box with title and comment in the form that players display.
-std::string userData(const MovieFacts& facts)
+std::string userData(const MovieMetadata& facts)
 {
     std::string comment;
     for (const auto& [key, text] : facts.texts) {
@@ -261,7 +261,7 @@ public:
     core::Status finish() override;
 
 private:
-    void take(const EncodedPicture& encoded, std::int64_t from);
+    void take(const EncodedFrame& encoded, std::int64_t from);
 
     AtomicFile file_;
     H264Encoder encoder_;
@@ -278,7 +278,7 @@ core::Status Mp4Movie::add(const core::ColorImage& picture, double ms)
     if (picture.width != size_.width || picture.height != size_.height) {
         return fileError(path_, messages::movieSizesDiffer());
     }
-    const auto encoded = encoder_.encode(planarPicture(picture), atMs_);
+    const auto encoded = encoder_.encode(toYuvImage(picture), atMs_);
     if (!encoded) {
         return encoded.error().about(path_);
     }
@@ -290,7 +290,7 @@ core::Status Mp4Movie::add(const core::ColorImage& picture, double ms)
 }
 
 /// Stores the parameter sets for the file header and all other NAL units as a sample.
-void Mp4Movie::take(const EncodedPicture& encoded, std::int64_t from)
+void Mp4Movie::take(const EncodedFrame& encoded, std::int64_t from)
 {
     const std::size_t before = samples_.size();
     for (const std::string& unit : encoded.units) {
@@ -305,7 +305,7 @@ void Mp4Movie::take(const EncodedPicture& encoded, std::int64_t from)
         }
     }
     const auto ticks = static_cast<std::uint32_t>(clock_.now() - from);
-    track_.samples.push_back({samples_.size() - before, ticks, encoded.isWhole});
+    track_.samples.push_back({samples_.size() - before, ticks, encoded.isKeyFrame});
 }
 
 core::Status Mp4Movie::finish()
@@ -324,7 +324,7 @@ core::Status Mp4Movie::finish()
 }   // namespace
 
 core::Result<std::unique_ptr<MovieWriter>> createMp4(const std::string& path, const MovieSize& size,
-                                                     const MovieFacts& facts)
+                                                     const MovieMetadata& facts)
 {
     auto file = AtomicFile::create(path);
     if (!file) {

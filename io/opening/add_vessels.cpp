@@ -58,18 +58,18 @@ core::Status addUntraced(LoadedInputs& inputs, const std::string& path, const st
 
 /// Returns the extent of the vessels in file units if the file states no unit and the extent is implausible in mm;
 /// nullopt otherwise. Surfaces and most centerlines carry no unit; Slicer curves do.
-std::optional<double> doubtfulUnitsAcross(const std::string& path, core::VesselInputKind kind)
+std::optional<double> findImplausibleExtent(const std::string& path, core::VesselInputKind kind)
 {
     if (kind == core::VesselInputKind::Surface) {
         const auto surface = readSurface(path);
-        const bool isDoubtful = surface && !surface.value().isUnitStated && !isUsualSize(surface.value().acrossMm);
+        const bool isDoubtful = surface && !surface.value().isUnitStated && !isPlausibleSize(surface.value().acrossMm);
         return isDoubtful ? std::optional(surface.value().acrossMm) : std::nullopt;
     }
     if (kind != core::VesselInputKind::Centerline || extensionOf(path) == ".json") {
         return std::nullopt;
     }
     const auto read = readTree(path);
-    const bool isDoubtful = read && !read.value().isUnitStated && !core::isUsualSize(read.value().tree);
+    const bool isDoubtful = read && !read.value().isUnitStated && !core::isPlausibleSize(read.value().tree);
     return isDoubtful ? std::optional(core::acrossMm(read.value().tree)) : std::nullopt;
 }
 
@@ -98,16 +98,16 @@ core::Status addVessels(LoadedInputs& inputs, const std::string& path, const Ope
         return kind.error();
     }
     const bool isScan = kind.value() == core::VesselInputKind::Volume;
-    inputs.isScanAsked = isScan && hints.scanUse == ScanUse::Ask;
-    if (inputs.isScanAsked) {
+    inputs.isScanUseUndecided = isScan && hints.scanUse == ScanUse::Ask;
+    if (inputs.isScanUseUndecided) {
         return core::Done{};
     }
-    if (isScan && hints.scanUse == ScanUse::Beside) {
+    if (isScan && hints.scanUse == ScanUse::ShowWithVessels) {
         return addScan(inputs, path, seriesId, observe);
     }
     if (!hints.unitMm && !hints.vessels) {
-        inputs.askedUnitsAcross = doubtfulUnitsAcross(path, kind.value());
-        if (inputs.askedUnitsAcross) {
+        inputs.extentInUnknownUnits = findImplausibleExtent(path, kind.value());
+        if (inputs.extentInUnknownUnits) {
             return core::Done{};
         }
     }
@@ -120,7 +120,7 @@ core::Status addVessels(LoadedInputs& inputs, const std::string& path, const Ope
     LoadedVessels vessels = std::move(read).value();
     inputs.tree = std::make_shared<core::VesselTree>(std::move(vessels.tree));
     inputs.volume = vessels.volume;
-    inputs.lumen = sharedLumen(vessels);
+    inputs.lumen = takeSharedLumen(vessels);
     inputs.scanIdentity = vessels.identity;
     inputs.vesselInput = vessels.input;
     inputs.warnings.insert(inputs.warnings.end(), vessels.warnings.begin(), vessels.warnings.end());

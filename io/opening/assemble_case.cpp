@@ -9,16 +9,16 @@ namespace angiopose::io {
 namespace {
 
 /// Returns the file name without extension: "chest" for "chest.nii.gz".
-std::string nameAlone(const std::string& path)
+std::string baseName(const std::string& path)
 {
     const std::string name = std::filesystem::path(path).filename().string();
     return name.substr(0, name.size() - std::min(name.size(), extensionOf(path).size()));
 }
 
 /// Keeps the case's scan if the new vessels come from another file but lie within the scan.
-void putScan(core::Vessels& vessels, const LoadedInputs& inputs)
+void updateScan(core::Vessels& vessels, const LoadedInputs& inputs)
 {
-    if (!inputs.volume && vessels.scan && liesIn(vessels.scan->geometry, *inputs.tree)) {
+    if (!inputs.volume && vessels.scan && isInsideScan(vessels.scan->geometry, *inputs.tree)) {
         if (vessels.input.kind == core::VesselInputKind::Volume) {
             vessels.scanFile = vessels.file;
             vessels.scanSeriesId = vessels.input.seriesId;
@@ -34,7 +34,7 @@ void putScan(core::Vessels& vessels, const LoadedInputs& inputs)
 
 void putTree(core::Vessels& vessels, const LoadedInputs& inputs)
 {
-    putScan(vessels, inputs);
+    updateScan(vessels, inputs);
     vessels.tree = inputs.tree;
     vessels.file = inputs.centerlineFile;
     vessels.input = inputs.vesselInput;
@@ -68,7 +68,7 @@ void goToStart(core::Case& target)
 
 }   // namespace
 
-bool liesIn(const core::VolumeGeometry& scan, const core::VesselTree& tree)
+bool isInsideScan(const core::VolumeGeometry& scan, const core::VesselTree& tree)
 {
     const Eigen::Affine3d voxelFromPatient = scan.patientFromVoxel().inverse();
     std::size_t inside = 0;
@@ -88,7 +88,7 @@ core::Case withInputs(core::Case base, const LoadedInputs& inputs)
         putTree(vessels, inputs);
         vessels.marks.clear();   // marks belong to the previous vessels
         for (core::View& each : base.views) {
-            each.sightings.clear();
+            each.observations.clear();
         }
     }
     if (inputs.volume && !inputs.tree) {
@@ -105,14 +105,14 @@ core::Case withInputs(core::Case base, const LoadedInputs& inputs)
         view.target = {inputs.targetFile, inputs.target, std::nullopt, {}};
     }
     if (inputs.tree || inputs.angiogram) {
-        core::forgetFindings(view);
+        core::discardResults(view);
         view.initialCameraFromPatient.reset();
         view.landmarks.clear();   // landmarks belong to the previous vessels or image
         if (inputs.angiogram) {
             view.measurements.clear();
-            view.sightings.clear();
+            view.observations.clear();
             view.annotations.clear();
-            view.typedMmPerPx.reset();
+            view.enteredMmPerPx.reset();
         }
         goToStart(base);
     }
@@ -120,12 +120,12 @@ core::Case withInputs(core::Case base, const LoadedInputs& inputs)
         const std::string& path = view.angiogram ? view.imageFile.path
                                   : vessels.tree ? vessels.file.path
                                                  : vessels.scanFile.path;
-        base.title = nameAlone(path);
+        base.title = baseName(path);
     }
     return base;
 }
 
-bool makesNewCase(const LoadedInputs& inputs)
+bool isCompleteCase(const LoadedInputs& inputs)
 {
     return inputs.tree && inputs.angiogram;
 }

@@ -10,9 +10,9 @@ namespace angiopose::io {
 core::Case withInputs(core::Case base, const LoadedInputs& inputs);
 
 /// Whether more than half of a tree lies within a scan; the tree is then considered traced in this scan.
-bool liesIn(const core::VolumeGeometry& scan, const core::VesselTree& tree);
+bool isInsideScan(const core::VolumeGeometry& scan, const core::VesselTree& tree);
 
 /// Whether the files form a complete case: a vessel tree and an angiogram.
-bool makesNewCase(const LoadedInputs& inputs);
+bool isCompleteCase(const LoadedInputs& inputs);
 
 }   // namespace angiopose::io

@@ -101,7 +101,7 @@ core::Result<InputKind> kindByName(const std::string& path, std::string_view hea
     if (extension == ".json") {
         return kindOfJson(path, head);
     }
-    if (isOneOf(poses, extension) || (extension == ".txt" && !numbersOfText(head).empty())) {
+    if (isOneOf(poses, extension) || (extension == ".txt" && !parseNumbers(head).empty())) {
         return InputKind::Pose;
     }
     if (extension == ".fcsv") {

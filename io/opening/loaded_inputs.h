@@ -15,7 +15,7 @@ namespace angiopose::io {
 
 /// The content of a set of files: a whole case, or parts of one.
 struct LoadedInputs {
-    std::optional<core::Case> wholeCase;
+    std::optional<core::Case> loadedCase;
     core::InputFile centerlineFile;
     core::VesselInput vesselInput;
     std::shared_ptr<const core::Volume> volume;
@@ -23,12 +23,12 @@ struct LoadedInputs {
     core::StudyIdentity scanIdentity;
     core::InputFile scanFile;   ///< scan that is only displayed: `volume` without a tree
     std::string scanSeriesId;   ///< series of `scanFile`, if the scan is a DICOM folder
-    bool isStudyOffered =
+    bool isStudyChoiceNeeded =
         false;   ///< a folder or DICOMDIR was opened alone: nothing was read, see OpenHints::offersStudies
-    bool isScanAsked = false;   ///< whether the file is a scan, from which nothing was read; see ScanUse::Ask
+    bool isScanUseUndecided = false;   ///< whether the file is a scan, from which nothing was read; see ScanUse::Ask
     /// Extent, in file units, of vessels whose file states no unit and that are implausibly small or large if the unit
     /// is mm; nothing else was read.
-    std::optional<double> askedUnitsAcross;
+    std::optional<double> extentInUnknownUnits;
     std::shared_ptr<const core::VesselTree> tree;
     core::InputFile imageFile;
     std::shared_ptr<const core::Angiogram> angiogram;
@@ -45,9 +45,9 @@ struct LoadedInputs {
     MovedInputs moved;   ///< inputs of the case that were found elsewhere
 };
 
-/// Use of an opened scan. `Trace`: trace its vessels; `TraceOrShow`: show the scan if no vessels are found; `Beside`:
-/// show it with the existing vessels; `Ask`: let the user decide.
-enum class ScanUse { Trace, TraceOrShow, Beside, Ask };
+/// Use of an opened scan. `Trace`: trace its vessels; `TraceOrShow`: show the scan if no vessels are found;
+/// `ShowWithVessels`: show it with the existing vessels; `Ask`: let the user decide.
+enum class ScanUse { Trace, TraceOrShow, ShowWithVessels, Ask };
 
 /// Options for opening files, in addition to their paths.
 struct OpenHints {
@@ -56,12 +56,12 @@ struct OpenHints {
     std::vector<std::string> searchFolders;   ///< folders to search for missing inputs of a case
     ScanUse scanUse = ScanUse::Trace;   ///< with `Ask`, a scan is only reported, not read
     std::optional<double> unitMm =
-        std::nullopt;   ///< unit of the vessel files; if not set, mm if plausible, otherwise see `askedUnitsAcross`
+        std::nullopt;   ///< unit of the vessel files; if not set, mm if plausible, otherwise see `extentInUnknownUnits`
     /// Settings for reading and tracing vessel files; if not set, the content decides.
     std::optional<core::VesselInput> vessels = std::nullopt;
     bool offersStudies =
         false;   ///< if true, a folder or DICOMDIR opened alone is not read but offered to the user to choose from
-    bool withoutOptional = false;   ///< if true, a case opens even if optional inputs are missing
+    bool skipsOptionalInputs = false;   ///< if true, a case opens even if optional inputs are missing
 };
 
 }   // namespace angiopose::io

@@ -4,7 +4,7 @@
 #include "io/case/fields/deformation_fields.h"
 #include "io/case/fields/geometry_fields.h"
 #include "io/case/fields/result_fields.h"
-#include "io/case/load_case_with.h"
+#include "io/case/load_case_with_options.h"
 #include "io/messages/messages.h"
 #include "io/support/file_error.h"
 #include "io/support/input_bytes.h"
@@ -40,8 +40,8 @@ core::Result<Json> readResultJson(const std::string& path)
 }
 
 /// Finds the inputs of a result by name and SHA-256. If an input is missing, fails and names the file.
-core::Result<MovedInputs> placesOf(const std::vector<core::InputFile>& files, const ResultPlace& place,
-                                   const ReadObserver& observe)
+core::Result<MovedInputs> locateInputs(const std::vector<core::InputFile>& files, const ResultLocation& place,
+                                       const ReadObserver& observe)
 {
     std::vector<MissingInput> wanted;
     for (const core::InputFile& file : files) {
@@ -63,7 +63,7 @@ core::Result<MovedInputs> placesOf(const std::vector<core::InputFile>& files, co
 core::Status checkContents(const std::vector<core::InputFile>& wanted, const MovedInputs& places,
                            const core::Case& loaded, const std::string& path)
 {
-    for (const core::InputFile& file : filesOf(loaded)) {
+    for (const core::InputFile& file : inputFilesOf(loaded)) {
         for (const core::InputFile& each : wanted) {
             const auto found = places.find(each.path);
             const bool isSame = found != places.end() && found->second == file.path;
@@ -75,18 +75,18 @@ core::Status checkContents(const std::vector<core::InputFile>& wanted, const Mov
     return core::Done{};
 }
 
-core::Result<core::Case> loadAsked(const Json& root, const ResultPlace& place, core::Messages& warnings,
-                                   const ReadObserver& observe)
+core::Result<core::Case> loadInputCase(const Json& root, const ResultLocation& place, core::Messages& warnings,
+                                       const ReadObserver& observe)
 {
-    CaseRequest request;
+    CaseLoadOptions request;
     request.text = root.at("case").dump();
-    request.peak = PeakFrame::NotNeeded;
-    const std::vector<core::InputFile> wanted = filesNamedBy(*request.text, place.path);
-    const auto places = placesOf(wanted, place, observe);
+    request.peak = PeakFrameSearch::Skipped;
+    const std::vector<core::InputFile> wanted = referencedFiles(*request.text, place.path);
+    const auto places = locateInputs(wanted, place, observe);
     if (!places) {
         return places.error();
     }
-    auto loaded = loadCaseWith(request, place.path, warnings, observe, places.value());
+    auto loaded = loadCaseWithOptions(request, place.path, warnings, observe, places.value());
     if (!loaded) {
         return loaded;
     }
@@ -97,13 +97,13 @@ core::Result<core::Case> loadAsked(const Json& root, const ResultPlace& place, c
 }
 
 /// Copies the registration result that the JSON holds for a view into that view.
-core::Messages takeOverFound(core::View& view, const Json& json)
+core::Messages applyResult(core::View& view, const Json& json)
 {
-    Reading reading;
+    ReadContext reading;
     core::RegistrationResult result;
     readFields(json, result, resultFields(), reading);
     if (json.contains("bent")) {
-        deformedField().read(json.at("bent"), result, reading);
+        deformationField().read(json.at("bent"), result, reading);
     }
     result.provenance.frame = json.at("inputs").value("frame", view.frame);
     core::ViewGeometry geometry;
@@ -116,19 +116,21 @@ core::Messages takeOverFound(core::View& view, const Json& json)
 
 }   // namespace
 
-core::Result<core::Case> openAsked(const ResultPlace& place, core::Messages& warnings, const ReadObserver& observe)
+core::Result<core::Case> openInputCase(const ResultLocation& place, core::Messages& warnings,
+                                       const ReadObserver& observe)
 {
     const auto root = readResultJson(place.path);
-    return root ? loadAsked(root.value(), place, warnings, observe) : core::Result<core::Case>(root.error());
+    return root ? loadInputCase(root.value(), place, warnings, observe) : core::Result<core::Case>(root.error());
 }
 
-core::Result<core::Case> openFound(const ResultPlace& place, core::Messages& warnings, const ReadObserver& observe)
+core::Result<core::Case> openResultCase(const ResultLocation& place, core::Messages& warnings,
+                                        const ReadObserver& observe)
 {
     const auto root = readResultJson(place.path);
     if (!root) {
         return root.error();
     }
-    auto loaded = loadAsked(root.value(), place, warnings, observe);
+    auto loaded = loadInputCase(root.value(), place, warnings, observe);
     if (!loaded) {
         return loaded;
     }
@@ -137,12 +139,12 @@ core::Result<core::Case> openFound(const ResultPlace& place, core::Messages& war
         const Json results = root.value().contains("views") ? root.value()["views"] : Json::array({root.value()});
         const std::size_t first = results.at(0).at("view").get<std::size_t>() - 1;
         for (const Json& each : results) {
-            core::Messages problems = takeOverFound(session.views.at(each.at("view").get<std::size_t>() - 1), each);
+            core::Messages problems = applyResult(session.views.at(each.at("view").get<std::size_t>() - 1), each);
             if (!problems.empty()) {
                 return fileError(place.path, problems.front());
             }
         }
-        return core::showingView(std::move(session), first);
+        return core::withShownView(std::move(session), first);
     } catch (const std::exception&) {   // a value has the wrong type
         return fileError(place.path, messages::resultNotOne());
     }

@@ -1,9 +1,9 @@
 #include "io/opening/read_case_inputs.h"
 
 #include "io/case/case_file.h"
-#include "io/case/load_case_with.h"
+#include "io/case/load_case_with_options.h"
 #include "io/messages/messages.h"
-#include "io/opening/open_case_with.h"
+#include "io/opening/open_case_with_options.h"
 
 #include <filesystem>
 
@@ -21,7 +21,7 @@ std::string folderOf(const std::string& path)
 core::Status findInputs(LoadedInputs& inputs, const std::string& path, const OpenHints& hints,
                         const ReadObserver& observe)
 {
-    auto missing = missingInputs(path);
+    auto missing = findMissingInputs(path);
     if (!missing) {
         return missing.error();
     }
@@ -35,7 +35,7 @@ core::Status findInputs(LoadedInputs& inputs, const std::string& path, const Ope
         inputs.moved.merge(findMovedInputs(inputs.missing, folders, observe));
         std::erase_if(inputs.missing, isFound);
     }
-    if (hints.withoutOptional) {
+    if (hints.skipsOptionalInputs) {
         std::erase_if(inputs.missing, [](const MissingInput& each) { return each.isOptional; });
     }
     return core::Done{};
@@ -45,8 +45,8 @@ core::Status findInputs(LoadedInputs& inputs, const std::string& path, const Ope
 
 namespace {
 
-core::Result<LoadedInputs> readCaseInputsWith(const CaseRequest& request, const std::string& path,
-                                              const OpenHints& hints, const ReadObserver& observe)
+core::Result<LoadedInputs> readCaseInputsWithOptions(const CaseLoadOptions& request, const std::string& path,
+                                                     const OpenHints& hints, const ReadObserver& observe)
 {
     LoadedInputs inputs;
     if (const auto found = findInputs(inputs, path, hints, observe); !found) {
@@ -55,14 +55,14 @@ core::Result<LoadedInputs> readCaseInputsWith(const CaseRequest& request, const 
     if (!inputs.missing.empty()) {
         return inputs;
     }
-    auto loaded = loadCaseWith(request, path, inputs.warnings, observe, inputs.moved);
+    auto loaded = loadCaseWithOptions(request, path, inputs.warnings, observe, inputs.moved);
     if (!loaded) {
         return loaded.error();
     }
     for (const auto& [wanted, place] : inputs.moved) {
         inputs.warnings.push_back(messages::openMoved(fs::path(wanted).filename().string(), place));
     }
-    inputs.wholeCase = std::move(loaded).value();
+    inputs.loadedCase = std::move(loaded).value();
     return inputs;
 }
 
@@ -70,28 +70,28 @@ core::Result<LoadedInputs> readCaseInputsWith(const CaseRequest& request, const 
 
 core::Result<LoadedInputs> readCaseInputs(const std::string& path, const OpenHints& hints, const ReadObserver& observe)
 {
-    return readCaseInputsWith({}, path, hints, observe);
+    return readCaseInputsWithOptions({}, path, hints, observe);
 }
 
 core::Result<core::Case> openCase(const std::string& path, core::Messages& warnings, const ReadObserver& observe)
 {
-    return openCaseWith({}, path, warnings, observe);
+    return openCaseWithOptions({}, path, warnings, observe);
 }
 
-core::Result<core::Case> openCaseWith(const CaseRequest& request, const std::string& path, core::Messages& warnings,
-                                      const ReadObserver& observe)
+core::Result<core::Case> openCaseWithOptions(const CaseLoadOptions& request, const std::string& path,
+                                             core::Messages& warnings, const ReadObserver& observe)
 {
-    auto read = readCaseInputsWith(request, path, {}, observe);
+    auto read = readCaseInputsWithOptions(request, path, {}, observe);
     if (!read) {
         return read.error();
     }
     LoadedInputs inputs = std::move(read).value();
-    if (!inputs.wholeCase) {
-        return loadCaseWith(request, path, warnings, observe,
-                            inputs.moved);   // reports missing inputs, or opens without optional ones
+    if (!inputs.loadedCase) {
+        return loadCaseWithOptions(request, path, warnings, observe,
+                                   inputs.moved);   // reports missing inputs, or opens without optional ones
     }
     warnings.insert(warnings.end(), inputs.warnings.begin(), inputs.warnings.end());
-    return *std::move(inputs.wholeCase);
+    return *std::move(inputs.loadedCase);
 }
 
 }   // namespace angiopose::io

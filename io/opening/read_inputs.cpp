@@ -24,9 +24,9 @@ core::Error twice(const std::string& path, const core::MessageKind<1>& what)
 }
 
 /// Subtracts the run as its header specifies; if the run lacks a named mask frame, it stays native with a warning.
-void subtractAsNamed(LoadedInputs& inputs, const core::RunTreatment& treatment)
+void applyHeaderSubtraction(LoadedInputs& inputs, const core::RunProcessing& treatment)
 {
-    auto run = core::treatedRun(*inputs.angiogram, treatment);
+    auto run = core::processRun(*inputs.angiogram, treatment);
     if (run) {
         inputs.storedRun = inputs.angiogram;
         inputs.angiogram = std::make_shared<core::Angiogram>(std::move(run).value());
@@ -50,7 +50,7 @@ core::Status addImage(LoadedInputs& inputs, const std::string& path)
     if (const auto treatment = readTreatment(path)) {
         inputs.headerPlan = treatment.value().plan;
         if (treatment.value().isSubtracted && inputs.angiogram->frameCount() > 1) {
-            subtractAsNamed(inputs, treatment.value());
+            applyHeaderSubtraction(inputs, treatment.value());
         }
     }
     inputs.imageFile.path = path;
@@ -72,7 +72,7 @@ core::Status addTarget(LoadedInputs& inputs, const std::string& path)
 }
 
 /// Explains why none of the series can be opened: each reason once, with the series to which it applies.
-core::Message reasonsOf(const std::vector<DicomSeries>& all)
+core::Message collectReasons(const std::vector<DicomSeries>& all)
 {
     if (all.size() == 1) {
         return *all.front().problem;
@@ -100,7 +100,7 @@ core::Status addFolder(LoadedInputs& inputs, const std::string& path, const Open
                        const ReadObserver& observe)
 {
     const std::string& seriesId = hints.seriesId;
-    auto listed = listSeries(path, partOf(observe, 0.0, 0.1));
+    auto listed = listSeries(path, progressPart(observe, 0.0, 0.1));
     if (!listed) {
         return listed.error();
     }
@@ -118,10 +118,10 @@ core::Status addFolder(LoadedInputs& inputs, const std::string& path, const Open
         return core::Error(messages::seriesNotHere(seriesId).about(path));
     }
     if (found == all.end()) {
-        return core::Error(reasonsOf(all).about(path));
+        return core::Error(collectReasons(all).about(path));
     }
     return found->isAngiogram ? addImage(inputs, found->slices.front().path)
-                              : addVessels(inputs, path, hints, found->id, partOf(observe, 0.1, 1.0));
+                              : addVessels(inputs, path, hints, found->id, progressPart(observe, 0.1, 1.0));
 }
 
 /// Reads a pose or a point file. Both apply to the open case and must be opened alone.
@@ -197,7 +197,7 @@ core::Result<LoadedInputs> readInputs(const std::vector<std::string>& paths, con
         const auto kind = inputKindOf(paths.front());
         if (hints.offersStudies && kind && (kind.value() == InputKind::Folder || isDicomDirectory(paths.front()))) {
             LoadedInputs inputs;
-            inputs.isStudyOffered = true;
+            inputs.isStudyChoiceNeeded = true;
             return inputs;
         }
         if (kind && kind.value() == InputKind::Case) {
@@ -213,11 +213,11 @@ core::Result<LoadedInputs> readInputs(const std::vector<std::string>& paths, con
     LoadedInputs inputs;
     for (std::size_t i = 0; i < paths.size(); ++i) {
         const auto share = 1.0 / static_cast<double>(paths.size());
-        const auto part = partOf(observe, share * static_cast<double>(i), share * static_cast<double>(i + 1));
+        const auto part = progressPart(observe, share * static_cast<double>(i), share * static_cast<double>(i + 1));
         if (const auto added = addFile(inputs, paths[i], hints, part); !added) {
             return added.error();
         }
-        if (!inputs.offered.empty() || inputs.askedUnitsAcross) {
+        if (!inputs.offered.empty() || inputs.extentInUnknownUnits) {
             return inputs;
         }
     }

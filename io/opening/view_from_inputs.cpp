@@ -1,6 +1,6 @@
 #include "io/opening/view_from_inputs.h"
 
-#include "core/case/view_step.h"
+#include "core/case/relative_view_pose.h"
 #include "io/messages/messages.h"
 #include "io/opening/assemble_case.h"
 
@@ -24,12 +24,12 @@ core::View viewWithImage(const core::Case& session, const LoadedInputs& inputs)
 
 }   // namespace
 
-core::Result<core::View> viewFrom(const core::Case& session, const LoadedInputs& inputs, const std::string& path)
+core::Result<core::View> viewFromInputs(const core::Case& session, const LoadedInputs& inputs, const std::string& path)
 {
-    if (inputs.wholeCase && inputs.wholeCase->shown().angiogram) {
-        core::View view = inputs.wholeCase->shown();
+    if (inputs.loadedCase && inputs.loadedCase->shown().angiogram) {
+        core::View view = inputs.loadedCase->shown();
         view.caseFile = {path, {}};
-        core::forgetFindings(view);   // the other case's findings were obtained with other vessels
+        core::discardResults(view);   // the other case's findings were obtained with other vessels
         return view;
     }
     if (!inputs.angiogram) {
@@ -37,7 +37,7 @@ core::Result<core::View> viewFrom(const core::Case& session, const LoadedInputs&
     }
     const core::View& shown = session.shown();
     core::View view = viewWithImage(session, inputs);
-    if (const auto fromShown = core::stepToView(shown, view, session.vessels)) {
+    if (const auto fromShown = core::relativeViewPose(shown, view, session.vessels)) {
         view.cameraFromPatient = fromShown.value().viewFromFirst * shown.cameraFromPatient;
         if (shown.initialCameraFromPatient) {   // the axes of the vessels may be unrelated to the gantry
                                                 // angles from which the initial pose was computed

@@ -10,6 +10,6 @@ namespace angiopose::io {
 /// Returns the opened files as an additional view of the case's vessels: an angiogram, or the image of a whole case (at
 /// `path`). The pose follows from the geometry between the views; if the geometry is unknown, the view starts at its
 /// initial pose. Fails if there is no angiogram.
-core::Result<core::View> viewFrom(const core::Case& session, const LoadedInputs& inputs, const std::string& path);
+core::Result<core::View> viewFromInputs(const core::Case& session, const LoadedInputs& inputs, const std::string& path);
 
 }   // namespace angiopose::io

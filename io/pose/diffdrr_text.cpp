@@ -117,7 +117,7 @@ const char* nameOf(core::DiffDrrOrientation orientation)
 
 }   // namespace
 
-core::Result<DiffDrrParts> diffDrrOfJson(std::string_view text, const std::string& path)
+core::Result<DiffDrrParts> parseDiffDrrJson(std::string_view text, const std::string& path)
 {
     if (const auto valid = checkJson(text, path); !valid) {
         return valid.error();
@@ -141,7 +141,7 @@ core::Result<DiffDrrParts> diffDrrOfJson(std::string_view text, const std::strin
     }
 }
 
-core::Result<DiffDrrParts> diffDrrOfTable(std::string_view text, const std::string& path)
+core::Result<DiffDrrParts> parseDiffDrrTable(std::string_view text, const std::string& path)
 {
     const auto table = parseCsv(text, path);
     if (!table) {
@@ -154,7 +154,7 @@ core::Result<DiffDrrParts> diffDrrOfTable(std::string_view text, const std::stri
         if (!column || table.value().rows.empty()) {
             return fileError(path, messages::diffDrrKeys(names[i]));
         }
-        const auto number = numberAt(table.value(), table.value().rows.size() - 1, *column);
+        const auto number = numberInCell(table.value(), table.value().rows.size() - 1, *column);
         if (!number) {
             return number.error();
         }

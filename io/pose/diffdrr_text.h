@@ -17,11 +17,11 @@ struct DiffDrrParts {
 };
 
 /// Parses JSON with the keys of DiffDRR, at the top level or in `drr` (FORMATS §3.4). Errors name the faulty key.
-core::Result<DiffDrrParts> diffDrrOfJson(std::string_view text, const std::string& path);
+core::Result<DiffDrrParts> parseDiffDrrJson(std::string_view text, const std::string& path);
 
 /// Parses the last row of a table with the columns `r1,r2,r3,tx,ty,tz`, which xvr writes for its iterations: Euler
 /// angles about Z, X, Y in rad.
-core::Result<DiffDrrParts> diffDrrOfTable(std::string_view text, const std::string& path);
+core::Result<DiffDrrParts> parseDiffDrrTable(std::string_view text, const std::string& path);
 
 std::string diffDrrText(const core::DiffDrrView& view);
 

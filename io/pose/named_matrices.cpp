@@ -63,7 +63,7 @@ Eigen::Matrix3d rotationOf(const std::vector<double>& values)
 
 }   // namespace
 
-NamedMatrices matricesOfJson(std::string_view json)
+NamedMatrices parseJsonMatrices(std::string_view json)
 {
     NamedMatrices matrices;
     const MatrixJson root = MatrixJson::parse(json, nullptr, false);
@@ -80,16 +80,16 @@ NamedMatrices matricesOfJson(std::string_view json)
     return matrices;
 }
 
-bool reportSight(const NamedMatrices& matrices)
+bool describesCamera(const NamedMatrices& matrices)
 {
     const bool hasParts = find(matrices, intrinsicNames, {9}) && find(matrices, rotationNames, {3, 9}) &&
                           find(matrices, translationNames, {3});
     return hasParts || (!find(matrices, intrinsicNames, {9}) && find(matrices, projectionNames, {12}));
 }
 
-core::Result<core::Sight> sightOf(const NamedMatrices& matrices)
+core::Result<core::PosedCamera> sightOf(const NamedMatrices& matrices)
 {
-    if (!reportSight(matrices)) {
+    if (!describesCamera(matrices)) {
         return core::Error(messages::exchangeNoPose());
     }
     for (const std::string_view name : distortionNames) {
@@ -102,14 +102,14 @@ core::Result<core::Sight> sightOf(const NamedMatrices& matrices)
     using RowMajor34 = Eigen::Matrix<double, 3, 4, Eigen::RowMajor>;
     auto sight =
         intrinsic
-            ? core::sightFromIntrinsics(Eigen::Map<const RowMajor3>(intrinsic->data()),
-                                        rotationOf(*find(matrices, rotationNames, {3, 9})),
-                                        Eigen::Vector3d(find(matrices, translationNames, {3})->data()))
-            : core::sightFromProjection(Eigen::Map<const RowMajor34>(find(matrices, projectionNames, {12})->data()));
+            ? core::posedCameraFromIntrinsics(Eigen::Map<const RowMajor3>(intrinsic->data()),
+                                              rotationOf(*find(matrices, rotationNames, {3, 9})),
+                                              Eigen::Vector3d(find(matrices, translationNames, {3})->data()))
+            : core::posedCameraFromMatrix(Eigen::Map<const RowMajor34>(find(matrices, projectionNames, {12})->data()));
     if (!sight) {
         return sight;
     }
-    core::Sight sized = std::move(sight).value();
+    core::PosedCamera sized = std::move(sight).value();
     sized.camera.width = pixelsOf(matrices, {"image_width", "imageWidth", "width"}, 0);
     sized.camera.height = pixelsOf(matrices, {"image_height", "imageHeight", "height"}, 1);
     return sized;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/geometry/sight.h"
+#include "core/geometry/posed_camera.h"
 #include "core/support/result.h"
 
 #include <map>
@@ -16,13 +16,13 @@ using NamedMatrices = std::map<std::string, std::vector<double>, std::less<>>;
 
 /// Returns all numeric members of a JSON object: numbers, lists, nested rows, or objects with the values in `data`. The
 /// text must be valid JSON.
-NamedMatrices matricesOfJson(std::string_view json);
+NamedMatrices parseJsonMatrices(std::string_view json);
 
 /// Whether the matrices describe a camera with its pose, under any of the common names.
-bool reportSight(const NamedMatrices& matrices);
+bool describesCamera(const NamedMatrices& matrices);
 
 /// Builds the camera and pose from P alone, or from K with R (or rvec) and t; the image size is 0 if not stated. The
 /// error message does not name the file.
-core::Result<core::Sight> sightOf(const NamedMatrices& matrices);
+core::Result<core::PosedCamera> sightOf(const NamedMatrices& matrices);
 
 }   // namespace angiopose::io

@@ -69,7 +69,7 @@ struct StoredMatrix {
     std::vector<double> values;
 };
 
-std::array<StoredMatrix, 3> storedMatrices(const core::Sight& sight)
+std::array<StoredMatrix, 3> storedMatrices(const core::PosedCamera& sight)
 {
     const Rows3 K = core::intrinsicMatrix(sight.camera), R = sight.cameraFromPatient.rotation;
     const Eigen::Vector3d& t = sight.cameraFromPatient.translation;
@@ -79,7 +79,7 @@ std::array<StoredMatrix, 3> storedMatrices(const core::Sight& sight)
 
 }   // namespace
 
-NamedMatrices matricesOfYaml(std::string_view text)
+NamedMatrices parseYamlMatrices(std::string_view text)
 {
     NamedMatrices matrices;
     std::string name;
@@ -119,7 +119,7 @@ NamedMatrices matricesOfYaml(std::string_view text)
     return matrices;
 }
 
-NamedMatrices matricesOfXml(std::string_view text)
+NamedMatrices parseXmlMatrices(std::string_view text)
 {
     NamedMatrices matrices;
     std::string name;
@@ -146,7 +146,7 @@ NamedMatrices matricesOfXml(std::string_view text)
     return matrices;
 }
 
-std::string openCvYaml(const core::Sight& sight)
+std::string openCvYaml(const core::PosedCamera& sight)
 {
     std::string text = "%YAML:1.0\n---\nimage_width: " + std::to_string(sight.camera.width) +
                        "\nimage_height: " + std::to_string(sight.camera.height) + "\n";
@@ -158,7 +158,7 @@ std::string openCvYaml(const core::Sight& sight)
     return text;
 }
 
-std::string openCvXml(const core::Sight& sight)
+std::string openCvXml(const core::PosedCamera& sight)
 {
     std::string text = "<?xml version=\"1.0\"?>\n<opencv_storage>\n<image_width>" + std::to_string(sight.camera.width) +
                        "</image_width>\n<image_height>" + std::to_string(sight.camera.height) + "</image_height>\n";
@@ -171,7 +171,7 @@ std::string openCvXml(const core::Sight& sight)
     return text + "</opencv_storage>\n";
 }
 
-std::string openCvJson(const core::Sight& sight)
+std::string openCvJson(const core::PosedCamera& sight)
 {
     nlohmann::ordered_json root{{"image_width", sight.camera.width}, {"image_height", sight.camera.height}};
     const Rows3 K = core::intrinsicMatrix(sight.camera), R = sight.cameraFromPatient.rotation;
@@ -185,7 +185,7 @@ std::string openCvJson(const core::Sight& sight)
     return prettyJson(root.dump());
 }
 
-std::string projectionText(const core::Sight& sight)
+std::string projectionText(const core::PosedCamera& sight)
 {
     const Eigen::Matrix<double, 3, 4, Eigen::RowMajor> P = core::projectionMatrix(sight);
     std::string text = "# P = K [R t]: patient LPS mm to px; (0, 0) is the center of the first pixel\n";
@@ -195,7 +195,7 @@ std::string projectionText(const core::Sight& sight)
     return text;
 }
 
-std::vector<double> numbersOfText(std::string_view text)
+std::vector<double> parseNumbers(std::string_view text)
 {
     std::vector<double> numbers;
     for (TextLines lines(text); lines.next();) {

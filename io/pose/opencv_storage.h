@@ -5,22 +5,22 @@
 namespace angiopose::io {
 
 /// Parses the top-level numbers and matrices of a YAML text: those of OpenCV's FileStorage, and plain or nested lists.
-NamedMatrices matricesOfYaml(std::string_view text);
+NamedMatrices parseYamlMatrices(std::string_view text);
 
 /// Parses the numbers and matrices of OpenCV's XML format.
-NamedMatrices matricesOfXml(std::string_view text);
+NamedMatrices parseXmlMatrices(std::string_view text);
 
 /// Returns K, R, t and the image size in the YAML format of OpenCV's FileStorage; fx < 0 if the image is viewed from
 /// the detector.
-std::string openCvYaml(const core::Sight& sight);
-std::string openCvXml(const core::Sight& sight);
-std::string openCvJson(const core::Sight& sight);
+std::string openCvYaml(const core::PosedCamera& sight);
+std::string openCvXml(const core::PosedCamera& sight);
+std::string openCvJson(const core::PosedCamera& sight);
 
 /// Returns the projection matrix P as three rows of four numbers.
-std::string projectionText(const core::Sight& sight);
+std::string projectionText(const core::PosedCamera& sight);
 
 /// Returns all numbers of a text, which may be separated by blanks, commas, semicolons and brackets; `#` starts a
 /// comment. Empty if the text contains anything else.
-std::vector<double> numbersOfText(std::string_view text);
+std::vector<double> parseNumbers(std::string_view text);
 
 }   // namespace angiopose::io

@@ -48,7 +48,7 @@ void addTexts(png_struct* png, png_info* info, const std::map<std::string, std::
 
 }   // namespace
 
-std::string encodedPng(const PngPixels& pixels, const std::map<std::string, std::string>& texts)
+std::string encodePng(const PngPixels& pixels, const std::map<std::string, std::string>& texts)
 {
     std::string content;
     const PngWriter writer;

@@ -19,6 +19,6 @@ struct PngPixels {
 
 /// Encodes a PNG through libpng, with the texts as iTXt chunks (UTF-8). Throws if libpng rejects the image (too many
 /// columns).
-std::string encodedPng(const PngPixels& pixels, const std::map<std::string, std::string>& texts);
+std::string encodePng(const PngPixels& pixels, const std::map<std::string, std::string>& texts);
 
 }   // namespace angiopose::io

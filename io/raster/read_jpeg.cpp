@@ -111,7 +111,7 @@ std::optional<Raster> readJpeg(std::string_view content, JpegColors colors)
             copyRow(row, y++, raster);
         }
         const bool isWhole = y == head.output_height;
-        raster.isFlawed = !isWhole || state.errors.num_warnings > 0;
+        raster.isPartlyDamaged = !isWhole || state.errors.num_warnings > 0;
         if (2 * y >= head.output_height) {
             fillFrom(y, raster.frames.front());
             result = std::move(raster);

@@ -9,12 +9,13 @@ namespace angiopose::io {
 
 /// Interpretation of the three color channels of a JPEG.
 enum class JpegColors {
-    AsMarked,   ///< as specified by the markers of the stream, by default Y Cb Cr
+    FromMarkers,   ///< as specified by the markers of the stream, by default Y Cb Cr
     RgbUnlessMarked   ///< red, green, blue unless a marker specifies otherwise; for DICOM headers with "RGB"
 };
 
 /// Decodes a gray or color JPEG; nullopt if it is too large, of another kind, or less than half of its rows can be
-/// decoded. Sets `isFlawed` if the decoder reports damage: parts may be wrong; missing rows have the mean gray level.
-std::optional<Raster> readJpeg(std::string_view content, JpegColors colors = JpegColors::AsMarked);
+/// decoded. Sets `isPartlyDamaged` if the decoder reports damage: parts may be wrong; missing rows have the mean gray
+/// level.
+std::optional<Raster> readJpeg(std::string_view content, JpegColors colors = JpegColors::FromMarkers);
 
 }   // namespace angiopose::io

@@ -1,12 +1,12 @@
 #include "io/raster/read_raster.h"
 
 #include "io/messages/messages.h"
-#include "io/raster/picture_orientation.h"
+#include "io/raster/image_orientation.h"
 #include "io/raster/read_jpeg.h"
 #include "io/raster/read_png.h"
 #include "io/raster/read_tiff.h"
 #include "io/support/file_error.h"
-#include "io/support/quiet_libraries.h"
+#include "io/support/silence_libraries.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +19,7 @@ constexpr std::string_view jpegStart = "\xff\xd8\xff";
 constexpr std::size_t maxJpegTrailer = 4096;
 
 /// Whether a JPEG is truncated; libjpeg would fill the missing part with gray.
-bool isCutShort(std::string_view jpeg)
+bool isTruncated(std::string_view jpeg)
 {
     const std::size_t end = jpeg.rfind("\xff\xd9");
     return end == std::string_view::npos || end + maxJpegTrailer < jpeg.size();
@@ -33,7 +33,7 @@ core::Result<Raster> decode(std::string_view content, const std::string& path)
     if (!content.starts_with(jpegStart)) {
         return readTiff(path);
     }
-    if (isCutShort(content)) {
+    if (isTruncated(content)) {
         return fileError(path, messages::imageDamaged());
     }
     auto raster = readJpeg(content);
@@ -66,7 +66,7 @@ bool looksLikeRaster(std::string_view content)
 
 core::Result<Raster> readRaster(std::string_view content, const std::string& path)
 {
-    quietLibraries();
+    silenceLibraries();
     auto decoded = decode(content, path);
     if (!decoded) {
         return decoded;
@@ -74,7 +74,7 @@ core::Result<Raster> readRaster(std::string_view content, const std::string& pat
     Raster raster = std::move(decoded).value();
     if (const int orientation = exifOrientation(content); orientation > 1) {
         raster.orientation = orientation;
-        raster.frames.front() = oriented(raster.frames.front(), orientation);
+        raster.frames.front() = applyOrientation(raster.frames.front(), orientation);
     }
     return isFinite(raster) ? core::Result<Raster>(std::move(raster)) : fileError(path, messages::imageUnusual());
 }

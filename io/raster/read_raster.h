@@ -14,7 +14,7 @@ struct Raster {
     std::vector<core::ImageF> frames;
     bool wasColor = false;   ///< whether the channels differed and were converted to luminance
     bool hadAlpha = false;   ///< whether transparency was ignored
-    bool isFlawed = false;   ///< whether the image is partly damaged and only the intact part was decoded
+    bool isPartlyDamaged = false;   ///< whether the image is partly damaged and only the intact part was decoded
     int orientation =
         1;   ///< orientation tag of a frame, which was rotated or mirrored accordingly; 1 if stored as displayed
 

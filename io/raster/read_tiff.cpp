@@ -1,7 +1,7 @@
 #include "io/raster/read_tiff.h"
 
 #include "io/messages/messages.h"
-#include "io/raster/picture_orientation.h"
+#include "io/raster/image_orientation.h"
 #include "io/raster/tiff_page.h"
 #include "io/support/file_error.h"
 
@@ -64,7 +64,7 @@ bool appendPage(TIFF* file, const TiffPage& page, Raster& raster)
     raster.hadAlpha |= page.channels == 2 || page.channels == 4;
     if (page.orientation != ORIENTATION_TOPLEFT) {
         raster.orientation = page.orientation;
-        frame = oriented(frame, page.orientation);
+        frame = applyOrientation(frame, page.orientation);
     }
     raster.frames.push_back(std::move(frame));
     return true;
@@ -81,9 +81,9 @@ core::Result<Raster> readTiff(const std::string& path)
         if (pixels > 0 && TIFFReadDirectory(file.get()) != 1) {
             return fileError(path, messages::imageDamaged());
         }
-        const auto page = pageOf(file.get());
+        const auto page = readTiffPage(file.get());
         pixels += page ? std::size_t{page->width} * page->height : 1;
-        if (isAside(file.get())) {
+        if (isAuxiliaryPage(file.get())) {
             continue;
         }
         if (!page || !isPicture(*page) || pixels > maxTiffPixels || !appendPage(file.get(), *page, raster)) {

@@ -36,7 +36,7 @@ bool TiffPage::isPalette() const
     return channels == 1 && photometric == PHOTOMETRIC_PALETTE && bits == 8;
 }
 
-std::optional<TiffPage> pageOf(TIFF* file)
+std::optional<TiffPage> readTiffPage(TIFF* file)
 {
     TiffPage page;
     TIFFGetField(file, TIFFTAG_IMAGEWIDTH, &page.width);
@@ -54,7 +54,7 @@ std::optional<TiffPage> pageOf(TIFF* file)
     return isReadable ? std::optional(page) : std::nullopt;
 }
 
-bool isAside(TIFF* file)
+bool isAuxiliaryPage(TIFF* file)
 {
     std::uint32_t kind = 0;
     TIFFGetFieldDefaulted(file, TIFFTAG_SUBFILETYPE, &kind);

@@ -27,9 +27,9 @@ struct TiffPage {
 
 /// Describes the current page. Returns nullopt unless the samples are interleaved 8-bit, 16-bit or float values of
 /// grayscale, color or palette indices and the page is not larger than any detector.
-std::optional<TiffPage> pageOf(TIFF* file);
+std::optional<TiffPage> readTiffPage(TIFF* file);
 
 /// Whether the current page is a reduced version or a mask of another page; false for the only page.
-bool isAside(TIFF* file);
+bool isAuxiliaryPage(TIFF* file);
 
 }   // namespace angiopose::io

@@ -3,11 +3,11 @@
 #include "core/case/case_patients.h"
 #include "core/case/case_views.h"
 #include "core/geometry/angle_units.h"
-#include "io/case/asked_case.h"
+#include "io/case/deidentified_case.h"
 #include "io/case/fields/deformation_fields.h"
 #include "io/case/fields/geometry_fields.h"
 #include "io/case/fields/result_fields.h"
-#include "io/case/nameless_case.h"
+#include "io/case/input_case.h"
 #include "io/edited_curves.h"
 #include "io/support/atomic_file.h"
 #include "io/support/file_error.h"
@@ -69,7 +69,7 @@ Json inputsJson(const core::Case& session, const core::RegistrationResult& resul
     const auto& angiogram = session.shown().angiogram;
     add("vessel", session.vessels.file, &session.vessels.scanIdentity);
     add("angiogram", session.shown().imageFile, angiogram ? &angiogram->identity : nullptr);
-    add("centerline", exportedFileOf(session.shown().target), nullptr);
+    add("centerline", exportedFile(session.shown().target), nullptr);
     inputs["frame"] = result.provenance.frame.value_or(session.shown().frame);
     return inputs;
 }
@@ -106,7 +106,7 @@ std::string withoutUids(const std::string& result)
 
 }   // namespace
 
-std::string resultJson(const core::Case& session, const core::RegistrationResult& result, const std::string& askedCase)
+std::string resultJson(const core::Case& session, const core::RegistrationResult& result, const std::string& inputCase)
 {
     Json root;
     root["format"] = "angiopose-result";
@@ -130,46 +130,46 @@ std::string resultJson(const core::Case& session, const core::RegistrationResult
         root["inputs"]["mismatch"] = sentencesOf(mismatch);
     }
     if (result.deformed) {
-        root["deformable"] = deformedSummary(*result.deformed);
+        root["deformable"] = deformationSummary(*result.deformed);
         if (result.deformed->verdict != core::DeformationVerdict::Rigid) {
-            root["bent"] = deformedField().write(result, {});
+            root["bent"] = deformationField().write(result, {});
         }
     }
     addGeometry(root, session.shown());
-    if (!askedCase.empty()) {
-        root["case"] = Json::parse(askedCase);
+    if (!inputCase.empty()) {
+        root["case"] = Json::parse(inputCase);
     }
     if (!session.vessels.marks.empty()) {
-        root["checkPoints"] = Json::parse(checkPointJson(session));
+        root["checkPoints"] = Json::parse(targetPointJson(session));
     }
     // Replace invalid bytes: file names and titles need not be UTF-8, but the result must be written anyway.
     return prettyJson(root.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
-std::string resultJson(const core::RegisteredCase& registered, std::size_t place, ResultNames names)
+std::string resultJson(const core::RegisteredCase& registered, std::size_t place, ResultTexts names)
 {
-    const core::Case showing = core::showingView(registered.session, place);
-    if (names == ResultNames::Kept) {
-        return resultJson(showing, *showing.shown().result, askedCaseText(registered));
+    const core::Case showing = core::withShownView(registered.session, place);
+    if (names == ResultTexts::Kept) {
+        return resultJson(showing, *showing.shown().result, inputCaseText(registered));
     }
-    const core::Case nameless = namelessCase(showing);
-    const std::string asked = registered.asked ? askedCaseText(namelessCase(*registered.asked)) : std::string();
+    const core::Case nameless = deidentifiedCase(showing);
+    const std::string asked = registered.asked ? inputCaseText(deidentifiedCase(*registered.asked)) : std::string();
     return withoutUids(resultJson(nameless, *nameless.shown().result, asked));
 }
 
-std::string keptResultJson(const core::Case& session, ResultNames names)
+std::string storedResultJson(const core::Case& session, ResultTexts names)
 {
-    core::Case ofRun = viewsOfItsRun(session);
-    if (names == ResultNames::Kept) {
-        return resultJson(ofRun, *ofRun.shown().result, askedCaseTextOfRun(ofRun));
+    core::Case ofRun = keepJointlyRegisteredViews(session);
+    if (names == ResultTexts::Kept) {
+        return resultJson(ofRun, *ofRun.shown().result, inputCaseTextOfResult(ofRun));
     }
-    ofRun = namelessCase(std::move(ofRun));
-    return withoutUids(resultJson(ofRun, *ofRun.shown().result, askedCaseTextOfRun(ofRun)));
+    ofRun = deidentifiedCase(std::move(ofRun));
+    return withoutUids(resultJson(ofRun, *ofRun.shown().result, inputCaseTextOfResult(ofRun)));
 }
 
 core::Status writeResult(const core::Case& session, const std::string& path)
 {
-    return writeAtomically(path, keptResultJson(session, ResultNames::Kept));
+    return writeAtomically(path, storedResultJson(session, ResultTexts::Kept));
 }
 
 namespace {
@@ -186,7 +186,7 @@ Json cameraJson(const core::CameraEvidence& camera)
     return {{"error", three(camera.error)}, {"sigma", three(camera.std)}, {"gain", camera.gain}};
 }
 
-std::string jointJson(const core::RegisteredCase& registered, const std::string& askedCase)
+std::string jointJson(const core::RegisteredCase& registered, const std::string& inputCase)
 {
     const core::MultiViewResult& joint = *registered.joint;
     Json json{{"format", "angiopose-joint-result"}, {"version", 1}, {"trustworthy", joint.trustworthy}};
@@ -196,8 +196,8 @@ std::string jointJson(const core::RegisteredCase& registered, const std::string&
                            {"depthSigmaMm", joint.uncertainty.depthMm},
                            {"rotationSigmaDeg", joint.uncertainty.rotationDeg.maxCoeff()}};
     for (std::size_t k = 0; k < registered.places.size(); ++k) {
-        const core::Case showing = core::showingView(registered.session, registered.places[k]);
-        Json view = Json::parse(resultJson(showing, *showing.shown().result, askedCase));
+        const core::Case showing = core::withShownView(registered.session, registered.places[k]);
+        Json view = Json::parse(resultJson(showing, *showing.shown().result, inputCase));
         view.erase("deformable");   // belongs to all views together and is added below
         view.erase("case");
         view["view"] = registered.places[k] + 1;
@@ -207,27 +207,27 @@ std::string jointJson(const core::RegisteredCase& registered, const std::string&
         }
         json["views"].push_back(std::move(view));
     }
-    if (!askedCase.empty()) {
-        json["case"] = Json::parse(askedCase);
+    if (!inputCase.empty()) {
+        json["case"] = Json::parse(inputCase);
     }
     if (const auto& deformed = registered.result().deformed) {
-        json["deformable"] = deformedSummary(*deformed);
+        json["deformable"] = deformationSummary(*deformed);
     }
     return json.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 
 }   // namespace
 
-std::string registeredJson(const core::RegisteredCase& registered, const std::string& askedCase)
+std::string registrationJson(const core::RegisteredCase& registered, const std::string& inputCase)
 {
-    return registered.joint ? jointJson(registered, askedCase)
-                            : resultJson(registered.session, registered.result(), askedCase);
+    return registered.joint ? jointJson(registered, inputCase)
+                            : resultJson(registered.session, registered.result(), inputCase);
 }
 
 core::Status writeJointResult(const core::RegisteredCase& registered, const std::string& path,
-                              const std::string& askedCase)
+                              const std::string& inputCase)
 {
-    return writeAtomically(path, jointJson(registered, askedCase));
+    return writeAtomically(path, jointJson(registered, inputCase));
 }
 
 }   // namespace angiopose::io

@@ -9,29 +9,29 @@
 namespace angiopose::io {
 
 /// Whether a result includes user-entered text, file names and UIDs.
-enum class ResultNames { Kept, LeftOut };
+enum class ResultTexts { Kept, LeftOut };
 
-/// Returns the text of result.json (FORMATS §3). `askedCase` is the case at the start of the registration
+/// Returns the text of result.json (FORMATS §3). `inputCase` is the case at the start of the registration
 /// (case/asked_case.h), if known; the registration can be repeated or displayed from its result (opening/open_result.h)
 /// only if it is stored.
 std::string resultJson(const core::Case& session, const core::RegistrationResult& result,
-                       const std::string& askedCase = {});
+                       const std::string& inputCase = {});
 
 /// Returns the result of a registration that has just finished, for the view at index `place` of its case.
-std::string resultJson(const core::RegisteredCase& registered, std::size_t place, ResultNames names);
+std::string resultJson(const core::RegisteredCase& registered, std::size_t place, ResultTexts names);
 
 /// Returns the result of the shown view, with those inputs of its registration that the case still contains.
-std::string keptResultJson(const core::Case& session, ResultNames names);
+std::string storedResultJson(const core::Case& session, ResultTexts names);
 
 /// Atomically writes the result of the shown view.
 core::Status writeResult(const core::Case& session, const std::string& path);
 
 /// Returns the outcome of a registration as JSON: result.json for one view, joint.json for several (FORMATS §3).
-std::string registeredJson(const core::RegisteredCase& registered, const std::string& askedCase);
+std::string registrationJson(const core::RegisteredCase& registered, const std::string& inputCase);
 
 /// Atomically writes joint.json: the values shared by all views, and for each view its result and the estimated
 /// geometry correction. Only for registrations of several views.
 core::Status writeJointResult(const core::RegisteredCase& registered, const std::string& path,
-                              const std::string& askedCase);
+                              const std::string& inputCase);
 
 }   // namespace angiopose::io

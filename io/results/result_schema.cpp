@@ -49,7 +49,7 @@ Json ownProperties()
             {"projection", projectionSchema()},
             {"geometry", objectSchema(propertiesOf(geometryFields()))},
             {"deformable", about(anything, "Deformation of the vessels (FORMATS, section 3.5).")},
-            {"bent", about(deformedField().schema, "The same, including the motion of every point.")},
+            {"bent", about(deformationField().schema, "The same, including the motion of every point.")},
             {"checkPoints", listSchema(anything)},
             {"case", about(anything,
                            "Input of the registration: a case file (angiopose-case.schema.json) whose inputs are "

@@ -194,7 +194,7 @@ core::Result<core::LabelVolume> bitLabels(const Segmentation& segmentation, cons
     core::LabelVolume labels(segmentation.grid.geometry);
     for (std::size_t k = 0; k < segmentation.frames.size(); ++k) {
         if (isStopRequested(observe, static_cast<double>(k) / static_cast<double>(segmentation.frames.size()))) {
-            return stoppedReading(path);
+            return readingCanceled(path);
         }
         const std::size_t start = firstVoxel(segmentation, k);
         for (std::size_t p = 0; p < perFrame; ++p) {
@@ -223,7 +223,7 @@ core::Result<core::LabelVolume> byteLabels(const Segmentation& segmentation, con
     core::LabelVolume labels(segmentation.grid.geometry);
     for (std::size_t k = 0; k < segmentation.frames.size(); ++k) {
         if (isStopRequested(observe, static_cast<double>(k) / static_cast<double>(segmentation.frames.size()))) {
-            return stoppedReading(path);
+            return readingCanceled(path);
         }
         const auto frame = reader.value().frame(static_cast<int>(k));
         if (!frame) {

@@ -40,7 +40,7 @@ std::vector<long> shapeKey(const SliceRecord& slice)
 }
 
 /// Whether two slices agree well enough to belong to one volume, even if rounding in the key separates them.
-bool isAlike(const SliceRecord& a, const SliceRecord& b)
+bool areSameShape(const SliceRecord& a, const SliceRecord& b)
 {
     const bool isPlaced = a.position && a.axes, isOtherPlaced = b.position && b.axes;
     if (a.size != b.size || isPlaced != isOtherPlaced || (a.spacingMm - b.spacingMm).cwiseAbs().maxCoeff() > 1e-3) {
@@ -58,7 +58,7 @@ std::vector<Slices> byShape(const Slices& slices)
         auto found = groupOfKey.find(key);
         if (found == groupOfKey.end()) {
             const auto alike = std::find_if(groups.begin(), groups.end(),
-                                            [&](const Slices& group) { return isAlike(group.front(), slice); });
+                                            [&](const Slices& group) { return areSameShape(group.front(), slice); });
             const auto at = static_cast<std::size_t>(alike - groups.begin());
             if (alike == groups.end()) {
                 groups.emplace_back();
@@ -72,7 +72,7 @@ std::vector<Slices> byShape(const Slices& slices)
 
 /// Removes duplicates: slices with the same SOP instance, frame, position and number. Reports the number of duplicates,
 /// and the number of images that differ from an earlier one with the same SOP Instance UID.
-core::Messages dropCopies(Slices& slices)
+core::Messages removeDuplicates(Slices& slices)
 {
     using Instance = std::pair<std::string, int>;
     std::set<std::tuple<Instance, std::vector<double>, int, decltype(SliceRecord::phaseKeys)>> seen;
@@ -104,7 +104,7 @@ core::Messages dropCopies(Slices& slices)
 void keepFirstPerPlace(DicomSeries& series)
 {
     const std::size_t before = series.slices.size();
-    const auto end = std::unique(series.slices.begin(), series.slices.end(), isSamePlace);
+    const auto end = std::unique(series.slices.begin(), series.slices.end(), isSamePosition);
     series.slices.erase(end, series.slices.end());
     if (const std::size_t dropped = before - series.slices.size(); dropped > 0) {
         series.warnings.push_back(messages::seriesOverlap(dropped, before));
@@ -130,7 +130,7 @@ void planVolume(DicomSeries& series, const DicomImages& head)
         return;
     }
     keepFirstPerPlace(series);
-    series.stack = stackOf(series.slices);
+    series.stack = planStack(series.slices);
     series.problem = series.stack.problem;
     const double stated = series.slices.front().statedStepMm, step = series.stack.geometry.spacingMm.z();
     if (!series.problem && stated > 0.0 && std::abs(stated - step) > 0.05 * step) {
@@ -152,7 +152,7 @@ DicomSeries emptySeries(const DicomImages& head)
 std::vector<DicomSeries> volumesOf(const DicomImages& head, Slices slices, std::size_t damaged)
 {
     std::vector<DicomSeries> volumes;
-    const core::Messages copies = dropCopies(slices);
+    const core::Messages copies = removeDuplicates(slices);
     const std::vector<Slices> shapes = byShape(slices);
     for (Slices shape : shapes) {
         const bool isPlaced = shape.front().position && shape.front().axes;

@@ -128,7 +128,7 @@ core::Result<ValueRange> rescaledRange(const DicomSeries& series, const ReadObse
     SliceReader reader(series.slices);
     for (std::size_t i = 0; i < series.slices.size(); ++i) {
         if (isStopRequested(observe, static_cast<double>(i) / static_cast<double>(series.slices.size()))) {
-            return stoppedReading(series.slices[i].path);
+            return readingCanceled(series.slices[i].path);
         }
         const auto image = reader.slice(i);
         if (!image) {
@@ -149,7 +149,7 @@ core::Result<SeriesScale> scaleOf(const DicomSeries& series, const ReadObserver&
         const bool isWide = std::any_of(slices.begin(), slices.end(), [](const SliceRecord& slice) {
             return !slice.isSigned && slice.bitsStored == 16;
         });
-        scale.quantization.offset = isWide ? -lowestStored : 0.0;
+        scale.quantization.offset = isWide ? -minStoredValue : 0.0;
         scale.slope = slices.front().slope;
         scale.intercept = slices.front().intercept + scale.slope * scale.quantization.offset;
         return scale;
@@ -162,7 +162,7 @@ core::Result<SeriesScale> scaleOf(const DicomSeries& series, const ReadObserver&
     scale.quantization = quantizationOf(range.value());
     scale.slope = scale.quantization.scale;
     scale.intercept = scale.quantization.offset;
-    if (!range.value().isWhole || scale.slope != 1.0) {
+    if (!range.value().isInteger || scale.slope != 1.0) {
         warnings.push_back(messages::seriesScales(roundingNote(scale.slope, "series'")));
     }
     return scale;
@@ -183,13 +183,13 @@ std::vector<float> planeOf(const ImageF& image, const SliceRecord& slice, const 
     };
     const Eigen::Vector2d whole(std::floor(shift.x()), std::floor(shift.y()));
     const Eigen::Vector2f part = (shift - whole).cast<float>();
-    const bool isWhole = part.maxCoeff() < 0.01F;
+    const bool isInteger = part.maxCoeff() < 0.01F;
     for (int j = 0; j < height; ++j) {
         for (int i = 0; i < width; ++i) {
             const int x = i - static_cast<int>(whole.x()), y = j - static_cast<int>(whole.y());
             float& out =
                 plane[static_cast<std::size_t>(j) * static_cast<std::size_t>(width) + static_cast<std::size_t>(i)];
-            if (isWhole) {
+            if (isInteger) {
                 out = value(x, y);
             } else {
                 const float upper = (1.0F - part.x()) * value(x, y - 1) + part.x() * value(x - 1, y - 1);
@@ -247,7 +247,7 @@ core::Result<core::Volume> readSeries(const DicomSeries& series, const ReadObser
         return fileError(path, series.isAngiogram ? messages::seriesIsXray() : *series.problem);
     }
     const bool isTwoPass = !hasOneScale(series.slices);
-    const auto scale = scaleOf(series, partOf(observe, 0.0, 0.5), warnings);
+    const auto scale = scaleOf(series, progressPart(observe, 0.0, 0.5), warnings);
     if (!scale) {
         return scale.error();
     }
@@ -255,11 +255,11 @@ core::Result<core::Volume> readSeries(const DicomSeries& series, const ReadObser
     volume.slope = scale.value().slope;
     volume.intercept = scale.value().intercept;
     SliceReader reader(series.slices);
-    const ReadObserver observeLayers = partOf(observe, isTwoPass ? 0.5 : 0.0, 1.0);
+    const ReadObserver observeLayers = progressPart(observe, isTwoPass ? 0.5 : 0.0, 1.0);
     const std::size_t count = series.stack.layers.size();
     for (std::size_t k = 0; k < count; ++k) {
         if (isStopRequested(observeLayers, static_cast<double>(k) / static_cast<double>(count))) {
-            return stoppedReading(path);
+            return readingCanceled(path);
         }
         if (const auto written = writeLayer(series, scale.value(), k, reader, volume); !written) {
             return written.error();

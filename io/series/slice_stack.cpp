@@ -25,7 +25,7 @@ double rounded(double length)
 
 core::Quantity roundedMm(double length)
 {
-    return {rounded(length), core::Quantity::asNeeded, "mm"};
+    return {rounded(length), core::Quantity::significantDigits, "mm"};
 }
 
 std::vector<double> gapsOf(const std::vector<double>& places)
@@ -124,13 +124,13 @@ void placeLayers(const std::vector<double>& places, SliceStack& stack, double& s
         stack.warnings.push_back(missingSlices(places, step, stack.layers.size()));
     } else if (regular == 0.0) {
         const auto [least, most] = std::minmax_element(distances.begin(), distances.end());
-        stack.warnings.push_back(messages::seriesUnevenSlices(core::Quantity{rounded(*least), core::Quantity::asNeeded},
-                                                              roundedMm(*most), roundedMm(step)));
+        stack.warnings.push_back(messages::seriesUnevenSlices(
+            core::Quantity{rounded(*least), core::Quantity::significantDigits}, roundedMm(*most), roundedMm(step)));
     }
 }
 
 /// Returns the in-plane offset of the first pixel of each slice relative to that of the first slice, mm.
-std::vector<Eigen::Vector2d> slantOf(const std::vector<SliceRecord>& slices)
+std::vector<Eigen::Vector2d> inPlaneOffsets(const std::vector<SliceRecord>& slices)
 {
     std::vector<Eigen::Vector2d> offsets;
     offsets.reserve(slices.size());
@@ -145,7 +145,7 @@ Eigen::Vector2i straighten(const std::vector<SliceRecord>& slices, double extent
                            Eigen::Vector3d& origin)
 {
     const SliceRecord& first = slices.front();
-    const std::vector<Eigen::Vector2d> offsets = slantOf(slices);
+    const std::vector<Eigen::Vector2d> offsets = inPlaneOffsets(slices);
     Eigen::Vector2d low = Eigen::Vector2d::Zero(), high = Eigen::Vector2d::Zero();
     for (const Eigen::Vector2d& offset : offsets) {
         low = low.cwiseMin(offset);
@@ -160,8 +160,8 @@ Eigen::Vector2i straighten(const std::vector<SliceRecord>& slices, double extent
     }
     origin += *first.axes * low;
     const double slantDeg = std::atan2((high - low).norm(), extentMm) * 180.0 / std::numbers::pi;
-    stack.warnings.push_back(
-        messages::seriesSlanted(core::Quantity{std::round(slantDeg * 10.0) / 10.0, core::Quantity::asNeeded, "°"}));
+    stack.warnings.push_back(messages::seriesSlanted(
+        core::Quantity{std::round(slantDeg * 10.0) / 10.0, core::Quantity::significantDigits, "°"}));
     return first.size + (high - low).cwiseQuotient(first.spacingMm).array().ceil().matrix().cast<int>();
 }
 
@@ -172,7 +172,7 @@ Eigen::Vector3d normalOf(const SliceRecord& slice)
     return slice.axes->col(0).cross(slice.axes->col(1));
 }
 
-SliceStack stackOf(const std::vector<SliceRecord>& slices)
+SliceStack planStack(const std::vector<SliceRecord>& slices)
 {
     SliceStack stack;
     if (slices.size() < 2) {

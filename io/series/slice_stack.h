@@ -28,7 +28,7 @@ struct SliceStack {
 
 /// Plans the volume for slices that share size, spacing and orientation, have distinct positions, and are sorted along
 /// the slice normal.
-SliceStack stackOf(const std::vector<SliceRecord>& slices);
+SliceStack planStack(const std::vector<SliceRecord>& slices);
 
 /// Returns the unit normal of a slice, along which slices are stacked.
 Eigen::Vector3d normalOf(const SliceRecord& slice);

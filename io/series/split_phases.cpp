@@ -18,7 +18,7 @@ std::size_t placeCount(const Slices& sorted)
 {
     std::size_t count = sorted.empty() ? 0 : 1;
     for (std::size_t i = 1; i < sorted.size(); ++i) {
-        count += isSamePlace(sorted[i - 1], sorted[i]) ? 0 : 1;
+        count += isSamePosition(sorted[i - 1], sorted[i]) ? 0 : 1;
     }
     return count;
 }
@@ -41,12 +41,12 @@ std::vector<Slices> splitByKey(const Slices& slices, std::size_t key)
 }
 
 /// Splits slices whose positions were all recorded equally often: the first recording of each position, the second, …
-std::vector<Slices> splitByRepetition(const Slices& sorted, std::size_t places)
+std::vector<Slices> splitByRecordingOrder(const Slices& sorted, std::size_t places)
 {
     const std::size_t count = sorted.size() / places;
     std::vector<Slices> parts(count);
     for (std::size_t i = 0; i < sorted.size(); ++i) {
-        const bool isComplete = i % count == 0 || isSamePlace(sorted[i - 1], sorted[i]);
+        const bool isComplete = i % count == 0 || isSamePosition(sorted[i - 1], sorted[i]);
         if (!isComplete) {
             return {};
         }
@@ -58,7 +58,7 @@ std::vector<Slices> splitByRepetition(const Slices& sorted, std::size_t places)
 /// Returns how many slices are missing from the regular grid of these slices; nullopt if they do not lie on a grid.
 std::optional<std::size_t> missingOnGrid(const Slices& sorted)
 {
-    const SliceStack stack = stackOf(sorted);
+    const SliceStack stack = planStack(sorted);
     const bool isUneven = std::ranges::any_of(
         stack.warnings, [](const core::Message& warning) { return warning.is(messages::seriesUnevenSlices); });
     return stack.problem || isUneven ? std::nullopt : std::optional(stack.layers.size() - sorted.size());
@@ -86,7 +86,7 @@ std::vector<Slices> splitAcquisitions(const Slices& sorted)
 
 }   // namespace
 
-bool isSamePlace(const SliceRecord& a, const SliceRecord& b)
+bool isSamePosition(const SliceRecord& a, const SliceRecord& b)
 {
     return std::abs(normalOf(a).dot(*a.position - *b.position)) < samePlaceMm;
 }
@@ -116,7 +116,7 @@ std::vector<Slices> splitVolumes(const Slices& sorted)
         }
     }
     if (places > 1 && sorted.size() % places == 0) {
-        if (auto parts = splitByRepetition(sorted, places); !parts.empty()) {
+        if (auto parts = splitByRecordingOrder(sorted, places); !parts.empty()) {
             return parts;
         }
     }

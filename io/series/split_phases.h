@@ -9,7 +9,7 @@ namespace angiopose::io {
 using Slices = std::vector<SliceRecord>;
 
 /// Whether two slices lie in the same plane.
-bool isSamePlace(const SliceRecord& a, const SliceRecord& b);
+bool isSamePosition(const SliceRecord& a, const SliceRecord& b);
 
 /// Sorts slices by position, then by recording, then by name, independently of the order of the files.
 void sortAlongNormal(Slices& slices);

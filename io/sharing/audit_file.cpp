@@ -4,7 +4,7 @@
 #include "io/messages/messages.h"
 #include "io/support/files_in_folder.h"
 #include "io/support/system/appended_line.h"
-#include "io/support/system/machine_facts.h"
+#include "io/support/system/machine_info.h"
 #include "io/support/system/signal_text.h"
 
 #include <chrono>
@@ -39,7 +39,7 @@ void addFiles(const std::string& path, Json& files)
         files.push_back(entryOf(absolute));
         return;
     }
-    if (const auto inside = filesInFolder(absolute, Reach::Below)) {
+    if (const auto inside = filesInFolder(absolute, FolderDepth::Recursive)) {
         for (const std::string& file : inside.value()) {
             files.push_back(entryOf(file));
         }
@@ -53,7 +53,7 @@ std::string timeNow()
 }
 
 constexpr std::size_t maxWaiting = 200;
-constexpr std::chrono::seconds longestWait{2};   // events that a killed program may fail to record
+constexpr std::chrono::seconds maxWait{2};   // events that a killed program may fail to record
 
 }   // namespace
 
@@ -101,7 +101,7 @@ core::Status recordAudit(const std::string& auditPath, const AuditRecord& record
                            : core::Error(messages::auditNotWritten(problem).about(auditPath));
 }
 
-std::string auditFileOfEnvironment()
+std::string auditFileFromEnvironment()
 {
     const char* path = std::getenv("ANGIOPOSE_AUDIT_FILE");
     return path != nullptr ? path : "";
@@ -118,20 +118,20 @@ void AuditBatch::add(const std::string& path)
         return;
     }
     if (record_.paths.empty()) {
-        waitsSince_ = std::chrono::steady_clock::now();
+        pendingSince_ = std::chrono::steady_clock::now();
     }
     record_.paths.push_back(path);
 }
 
-void AuditBatch::noteWhenDue()
+void AuditBatch::flushIfDue()
 {
-    const bool hasWaited = std::chrono::steady_clock::now() - waitsSince_ >= longestWait;
+    const bool hasWaited = std::chrono::steady_clock::now() - pendingSince_ >= maxWait;
     if (record_.paths.size() >= maxWaiting || (!record_.paths.empty() && hasWaited)) {
-        noteAll();
+        flush();
     }
 }
 
-void AuditBatch::noteAll()
+void AuditBatch::flush()
 {
     if (record_.paths.empty()) {
         return;

@@ -28,7 +28,7 @@ struct AuditRecord {
 core::Status recordAudit(const std::string& auditPath, const AuditRecord& record);
 
 /// Returns the path in `ANGIOPOSE_AUDIT_FILE`; if empty, no audit file is written.
-std::string auditFileOfEnvironment();
+std::string auditFileFromEnvironment();
 
 /// Records files that arrive one after another: shortly after arrival, with many files per audit line. Records nothing
 /// if the path of the audit file is empty.
@@ -38,8 +38,8 @@ public:
 
     void add(const std::string& path);
     /// Writes a line if enough files are pending or the first one is old enough. Must be called periodically.
-    void noteWhenDue();
-    void noteAll();
+    void flushIfDue();
+    void flush();
 
     /// Explains why the last line could not be written; nullopt if all lines were written.
     const std::optional<core::Message>& problem() const { return problem_; }
@@ -47,7 +47,7 @@ public:
 private:
     std::string auditPath_;
     AuditRecord record_;
-    std::chrono::steady_clock::time_point waitsSince_;
+    std::chrono::steady_clock::time_point pendingSince_;
     std::optional<core::Message> problem_;
 };
 

@@ -61,9 +61,9 @@ void addView(const core::View& view, Redaction& redaction)
 }
 
 /// Whether an element can identify somebody: by a name or number, by words, or not at all.
-enum class Informative { Nothing, Name, Words };
+enum class IdentifierKind { Nothing, Name, Words };
 
-Informative informativeOf(DcmEVR vr)
+IdentifierKind identifierKindOf(DcmEVR vr)
 {
     switch (vr) {
         case EVR_PN:
@@ -71,16 +71,16 @@ Informative informativeOf(DcmEVR vr)
         case EVR_DA:
         case EVR_DT:
         case EVR_SH:
-            return Informative::Name;
+            return IdentifierKind::Name;
         case EVR_LO:
         case EVR_ST:
         case EVR_LT:
         case EVR_UT:
         case EVR_UC:
         case EVR_AE:
-            return Informative::Words;
+            return IdentifierKind::Words;
         default:
-            return Informative::Nothing;
+            return IdentifierKind::Nothing;
     }
 }
 
@@ -90,10 +90,10 @@ void addElements(const DicomDataset& data, int depth, Redaction& redaction)
         for (unsigned long i = 0; i < layer->card(); ++i) {
             const DcmElement* element = layer->getElement(i);
             const DicomTag tag = (static_cast<DicomTag>(element->getGTag()) << 16) | element->getETag();
-            const Informative informative = informativeOf(element->getVR());
-            if (informative == Informative::Name) {
+            const IdentifierKind informative = identifierKindOf(element->getVR());
+            if (informative == IdentifierKind::Name) {
                 redaction.addName(utf8Text(data, tag));
-            } else if (informative == Informative::Words) {
+            } else if (informative == IdentifierKind::Words) {
                 redaction.addText(utf8Text(data, tag));
             }
         }
@@ -213,7 +213,7 @@ void writeView(std::ostream& out, const core::View& view, std::size_t number)
     writeCamera(out, view);
     out << "  curves given " << (view.target.centerline != nullptr) << ", edited "
         << view.target.editedFrame.has_value() << "; landmarks " << view.landmarks.size() << ", measures "
-        << view.measurements.size() << ", sightings " << view.sightings.size() << ", annotations "
+        << view.measurements.size() << ", sightings " << view.observations.size() << ", annotations "
         << view.annotations.size() << ", snapshots " << view.snapshots.size() << "\n";
     if (view.result) {
         writeResult(out, *view.result);
@@ -261,7 +261,7 @@ void addIdentifiersOfFile(const std::string& path, Redaction& redaction)
     std::string file = path;
     std::error_code failed;
     if (std::filesystem::is_directory(path, failed)) {
-        const auto files = filesInFolder(path, Reach::Below);
+        const auto files = filesInFolder(path, FolderDepth::Recursive);
         if (!files || files.value().empty()) {
             return;
         }

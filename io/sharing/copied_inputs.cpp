@@ -33,7 +33,7 @@ core::Status copied(const fs::path& from, const fs::path& to)
 }
 
 /// Returns the files of a series and of other volumes with the same UID, since separating them again needs all files.
-std::vector<std::string> filesOf(const std::vector<DicomSeries>& all, const DicomSeries& wanted)
+std::vector<std::string> seriesFiles(const std::vector<DicomSeries>& all, const DicomSeries& wanted)
 {
     std::set<std::string> files;
     const std::string uid = wanted.id.substr(0, wanted.id.find('#'));
@@ -49,7 +49,7 @@ std::vector<std::string> filesOf(const std::vector<DicomSeries>& all, const Dico
 
 class InputCopier {
 public:
-    InputCopier(const fs::path& folder, const CopyRequest& request, const ReadObserver& observe)
+    InputCopier(const fs::path& folder, const CopyOptions& request, const ReadObserver& observe)
         : folder_(folder), request_(request), observe_(observe)
     {
     }
@@ -87,7 +87,7 @@ public:
             return image.error();
         }
         view.imageFile = {image.value(), {}};
-        if (request_.deidentified) {
+        if (request_.deidentification) {
             assignNewUids(view);
         }
         const bool isGiven = !view.target.file.path.empty() && !view.target.editedFrame;
@@ -130,7 +130,7 @@ private:
     /// contain hidden text.
     core::Status copyTarget(core::GivenTarget& target, const std::string& name)
     {
-        if (request_.deidentified && target.centerline) {
+        if (request_.deidentification && target.centerline) {
             const std::string place = placeFor(name + ".csv");
             const auto written = writeCenterline2d(*target.centerline, place);
             return written ? named(target.file, place) : written;
@@ -149,12 +149,12 @@ private:
 
     core::Status copyImageFile(const std::string& path, const fs::path& place)
     {
-        if (!request_.deidentified) {
+        if (!request_.deidentification) {
             return copied(path, place);
         }
         std::error_code ignored;
         fs::create_directories(place.parent_path(), ignored);   // an error is reported by the subsequent write
-        const auto done = deidentifyFile(path, place.string(), *request_.deidentified, request_.pseudonyms);
+        const auto done = deidentifyFile(path, place.string(), *request_.deidentification, request_.pseudonyms);
         if (!done) {
             return done.error();
         }
@@ -185,8 +185,9 @@ private:
     {
         auto place = vessels.input.kind == VesselInputKind::Volume
                          ? copyVolume(vessels.file.path, "vessels", vessels.input.seriesId)
-                     : request_.deidentified ? rewritten(vessels)
-                                             : copyPlain(vessels.file.path, "vessels" + extensionOf(vessels.file.path));
+                     : request_.deidentification
+                         ? rewritten(vessels)
+                         : copyPlain(vessels.file.path, "vessels" + extensionOf(vessels.file.path));
         return place ? named(vessels.file, place.value()) : core::Status(place.error());
     }
 
@@ -216,9 +217,9 @@ private:
         }
         if (vessels.input.labels.empty()) {   // the label names, which identified the vessels, are not copied
             const auto overview = readLabelOverview(path);
-            vessels.input.labels = overview ? vesselsByName(overview.value().labels) : std::vector<int>{};
+            vessels.input.labels = overview ? vesselLabelsByName(overview.value().labels) : std::vector<int>{};
         }
-        const auto labels = readLabels(path, partOf(observe_, 0.0, 0.5));
+        const auto labels = readLabels(path, progressPart(observe_, 0.0, 0.5));
         const std::string place = placeFor("vessels.nrrd");
         return labels ? end(writeLabels(labels.value(), place), place) : core::Result<std::string>(labels.error());
     }
@@ -229,7 +230,7 @@ private:
         if (isFolder(path) || isDicomFile(path)) {
             return copySeries(path, name, seriesId);
         }
-        if (!request_.deidentified) {
+        if (!request_.deidentification) {
             return copyPlain(path, name + extensionOf(path));
         }
         const auto volume = readVolume(path, {}, observe_);
@@ -255,14 +256,14 @@ private:
             return fileError(path, messages::nothingToDeidentify());
         }
         std::size_t number = 0;
-        for (const std::string& file : filesOf(all.value(), *wanted)) {
+        for (const std::string& file : seriesFiles(all.value(), *wanted)) {
             const fs::path place = folder_ / name / instanceFileName(++number);
             if (const auto done = copyImageFile(file, place); !done) {
                 return done.error();
             }
         }
         const std::string uid = wanted->id.substr(0, wanted->id.find('#'));
-        if (request_.deidentified) {
+        if (request_.deidentification) {
             seriesId = uid.empty() ? std::string() : request_.pseudonyms.uid(uid) + wanted->id.substr(uid.size());
         } else {
             seriesId = wanted->id;
@@ -271,14 +272,14 @@ private:
     }
 
     const fs::path& folder_;
-    const CopyRequest& request_;
+    const CopyOptions& request_;
     const ReadObserver& observe_;
     core::Messages warnings_;
 };
 
 }   // namespace
 
-core::Result<core::Messages> copyInputs(core::Case& session, const fs::path& folder, const CopyRequest& request,
+core::Result<core::Messages> copyInputs(core::Case& session, const fs::path& folder, const CopyOptions& request,
                                         const ReadObserver& observe)
 {
     InputCopier copier(folder, request, observe);
@@ -290,7 +291,7 @@ core::Result<core::Messages> copyInputs(core::Case& session, const fs::path& fol
             return done.error();
         }
         if (isStopRequested(observe, static_cast<double>(k + 1) / static_cast<double>(session.views.size()))) {
-            return stoppedReading(session.views[k].imageFile.path);
+            return readingCanceled(session.views[k].imageFile.path);
         }
     }
     return std::move(copier).warnings();

@@ -10,8 +10,8 @@
 namespace angiopose::io {
 
 /// Whether inputs are copied into a bundle unchanged or de-identified.
-struct CopyRequest {
-    std::optional<Deidentification> deidentified;
+struct CopyOptions {
+    std::optional<DeidentificationOptions> deidentification;
     const Pseudonyms& pseudonyms;
 };
 
@@ -20,6 +20,6 @@ struct CopyRequest {
 /// of this case. The hashes are computed when the case is saved. Fails if a required input cannot be copied; omits
 /// optional inputs with a warning.
 core::Result<core::Messages> copyInputs(core::Case& session, const std::filesystem::path& folder,
-                                        const CopyRequest& request, const ReadObserver& observe);
+                                        const CopyOptions& request, const ReadObserver& observe);
 
 }   // namespace angiopose::io

@@ -1,7 +1,7 @@
 #include "io/sharing/pack_case.h"
 
 #include "io/case/case_file.h"
-#include "io/case/nameless_case.h"
+#include "io/case/deidentified_case.h"
 #include "io/messages/messages.h"
 #include "io/sharing/zip_archive.h"
 #include "io/support/file_error.h"
@@ -64,7 +64,7 @@ std::optional<core::Message> difference(const core::Case& from, const core::Case
 }   // namespace
 
 core::Result<core::Messages> packCase(const core::Case& session, const std::string& archivePath,
-                                      const CopyRequest& request, const ReadObserver& observe)
+                                      const CopyOptions& request, const ReadObserver& observe)
 {
     if (extensionOf(archivePath) != ".zip") {
         return fileError(archivePath, messages::packedFormat());
@@ -74,13 +74,13 @@ core::Result<core::Messages> packCase(const core::Case& session, const std::stri
         return made.error();
     }
     core::Case packed = session;
-    auto copied = copyInputs(packed, scratch.path(), request, partOf(observe, 0.0, 0.4));
+    auto copied = copyInputs(packed, scratch.path(), request, progressPart(observe, 0.0, 0.4));
     if (!copied) {
         return copied.error();
     }
     core::Messages warnings = std::move(copied).value();
-    if (request.deidentified) {
-        if (const std::size_t count = clearTexts(packed); count > 0) {
+    if (request.deidentification) {
+        if (const std::size_t count = removeTexts(packed); count > 0) {
             warnings.push_back(messages::textsCleared(count));
         }
     }
@@ -89,12 +89,13 @@ core::Result<core::Messages> packCase(const core::Case& session, const std::stri
         return saved.error();
     }
     core::Messages ofPacked;
-    const auto reopened = loadCase(packedPath, ofPacked, partOf(observe, 0.4, 0.95));
+    const auto reopened = loadCase(packedPath, ofPacked, progressPart(observe, 0.4, 0.95));
     if (!reopened) {
         return reopened.isStopped() ? reopened.error()
                                     : fileError(archivePath, messages::packedDiffers(reopened.error().message));
     }
-    const bool mayPixelsDiffer = request.deidentified && request.deidentified->letters == DrawnLetters::BlackedOut;
+    const bool mayPixelsDiffer =
+        request.deidentification && request.deidentification->letters == BurnedInTextPolicy::Masked;
     if (const auto differs = difference(session, reopened.value(), mayPixelsDiffer)) {
         return fileError(archivePath, messages::packedDiffers(*differs));
     }
@@ -103,14 +104,14 @@ core::Result<core::Messages> packCase(const core::Case& session, const std::stri
 }
 
 core::Result<core::Messages> packCaseFile(const std::string& casePath, const std::string& archivePath,
-                                          const CopyRequest& request, const ReadObserver& observe)
+                                          const CopyOptions& request, const ReadObserver& observe)
 {
     core::Messages warnings;
-    const auto loaded = loadCase(casePath, warnings, partOf(observe, 0.0, 0.4));
+    const auto loaded = loadCase(casePath, warnings, progressPart(observe, 0.0, 0.4));
     if (!loaded) {
         return loaded.error();
     }
-    auto packed = packCase(loaded.value(), archivePath, request, partOf(observe, 0.4, 1.0));
+    auto packed = packCase(loaded.value(), archivePath, request, progressPart(observe, 0.4, 1.0));
     if (!packed) {
         return packed.error();
     }

@@ -12,10 +12,10 @@ namespace angiopose::io {
 /// pixels, vessels and results are complete. Warnings name what needs review. Leaves no files behind on failure or
 /// cancellation.
 core::Result<core::Messages> packCase(const core::Case& session, const std::string& archivePath,
-                                      const CopyRequest& request, const ReadObserver& observe = {});
+                                      const CopyOptions& request, const ReadObserver& observe = {});
 
 /// Opens a case file and packs it in the same way; the warnings include those from opening the case.
 core::Result<core::Messages> packCaseFile(const std::string& casePath, const std::string& archivePath,
-                                          const CopyRequest& request, const ReadObserver& observe = {});
+                                          const CopyOptions& request, const ReadObserver& observe = {});
 
 }   // namespace angiopose::io

@@ -1,8 +1,8 @@
 #include "io/sharing/redaction.h"
 
-#include "io/sharing/known_words.h"
-#include "io/support/system/machine_facts.h"
-#include "io/support/system/own_process.h"
+#include "io/sharing/vocabulary.h"
+#include "io/support/system/current_process.h"
+#include "io/support/system/machine_info.h"
 
 #include <algorithm>
 #include <array>
@@ -11,11 +11,11 @@ namespace angiopose::io {
 namespace {
 
 constexpr std::size_t minWordBytes = 3;
-constexpr std::size_t boundlessBytes = 6;   // minimum length of identifiers that are removed even inside other words
+constexpr std::size_t minSubstringBytes = 6;   // minimum length of identifiers that are removed even inside other words
 constexpr char hidden = '\x01';   // stands for a removed identifier until all identifiers are found
 
 /// Technical words that are common in descriptions and file names.
-constexpr std::array<std::string_view, 64> tradeWords{
+constexpr std::array<std::string_view, 64> technicalWords{
     "angio",   "angiogram", "angiography", "angiopose", "arteries", "artery",  "artefact", "brain",
     "case",    "cases",     "contrast",    "coronary",  "curves",   "data",    "dicom",    "edited",
     "file",    "files",     "frame",       "frames",    "head",     "heart",   "home",     "image",
@@ -30,21 +30,23 @@ constexpr std::array<std::string_view, 34> fileEndings{
     ".log",       ".mha", ".mhd", ".mp4", ".nii",  ".nrrd", ".obj", ".pdf",  ".ply", ".png",  ".raw", ".stl",
     ".svg",       ".swc", ".tfm", ".tif", ".tiff", ".txt",  ".vtk", ".vtp",  ".xml", ".zip"};
 
-bool isTradeWord(std::string_view folded)
+bool isTechnicalWord(std::string_view folded)
 {
     const auto isEnding = [folded](std::string_view ending) { return ending.substr(1) == folded; };
-    return std::ranges::find(tradeWords, folded) != tradeWords.end() || std::ranges::any_of(fileEndings, isEnding);
+    return std::ranges::find(technicalWords, folded) != technicalWords.end() ||
+           std::ranges::any_of(fileEndings, isEnding);
 }
 
 bool isBound(std::string_view text, std::size_t at, std::size_t size)
 {
-    return (at == 0 || !isOfWord(text[at - 1])) && (at + size >= text.size() || !isOfWord(text[at + size]));
+    return (at == 0 || !isWordCharacter(text[at - 1])) &&
+           (at + size >= text.size() || !isWordCharacter(text[at + size]));
 }
 
 void hide(const std::string& identifier, std::string& text, std::string& folded)
 {
     for (std::size_t at = 0; (at = folded.find(identifier, at)) != std::string::npos;) {
-        if (identifier.size() < boundlessBytes && !isBound(folded, at, identifier.size())) {
+        if (identifier.size() < minSubstringBytes && !isBound(folded, at, identifier.size())) {
             at += identifier.size();
             continue;
         }
@@ -61,12 +63,12 @@ bool isSeparator(char c)
 }
 
 /// Returns "[file]" with the extension for a file name, "[path]" for a path; empty for any other word.
-std::string placeOf(std::string_view word)
+std::string pathPlaceholder(std::string_view word)
 {
     while (word.ends_with('.') || word.ends_with(':')) {
         word.remove_suffix(1);
     }
-    const std::string folded = foldedText(word);
+    const std::string folded = foldCase(word);
     const auto ending = std::ranges::find_if(
         fileEndings, [&](std::string_view end) { return folded.size() > end.size() && folded.ends_with(end); });
     const bool hasFolders = word.find_first_of("/\\") != std::string_view::npos;
@@ -87,7 +89,7 @@ std::string withoutPlaces(std::string_view text)
             ++end;
         }
         std::string_view word = text.substr(at, end - at);
-        const std::string place = placeOf(word);
+        const std::string place = pathPlaceholder(word);
         if (place.empty()) {
             clean += word;
         } else {
@@ -106,7 +108,7 @@ std::string withoutPlaces(std::string_view text)
 
 Redaction::Redaction() : home_(homeFolder())
 {
-    for (const std::string& name : {accountName(), accountFullName(), machineName()}) {
+    for (const std::string& name : {accountName(), accountFullName(), hostName()}) {
         if (name != "localhost") {
             addName(name);
         }
@@ -117,14 +119,14 @@ Redaction::Redaction() : home_(homeFolder())
 void Redaction::add(std::string_view identifier)
 {
     if (identifier.size() >= 2) {
-        identifiers_.insert(foldedText(identifier));
+        identifiers_.insert(foldCase(identifier));
     }
 }
 
 void Redaction::addName(std::string_view name)
 {
     add(name);
-    eachWordOf(name, [this](std::string_view word) {
+    forEachWord(name, [this](std::string_view word) {
         if (word.size() >= minWordBytes) {
             add(word);
         }
@@ -133,13 +135,13 @@ void Redaction::addName(std::string_view name)
 
 void Redaction::addText(std::string_view text)
 {
-    const bool isOfTrade = isTradeWord(foldedText(text));
+    const bool isOfTrade = isTechnicalWord(foldCase(text));
     if (!isOfTrade && text.size() >= minWordBytes) {
         add(text);
     }
-    eachWordOf(text, [this](std::string_view word) {
+    forEachWord(text, [this](std::string_view word) {
         const bool isNumber = std::ranges::all_of(word, [](char c) { return c >= '0' && c <= '9'; });
-        if (word.size() >= (isNumber ? 5 : minWordBytes) && !isTradeWord(foldedText(word))) {
+        if (word.size() >= (isNumber ? 5 : minWordBytes) && !isTechnicalWord(foldCase(word))) {
             add(word);
         }
     });
@@ -154,20 +156,20 @@ void Redaction::addPath(std::string_view path)
     }
 }
 
-std::string Redaction::cleaned(std::string_view text) const
+std::string Redaction::redact(std::string_view text) const
 {
     std::string clean(text);
-    std::string folded = foldedText(clean);
+    std::string folded = foldCase(clean);
     if (home_.size() > 1) {
         for (std::size_t at = 0; (at = clean.find(home_, at)) != std::string::npos;) {
             clean.replace(at, home_.size(), "~");
         }
-        folded = foldedText(clean);
+        folded = foldCase(clean);
     }
     for (const std::string& identifier : identifiers_) {
         hide(identifier, clean, folded);
     }
-    clean = withoutInformativeNumbers(withoutPlaces(clean));
+    clean = redactUidsAndDates(withoutPlaces(clean));
     std::string readable;
     for (const char c : clean) {
         readable += c == hidden ? std::string("[name]") : std::string(1, c);

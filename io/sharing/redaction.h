@@ -20,7 +20,7 @@ public:
     /// Adds every part of a path.
     void addPath(std::string_view path);
 
-    std::string cleaned(std::string_view text) const;
+    std::string redact(std::string_view text) const;
 
 private:
     void add(std::string_view identifier);

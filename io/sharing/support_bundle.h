@@ -9,21 +9,21 @@
 namespace angiopose::io {
 
 /// A file of a support bundle.
-struct SupportText {
+struct SupportFile {
     std::string name;   ///< file name, for example "program.txt"
     std::string text;
 };
 
 /// Returns AngioPose's diagnostics: `program.txt` with the versions and the computer, and the latest crash dumps.
-std::vector<SupportText> programTexts(const std::string& furtherFacts = {});
+std::vector<SupportFile> diagnosticFiles(const std::string& additionalInfo = {});
 
 /// Returns the texts with the identifiers of the redaction removed.
-std::vector<SupportText> cleaned(std::vector<SupportText> texts, const Redaction& redaction);
+std::vector<SupportFile> redact(std::vector<SupportFile> texts, const Redaction& redaction);
 
 /// Joins all texts, each under its file name, so that the user can review them before the bundle is written.
-std::string asOneText(const std::vector<SupportText>& texts);
+std::string joinTexts(const std::vector<SupportFile>& texts);
 
 /// Atomically writes the texts into a ZIP archive.
-core::Status writeSupportBundle(const std::vector<SupportText>& texts, const std::string& archivePath);
+core::Status writeSupportBundle(const std::vector<SupportFile>& texts, const std::string& archivePath);
 
 }   // namespace angiopose::io

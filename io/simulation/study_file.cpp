@@ -54,7 +54,7 @@ public:
     }
 
     /// Fails if the object has members that were not read. Must be called last.
-    core::Status noOthers() const
+    core::Status rejectUnknownKeys() const
     {
         for (const auto& [key, value] : object_.items()) {
             if (std::ranges::find(known_, key) == known_.end()) {
@@ -82,7 +82,7 @@ private:
         }
         const double number = value.get<double>();
         if (!(number >= row.least && number <= row.most)) {
-            const auto limit = [](double given) { return core::Quantity{given, core::Quantity::asNeeded}; };
+            const auto limit = [](double given) { return core::Quantity{given, core::Quantity::significantDigits}; };
             return fileError(path_, messages::studyOutOfRange(row.key, where_, limit(row.least), limit(row.most)));
         }
         if (const auto* real = std::get_if<double*>(&row.place)) {
@@ -130,7 +130,7 @@ core::Result<core::StudyTree> treeFrom(const Json& json, const std::string& wher
     if (auto status = reader.numbers({{"rootRadiusMm", &tree.grown.rootRadiusMm, 0.3, 20}}); !status) {
         return status.error();
     }
-    const auto status = reader.noOthers();
+    const auto status = reader.rejectUnknownKeys();
     return status ? core::Result<core::StudyTree>(std::move(tree)) : core::Result<core::StudyTree>(status.error());
 }
 
@@ -146,7 +146,7 @@ core::Status headerFrom(const Json& json, const std::string& where, const std::s
         !status) {
         return status;
     }
-    return reader.noOthers();
+    return reader.rejectUnknownKeys();
 }
 
 core::Status timingFrom(const Json& json, const std::string& where, const std::string& path,
@@ -165,7 +165,7 @@ core::Status timingFrom(const Json& json, const std::string& where, const std::s
         !status) {
         return status;
     }
-    return reader.noOthers();
+    return reader.rejectUnknownKeys();
 }
 
 core::Result<core::StudySetting> settingFrom(const Json& json, const std::string& where, const std::string& path)
@@ -201,7 +201,7 @@ core::Result<core::StudySetting> settingFrom(const Json& json, const std::string
             return status.error();
         }
     }
-    const auto status = reader.noOthers();
+    const auto status = reader.rejectUnknownKeys();
     return status ? core::Result<core::StudySetting>(std::move(setting))
                   : core::Result<core::StudySetting>(status.error());
 }
@@ -265,7 +265,7 @@ core::Result<core::SimulatedStudy> studyFrom(const Json& json, const std::string
     status = status ? readList(reader, "trees", path, treeFrom, study.trees) : status;
     status = status ? readList(reader, "settings", path, settingFrom, study.settings) : status;
     status = status ? findTwins(study.settings, path) : status;
-    status = status ? reader.noOthers() : status;
+    status = status ? reader.rejectUnknownKeys() : status;
     return status ? core::Result<core::SimulatedStudy>(std::move(study))
                   : core::Result<core::SimulatedStudy>(status.error());
 }

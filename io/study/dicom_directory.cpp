@@ -1,7 +1,7 @@
 #include "io/study/dicom_directory.h"
 
-#include "io/dicom/dicom_gate.h"
 #include "io/dicom/dicom_text.h"
+#include "io/dicom/element_filter.h"
 #include "io/messages/messages.h"
 #include "io/study/file_start.h"
 #include "io/support/file_error.h"
@@ -39,7 +39,7 @@ using Records = std::map<std::size_t, Record>;   // records, keyed by the offset
 /// Returns the offset behind the delimiter `end` that closes the elements from `at` on; nullopt if it is missing.
 std::optional<std::size_t> closedAt(std::string_view bytes, std::size_t at, DicomTag end, int depth)
 {
-    while (const auto head = at <= bytes.size() ? readHead(bytes.substr(at), encoding) : std::nullopt) {
+    while (const auto head = at <= bytes.size() ? readElementHeader(bytes.substr(at), encoding) : std::nullopt) {
         at += head->size;
         if (head->tag == end) {
             return at;
@@ -68,7 +68,7 @@ std::size_t placeIn(const DicomDataset& data, DicomTag tag)
 Record recordOf(std::string_view elements)
 {
     Record record;
-    record.data = readElements(passElements(elements, encoding).elements, encoding);
+    record.data = readElements(filterElements(elements, encoding).elements, encoding);
     record.next = placeIn(record.data, nextRecordTag);
     record.lower = placeIn(record.data, lowerRecordTag);
     record.isInUse = record.data.integer(inUseTag).value_or(0xffff) != 0;
@@ -84,7 +84,7 @@ std::optional<Records> recordsIn(std::string_view bytes, std::size_t at, std::ui
         return std::nullopt;
     }
     while (at < end) {
-        const auto head = readHead(bytes.substr(at), encoding);
+        const auto head = readElementHeader(bytes.substr(at), encoding);
         if (head && head->tag == sequenceEndTag && length == openLength) {
             return records;
         }
@@ -104,9 +104,9 @@ std::optional<Records> recordsIn(std::string_view bytes, std::size_t at, std::ui
 }
 
 /// Returns the file to which a record and its parent records refer.
-ListedFile listedFile(const DicomDataset& data)
+DirectoryEntry listedFile(const DicomDataset& data)
 {
-    ListedFile file;
+    DirectoryEntry file;
     for (std::size_t i = 0;; ++i) {
         const std::string_view part = data.text(fileTag, i);
         if (part.empty()) {
@@ -122,13 +122,13 @@ ListedFile listedFile(const DicomDataset& data)
 }
 
 /// Follows the links from the first record; returns nullopt if a record is missing, visited twice or never reached.
-std::optional<std::vector<ListedFile>> follow(const Records& records, std::size_t first)
+std::optional<std::vector<DirectoryEntry>> follow(const Records& records, std::size_t first)
 {
     struct Step {
         std::size_t place;
         DicomDataset above;
     };
-    std::vector<ListedFile> files;
+    std::vector<DirectoryEntry> files;
     std::map<std::size_t, bool> met;
     std::vector<Step> steps;
     if (first != 0) {
@@ -161,9 +161,9 @@ std::optional<std::vector<ListedFile>> follow(const Records& records, std::size_
 
 }   // namespace
 
-core::Result<std::vector<ListedFile>> readDicomDirectory(const std::string& path)
+core::Result<std::vector<DirectoryEntry>> readDicomDirectory(const std::string& path)
 {
-    const auto read = readStart(path, maxDirectoryBytes);
+    const auto read = readFileStart(path, maxDirectoryBytes);
     if (!read) {
         return read.error();
     }
@@ -173,7 +173,7 @@ core::Result<std::vector<ListedFile>> readDicomDirectory(const std::string& path
     }
     std::size_t first = 0;
     for (std::size_t at = bodyAt; at < bytes.size();) {
-        const auto head = readHead(bytes.substr(at), encoding);
+        const auto head = readElementHeader(bytes.substr(at), encoding);
         if (!head) {
             break;
         }
@@ -197,7 +197,7 @@ core::Result<std::vector<ListedFile>> readDicomDirectory(const std::string& path
     return fileError(path, messages::directoryNoRecords());
 }
 
-std::string comparableName(std::string name)
+std::string normalizedFileName(std::string name)
 {
     std::ranges::transform(name, name.begin(),
                            [](char c) { return static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c); });

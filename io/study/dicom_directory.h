@@ -9,7 +9,7 @@
 namespace angiopose::io {
 
 /// A file listed in a DICOMDIR, with the values of its records.
-struct ListedFile {
+struct DirectoryEntry {
     std::string name;   ///< path relative to the folder of the DICOMDIR, with components joined by '/'
     core::StudyIdentity identity;
     std::string studyDescription;
@@ -19,10 +19,10 @@ struct ListedFile {
 
 /// Returns the files of a DICOMDIR (PS3.3 F.3) in the order of its record tree. Fails if records are damaged or linked
 /// inconsistently; the caller should then read the files themselves.
-core::Result<std::vector<ListedFile>> readDicomDirectory(const std::string& path);
+core::Result<std::vector<DirectoryEntry>> readDicomDirectory(const std::string& path);
 
 /// Normalizes a file name so that names in the disc's file system and in its DICOMDIR compare equal: without version
 /// suffix and in a single letter case.
-std::string comparableName(std::string name);
+std::string normalizedFileName(std::string name);
 
 }   // namespace angiopose::io

@@ -13,7 +13,7 @@ constexpr std::size_t blockSize = std::size_t{1} << 20;
 
 }   // namespace
 
-core::Result<FileStart> readStart(const std::string& path, std::size_t size, const ReadObserver& observe)
+core::Result<FileStart> readFileStart(const std::string& path, std::size_t size, const ReadObserver& observe)
 {
     ReadHandle file(path);
     if (!file.isOpen()) {
@@ -31,7 +31,7 @@ core::Result<FileStart> readStart(const std::string& path, std::size_t size, con
     start.bytes.resize(wanted);
     for (std::size_t at = 0; at < wanted;) {
         if (isStopRequested(observe, static_cast<double>(at) / static_cast<double>(wanted))) {
-            return stoppedReading(path);
+            return readingCanceled(path);
         }
         const std::size_t got = file.read(start.bytes.data() + at, std::min(blockSize, wanted - at));
         if (got == 0) {

@@ -14,10 +14,10 @@ struct FileStart {
     std::string bytes;
     std::size_t fileSize = 0;
 
-    bool isWhole() const { return bytes.size() >= fileSize; }
+    bool isComplete() const { return bytes.size() >= fileSize; }
 };
 
 /// Reads at most `size` bytes. Fails if the file is not readable, and on cancellation.
-core::Result<FileStart> readStart(const std::string& path, std::size_t size, const ReadObserver& observe = {});
+core::Result<FileStart> readFileStart(const std::string& path, std::size_t size, const ReadObserver& observe = {});
 
 }   // namespace angiopose::io

@@ -25,7 +25,7 @@ constexpr auto listedEvery = std::chrono::milliseconds(300);
 constexpr int groupingShare = 10;   ///< minimum interval between regroupings, in multiples of the time that one takes
 
 /// Whether a file may be an image; false for the viewers and web pages that discs contain in addition to images.
-bool canBeImage(const std::string& path)
+bool mayBeImage(const std::string& path)
 {
     static constexpr std::array<std::string_view, 24> others{
         ".exe", ".dll", ".htm", ".html", ".txt", ".pdf", ".inf", ".ico", ".jar", ".xml", ".css", ".js",
@@ -56,7 +56,7 @@ public:
     {
         std::error_code failed;
         fs::directory_iterator at(folder, fs::directory_options::skip_permission_denied, failed);
-        for (; !failed && at != fs::directory_iterator() && !isEnough_; at.increment(failed)) {
+        for (; !failed && at != fs::directory_iterator() && !isFinished_; at.increment(failed)) {
             std::error_code unknown;
             if (at->is_directory(unknown) && !at->is_symlink(unknown)) {
                 if (depth < maxFolderDepth) {
@@ -74,13 +74,13 @@ public:
     void note(const std::string& path)
     {
         if (files_.size() >= maxFiles) {
-            tree_.isCutOff = true;
-            isEnough_ = true;
+            tree_.isTruncated = true;
+            isFinished_ = true;
             return;
         }
         files_.push_back(path);
         tree_.foundFiles = files_.size();
-        isEnough_ = files_.size() % 64 == 0 && isStopped();
+        isFinished_ = files_.size() % 64 == 0 && isStopped();
     }
 
     /// Keeps only files that the DICOMDIR lists, and records what is missing or not listed.
@@ -94,8 +94,8 @@ public:
         }
         const std::map<std::string, std::string> there = namesBelow(fs::path(directoryPath).parent_path());
         std::set<std::string> wanted, series;
-        for (const ListedFile& file : listed.value()) {
-            const auto found = there.find(comparableName(file.name));
+        for (const DirectoryEntry& file : listed.value()) {
+            const auto found = there.find(normalizedFileName(file.name));
             if (found != there.end()) {
                 wanted.insert(found->second);
             } else {
@@ -107,7 +107,7 @@ public:
         check.files = listed.value().size();
         check.series = series.size();
         check.unlistedFiles = static_cast<std::size_t>(std::ranges::count_if(files_, [&](const std::string& path) {
-            return !wanted.contains(path) && !isDicomDirectory(path) && canBeImage(path);
+            return !wanted.contains(path) && !isDicomDirectory(path) && mayBeImage(path);
         }));
         files_.assign(wanted.begin(), wanted.end());
         tree_.foundFiles = files_.size();
@@ -172,7 +172,7 @@ private:
     bool isStopped()
     {
         const StudyProgress progress{tree_.readFiles, tree_.foundFiles, shown_};
-        tree_.isStopped = tree_.isStopped || (observe_ && observe_(progress) == core::Verdict::Stop);
+        tree_.isStopped = tree_.isStopped || (observe_ && observe_(progress) == core::ObserverDecision::Stop);
         return tree_.isStopped;
     }
 
@@ -181,14 +181,15 @@ private:
     {
         std::map<std::string, std::string> names;
         for (const std::string& path : files_) {
-            names.emplace(comparableName(fs::path(path).lexically_relative(folder).generic_string()), path);
+            names.emplace(normalizedFileName(fs::path(path).lexically_relative(folder).generic_string()), path);
         }
         return names;
     }
 
     const StudyObserver& observe_;
     std::vector<std::string> files_;
-    bool isEnough_ = false;   ///< whether the scan ends because it was canceled or reached the maximum number of files
+    bool isFinished_ =
+        false;   ///< whether the scan ends because it was canceled or reached the maximum number of files
     StudyCollector collector_;
     StudyTree tree_;
     std::shared_ptr<const StudyTree> shown_;
@@ -213,10 +214,10 @@ std::string directoryIn(const std::string& folder)
 
 bool isDicomDirectory(const std::string& path)
 {
-    return comparableName(fs::path(path).filename().string()) == "dicomdir";
+    return normalizedFileName(fs::path(path).filename().string()) == "dicomdir";
 }
 
-core::Result<StudyTree> readStudies(const std::string& place, StudyReach reach, const StudyObserver& observe)
+core::Result<StudyTree> readStudies(const std::string& place, StudyScope reach, const StudyObserver& observe)
 {
     std::error_code unknown;
     const bool isFile = fs::is_regular_file(place, unknown);
@@ -227,7 +228,7 @@ core::Result<StudyTree> readStudies(const std::string& place, StudyReach reach, 
     if (auto found = scan.find(folder); !found) {
         return found.error();
     }
-    if (!directory.empty() && reach == StudyReach::Listed) {
+    if (!directory.empty() && reach == StudyScope::Listed) {
         scan.keepListed(directory);
     }
     scan.dropDirectories();

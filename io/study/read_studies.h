@@ -1,7 +1,7 @@
 #pragma once
 
+#include "core/support/observer_decision.h"
 #include "core/support/result.h"
-#include "core/support/verdict.h"
 #include "io/study/study_tree.h"
 
 #include <functional>
@@ -12,7 +12,7 @@
 namespace angiopose::io {
 
 /// Which files are read: those that a DICOMDIR lists, if there is one, or all files of the folder.
-enum class StudyReach { Listed, AllFiles };
+enum class StudyScope { Listed, AllFiles };
 
 struct StudyProgress {
     std::size_t read = 0;
@@ -20,11 +20,11 @@ struct StudyProgress {
     std::shared_ptr<const StudyTree> tree;   ///< content read so far; initially null
 };
 
-using StudyObserver = std::function<core::Verdict(const StudyProgress&)>;
+using StudyObserver = std::function<core::ObserverDecision(const StudyProgress&)>;
 
 /// Lists the content of a folder, a disc or a DICOMDIR (given by the file or its folder). Reads only headers. Reports
 /// damaged files and skips them. On Stop, returns what was found so far. Fails if the folder itself cannot be read.
-core::Result<StudyTree> readStudies(const std::string& place, StudyReach reach, const StudyObserver& observe = {});
+core::Result<StudyTree> readStudies(const std::string& place, StudyScope reach, const StudyObserver& observe = {});
 
 /// Lists the content of several folders as if they were one; at least one folder is required.
 core::Result<StudyTree> readSeriesFolders(const std::vector<std::string>& folders, const StudyObserver& observe = {});

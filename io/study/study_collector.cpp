@@ -117,13 +117,13 @@ void StudyCollector::add(StudyFile file)
     images_.push_back(std::move(file.images));
 }
 
-const StudyCollector::Facts* StudyCollector::factsOf(const std::string& path) const
+const StudyCollector::SeriesAttributes* StudyCollector::attributesOf(const std::string& path) const
 {
     const auto found = facts_.find(path);
     return found == facts_.end() ? nullptr : &found->second;
 }
 
-void StudyCollector::judge(StudySeries& each, const Facts& facts) const
+void StudyCollector::determineUse(StudySeries& each, const SeriesAttributes& facts) const
 {
     const std::string& modality = each.series.identity.modality;
     each.bodyPart = facts.bodyPart;
@@ -151,8 +151,8 @@ std::vector<StudySeries> StudyCollector::seriesWithImages() const
     for (DicomSeries& series : groupSlices(images_)) {
         StudySeries& each = all.emplace_back();
         each.series = std::move(series);
-        if (const Facts* facts = factsOf(each.series.slices.front().path)) {
-            judge(each, *facts);
+        if (const SeriesAttributes* facts = attributesOf(each.series.slices.front().path)) {
+            determineUse(each, *facts);
         }
     }
     findPlaces(all);
@@ -188,9 +188,9 @@ std::vector<StudySeries> StudyCollector::seriesWithoutImages() const
 }
 
 /// Counts the missing files of a DICOMDIR per series; adds a series of which all files are missing.
-void StudyCollector::noteMissing(std::vector<StudySeries>& all) const
+void StudyCollector::countMissingFiles(std::vector<StudySeries>& all) const
 {
-    for (const ListedFile& file : missing_) {
+    for (const DirectoryEntry& file : missing_) {
         const auto isOfIt = [&](const StudySeries& each) {
             return each.series.identity.seriesUid == file.identity.seriesUid;
         };
@@ -211,11 +211,12 @@ void StudyCollector::noteMissing(std::vector<StudySeries>& all) const
 std::string StudyCollector::studyDescriptionOf(const StudySeries& each) const
 {
     if (!each.series.slices.empty()) {
-        const Facts* facts = factsOf(each.series.slices.front().path);
+        const SeriesAttributes* facts = attributesOf(each.series.slices.front().path);
         return facts ? facts->studyDescription : std::string();
     }
-    const auto listed = std::ranges::find_if(
-        missing_, [&](const ListedFile& file) { return file.identity.seriesUid == each.series.identity.seriesUid; });
+    const auto listed = std::ranges::find_if(missing_, [&](const DirectoryEntry& file) {
+        return file.identity.seriesUid == each.series.identity.seriesUid;
+    });
     return listed == missing_.end() ? std::string() : listed->studyDescription;
 }
 
@@ -223,7 +224,7 @@ StudyTree StudyCollector::tree() const
 {
     std::vector<StudySeries> all = seriesWithImages();
     std::ranges::move(seriesWithoutImages(), std::back_inserter(all));
-    noteMissing(all);
+    countMissingFiles(all);
     StudyTree tree;
     for (StudySeries& each : all) {
         const core::StudyIdentity identity = each.series.identity;

@@ -14,14 +14,14 @@ namespace angiopose::io {
 class StudyCollector {
 public:
     void add(StudyFile file);
-    void addMissing(const ListedFile& file) { missing_.push_back(file); }
+    void addMissing(const DirectoryEntry& file) { missing_.push_back(file); }
 
     /// Returns the study tree of everything added so far. The caller sets the file counts.
     StudyTree tree() const;
 
 private:
     /// Attributes of a series in addition to its images.
-    struct Facts {
+    struct SeriesAttributes {
         std::string studyDescription, bodyPart, imageType, transferSyntax;
         int frames = 1;
         int samples = 1;
@@ -30,15 +30,15 @@ private:
 
     std::vector<StudySeries> seriesWithImages() const;
     std::vector<StudySeries> seriesWithoutImages() const;
-    void noteMissing(std::vector<StudySeries>& all) const;
-    void judge(StudySeries& series, const Facts& facts) const;
-    const Facts* factsOf(const std::string& path) const;
+    void countMissingFiles(std::vector<StudySeries>& all) const;
+    void determineUse(StudySeries& series, const SeriesAttributes& facts) const;
+    const SeriesAttributes* attributesOf(const std::string& path) const;
     std::string studyDescriptionOf(const StudySeries& series) const;
 
     std::vector<DicomImages> images_;
     std::vector<DicomImages> withoutImage_;   ///< objects without an image, for example reports, with their file paths
-    std::map<std::string, Facts> facts_;   ///< attributes, keyed by file path
-    std::vector<ListedFile> missing_;
+    std::map<std::string, SeriesAttributes> facts_;   ///< attributes, keyed by file path
+    std::vector<DirectoryEntry> missing_;
 };
 
 }   // namespace angiopose::io

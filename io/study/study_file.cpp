@@ -17,7 +17,7 @@ constexpr std::size_t maxHeaderBytes = std::size_t{64} << 20;
 constexpr std::string_view deflatedSyntax = "1.2.840.10008.1.2.1.99";
 
 /// Reports a file that is too short for the uncompressed pixels declared in its header.
-std::optional<core::Message> findCut(const DicomFile& file, const FileStart& start)
+std::optional<core::Message> findTruncation(const DicomFile& file, const FileStart& start)
 {
     const auto pixels = file.pixels.find(pixelDataTag);
     if (pixels == file.pixels.end() || pixels->second.isEncapsulated || file.transferSyntax == deflatedSyntax) {
@@ -43,7 +43,7 @@ StudyFile studyFileOf(const DicomFile& file, const FileStart& start, const std::
     StudyFile result;
     result.path = path;
     result.images = imagesOf(file, path);
-    result.images.damage = file.pixels.empty() ? file.damage : findCut(file, start);
+    result.images.damage = file.pixels.empty() ? file.damage : findTruncation(file, start);
     result.studyDescription = utf8Text(data, 0x00081030);
     result.bodyPart = utf8Text(data, 0x00180015);
     result.imageType = data.text(0x00080008);
@@ -82,7 +82,7 @@ bool isSayingDicom(std::string_view bytes)
 core::Result<std::optional<StudyFile>> readStudyFile(const std::string& path)
 {
     for (std::size_t size = firstBytes;; size *= growth) {
-        auto read = readStart(path, size);
+        auto read = readFileStart(path, size);
         if (!read) {
             return read.error();
         }
@@ -94,7 +94,7 @@ core::Result<std::optional<StudyFile>> readStudyFile(const std::string& path)
             return std::optional<StudyFile>();
         }
         const auto parsed = parseDicom(start.bytes, path);
-        const bool isLast = start.isWhole() || size >= maxHeaderBytes;
+        const bool isLast = start.isComplete() || size >= maxHeaderBytes;
         if (parsed && (isLast || !parsed.value().pixels.empty())) {
             return std::optional(studyFileOf(parsed.value(), start, path));
         }

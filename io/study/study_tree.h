@@ -61,7 +61,7 @@ struct StudyTree {
     std::vector<DamagedFile> damaged;   ///< damaged files, including those that were read in part
     std::optional<DirectoryCheck> directory;
     bool isStopped = false;   ///< whether the user canceled, so that the list may be incomplete
-    bool isCutOff = false;   ///< whether the folder contains more files than the maximum
+    bool isTruncated = false;   ///< whether the folder contains more files than the maximum
 };
 
 }   // namespace angiopose::io

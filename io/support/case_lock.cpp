@@ -1,6 +1,6 @@
 #include "io/support/case_lock.h"
 
-#include "io/support/system/own_process.h"
+#include "io/support/system/current_process.h"
 
 #include <chrono>
 #include <filesystem>
@@ -18,11 +18,11 @@ CaseLock::CaseLock(const std::string& casePath) : path_(lockPathOf(casePath))
 {
     constexpr int tries = 3;   // an attempt fails only if another program removes its lock at that moment
     for (int i = 0; i < tries && !file_.isOpen(); ++i) {
-        HeldFile file(path_, HeldFile::Way::Write);
-        if (!file.isOpen() || file.holdAlone() != HeldFile::Held::Mine) {
+        LockableFile file(path_, LockableFile::OpenMode::Write);
+        if (!file.isOpen() || file.lockExclusive() != LockableFile::LockState::Acquired) {
             return;
         }
-        if (file.isStillAt(path_)) {
+        if (file.isStillLinkedAt(path_)) {
             file.setText(lockText());   // the file remains empty if the drive is full
             file_ = std::move(file);
         }
@@ -42,25 +42,25 @@ CaseLock::~CaseLock()
 {
     if (file_.isOpen()) {
         std::error_code ignored;
-        std::filesystem::remove(
-            path_, ignored);   // removed while still locked, so that no other process locks a deleted file
+        std::filesystem::remove(path_,
+                                ignored);   // removed while still locked, so that no other process locks a deleted file
     }
 }
 
-std::optional<LockHolder> holderOf(const std::string& casePath)
+std::optional<LockHolder> lockHolderOf(const std::string& casePath)
 {
-    const HeldFile file(lockPathOf(casePath), HeldFile::Way::Read);
-    if (!file.isOpen() || file.holdWithOthers() != HeldFile::Held::ByAnother) {
+    const LockableFile file(lockPathOf(casePath), LockableFile::OpenMode::Read);
+    if (!file.isOpen() || file.lockShared() != LockableFile::LockState::HeldByOther) {
         return std::nullopt;
     }
     const std::optional<LockHolder> holder = parseLock(file.text());
-    return holder ? holder : LockHolder{0, machineName()};
+    return holder ? holder : LockHolder{0, hostName()};
 }
 
-FolderTurn::FolderTurn(const std::string& folder) : folder_(folder, HeldFile::Way::Folder)
+FolderLock::FolderLock(const std::string& folder) : folder_(folder, LockableFile::OpenMode::Folder)
 {
     const auto end = std::chrono::steady_clock::now() + longestTurnWait;
-    while (folder_.isOpen() && folder_.holdAlone() == HeldFile::Held::ByAnother &&
+    while (folder_.isOpen() && folder_.lockExclusive() == LockableFile::LockState::HeldByOther &&
            std::chrono::steady_clock::now() < end) {
         std::this_thread::sleep_for(std::chrono::milliseconds(5));
     }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "io/support/own_leftovers.h"
-#include "io/support/system/held_file.h"
+#include "io/support/system/lockable_file.h"
 
 #include <optional>
 #include <string>
@@ -23,20 +23,20 @@ public:
 
 private:
     std::string path_;
-    HeldFile file_;
+    LockableFile file_;
 };
 
 /// Returns who else has a case open: another program, or another `CaseLock` in this process. Ignores stale locks.
-std::optional<LockHolder> holderOf(const std::string& casePath);
+std::optional<LockHolder> lockHolderOf(const std::string& casePath);
 
 /// Exclusive access to a folder across programs. The constructor waits for other programs for at most two seconds. Has
 /// no effect if the file system does not support locks.
-class FolderTurn {
+class FolderLock {
 public:
-    explicit FolderTurn(const std::string& folder);
+    explicit FolderLock(const std::string& folder);
 
 private:
-    HeldFile folder_;
+    LockableFile folder_;
 };
 
 }   // namespace angiopose::io

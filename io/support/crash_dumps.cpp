@@ -63,9 +63,9 @@ fs::path crashFolder()
     return stateFolder() / "crashes";
 }
 
-void beginCrashDumps(const std::string& program)
+void enableCrashDumps(const std::string& program)
 {
-    writeCrashDumps({program, ANGIOPOSE_VERSION, crashFolder().string()});
+    installCrashHandler({program, ANGIOPOSE_VERSION, crashFolder().string()});
     const std::vector<fs::path> dumps = crashDumps();
     for (std::size_t i = keptDumps; i < dumps.size(); ++i) {
         std::error_code ignored;
@@ -86,7 +86,7 @@ std::vector<fs::path> crashDumps(const std::string& program)
     return dumps;
 }
 
-std::string readableDump(const fs::path& dump)
+std::string demangledDump(const fs::path& dump)
 {
     std::ifstream file(dump);
     std::string text;

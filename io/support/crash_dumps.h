@@ -15,12 +15,12 @@ std::filesystem::path crashFolder();
 
 /// Makes crashes of `program` write a dump to the user's `crashFolder` (system/crash_handler.h), and deletes all but
 /// the newest few dumps. Must be called at program start.
-void beginCrashDumps(const std::string& program);
+void enableCrashDumps(const std::string& program);
 
 /// Returns the dumps of a program, newest first; those of all programs if `program` is empty.
 std::vector<std::filesystem::path> crashDumps(const std::string& program = {});
 
 /// Returns the text of a dump with demangled function names.
-std::string readableDump(const std::filesystem::path& dump);
+std::string demangledDump(const std::filesystem::path& dump);
 
 }   // namespace angiopose::io

@@ -107,7 +107,7 @@ std::string csvCell(std::string_view text)
     return quoted + "\"";
 }
 
-core::Result<double> numberAt(const CsvTable& table, std::size_t row, std::size_t column)
+core::Result<double> numberInCell(const CsvTable& table, std::size_t row, std::size_t column)
 {
     const std::string_view cell = table.rows[row][column];
     const std::optional<double> value = parseNumber(cell);
@@ -118,7 +118,7 @@ core::Result<double> numberAt(const CsvTable& table, std::size_t row, std::size_
     return fileError(table.path, messages::tableNoNumber(table.lineOfRow[row], name, cell.substr(0, 40)));
 }
 
-core::Result<int> branchAt(const CsvTable& table, std::size_t row, std::size_t column)
+core::Result<int> branchIdInCell(const CsvTable& table, std::size_t row, std::size_t column)
 {
     if (const auto id = parseInteger(table.rows[row][column])) {
         return *id;

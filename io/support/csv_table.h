@@ -15,14 +15,14 @@ namespace angiopose::io {
 /// `for (TextLines lines(text); lines.next();) { use(lines.line(), lines.number()); }`
 class TextLines {
 public:
-    explicit TextLines(std::string_view text) : rest_(text) {}
+    explicit TextLines(std::string_view text) : remaining_(text) {}
 
     bool next()
     {
-        while (!rest_.empty()) {
-            const std::size_t end = std::min(rest_.find('\n'), rest_.size());
-            line_ = trimmed(rest_.substr(0, end));
-            rest_.remove_prefix(std::min(end + 1, rest_.size()));
+        while (!remaining_.empty()) {
+            const std::size_t end = std::min(remaining_.find('\n'), remaining_.size());
+            line_ = trimmed(remaining_.substr(0, end));
+            remaining_.remove_prefix(std::min(end + 1, remaining_.size()));
             ++number_;
             if (!line_.empty() && line_.front() != '#') {
                 return true;
@@ -35,7 +35,7 @@ public:
     int number() const { return number_; }   ///< line number in the file, starting at 1
 
 private:
-    std::string_view rest_;
+    std::string_view remaining_;
     std::string_view line_;
     int number_ = 0;
 };
@@ -59,9 +59,9 @@ core::Result<CsvTable> parseCsv(std::string_view text, const std::string& path);
 std::string csvCell(std::string_view text);
 
 /// Returns the number in a cell; fails unless it is finite. The error names the line and the column.
-core::Result<double> numberAt(const CsvTable& table, std::size_t row, std::size_t column);
+core::Result<double> numberInCell(const CsvTable& table, std::size_t row, std::size_t column);
 
 /// Returns the branch ID in a cell; the error for an invalid ID names the line.
-core::Result<int> branchAt(const CsvTable& table, std::size_t row, std::size_t column);
+core::Result<int> branchIdInCell(const CsvTable& table, std::size_t row, std::size_t column);
 
 }   // namespace angiopose::io

@@ -7,10 +7,10 @@
 
 namespace angiopose::io {
 
-enum class Reach { FolderOnly, Below };
+enum class FolderDepth { TopLevel, Recursive };
 
 /// Lists the regular files of a folder (and some levels of subfolders), sorted by name, without the DICOMDIR of a disc.
 /// Fails if the folder cannot be read or contains more files than any study.
-core::Result<std::vector<std::string>> filesInFolder(const std::string& folder, Reach reach);
+core::Result<std::vector<std::string>> filesInFolder(const std::string& folder, FolderDepth reach);
 
 }   // namespace angiopose::io

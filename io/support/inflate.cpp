@@ -6,11 +6,11 @@
 
 namespace angiopose::io {
 
-std::optional<std::string> inflated(std::string_view packed, Packing packing, std::size_t maxBytes)
+std::optional<std::string> decompress(std::string_view packed, CompressionFormat packing, std::size_t maxBytes)
 {
     z_stream stream{};
     // zlib windowBits: 15 with +16 for a gzip header; negative for raw deflate data.
-    if (packed.size() > maxBytes || inflateInit2(&stream, packing == Packing::Gzip ? 15 + 16 : -15) != Z_OK) {
+    if (packed.size() > maxBytes || inflateInit2(&stream, packing == CompressionFormat::Gzip ? 15 + 16 : -15) != Z_OK) {
         return std::nullopt;
     }
     stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(packed.data()));
@@ -31,7 +31,7 @@ std::optional<std::string> inflated(std::string_view packed, Packing packing, st
     return content;
 }
 
-std::string inflatedStart(std::string_view packed, std::size_t bytes)
+std::string decompressStart(std::string_view packed, std::size_t bytes)
 {
     z_stream stream{};
     if (inflateInit2(&stream, 15 + 16) != Z_OK) {

@@ -6,12 +6,12 @@
 
 namespace angiopose::io {
 
-enum class Packing { Gzip, RawDeflate };
+enum class CompressionFormat { Gzip, RawDeflate };
 
 /// Returns the decompressed content; nullopt if the data are damaged, truncated or larger than `maxBytes`.
-std::optional<std::string> inflated(std::string_view packed, Packing packing, std::size_t maxBytes);
+std::optional<std::string> decompress(std::string_view packed, CompressionFormat packing, std::size_t maxBytes);
 
 /// Returns the first `bytes` of a gzip file's content, or as many as can be decompressed.
-std::string inflatedStart(std::string_view packed, std::size_t bytes);
+std::string decompressStart(std::string_view packed, std::size_t bytes);
 
 }   // namespace angiopose::io

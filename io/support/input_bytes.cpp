@@ -17,7 +17,7 @@ namespace {
 /// Returns why the path is not a readable file. Called before opening, since opening a pipe would block forever.
 std::optional<core::Message> findObstacle(const std::string& path)
 {
-    const FileFacts facts = factsOf(path);
+    const FileStatus facts = fileStatus(path);
     switch (facts.kind) {
         case FileKind::Missing:
             return messages::fileMissing();
@@ -93,7 +93,7 @@ constexpr std::array signatures = {
 
 std::optional<core::Message> findReadError(const char* mapping, std::size_t size)
 {
-    const auto fault = faultOfMapping(mapping, size);
+    const auto fault = findMappingFault(mapping, size);
     return fault ? std::optional<core::Message>(messages::fileNotRead(*fault)) : std::nullopt;
 }
 

@@ -9,7 +9,7 @@
 
 namespace angiopose::io {
 
-std::string buildFacts()
+std::string buildInfo()
 {
 #ifdef NDEBUG
     const std::string kind = "without assertions";

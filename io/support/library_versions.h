@@ -5,6 +5,6 @@
 namespace angiopose::io {
 
 /// Returns the compiler, the build type and the libraries of this layer and those below as "key: value" lines.
-std::string buildFacts();
+std::string buildInfo();
 
 }   // namespace angiopose::io

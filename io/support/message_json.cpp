@@ -61,7 +61,7 @@ core::MessageArgument argumentOf(const MessageJson& json)
 {
     if (json.is_object()) {
         return core::Quantity{json.at("value").is_null() ? std::nan("") : json.at("value").get<double>(),
-                              json.value("decimals", 0), lasting(json.value("unit", std::string())).data()};
+                              json.value("decimals", 0), persistentText(json.value("unit", std::string())).data()};
     }
     if (!json.is_array()) {
         return json.get<std::string>();
@@ -103,7 +103,7 @@ core::Message messageOf(const MessageJson& json)
 {
     const core::Severity severity = severityOf(json.value("severity", std::string()));
     const core::MessageEntry* entry = findEntry(json.at("id").get<std::string>());
-    if (!entry || json.at("arguments").size() != core::placesIn(entry->english)) {
+    if (!entry || json.at("arguments").size() != core::placeholderCount(entry->english)) {
         return core::Message::verbatim(json.value("text", std::string())).as(severity);
     }
     std::vector<core::MessageArgument> arguments;
@@ -123,7 +123,7 @@ std::string textOf(const MessageJson& json)
 
 }   // namespace
 
-std::string_view lasting(const std::string& text)
+std::string_view persistentText(const std::string& text)
 {
     static std::mutex mutex;
     static std::set<std::string> texts;   // a set, because its elements keep their addresses
@@ -145,7 +145,7 @@ std::string messagesJson(const core::Messages& messages)
     return textOf(list);
 }
 
-core::Messages messagesFrom(std::string_view json)
+core::Messages parseMessages(std::string_view json)
 {
     core::Messages messages;
     for (const MessageJson& each : MessageJson::parse(json)) {

@@ -10,7 +10,7 @@ namespace angiopose::io {
 
 /// Returns a null-terminated copy of the text that lives until the program ends, for names that are expected to be
 /// literals. Thread-safe.
-std::string_view lasting(const std::string& text);
+std::string_view persistentText(const std::string& text);
 
 /// Returns `{"id", "severity", "text", "subject", "arguments"}` for other programs: `text` is the English sentence,
 /// `subject` the file or key concerned, if any; numbers are `{"value", "unit", "decimals"}`.
@@ -20,7 +20,7 @@ std::string messageJson(const core::Message& message);
 std::string messagesJson(const core::Messages& messages);
 
 /// Parses messages written by messagesJson; throws std::exception on anything else.
-core::Messages messagesFrom(std::string_view json);
+core::Messages parseMessages(std::string_view json);
 
 /// Returns only the English sentences of the messages.
 std::vector<std::string> sentencesOf(const core::Messages& messages);

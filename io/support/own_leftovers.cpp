@@ -1,8 +1,8 @@
 #include "io/support/own_leftovers.h"
 
 #include "io/support/numbers.h"
-#include "io/support/system/held_file.h"
-#include "io/support/system/own_process.h"
+#include "io/support/system/current_process.h"
+#include "io/support/system/lockable_file.h"
 
 #include <array>
 #include <cstdint>
@@ -19,13 +19,13 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view temporaryMark = ".angiopose-";
 constexpr std::string_view lockEnding = ".angiopose-lock";
-constexpr std::size_t longestStem = 180;   // bytes; a file name may have 255
+constexpr std::size_t maxStemBytes = 180;   // bytes; a file name may have 255
 
 /// Returns eight digits that distinguish computers sharing a folder.
-std::string machineTag()
+std::string hostTag()
 {
     std::uint32_t hash = 2166136261U;   // FNV-1a hash
-    for (const char letter : machineName()) {
+    for (const char letter : hostName()) {
         hash = (hash ^ static_cast<unsigned char>(letter)) * 16777619U;
     }
     std::array<char, 16> digits;
@@ -40,7 +40,7 @@ bool isLockName(const fs::path& path)
 }
 
 /// Returns the ID of the process on this computer that created a temporary file; 0 if the file was created otherwise.
-int makerOf(std::string_view name, std::string_view tag)
+int creatorProcess(std::string_view name, std::string_view tag)
 {
     const std::size_t at = name.rfind(temporaryMark);
     if (!name.starts_with('.') || at == std::string_view::npos || at == 0) {
@@ -57,18 +57,18 @@ int makerOf(std::string_view name, std::string_view tag)
 }
 
 /// Whether a lock file names a process of this computer that is no longer running.
-bool isOfTheDead(const HeldFile& lockFile)
+bool isStaleLock(const LockableFile& lockFile)
 {
     const auto holder = parseLock(lockFile.text());
-    return holder && holder->machine == machineName() && !isAlive(holder->process);
+    return holder && holder->machine == hostName() && !isProcessRunning(holder->process);
 }
 
 /// Removes a leftover file that no process has locked; returns whether the file was removed.
-bool removeUnheld(const fs::path& path)
+bool removeIfUnlocked(const fs::path& path)
 {
-    const HeldFile file(path.string(), HeldFile::Way::Read);
-    const bool isUnheld =
-        file.isOpen() && file.holdAlone() == HeldFile::Held::Mine && (!isLockName(path) || isOfTheDead(file));
+    const LockableFile file(path.string(), LockableFile::OpenMode::Read);
+    const bool isUnheld = file.isOpen() && file.lockExclusive() == LockableFile::LockState::Acquired &&
+                          (!isLockName(path) || isStaleLock(file));
     std::error_code failed;
     return isUnheld && fs::remove(path, failed);
 }
@@ -77,7 +77,7 @@ bool removeUnheld(const fs::path& path)
 
 std::string lockText()
 {
-    return std::to_string(ownProcessId()) + "\n" + machineName() + "\n";
+    return std::to_string(currentProcessId()) + "\n" + hostName() + "\n";
 }
 
 std::optional<LockHolder> parseLock(std::string_view text)
@@ -93,9 +93,9 @@ std::optional<LockHolder> parseLock(std::string_view text)
 std::string temporaryPatternFor(const std::string& target)
 {
     const fs::path path(target);
-    const std::string stem = path.filename().string().substr(0, longestStem);
-    return (path.parent_path() /
-            ("." + stem + std::string(temporaryMark) + machineTag() + "-" + std::to_string(ownProcessId()) + "-XXXXXX"))
+    const std::string stem = path.filename().string().substr(0, maxStemBytes);
+    return (path.parent_path() / ("." + stem + std::string(temporaryMark) + hostTag() + "-" +
+                                  std::to_string(currentProcessId()) + "-XXXXXX"))
         .string();
 }
 
@@ -109,19 +109,19 @@ std::string lockPathOf(const std::string& casePath)
 
 int removeLeftovers(const std::string& folder)
 {
-    const std::string tag = machineTag();
+    const std::string tag = hostTag();
     std::vector<fs::path> leftovers;
     std::error_code failed;
     for (fs::directory_iterator at(folder, failed), end; !failed && at != end; at.increment(failed)) {
         const std::string name = at->path().filename().string();
-        const int maker = makerOf(name, tag);
-        if (isLockName(at->path()) || (maker != 0 && !isAlive(maker))) {
+        const int maker = creatorProcess(name, tag);
+        if (isLockName(at->path()) || (maker != 0 && !isProcessRunning(maker))) {
             leftovers.push_back(at->path());
         }
     }
     int gone = 0;
     for (const fs::path& path : leftovers) {
-        gone += removeUnheld(path) ? 1 : 0;
+        gone += removeIfUnlocked(path) ? 1 : 0;
     }
     return gone;
 }

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "core/support/observer_decision.h"
 #include "core/support/result.h"
-#include "core/support/verdict.h"
 #include "io/messages/messages.h"
 
 #include <functional>
@@ -11,21 +11,21 @@ namespace angiopose::io {
 
 /// Called several times per second while a large input is read, with the completed fraction (0…1, never decreasing).
 /// Returning Stop cancels reading and discards what was read.
-using ReadObserver = std::function<core::Verdict(double fraction)>;
+using ReadObserver = std::function<core::ObserverDecision(double fraction)>;
 
 inline bool isStopRequested(const ReadObserver& observe, double fraction)
 {
-    return observe && observe(fraction) == core::Verdict::Stop;
+    return observe && observe(fraction) == core::ObserverDecision::Stop;
 }
 
 /// Returns the outcome of a canceled read.
-inline core::Stopped stoppedReading(const std::string& path)
+inline core::Cancellation readingCanceled(const std::string& path)
 {
     return {messages::readingStopped().about(path)};
 }
 
 /// Returns an observer that maps its progress to the part of `observe` from `first` to `last`.
-inline ReadObserver partOf(const ReadObserver& observe, double first, double last)
+inline ReadObserver progressPart(const ReadObserver& observe, double first, double last)
 {
     if (!observe) {
         return {};

@@ -9,12 +9,12 @@
 
 namespace angiopose::io {
 
-ScratchFolder::ScratchFolder(const std::string& besideFile)
+ScratchFolder::ScratchFolder(const std::string& targetFile)
 {
     std::random_device random;
     std::array<char, 32> name{};
     std::snprintf(name.data(), name.size(), ".angiopose-%08x%08x", random(), random());
-    path_ = std::filesystem::absolute(besideFile).parent_path() / name.data();
+    path_ = std::filesystem::absolute(targetFile).parent_path() / name.data();
 }
 
 ScratchFolder::~ScratchFolder()

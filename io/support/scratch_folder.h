@@ -10,7 +10,7 @@ namespace angiopose::io {
 /// Temporary folder next to the target file, hence on the same volume; the destructor removes it.
 class ScratchFolder {
 public:
-    explicit ScratchFolder(const std::string& besideFile);
+    explicit ScratchFolder(const std::string& targetFile);
     ~ScratchFolder();
     ScratchFolder(const ScratchFolder&) = delete;
     ScratchFolder& operator=(const ScratchFolder&) = delete;

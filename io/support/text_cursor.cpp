@@ -13,26 +13,26 @@ constexpr std::string_view blanks = " \t\r\n\v\f";
 
 bool TextCursor::isAtEnd() const
 {
-    return rest_.find_first_not_of(blanks) == std::string_view::npos;
+    return remaining_.find_first_not_of(blanks) == std::string_view::npos;
 }
 
 std::string_view TextCursor::taken(std::size_t count)
 {
-    const std::string_view result = rest_.substr(0, count);
-    rest_.remove_prefix(result.size());
+    const std::string_view result = remaining_.substr(0, count);
+    remaining_.remove_prefix(result.size());
     return result;
 }
 
 std::string_view TextCursor::line()
 {
-    const std::size_t end = rest_.find('\n');
+    const std::size_t end = remaining_.find('\n');
     return trimmed(taken(end == std::string_view::npos ? end : end + 1));
 }
 
 std::string_view TextCursor::word()
 {
-    taken(std::min(rest_.find_first_not_of(blanks), rest_.size()));
-    return taken(std::min(rest_.find_first_of(blanks), rest_.size()));
+    taken(std::min(remaining_.find_first_not_of(blanks), remaining_.size()));
+    return taken(std::min(remaining_.find_first_of(blanks), remaining_.size()));
 }
 
 std::optional<Eigen::Vector3d> TextCursor::point()

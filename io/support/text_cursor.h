@@ -9,10 +9,10 @@ namespace angiopose::io {
 /// Reads a file word by word.
 class TextCursor {
 public:
-    explicit TextCursor(std::string_view content) : rest_(content) {}
+    explicit TextCursor(std::string_view content) : remaining_(content) {}
 
     bool isAtEnd() const;
-    std::size_t left() const { return rest_.size(); }   ///< number of remaining bytes
+    std::size_t left() const { return remaining_.size(); }   ///< number of remaining bytes
 
     std::string_view line();   ///< text up to the next line end, trimmed
     std::string_view word();   ///< next word, delimited by blanks; empty at the end
@@ -21,7 +21,7 @@ public:
 private:
     std::string_view taken(std::size_t count);
 
-    std::string_view rest_;
+    std::string_view remaining_;
 };
 
 }   // namespace angiopose::io

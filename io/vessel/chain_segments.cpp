@@ -13,8 +13,8 @@ using Segment = std::pair<std::size_t, std::size_t>;
 /// Graph over point indices, built from the segments with the same ID and name.
 class SegmentGraph {
 public:
-    SegmentGraph(const std::set<Segment>& segments, const std::set<std::size_t>& meetings)
-        : unused_(segments), meetings_(meetings)
+    SegmentGraph(const std::set<Segment>& segments, const std::set<std::size_t>& junctions)
+        : unused_(segments), junctions_(junctions)
     {
         for (const auto& [from, to] : segments) {
             neighbors_[from].push_back(to);
@@ -40,7 +40,7 @@ public:
     }
 
 private:
-    bool isEnd(std::size_t point) const { return neighbors_.at(point).size() != 2 || meetings_.contains(point); }
+    bool isEnd(std::size_t point) const { return neighbors_.at(point).size() != 2 || junctions_.contains(point); }
 
     void follow(std::size_t start, std::size_t second, std::vector<std::vector<std::size_t>>& result)
     {
@@ -60,7 +60,7 @@ private:
 
     std::map<std::size_t, std::vector<std::size_t>> neighbors_;
     std::set<Segment> unused_;
-    const std::set<std::size_t>& meetings_;
+    const std::set<std::size_t>& junctions_;
 };
 
 }   // namespace
@@ -86,7 +86,7 @@ LineSet chainSegments(const LineSet& set)
     chained.ids.clear();
     chained.names.clear();
     for (const auto& [key, segments] : segmentsOf) {
-        for (std::vector<std::size_t>& chain : SegmentGraph(segments, set.meetings).chains()) {
+        for (std::vector<std::size_t>& chain : SegmentGraph(segments, set.junctions).chains()) {
             chained.lines.push_back(std::move(chain));
             if (!set.ids.empty()) {
                 chained.ids.push_back(key.first);

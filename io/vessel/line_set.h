@@ -19,12 +19,12 @@ struct LineSet {
     std::vector<int> ids;   ///< one ID per line, not necessarily unique; or empty
     std::vector<std::string> names;   ///< one name per line, or empty
     core::Messages warnings;
-    std::set<std::size_t> meetings;   ///< indices of points at which branches end, even if only two lines meet there
+    std::set<std::size_t> junctions;   ///< indices of points at which branches end, even if only two lines meet there
     bool hasSurface = false;   ///< whether the file also contains polygons
 };
 
 /// Vessel tree, with the warnings of its reader.
-struct ReadTree {
+struct LoadedTree {
     core::VesselTree tree;
     core::Messages warnings;
     bool isUnitStated = false;   ///< whether the file states its unit
@@ -37,13 +37,13 @@ inline constexpr std::size_t maxCenterlineBranches = 5'000;
 /// Converts a line set in LPS mm to branches: cuts lines at leaps or rotates their point order, chains two-point
 /// segments, keeps shared trunks once, and makes IDs unique. Fails if indices are out of range, values are NaN, there
 /// are no lines, or findProblem(tree) reports a problem.
-core::Result<ReadTree> treeFromLines(LineSet set, const std::string& path);
+core::Result<LoadedTree> treeFromLines(LineSet set, const std::string& path);
 
 /// Joins two-point segments into the longest chains without a bifurcation or meeting point; longer lines stay
 /// unchanged. Never joins lines with different IDs or names.
 LineSet chainSegments(const LineSet& set);
 
 /// Returns a name that every format can store: a single line, trimmed, with control characters replaced by blanks.
-std::string branchName(std::string_view text);
+std::string sanitizedBranchName(std::string_view text);
 
 }   // namespace angiopose::io

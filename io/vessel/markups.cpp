@@ -17,7 +17,7 @@ using Json = nlohmann::ordered_json;
 
 /// Returns how to convert the control points of a Slicer markup to LPS mm. Accepts the unit as a word or as [code,
 /// scheme, meaning], and the axes in upper or lower case. The error for an unsupported unit or axes names the value.
-core::Result<CoordinateRule> ruleOf(const Json& markup, const std::string& path)
+core::Result<CoordinateConversion> ruleOf(const Json& markup, const std::string& path)
 {
     const std::string system = markup.value("coordinateSystem", "LPS");
     const std::string axes = lowered(system);
@@ -32,14 +32,14 @@ core::Result<CoordinateRule> ruleOf(const Json& markup, const std::string& path)
     if (!unitMm) {
         return fileError(path, messages::markupsUnit(unit.substr(0, 20)));
     }
-    CoordinateRule rule;
+    CoordinateConversion rule;
     rule.unitMm = *unitMm;
     rule.isRas = axes == "ras";
     return rule;
 }
 
 /// Returns the point; nullopt if the point is not placed. Throws if the JSON does not describe a point.
-std::optional<Eigen::Vector3d> placedPoint(const Json& control, const CoordinateRule& rule)
+std::optional<Eigen::Vector3d> placedPoint(const Json& control, const CoordinateConversion& rule)
 {
     const auto position = control.find("position");
     if (lowered(control.value("positionStatus", "defined")) != "defined" || position == control.end() ||
@@ -68,7 +68,7 @@ bool isCurve(const Json& markup)
 }
 
 /// Appends a curve; returns the number of its points that are not placed.
-std::size_t appendCurve(const Json& markup, const CoordinateRule& rule, LineSet& set)
+std::size_t appendCurve(const Json& markup, const CoordinateConversion& rule, LineSet& set)
 {
     std::vector<std::size_t> line;
     std::size_t notPlaced = 0;
@@ -85,7 +85,7 @@ std::size_t appendCurve(const Json& markup, const CoordinateRule& rule, LineSet&
     return notPlaced;
 }
 
-void appendFiducials(const Json& markup, const CoordinateRule& rule, std::vector<Fiducial>& fiducials)
+void appendFiducials(const Json& markup, const CoordinateConversion& rule, std::vector<Fiducial>& fiducials)
 {
     for (const Json& control : markup.at("controlPoints")) {
         if (const auto point = placedPoint(control, rule)) {

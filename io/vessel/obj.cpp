@@ -36,7 +36,7 @@ core::Result<VtkLines> parseObj(std::string_view content, const std::string& pat
             while (!words.isAtEnd()) {
                 polygon.push_back(pointIndex(words.word(), points.size()));
             }
-            addFan(polygon, surface.triangles);
+            addTriangleFan(polygon, surface.triangles);
         }
     }
     return surface;

@@ -172,7 +172,7 @@ void appendPieces(const VesselBranch& line, Run run, std::vector<std::size_t> cu
 
 }   // namespace
 
-std::vector<VesselBranch> withoutSharedTrunks(const std::vector<VesselBranch>& lines)
+std::vector<VesselBranch> splitSharedTrunks(const std::vector<VesselBranch>& lines)
 {
     std::vector<CurveIndex> indices;
     std::vector<std::vector<Run>> runsOfLine;

@@ -154,12 +154,13 @@ std::string headerText(std::string_view content)
     return text;
 }
 
-core::Result<CoordinateRule> coordinateRule(std::string_view header, double askedUnitMm, const std::string& path)
+core::Result<CoordinateConversion> coordinateConversion(std::string_view header, double requestedUnitMm,
+                                                        const std::string& path)
 {
-    if (!std::isfinite(askedUnitMm) || askedUnitMm < 0.0) {
+    if (!std::isfinite(requestedUnitMm) || requestedUnitMm < 0.0) {
         return fileError(path, messages::fileWrongUnit());
     }
-    CoordinateRule rule;
+    CoordinateConversion rule;
     std::optional<StatedUnit> stated;
     std::string axes;
     for (TextCursor lines(header); lines.left() > 0;) {
@@ -176,9 +177,9 @@ core::Result<CoordinateRule> coordinateRule(std::string_view header, double aske
     }
     rule.isRas = axes == "RAS";
     rule.isUnitStated = stated.has_value();
-    rule.unitMm = askedUnitMm > 0.0 ? askedUnitMm : stated ? stated->unitMm : 1.0;
+    rule.unitMm = requestedUnitMm > 0.0 ? requestedUnitMm : stated ? stated->unitMm : 1.0;
     if (stated && (stated->unitMm != 1.0 || rule.unitMm != 1.0)) {
-        const auto inMm = [](double mm) { return core::Quantity{mm, core::Quantity::asNeeded, "mm"}; };
+        const auto inMm = [](double mm) { return core::Quantity{mm, core::Quantity::significantDigits, "mm"}; };
         const bool isOverruled = std::abs(rule.unitMm - stated->unitMm) > 1e-9 * rule.unitMm;
         rule.notes.push_back(isOverruled
                                  ? messages::unitOverruled(stated->words, inMm(stated->unitMm), inMm(rule.unitMm))

@@ -16,7 +16,7 @@ std::optional<double> lengthUnitMm(std::string_view word);
 std::string headerText(std::string_view content);
 
 /// Conversion from the coordinates of a file to patient LPS, mm.
-struct CoordinateRule {
+struct CoordinateConversion {
     double unitMm = 1.0;
     bool isUnitStated = false;   ///< whether the file states its unit
     bool isRas = false;
@@ -28,8 +28,9 @@ struct CoordinateRule {
     }
 };
 
-/// Derives the conversion from the header; `askedUnitMm` takes precedence if above 0. Fails if the unit is unknown or
-/// the axes are neither LPS nor RAS.
-core::Result<CoordinateRule> coordinateRule(std::string_view header, double askedUnitMm, const std::string& path);
+/// Derives the conversion from the header; `requestedUnitMm` takes precedence if above 0. Fails if the unit is unknown
+/// or the axes are neither LPS nor RAS.
+core::Result<CoordinateConversion> coordinateConversion(std::string_view header, double requestedUnitMm,
+                                                        const std::string& path);
 
 }   // namespace angiopose::io

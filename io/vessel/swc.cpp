@@ -38,7 +38,7 @@ constexpr int meetingType = 5;
 constexpr std::string_view meetingNote = "type 5 where branches meet";   // other programs may use type 5 differently
 
 /// Attachment point of a branch end: the nearest row already written.
-struct Hook {
+struct Attachment {
     int row = -1;
     double distanceMm = std::numeric_limits<double>::max();
 
@@ -52,8 +52,8 @@ struct Hook {
 
 struct PendingBranch {
     core::VesselBranch branch;
-    Hook front;
-    Hook back;
+    Attachment front;
+    Attachment back;
 
     double distanceMm() const { return std::min(front.distanceMm, back.distanceMm); }
 
@@ -108,7 +108,7 @@ public:
     /// branches that touch written rows, then the next separate component.
     std::string run()
     {
-        leadToForks();
+        closeBifurcationGaps();
         while (!pending_.empty()) {
             auto next = std::ranges::min_element(pending_, {}, &PendingBranch::distanceMm);
             next = next->distanceMm() <= touchMm ? next : pending_.begin();
@@ -122,7 +122,7 @@ public:
 private:
     /// Closes gaps at bifurcations: if several branches start at one point that no other branch reaches, extends a
     /// nearby branch end to this point.
-    void leadToForks()
+    void closeBifurcationGaps()
     {
         for (std::size_t i = 0; i < pending_.size(); ++i) {
             const Eigen::Vector3d fork = pending_[i].branch.pointsInPatient.front();
@@ -208,7 +208,7 @@ core::Result<LineSet> parseSwc(std::string_view text, const std::string& path)
             return fileError(path, messages::swcIdTwice(lines.number()));
         }
         if (saysMeetings && (*row)[1] == meetingType) {
-            set.meetings.insert(set.points.size());
+            set.junctions.insert(set.points.size());
         }
         set.points.emplace_back((*row)[2], (*row)[3], (*row)[4]);
         set.radius.push_back((*row)[5]);

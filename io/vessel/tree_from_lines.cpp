@@ -38,7 +38,7 @@ std::optional<core::Message> findDamage(const LineSet& set)
 VesselBranch branchOf(const LineSet& set, std::size_t line)
 {
     VesselBranch branch;
-    branch.name = set.names.empty() ? std::string() : branchName(set.names[line]);
+    branch.name = set.names.empty() ? std::string() : sanitizedBranchName(set.names[line]);
     for (const std::size_t index : set.lines[line]) {
         branch.pointsInPatient.push_back(set.points[index]);
         if (!set.radius.empty()) {
@@ -59,15 +59,15 @@ double stepMm(const LineSet& set, const std::vector<std::size_t>& line, std::siz
 }
 
 /// Steps of a line that are much longer than its median step; `at` holds the indices of the points after these steps.
-struct Leaps {
+struct Jumps {
     std::vector<std::size_t> at;
     double usualMm = 0.0;
     double longestMm = 0.0;
 };
 
-Leaps leapsOf(const LineSet& set, const std::vector<std::size_t>& line)
+Jumps findJumps(const LineSet& set, const std::vector<std::size_t>& line)
 {
-    constexpr double shortestLeapMm = 5.0, leapSteps = 10.0;
+    constexpr double minJumpMm = 5.0, leapSteps = 10.0;
     std::vector<double> steps;
     for (std::size_t i = 1; i < line.size(); ++i) {
         steps.push_back(stepMm(set, line, i));
@@ -75,14 +75,14 @@ Leaps leapsOf(const LineSet& set, const std::vector<std::size_t>& line)
             return {};
         }
     }
-    Leaps leaps;
+    Jumps leaps;
     if (steps.size() > 1) {
         const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
         std::nth_element(steps.begin(), middle, steps.end());
         leaps.usualMm = *middle;
     }
     for (std::size_t i = 1; i < line.size() && steps.size() > 1; ++i) {
-        if (const double step = stepMm(set, line, i); step > std::max(shortestLeapMm, leapSteps * leaps.usualMm)) {
+        if (const double step = stepMm(set, line, i); step > std::max(minJumpMm, leapSteps * leaps.usualMm)) {
             leaps.at.push_back(i);
             leaps.longestMm = std::max(leaps.longestMm, step);
         }
@@ -92,7 +92,7 @@ Leaps leapsOf(const LineSet& set, const std::vector<std::size_t>& line)
 
 /// Repairs leaps: if the start of a line is stored after its end, rotates the point order; otherwise cuts the line at
 /// its leaps, which connect separate vessels. Two-point segments are not changed.
-void mendLeaps(LineSet& set)
+void repairJumps(LineSet& set)
 {
     constexpr double joiningSteps = 3.0;
     LineSet mended;
@@ -100,7 +100,7 @@ void mendLeaps(LineSet& set)
     double longestMm = 0.0;
     for (std::size_t k = 0; k < set.lines.size(); ++k) {
         std::vector<std::size_t>& line = set.lines[k];
-        Leaps leaps = leapsOf(set, line);
+        Jumps leaps = findJumps(set, line);
         if (leaps.at.size() == 1 &&
             (set.points[line.back()] - set.points[line.front()]).norm() <= joiningSteps * leaps.usualMm) {
             std::ranges::rotate(line, line.begin() + static_cast<std::ptrdiff_t>(leaps.at.front()));
@@ -148,7 +148,7 @@ void numberBranches(std::vector<VesselBranch>& branches, bool hasIds)
 
 }   // namespace
 
-std::string branchName(std::string_view text)
+std::string sanitizedBranchName(std::string_view text)
 {
     std::string name(text);
     std::replace_if(
@@ -156,12 +156,12 @@ std::string branchName(std::string_view text)
     return std::string(trimmed(name));
 }
 
-core::Result<ReadTree> treeFromLines(LineSet set, const std::string& path)
+core::Result<LoadedTree> treeFromLines(LineSet set, const std::string& path)
 {
     if (const auto damage = findDamage(set)) {
         return fileError(path, *damage);
     }
-    mendLeaps(set);
+    repairJumps(set);
     set = chainSegments(set);
     core::VesselTree tree;
     for (std::size_t i = 0; i < set.lines.size(); ++i) {
@@ -184,12 +184,12 @@ core::Result<ReadTree> treeFromLines(LineSet set, const std::string& path)
     if (tree.branches.size() > maxCenterlineBranches) {
         return fileError(path, messages::treeTooManyLines(tree.branches.size(), maxCenterlineBranches));
     }
-    tree.branches = withoutSharedTrunks(tree.branches);
+    tree.branches = splitSharedTrunks(tree.branches);
     numberBranches(tree.branches, !set.ids.empty());
     if (const auto problem = core::findProblem(tree)) {
         return fileError(path, *problem);
     }
-    return ReadTree{std::move(tree), std::move(set.warnings)};
+    return LoadedTree{std::move(tree), std::move(set.warnings)};
 }
 
 }   // namespace angiopose::io

@@ -47,7 +47,7 @@ core::Result<TreeRow> parseRow(const CsvTable& table, std::size_t row, const Tre
     TreeRow content;
     const std::array<std::size_t, 3> axes = {columns.x, columns.y, columns.z};
     for (std::size_t axis = 0; axis < axes.size(); ++axis) {
-        const auto value = numberAt(table, row, axes[axis]);
+        const auto value = numberInCell(table, row, axes[axis]);
         if (!value) {
             return value.error();
         }
@@ -61,7 +61,7 @@ core::Result<TreeRow> parseRow(const CsvTable& table, std::size_t row, const Tre
         content.label = cells[*columns.label];
     }
     if (columns.branch) {
-        const auto id = branchAt(table, row, *columns.branch);
+        const auto id = branchIdInCell(table, row, *columns.branch);
         if (!id) {
             return id.error();
         }
@@ -89,7 +89,7 @@ std::string withoutSeparators(std::string name)
 {
     std::replace_if(
         name.begin(), name.end(), [](char c) { return c == ',' || c == '"'; }, ' ');
-    return branchName(name);
+    return sanitizedBranchName(name);
 }
 
 }   // namespace

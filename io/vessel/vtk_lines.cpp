@@ -26,7 +26,7 @@ const std::vector<double>* findArray(const std::map<std::string, std::vector<dou
 
 }   // namespace
 
-void addFan(const std::vector<std::size_t>& corners, std::vector<Triangle>& triangles)
+void addTriangleFan(const std::vector<std::size_t>& corners, std::vector<Triangle>& triangles)
 {
     const auto index = [&corners](std::size_t k) {
         return static_cast<std::uint32_t>(std::min<std::size_t>(corners[k], std::numeric_limits<std::uint32_t>::max()));

@@ -15,7 +15,7 @@ namespace angiopose::io {
 using Triangle = std::array<std::uint32_t, 3>;
 
 /// Splits a polygon into triangles that share its first corner.
-void addFan(const std::vector<std::size_t>& corners, std::vector<Triangle>& triangles);
+void addTriangleFan(const std::vector<std::size_t>& corners, std::vector<Triangle>& triangles);
 
 /// Lines of a VTK file, before radii and IDs are selected from its arrays.
 struct VtkLines {

@@ -56,19 +56,19 @@ void addLine(PointIds ids, std::size_t cell, VtkLines& lines)
 }
 
 /// Adds the triangles of a strip; reverses every second one, so that all have the same orientation.
-void addStrip(const PointIds& ids, VtkLines& lines)
+void addTriangleStrip(const PointIds& ids, VtkLines& lines)
 {
     lines.set.hasSurface = true;
     for (std::size_t k = 2; k < ids.size(); ++k) {
         const bool isTurned = k % 2 == 1;
-        addFan({ids[k - 2], ids[isTurned ? k : k - 1], ids[isTurned ? k - 1 : k]}, lines.triangles);
+        addTriangleFan({ids[k - 2], ids[isTurned ? k : k - 1], ids[isTurned ? k - 1 : k]}, lines.triangles);
     }
 }
 
 void addPolygon(const PointIds& ids, VtkLines& lines)
 {
     lines.set.hasSurface = true;
-    addFan(ids, lines.triangles);
+    addTriangleFan(ids, lines.triangles);
 }
 
 bool addCells(vtkPolyData* data, VtkLines& lines)
@@ -77,7 +77,7 @@ bool addCells(vtkPolyData* data, VtkLines& lines)
     auto cell = static_cast<std::size_t>(data->GetNumberOfVerts());
     return eachCell(data->GetLines(), [&](PointIds ids) { addLine(std::move(ids), cell++, lines); }) &&
            eachCell(data->GetPolys(), [&](const PointIds& ids) { addPolygon(ids, lines); }) &&
-           eachCell(data->GetStrips(), [&](const PointIds& ids) { addStrip(ids, lines); });
+           eachCell(data->GetStrips(), [&](const PointIds& ids) { addTriangleStrip(ids, lines); });
 }
 
 bool addCells(vtkUnstructuredGrid* grid, VtkLines& lines)

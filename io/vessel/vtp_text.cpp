@@ -1,6 +1,6 @@
 #include "io/vessel/vtp_text.h"
 
-#include "io/support/quiet_libraries.h"
+#include "io/support/silence_libraries.h"
 #include "io/vessel/line_set.h"
 
 #include <vtkCellArray.h>
@@ -52,7 +52,7 @@ void addLabels(const core::VesselTree& tree, vtkPolyData* data)
     names->SetName("Name");
     for (const core::VesselBranch& branch : tree.branches) {
         ids->InsertNextValue(branch.id);
-        names->InsertNextValue(branchName(branch.name));
+        names->InsertNextValue(sanitizedBranchName(branch.name));
     }
     data->GetCellData()->AddArray(ids);
     data->GetCellData()->AddArray(names);
@@ -66,7 +66,7 @@ void addLabels(const core::VesselTree& tree, vtkPolyData* data)
 
 std::string vtpText(const core::VesselTree& tree)
 {
-    quietLibraries();
+    silenceLibraries();
     const vtkNew<vtkPolyData> data;
     addPointsAndLines(tree, data);
     addLabels(tree, data);

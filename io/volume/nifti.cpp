@@ -4,7 +4,7 @@
 #include "io/support/file_error.h"
 #include "io/support/input_bytes.h"
 #include "io/support/numbers.h"
-#include "io/support/quiet_libraries.h"
+#include "io/support/silence_libraries.h"
 #include "io/volume/volume_axes.h"
 #include "io/volume/voxel_stream.h"
 
@@ -24,7 +24,7 @@ namespace {
 using NiftiMap = Eigen::Matrix<double, 3, 4>;
 
 constexpr std::size_t longestName = 80;
-constexpr std::uint64_t longestExtension = 1U << 20U;   // bytes; sufficient for a table of several thousand labels
+constexpr std::uint64_t maxExtensionBytes = 1U << 20U;   // bytes; sufficient for a table of several thousand labels
 
 /// Header fields that are used, for all versions of the format.
 struct NiftiHeader {
@@ -91,7 +91,7 @@ std::optional<int> versionOf(std::string_view head)
         head.substr(128, 4) == "DICM") {   // the preamble of a DICOM file may look like Analyze
         return std::nullopt;
     }
-    quietLibraries();
+    silenceLibraries();
     const int version = nifti_header_version(head.data(), head.size());
     const bool isWhole = version < 2 || head.size() >= sizeof(nifti_2_header);
     return version >= 0 && isWhole ? std::optional(version) : std::nullopt;
@@ -329,14 +329,14 @@ core::Result<StoredVolume> parseNifti(std::string_view head, const std::string& 
     const bool isScaled = std::isfinite(header.slope) && header.slope != 0.0 && std::isfinite(header.intercept);
     stored.slope = isScaled ? header.slope : 1.0;
     stored.intercept = isScaled ? header.intercept : 0.0;
-    stored.isDeclaredLabels = header.intent == NIFTI_INTENT_LABEL;
+    stored.isDeclaredLabelMap = header.intent == NIFTI_INTENT_LABEL;
     auto skip = static_cast<std::uint64_t>(header.dataOffset);
     if (const std::uint64_t least = minOffset(header); skip < least) {
         stored.warnings.push_back(messages::niftiStartWithinHeader(skip, least));
         skip = least;
     }
     if (!header.isPair && skip > head.size()) {
-        stored.labelNames = labelTable(headOf(path, std::min(skip, longestExtension)));
+        stored.labelNames = labelTable(decompressedStart(path, std::min(skip, maxExtensionBytes)));
     }
     VoxelSource source{header.isPair ? pairedPath(path) : path, 0, false, skip};
     const auto content = openInputStart(source.path);

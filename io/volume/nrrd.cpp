@@ -1,10 +1,10 @@
 #include "io/volume/nrrd.h"
 
 #include "io/messages/messages.h"
-#include "io/support/decimal_point.h"
 #include "io/support/file_error.h"
 #include "io/support/input_bytes.h"
 #include "io/support/numbers.h"
+#include "io/support/scoped_c_locale.h"
 #include "io/volume/volume_axes.h"
 #include "io/volume/voxel_stream.h"
 
@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::size_t longestSegmentName = 80;
 constexpr std::size_t longestHeader = std::size_t{1} << 20;
-constexpr std::size_t longestField = 400;   // the library quotes unreadable text into a fixed-size buffer
+constexpr std::size_t maxFieldBytes = 400;   // the library quotes unreadable text into a fixed-size buffer
 
 struct FreeNrrd {
     void operator()(Nrrd* nrrd) const { nrrdNuke(nrrd); }
@@ -86,7 +86,7 @@ HeaderText splitHeader(std::string_view content)
                 std::erase(line, '|');
             }
             const bool isField = line.find(":=") == std::string::npos;
-            header.text += (isField ? line.substr(0, longestField) : line) + "\n";
+            header.text += (isField ? line.substr(0, maxFieldBytes) : line) + "\n";
         }
     }
     std::string& text = header.text;
@@ -99,9 +99,9 @@ HeaderText splitHeader(std::string_view content)
 }
 
 /// Returns the innermost error message of the library, without function names.
-std::string lastComplaint(const std::string& complaints)
+std::string lastErrorMessage(const std::string& errorMessages)
 {
-    const std::string_view all = trimmed(complaints);
+    const std::string_view all = trimmed(errorMessages);
     std::string_view last = all.substr(all.rfind('\n') == std::string_view::npos ? 0 : all.rfind('\n') + 1);
     last = last.substr(last.find(": ") == std::string_view::npos ? 0 : last.find(": ") + 2);
     return std::string(last.substr(0, 120));
@@ -111,14 +111,14 @@ NrrdHeader parsedHeader(std::string text)
 {
     static std::mutex oneAtATime;   // the library stores its errors in global state
     const std::lock_guard lock(oneAtATime);
-    const DecimalPoint decimalPoint;
+    const ScopedCLocale decimalPoint;
     NrrdHeader header;
     const std::unique_ptr<std::FILE, FreeNrrd> file(fmemopen(text.data(), text.size(), "r"));
     nrrdIoStateSet(header.state.get(), nrrdIoStateSkipData, 1);
     if (nrrdRead(header.nrrd.get(), file.get(), header.state.get()) != 0) {
-        char* complaints = biffGetDone(NRRD);
-        header.problem = lastComplaint(complaints ? complaints : "");
-        std::free(complaints);
+        char* errorMessages = biffGetDone(NRRD);
+        header.problem = lastErrorMessage(errorMessages ? errorMessages : "");
+        std::free(errorMessages);
     }
     return header;
 }
@@ -346,7 +346,7 @@ core::Result<StoredVolume> parseNrrd(std::string_view content, const std::string
         return fileError(path, *problem);
     }
     stored.labelNames = slicerSegments(nrrd);
-    stored.isDeclaredLabels = path.ends_with(".seg.nrrd") || !keyValue(nrrd, "Segment0_ID").empty();
+    stored.isDeclaredLabelMap = path.ends_with(".seg.nrrd") || !keyValue(nrrd, "Segment0_ID").empty();
     stored.voxels = voxelStream(stored, source);
     return stored;
 }

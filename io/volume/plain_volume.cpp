@@ -310,7 +310,7 @@ public:
             return input.error();
         }
         TextCursor text(input.value().view().substr(std::min<std::size_t>(offset_, input.value().view().size())));
-        return withType(type_, [&](auto kind) { return readAs<decltype(kind)>(text, voxels, observe); });
+        return visitVoxelType(type_, [&](auto kind) { return readAs<decltype(kind)>(text, voxels, observe); });
     }
 
 private:
@@ -319,7 +319,7 @@ private:
     {
         for (std::size_t i = 0; i < count_; ++i) {
             if (i % 65536 == 0 && isStopRequested(observe, static_cast<double>(i) / static_cast<double>(count_))) {
-                return stoppedReading(path_);
+                return readingCanceled(path_);
             }
             const auto number = parseNumber(text.word());
             const bool isInside = number && (!std::is_integral_v<T> ||

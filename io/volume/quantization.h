@@ -12,14 +12,14 @@
 
 namespace angiopose::io {
 
-inline constexpr double lowestStored = -32768.0;
+inline constexpr double minStoredValue = -32768.0;
 inline constexpr double storedLevels = 65535.0;
 
 /// Range of values of a wide type, determined in a first pass.
 struct ValueRange {
     double low = std::numeric_limits<double>::infinity();
     double high = -std::numeric_limits<double>::infinity();
-    bool isWhole = true;   ///< whether every finite value is a whole number, up to float rounding
+    bool isInteger = true;   ///< whether every finite value is a whole number, up to float rounding
     std::size_t missing = 0;   ///< number of NaN or infinite values
 
     void add(double value)
@@ -31,7 +31,7 @@ struct ValueRange {
         low = std::min(low, value);
         high = std::max(high, value);
         const double whole = std::round(value);
-        isWhole = isWhole && std::abs(value - whole) <= std::min(2e-7 * std::abs(whole), 1e-3);
+        isInteger = isInteger && std::abs(value - whole) <= std::min(2e-7 * std::abs(whole), 1e-3);
     }
 };
 
@@ -44,22 +44,22 @@ struct Quantization {
     {
         const double level = std::round((value - offset) / scale);
         return std::isnan(level)
-                   ? static_cast<std::int16_t>(lowestStored)
-                   : static_cast<std::int16_t>(std::clamp(level, lowestStored, lowestStored + storedLevels));
+                   ? static_cast<std::int16_t>(minStoredValue)
+                   : static_cast<std::int16_t>(std::clamp(level, minStoredValue, minStoredValue + storedLevels));
     }
 };
 
 /// Keeps whole numbers that span at most 16 bits; maps other values to the 65536 levels.
 inline Quantization quantizationOf(const ValueRange& range)
 {
-    if (range.isWhole && range.low >= lowestStored && range.high <= lowestStored + storedLevels) {
+    if (range.isInteger && range.low >= minStoredValue && range.high <= minStoredValue + storedLevels) {
         return {};
     }
-    if (range.isWhole && range.high - range.low <= storedLevels) {
-        return {1.0, range.low - lowestStored};
+    if (range.isInteger && range.high - range.low <= storedLevels) {
+        return {1.0, range.low - minStoredValue};
     }
     const double scale = range.high > range.low ? (range.high - range.low) / storedLevels : 1.0;
-    return {scale, range.low - scale * lowestStored};
+    return {scale, range.low - scale * minStoredValue};
 }
 
 /// Returns a note such as "The float32 voxels are rounded to 16 bit, in steps of 0.00153."

@@ -3,9 +3,9 @@
 #include "io/messages/messages.h"
 #include "io/support/file_error.h"
 #include "io/support/numbers.h"
-#include "io/support/system/own_process.h"
+#include "io/support/system/current_process.h"
 #include "io/volume/quantization.h"
-#include "io/volume/stray_values.h"
+#include "io/volume/robust_range.h"
 
 #include <algorithm>
 #include <cmath>
@@ -74,7 +74,7 @@ void noteLosses(const StoredVolume& stored, const ValueRange& range, const Quant
     if (range.missing > 0) {
         warnings.push_back(messages::volumeNotNumbers(range.missing));
     }
-    if (!range.isWhole || quantization.scale != 1.0) {
+    if (!range.isInteger || quantization.scale != 1.0) {
         warnings.push_back(roundingNote(stored.slope * quantization.scale, std::string(nameOf(stored.type))));
     }
 }
@@ -120,7 +120,7 @@ core::Result<core::Volume> readWide(const StoredVolume& stored, const ReadObserv
         return fileError(stored.path, messages::volumeNoNumbers());
     }
     const auto valueAt = [values](std::size_t i) { return static_cast<double>(values[i]); };
-    const ValueRange range = usefulRange(whole, count, valueAt);
+    const ValueRange range = robustRange(whole, count, valueAt);
     if (const std::size_t outside =
             range.low > whole.low || range.high < whole.high ? countOutside(range, count, valueAt) : 0;
         outside > 0) {
@@ -182,7 +182,7 @@ core::Status checkVoxels(const StoredVolume& stored)
     }
     const std::size_t apart = bytesOf(stored.type) > 2 ? bytesOf(stored.type) : 0;
     const double needed = static_cast<double>(stored.geometry.voxelCount()) * static_cast<double>(2 + apart);
-    return needed > 0.9 * memoryBytes() ? core::Status(tooLarge(stored)) : core::Done{};
+    return needed > 0.9 * physicalMemoryBytes() ? core::Status(tooLarge(stored)) : core::Done{};
 }
 
 core::Result<core::Volume> readVoxels(const StoredVolume& stored, const ReadObserver& observe, core::Messages& warnings)
@@ -191,7 +191,7 @@ core::Result<core::Volume> readVoxels(const StoredVolume& stored, const ReadObse
         return plausible.error();
     }
     try {
-        return withType(stored.type, [&](auto kind) -> core::Result<core::Volume> {
+        return visitVoxelType(stored.type, [&](auto kind) -> core::Result<core::Volume> {
             using T = decltype(kind);
             if constexpr (sizeof(T) <= 2) {
                 return readNarrow<T>(stored, observe);
@@ -210,7 +210,7 @@ core::Result<core::LabelVolume> readLabelVoxels(const StoredVolume& stored, cons
         return plausible.error();
     }
     try {
-        return withType(stored.type, [&](auto kind) { return labelsAs<decltype(kind)>(stored, observe); });
+        return visitVoxelType(stored.type, [&](auto kind) { return labelsAs<decltype(kind)>(stored, observe); });
     } catch (const std::bad_alloc&) {
         return tooLarge(stored);
     }

@@ -30,7 +30,7 @@ constexpr std::string_view nameOf(VoxelType type)
 
 /// Calls `work` with a value of the C++ type that corresponds to `type`.
 template <class Work>
-auto withType(VoxelType type, const Work& work)
+auto visitVoxelType(VoxelType type, const Work& work)
 {
     switch (type) {
         case VoxelType::Int8:
@@ -80,7 +80,7 @@ struct StoredVolume {
     VoxelType type = VoxelType::Int16;
     double slope = 1.0;
     double intercept = 0.0;
-    bool isDeclaredLabels = false;   ///< whether the header declares the values to be labels
+    bool isDeclaredLabelMap = false;   ///< whether the header declares the values to be labels
     LabelNames labelNames;   ///< label names from the header, if any
     core::Messages warnings;
     std::shared_ptr<const VoxelReader> voxels;

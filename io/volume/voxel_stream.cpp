@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t streamBlock = std::size_t{1} << 20;
 constexpr std::size_t niftiHeadBytes = 348;
-constexpr double greatestInflation = 1100.0;   // bound of the compression ratio; that of deflate is 1032
+constexpr double maxDeflateRatio = 1100.0;   // bound of the compression ratio; that of deflate is 1032
 
 /// Bytes of a file from `offset` on, decompressed if `isPacked` is true.
 class PackedFile {
@@ -88,7 +88,7 @@ private:
 /// Whether the size field at the end of a gzip file (RFC 1952) shows, without decompression, that the content has fewer
 /// than `bytes` bytes. Returns false if uncertain: if there are several gzip members, as parallel compressors write
 /// them, or above 4 GiB, which the field cannot represent.
-bool saysLessThan(std::string_view packed, std::uint64_t bytes)
+bool declaresFewerThan(std::string_view packed, std::uint64_t bytes)
 {
     constexpr std::size_t minArchive = 18;   // header and trailer of an empty gzip file, bytes
     if (!packed.starts_with("\x1f\x8b\x08") || packed.size() < minArchive ||
@@ -133,7 +133,7 @@ bool VoxelStream::isHeaderAmongVoxels() const
     if (source_.path == path_ || source_.isAtEnd || source_.offset + source_.skip > 0) {
         return false;
     }
-    const std::string head = headOf(source_.path, niftiHeadBytes);
+    const std::string head = decompressedStart(source_.path, niftiHeadBytes);
     const std::string_view magic = head.size() == niftiHeadBytes ? std::string_view(head).substr(344, 3) : "";
     return head.starts_with("NRRD000") || magic == "n+1" || head.substr(4, 2) == "n+";
 }
@@ -156,14 +156,14 @@ core::Status VoxelStream::check() const
     const std::uint64_t size = input.value().view().size();
     const std::uint64_t there = size - std::min(source_.offset, size);
     if (source_.isPacked && !source_.isAtEnd &&
-        saysLessThan(input.value().view().substr(size - there), needed_ + source_.skip)) {
+        declaresFewerThan(input.value().view().substr(size - there), needed_ + source_.skip)) {
         return cutShort();
     }
     if (!source_.isPacked && there < needed_ + source_.skip) {
         return fileError(source_.path, messages::volumeCutShortBy(there, needed_ + source_.skip));
     }
-    return static_cast<double>(needed_) > greatestInflation * static_cast<double>(there) ? core::Status(cutShort())
-                                                                                         : core::Done{};
+    return static_cast<double>(needed_) > maxDeflateRatio * static_cast<double>(there) ? core::Status(cutShort())
+                                                                                       : core::Done{};
 }
 
 std::unique_ptr<PackedFile> VoxelStream::openAtVoxels() const
@@ -197,7 +197,7 @@ core::Status VoxelStream::read(char* voxels, const ReadObserver& observe) const
     }
     for (std::uint64_t done = 0; done < needed_;) {
         if (isStopRequested(observe, static_cast<double>(done) / static_cast<double>(needed_))) {
-            return stoppedReading(path_);
+            return readingCanceled(path_);
         }
         const std::size_t got = file->read(voxels + done, needed_ - done);
         if (got == 0) {
@@ -220,7 +220,7 @@ std::shared_ptr<const VoxelReader> voxelStream(const StoredVolume& stored, const
     return std::make_shared<VoxelStream>(stored, source);
 }
 
-std::string headOf(const std::string& path, std::size_t size)
+std::string decompressedStart(const std::string& path, std::size_t size)
 {
     const auto content = openInputStart(path);
     PackedFile file(path, 0, content && content.value().view().starts_with("\x1f\x8b"));

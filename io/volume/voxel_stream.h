@@ -21,6 +21,6 @@ struct VoxelSource {
 std::shared_ptr<const VoxelReader> voxelStream(const StoredVolume& stored, const VoxelSource& source);
 
 /// Returns the first `size` bytes of a file, decompressed if it is gzip; fewer if the file is shorter or damaged.
-std::string headOf(const std::string& path, std::size_t size);
+std::string decompressedStart(const std::string& path, std::size_t size);
 
 }   // namespace angiopose::io

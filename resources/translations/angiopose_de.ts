@@ -71,8 +71,8 @@
 <context>
     <name>angiopose::app::BlindTrialController</name>
     <message>
-        <source>A blind trial needs vessels, an angiogram and an initial pose, and no registration may be running.</source>
-        <translation>Ein Blindversuch benötigt Gefäße, ein Angiogramm und eine Startlage; es darf keine Registrierung laufen.</translation>
+        <source>A blind trial requires vessels, an angiogram and an initial pose. No registration may be running.</source>
+        <translation>Ein Blindversuch erfordert Gefäße, ein Angiogramm und eine Startlage. Es darf keine Registrierung laufen.</translation>
     </message>
     <message>
         <source>Blind trial</source>
@@ -118,8 +118,8 @@
         <translation>%1 einschließen</translation>
     </message>
     <message>
-        <source>No branch lies completely in view. Zoom out or pan the image.</source>
-        <translation>Kein Ast liegt vollständig im Blickfeld. Verkleinern oder verschieben Sie das Bild.</translation>
+        <source>No branch is completely visible. Zoom out or pan the image.</source>
+        <translation>Kein Ast ist vollständig sichtbar. Verkleinern oder verschieben Sie das Bild.</translation>
     </message>
     <message>
         <source>This tree has no radii.</source>
@@ -136,8 +136,8 @@
 <context>
     <name>angiopose::app::CaseController</name>
     <message>
-        <source>A registration is running. Stop it to edit.</source>
-        <translation>Eine Registrierung läuft. Zum Bearbeiten anhalten.</translation>
+        <source>A registration is running. Stop it before editing.</source>
+        <translation>Eine Registrierung läuft. Halten Sie sie vor dem Bearbeiten an.</translation>
     </message>
     <message>
         <source>Could not trace the vessels</source>
@@ -183,8 +183,8 @@
         <translation>Registriert in</translation>
     </message>
     <message>
-        <source>frame %1; image and values are from frame %2</source>
-        <translation>Bild %1; Ansicht und Werte stammen aus Bild %2</translation>
+        <source>frame %1; image and values from frame %2</source>
+        <translation>Bild %1; Ansicht und Werte aus Bild %2</translation>
     </message>
     <message>
         <source>pose set manually</source>
@@ -215,8 +215,8 @@
         <translation>Geometrie</translation>
     </message>
     <message>
-        <source>Pose: camera from patient, mm</source>
-        <translation>Lage: Kamera aus Patient, mm</translation>
+        <source>Pose (patient to camera), mm</source>
+        <translation>Lage (Patient → Kamera), mm</translation>
     </message>
     <message>
         <source>Vessels</source>
@@ -288,7 +288,7 @@
     </message>
     <message>
         <source>farther</source>
-        <translation>weiter</translation>
+        <translation>weiter entfernt</translation>
     </message>
     <message>
         <source>Reliable</source>
@@ -366,15 +366,15 @@
         <translation>Ohne Speichern schließen?</translation>
     </message>
     <message>
-        <source>“%1” has no vessels yet, so there is no case to save. Work done here will be lost.</source>
-        <translation>„%1“ hat noch keine Gefäße, daher gibt es keinen Fall zu speichern. Die bisherige Arbeit geht verloren.</translation>
+        <source>“%1” has no vessels yet, so there is no case to save. Unsaved work will be lost.</source>
+        <translation>„%1“ hat noch keine Gefäße, daher gibt es keinen Fall zu speichern. Ungespeicherte Arbeit geht verloren.</translation>
     </message>
 </context>
 <context>
     <name>angiopose::app::CurveController</name>
     <message>
-        <source>At least one curve must remain; otherwise there is nothing to register to.</source>
-        <translation>Mindestens eine Kurve muss bleiben; sonst gibt es nichts, worauf registriert werden kann.</translation>
+        <source>At least one curve must remain as the registration target.</source>
+        <translation>Mindestens eine Kurve muss als Ziel der Registrierung bleiben.</translation>
     </message>
     <message>
         <source>Keep suspect curve</source>
@@ -389,7 +389,7 @@
         <translation>Dieses Bild neu erfassen?</translation>
     </message>
     <message>
-        <source>Its edited or imported curves are replaced. Undo restores them.</source>
+        <source>Its edited or imported curves will be replaced. Undo restores them.</source>
         <translation>Bearbeitete oder importierte Kurven werden ersetzt. „Rückgängig“ stellt sie wieder her.</translation>
     </message>
     <message>
@@ -401,20 +401,20 @@
         <translation>Kurven behalten</translation>
     </message>
     <message>
-        <source>If only a wire is visible, use the method “Wire or catheter”, which uses every curve.</source>
-        <translation>Wenn nur ein Draht sichtbar ist, verwenden Sie die Methode „Draht oder Katheter“; sie nutzt jede Kurve.</translation>
+        <source>If only a guidewire is visible, use the method “Guidewire or catheter”, which uses every curve.</source>
+        <translation>Wenn nur ein Führungsdraht sichtbar ist, verwenden Sie die Methode „Führungsdraht oder Katheter“; sie nutzt jede Kurve.</translation>
     </message>
     <message>
-        <source>Mark curve as catheter or wire</source>
-        <translation>Kurve als Katheter oder Draht markieren</translation>
+        <source>Mark curve as device</source>
+        <translation>Kurve als Instrument markieren</translation>
     </message>
     <message>
         <source>Mark curve as vessel</source>
         <translation>Kurve als Gefäß markieren</translation>
     </message>
     <message>
-        <source>Register by catheter or wire</source>
-        <translation>Anhand von Katheter oder Draht registrieren</translation>
+        <source>Track device</source>
+        <translation>Instrument verfolgen</translation>
     </message>
 </context>
 <context>
@@ -537,7 +537,7 @@
     </message>
 </context>
 <context>
-    <name>angiopose::app::FollowController</name>
+    <name>angiopose::app::TrackingController</name>
     <message>
         <source>Tracking the vessels through the run: %1 %</source>
         <translation>Gefäße werden durch die Serie verfolgt: %1 %</translation>
@@ -579,12 +579,12 @@
         <translation>Herzschlag: Periode %1 s, %2 mm Spitze–Spitze</translation>
     </message>
     <message>
-        <source>Tracked through %1 frames: scroll or play them</source>
+        <source>Tracked through %1 frames: scroll through or play them</source>
         <translation>Durch %1 Bilder verfolgt: blättern oder abspielen</translation>
     </message>
     <message>
-        <source>Tracked through %1 frames; %2 of them do not show the vessels well enough</source>
-        <translation>Durch %1 Bilder verfolgt; %2 davon zeigen die Gefäße nicht deutlich genug</translation>
+        <source>Tracked through %1 frames; in %2 of them, the vessels are not visible enough</source>
+        <translation>Durch %1 Bilder verfolgt; in %2 davon sind die Gefäße nicht deutlich genug sichtbar</translation>
     </message>
     <message>
         <source>Export tracked poses</source>
@@ -619,12 +619,12 @@
     <message>
         <source>Registers a 3-D vessel tree to a 2-D angiogram without correspondences.
 
-Not for clinical use: AngioPose is a research program, not a medical device.
+Not for clinical use: AngioPose is research software, not a medical device.
 
 Apache License 2.0. Built on Qt, VTK, ITK, OpenCV, NLopt, Eigen and nanoflann.</source>
         <translation>Registriert einen 3-D-Gefäßbaum auf ein 2-D-Angiogramm, ohne Korrespondenzen.
 
-Nicht für den klinischen Einsatz: AngioPose ist ein Forschungsprogramm, kein Medizinprodukt.
+Nicht für den klinischen Einsatz: AngioPose ist Forschungssoftware, kein Medizinprodukt.
 
 Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.</translation>
     </message>
@@ -637,7 +637,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Hier beginnen</translation>
     </message>
     <message>
-        <source>Drop a case, or vessels and an angiogram, anywhere in the window. “Open the sample case” needs no data of your own.</source>
+        <source>Drop a case, or vessels and an angiogram, anywhere in the window. “Open the sample case” requires no data of your own.</source>
         <translation>Legen Sie einen Fall oder Gefäße und ein Angiogramm irgendwo im Fenster ab. „Beispielfall öffnen“ benötigt keine eigenen Daten.</translation>
     </message>
     <message>
@@ -645,23 +645,23 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Schritte zum Ergebnis</translation>
     </message>
     <message>
-        <source>Each step shows a check mark, or its tooltip names what is missing. Click the steps in any order.</source>
-        <translation>Jeder Schritt zeigt ein Häkchen, oder sein Tooltip nennt, was fehlt. Klicken Sie die Schritte in beliebiger Reihenfolge an.</translation>
+        <source>Each step shows a check mark when complete; otherwise, its tooltip lists what is missing. The steps can be clicked in any order.</source>
+        <translation>Jeder erledigte Schritt zeigt ein Häkchen; sonst nennt sein Tooltip, was fehlt. Die Schritte lassen sich in beliebiger Reihenfolge anklicken.</translation>
     </message>
     <message>
         <source>The vessel tree</source>
         <translation>Der Gefäßbaum</translation>
     </message>
     <message>
-        <source>Its branches with their length and distance to the image. A adds a branch to the auxiliary subset, X excludes it.</source>
-        <translation>Seine Äste mit Länge und Abstand zum Bild. A nimmt einen Ast in die Hilfsäste auf, X schließt ihn aus.</translation>
+        <source>Lists the branches with their lengths and distances to the image. A adds a branch to the auxiliary branches, X excludes it.</source>
+        <translation>Listet die Äste mit Länge und Abstand zum Bild. A nimmt einen Ast in die Hilfsäste auf, X schließt ihn aus.</translation>
     </message>
     <message>
         <source>The angiogram</source>
         <translation>Das Angiogramm</translation>
     </message>
     <message>
-        <source>The projected tree overlays it, colored by distance. Wheel: scroll frames. N: move the tree with arrows or mouse. H: hide it.</source>
+        <source>The projected tree is overlaid on it, colored by distance. Wheel: scroll through frames. N: move the tree with arrow keys or mouse. H: hide it.</source>
         <translation>Der projizierte Gefäßbaum überlagert es, nach Abstand gefärbt. Rad: Bilder blättern. N: Gefäßbaum mit Pfeiltasten oder Maus verschieben. H: verbergen.</translation>
     </message>
     <message>
@@ -669,7 +669,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Registrieren</translation>
     </message>
     <message>
-        <source>R finds the pose. Stop keeps the best pose so far; Ctrl+Z restores the previous one.</source>
+        <source>R finds the pose. Stop keeps the best pose found so far; Ctrl+Z restores the previous one.</source>
         <translation>R findet die Lage. Anhalten behält die bisher beste Lage; Strg+Z stellt die vorherige wieder her.</translation>
     </message>
     <message>
@@ -677,8 +677,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Ist das Ergebnis verlässlich?</translation>
     </message>
     <message>
-        <source>Distances in mm, and notes on what the image cannot determine. Shift+F1 shows good and bad fits.</source>
-        <translation>Abstände in mm und Hinweise darauf, was das Bild nicht bestimmen kann. Umschalt+F1 zeigt gute und schlechte Registrierungen.</translation>
+        <source>Distances in mm, and notes on what this image cannot determine. Shift+F1 shows examples of good and bad fits.</source>
+        <translation>Abstände in mm und Hinweise darauf, was dieses Bild nicht bestimmen kann. Umschalt+F1 zeigt Beispiele guter und schlechter Registrierungen.</translation>
     </message>
     <message>
         <source>Getting help</source>
@@ -739,7 +739,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
     <message>
         <source>scan</source>
-        <translation>Aufnahme</translation>
+        <translation>Scan</translation>
     </message>
     <message>
         <source>view %1</source>
@@ -790,7 +790,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
 </context>
 <context>
-    <name>angiopose::app::JudgementController</name>
+    <name>angiopose::app::EvaluationController</name>
     <message>
         <source>nothing to assess yet</source>
         <translation>noch nichts zu beurteilen</translation>
@@ -811,15 +811,15 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>auf %1</translation>
     </message>
     <message>
-        <source>point off the vessels</source>
-        <translation>Punkt neben den Gefäßen</translation>
+        <source>point outside the vessels</source>
+        <translation>Punkt außerhalb der Gefäße</translation>
     </message>
     <message>
         <source>Fewer than four pairs: pose components that the pairs do not determine remain unchanged.</source>
         <translation>Weniger als vier Paare: Lagekomponenten, die sie nicht bestimmen, bleiben unverändert.</translation>
     </message>
     <message>
-        <source>Residual of the pairs: %1 px. For click errors of 2 px: rotation ±%2°, depth ±%3 mm.</source>
+        <source>Residual of the pairs: %1 px. With click errors of 2 px: rotation ±%2°, depth ±%3 mm.</source>
         <translation>Residuum der Paare: %1 px. Bei Klickfehlern von 2 px: Drehung ±%2°, Tiefe ±%3 mm.</translation>
     </message>
     <message>
@@ -851,7 +851,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
 </context>
 <context>
-    <name>angiopose::app::LookController</name>
+    <name>angiopose::app::OverlayStyleController</name>
     <message>
         <source>Depth cueing</source>
         <translation>Tiefenabstufung</translation>
@@ -877,7 +877,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Wischen: Die Überlagerung endet am Mauszeiger</translation>
     </message>
     <message>
-        <source>Lens: only the angiogram under the mouse pointer</source>
+        <source>Lens: shows only the angiogram under the mouse pointer</source>
         <translation>Lupe: unter dem Mauszeiger nur das Angiogramm</translation>
     </message>
     <message>
@@ -898,7 +898,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
     <message>
         <source>View from the source: only the display is mirrored</source>
-        <translation>Ansicht von der Quelle: nur die Darstellung ist gespiegelt</translation>
+        <translation>Ansicht vom Fokus: nur die Darstellung ist gespiegelt</translation>
     </message>
     <message>
         <source>View from the detector</source>
@@ -938,8 +938,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Die Lage gehört zu einem Bild von %1 × %2 px, das Angiogramm hat jedoch %3 × %4. Öffnen Sie die Lage, die zu diesem Bild gehört.</translation>
     </message>
     <message>
-        <source>The camera of the pose is mirrored relative to the angiogram: one is viewed from the detector, the other from the source. Mirror the image, or set this in the geometry.</source>
-        <translation>Die Kamera der Lage ist gegenüber dem Angiogramm gespiegelt: Eines ist vom Detektor, das andere von der Quelle aus gesehen. Spiegeln Sie das Bild, oder geben Sie es in der Geometrie an.</translation>
+        <source>The camera of the pose is mirrored relative to the angiogram: one is viewed from the detector, the other from the source. Mirror the image, or change the viewing side in the geometry.</source>
+        <translation>Die Kamera der Lage ist gegenüber dem Angiogramm gespiegelt: Eines ist vom Detektor, das andere vom Fokus aus gesehen. Spiegeln Sie das Bild, oder ändern Sie die Betrachtungsseite in der Geometrie.</translation>
     </message>
     <message>
         <source>The pose was registered with different vessels.</source>
@@ -950,15 +950,15 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Die Lage wurde in einem anderen Angiogramm registriert.</translation>
     </message>
     <message>
-        <source>A pose belongs to a case. Open vessels and an angiogram first, then the pose.</source>
-        <translation>Eine Lage gehört zu einem Fall. Öffnen Sie zuerst Gefäße und ein Angiogramm, dann die Lage.</translation>
+        <source>A pose can be opened only in a case. Open vessels and an angiogram first, then the pose.</source>
+        <translation>Eine Lage lässt sich nur in einem Fall öffnen. Öffnen Sie zuerst Gefäße und ein Angiogramm, dann die Lage.</translation>
     </message>
     <message>
-        <source>At this pose, the vessels lie behind the X-ray source. The pose may belong to another patient, or map camera to patient: in that case, invert it.</source>
-        <translation>In dieser Lage liegen die Gefäße hinter der Röntgenquelle. Die Lage gehört vielleicht zu einem anderen Patienten, oder sie bildet von der Kamera auf den Patienten ab: Dann kehren Sie sie um.</translation>
+        <source>At this pose, the vessels lie behind the X-ray source. The pose may belong to another patient, or it may map camera to patient; in the latter case, invert it.</source>
+        <translation>In dieser Lage liegen die Gefäße hinter dem Röntgenfokus. Die Lage gehört vielleicht zu einem anderen Patienten, oder sie bildet von der Kamera auf den Patienten ab: Dann kehren Sie sie um.</translation>
     </message>
     <message>
-        <source>The camera of the pose is now in use. To revert, use the geometry panel.</source>
+        <source>The camera of the pose is now in use. You can revert this in the geometry panel.</source>
         <translation>Die Kamera der Lage wird jetzt verwendet. Im Geometriefeld lässt sich das zurücknehmen.</translation>
     </message>
     <message>
@@ -966,16 +966,16 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Lage %1 öffnen</translation>
     </message>
     <message>
-        <source>Points belong to vessels. Open the vessels first, then the points.</source>
-        <translation>Punkte gehören zu Gefäßen. Öffnen Sie zuerst die Gefäße, dann die Punkte.</translation>
+        <source>Points can be opened only together with vessels. Open the vessels first, then the points.</source>
+        <translation>Punkte lassen sich nur zu Gefäßen öffnen. Öffnen Sie zuerst die Gefäße, dann die Punkte.</translation>
     </message>
     <message>
         <source>Target points added: %1.</source>
         <translation>Zielpunkte hinzugefügt: %1.</translation>
     </message>
     <message>
-        <source>None of them lies near the vessels. They may belong to another patient or use other coordinates.</source>
-        <translation>Keiner liegt nahe den Gefäßen. Sie gehören vielleicht zu einem anderen Patienten oder verwenden andere Koordinaten.</translation>
+        <source>None of them is near the vessels. They may belong to another patient or use a different coordinate system.</source>
+        <translation>Keiner liegt nahe den Gefäßen. Sie gehören vielleicht zu einem anderen Patienten oder verwenden ein anderes Koordinatensystem.</translation>
     </message>
     <message>
         <source>Open points %1</source>
@@ -1014,12 +1014,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Ansicht %1 hinzufügen</translation>
     </message>
     <message>
-        <source>View added: click it in the strip above the image to show it.</source>
+        <source>View added: to show it, click it in the strip above the image.</source>
         <translation>Ansicht hinzugefügt: Klicken Sie sie in der Leiste über dem Bild an, um sie zu zeigen.</translation>
     </message>
     <message>
-        <source>Additional runs can become views once there are vessels. Open them again then.</source>
-        <translation>Weitere Serien können zu Ansichten werden, sobald es Gefäße gibt. Öffnen Sie sie dann erneut.</translation>
+        <source>Additional runs can be added as views once the case has vessels. Open them again then.</source>
+        <translation>Weitere Serien lassen sich als Ansichten hinzufügen, sobald der Fall Gefäße hat. Öffnen Sie sie dann erneut.</translation>
     </message>
 </context>
 <context>
@@ -1029,8 +1029,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Welche Kamera soll verwendet werden?</translation>
     </message>
     <message>
-        <source>“%1” contains a camera that differs from the camera of the case. A pose shows the vessels in the right place only with its own camera.</source>
-        <translation>„%1“ enthält eine andere Kamera als der Fall. Eine Lage zeigt die Gefäße nur mit ihrer eigenen Kamera an der richtigen Stelle.</translation>
+        <source>“%1” contains a camera that differs from the camera of the case. The pose is valid only with the camera it was registered with.</source>
+        <translation>„%1“ enthält eine andere Kamera als der Fall. Die Lage gilt nur mit der Kamera, mit der sie registriert wurde.</translation>
     </message>
     <message>
         <source>Use pose and camera</source>
@@ -1045,8 +1045,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Anderer Patient?</translation>
     </message>
     <message>
-        <source>If you open “%1” anyway, every image and report of the case states this, and no registration of its images counts as reliable. Open it as the same patient if only the pseudonyms differ.</source>
-        <translation>Wenn Sie „%1“ trotzdem öffnen, weist jedes Bild und jeder Bericht des Falls darauf hin, und keine Registrierung seiner Bilder gilt als verlässlich. Unterscheiden sich nur Pseudonyme, öffnen Sie es als denselben Patienten.</translation>
+        <source>If you open “%1” anyway, every image and report of the case will carry a warning, and no registration of its images will count as reliable. If only the pseudonyms differ, open it as the same patient.</source>
+        <translation>Wenn Sie „%1“ trotzdem öffnen, trägt jedes Bild und jeder Bericht des Falls einen Warnhinweis, und keine Registrierung seiner Bilder gilt als verlässlich. Unterscheiden sich nur Pseudonyme, öffnen Sie es als denselben Patienten.</translation>
     </message>
     <message>
         <source>Do not open</source>
@@ -1149,8 +1149,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>%1 m groß</translation>
     </message>
     <message>
-        <source>“%1” does not state the unit of its points. In millimeters, it would be unusually small or large for vessels. The case stores your choice.</source>
-        <translation>„%1“ nennt keine Einheit der Punkte. In Millimetern wäre sie für Gefäße ungewöhnlich klein oder groß. Der Fall speichert Ihre Wahl.</translation>
+        <source>“%1” does not specify the unit of its coordinates. If it were millimeters, the vessels would be unusually small or large. Your choice is stored in the case.</source>
+        <translation>„%1“ nennt keine Einheit der Koordinaten. In Millimetern wären die Gefäße ungewöhnlich klein oder groß. Ihre Wahl wird im Fall gespeichert.</translation>
     </message>
     <message>
         <source>%1: %2</source>
@@ -1165,27 +1165,27 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Ungespeicherte Arbeit verwerfen?</translation>
     </message>
     <message>
-        <source>“%1” has no vessels yet, so there is no case to save. Work done here will be lost.</source>
-        <translation>„%1“ hat noch keine Gefäße, daher gibt es keinen Fall zu speichern. Die bisherige Arbeit geht verloren.</translation>
+        <source>“%1” has no vessels yet, so there is no case to save. Unsaved work will be lost.</source>
+        <translation>„%1“ hat noch keine Gefäße, daher gibt es keinen Fall zu speichern. Ungespeicherte Arbeit geht verloren.</translation>
     </message>
 </context>
 <context>
     <name>angiopose::app::OpenNotes</name>
     <message>
-        <source>The vessels do not lie in this scan: it may be a different scan or use different axes.</source>
-        <translation>Die Gefäße liegen nicht in diesem Scan: Es kann ein anderer Scan sein, oder er hat andere Achsen.</translation>
+        <source>The vessels lie outside this scan: it may be a different scan or use a different coordinate system.</source>
+        <translation>Die Gefäße liegen außerhalb dieses Scans: Es kann ein anderer Scan sein, oder er verwendet ein anderes Koordinatensystem.</translation>
     </message>
     <message>
-        <source>The scan has no traced vessels: place a seed or set the threshold in the slices (%1), then trace.</source>
-        <translation>Der Scan hat keine erfassten Gefäße: Setzen Sie in den Schichten (%1) einen Startpunkt oder die Schwelle, und erfassen Sie dann die Gefäße.</translation>
+        <source>No vessels have been traced in the scan yet. Place a seed or set the threshold in the slices (%1), then trace.</source>
+        <translation>Im Scan sind noch keine Gefäße erfasst. Setzen Sie in den Schichten (%1) einen Startpunkt oder die Schwelle, und erfassen Sie dann die Gefäße.</translation>
     </message>
     <message>
-        <source>One unit of the file is %1 mm, as you selected.</source>
-        <translation>Eine Einheit der Datei ist %1 mm, wie von Ihnen gewählt.</translation>
+        <source>File unit: %1 mm, as selected.</source>
+        <translation>Einheit der Datei: %1 mm, wie gewählt.</translation>
     </message>
 </context>
 <context>
-    <name>angiopose::app::PictureController</name>
+    <name>angiopose::app::ScreenshotController</name>
     <message>
         <source>Screenshot copied to the clipboard</source>
         <translation>Screenshot in die Zwischenablage kopiert</translation>
@@ -1264,8 +1264,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Gefäße verschieben</translation>
     </message>
     <message>
-        <source>There is no pose to nudge yet. Provide vessels, an angiogram and the geometry first.</source>
-        <translation>Es gibt noch keine Lage zum Justieren. Laden Sie zuerst Gefäße und Angiogramm, und legen Sie die Geometrie fest.</translation>
+        <source>There is no pose to nudge yet. Open vessels and an angiogram and complete the geometry first.</source>
+        <translation>Es gibt noch keine Lage zum Justieren. Öffnen Sie zuerst Gefäße und Angiogramm, und vervollständigen Sie die Geometrie.</translation>
     </message>
     <message>
         <source>“%1” is locked.</source>
@@ -1277,7 +1277,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
     <message>
         <source>A registration is running. Stop it first.</source>
-        <translation>Eine Registrierung läuft. Zuerst anhalten.</translation>
+        <translation>Eine Registrierung läuft. Halten Sie sie zuerst an.</translation>
     </message>
     <message>
         <source>Change locks</source>
@@ -1295,15 +1295,15 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Justiermodus aus</translation>
     </message>
     <message>
-        <source>Copied: camera-from-patient matrix, 4 × 4, mm</source>
-        <translation>Kopiert: Matrix Kamera aus Patient, 4 × 4, mm</translation>
+        <source>Copied: patient-to-camera matrix, 4 × 4, mm</source>
+        <translation>Kopiert: Matrix Patient → Kamera, 4 × 4, mm</translation>
     </message>
 </context>
 <context>
     <name>angiopose::app::PoseTableController</name>
     <message>
         <source>There are no poses to compare yet.</source>
-        <translation>Noch keine Lagen zu vergleichen.</translation>
+        <translation>Es gibt noch keine Lagen zu vergleichen.</translation>
     </message>
     <message>
         <source>Current pose</source>
@@ -1315,7 +1315,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
     <message>
         <source>Starting…</source>
-        <translation>Startet…</translation>
+        <translation>Wird gestartet…</translation>
     </message>
     <message>
         <source>%1: %2</source>
@@ -1372,8 +1372,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Registrieren (%1)</translation>
     </message>
     <message>
-        <source>Fit a blind trial manually.</source>
-        <translation>Passen Sie einen Blindversuch manuell ein.</translation>
+        <source>In a blind trial, align the vessels manually.</source>
+        <translation>In einem Blindversuch richten Sie die Gefäße manuell aus.</translation>
     </message>
     <message>
         <source>Register all views</source>
@@ -1383,8 +1383,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
 <context>
     <name>angiopose::app::ReplayController</name>
     <message>
-        <source>Alternative path %1 of %2, probability %3 % · %4 accepts it</source>
-        <translation>Alternativer Weg %1 von %2, Wahrscheinlichkeit %3 % · %4 übernimmt ihn</translation>
+        <source>Alternative path %1 of %2, probability %3 % · %4 to accept</source>
+        <translation>Alternativer Weg %1 von %2, Wahrscheinlichkeit %3 % · %4 zum Übernehmen</translation>
     </message>
     <message>
         <source>tilt</source>
@@ -1439,19 +1439,19 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Registrierte Lösung</translation>
     </message>
     <message>
-        <source>Press J first to show the other solutions.</source>
-        <translation>Zeigen Sie zuerst mit J die anderen Lösungen.</translation>
+        <source>Show the other solutions first (J).</source>
+        <translation>Zeigen Sie zuerst die anderen Lösungen (J).</translation>
     </message>
     <message>
         <source>Accept solution %1</source>
         <translation>Lösung %1 übernehmen</translation>
     </message>
     <message>
-        <source>Other solution %1 of %2, score %3 · %4 accepts it</source>
-        <translation>Andere Lösung %1 von %2, Güte %3 · %4 übernimmt sie</translation>
+        <source>Other solution %1 of %2, score %3 · %4 to accept</source>
+        <translation>Andere Lösung %1 von %2, Güte %3 · %4 zum Übernehmen</translation>
     </message>
     <message>
-        <source>From image noise alone, poses within ±%1 mm (2 σ, mostly %2) are indistinguishable</source>
+        <source>Due to image noise alone, poses within ±%1 mm (2 σ, mainly %2) are indistinguishable</source>
         <translation>Allein wegen des Bildrauschens sind Lagen innerhalb von ±%1 mm (2 σ, vor allem %2) nicht unterscheidbar</translation>
     </message>
 </context>
@@ -1513,7 +1513,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Registrierung: %1 · %2 % · %3 px</translation>
     </message>
     <message>
-        <source>Stopped, NOT RELIABLE: the best pose so far is kept; Undo restores the previous one</source>
+        <source>Stopped, NOT RELIABLE: best pose so far kept; Undo restores the previous pose</source>
         <translation>Angehalten, NICHT VERLÄSSLICH: Die bisher beste Lage bleibt; „Rückgängig“ stellt die vorherige wieder her</translation>
     </message>
     <message>
@@ -1572,8 +1572,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Noch kein Angiogramm</translation>
     </message>
     <message>
-        <source>A case needs vessels and an angiogram. Until there is an angiogram, save only the vessels, as centerlines. Opened together with any angiogram, they form a case.</source>
-        <translation>Ein Fall benötigt Gefäße und ein Angiogramm. Solange das Angiogramm fehlt, speichern Sie nur die Gefäße, als Mittellinien. Zusammen mit einem Angiogramm geöffnet bilden sie einen Fall.</translation>
+        <source>A case requires vessels and an angiogram. Without an angiogram, only the vessels can be saved, as centerlines. To create a case later, open them together with an angiogram.</source>
+        <translation>Ein Fall benötigt Gefäße und ein Angiogramm. Ohne Angiogramm lassen sich nur die Gefäße speichern, als Mittellinien. Öffnen Sie diese später zusammen mit einem Angiogramm, um einen Fall anzulegen.</translation>
     </message>
     <message>
         <source>Save vessels…</source>
@@ -1638,8 +1638,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>DICOM-Objekte geschrieben: %1</translation>
     </message>
     <message>
-        <source>Could not start AngioPose again. Start it from the system menu.</source>
-        <translation>AngioPose konnte nicht erneut gestartet werden. Starten Sie es aus dem Menü des Systems.</translation>
+        <source>Could not start another AngioPose process. Start it from the system menu.</source>
+        <translation>Ein weiterer AngioPose-Prozess konnte nicht gestartet werden. Starten Sie ihn aus dem Menü des Systems.</translation>
     </message>
     <message>
         <source>Could not open another window</source>
@@ -1650,8 +1650,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Nicht für den klinischen Einsatz</translation>
     </message>
     <message>
-        <source>AngioPose is a research program, not a medical device: do not use it for diagnosis, treatment or navigation. Results can be wrong; a single projection cannot fully determine depth.</source>
-        <translation>AngioPose ist ein Forschungsprogramm, kein Medizinprodukt: Verwenden Sie es nicht für Diagnose, Behandlung oder Navigation. Ergebnisse können falsch sein; eine einzelne Projektion kann die Tiefe nicht vollständig bestimmen.</translation>
+        <source>AngioPose is research software, not a medical device: do not use it for diagnosis, treatment or navigation. Results can be wrong; a single projection cannot fully determine depth.</source>
+        <translation>AngioPose ist Forschungssoftware, kein Medizinprodukt: Verwenden Sie es nicht für Diagnose, Behandlung oder Navigation. Ergebnisse können falsch sein; eine einzelne Projektion kann die Tiefe nicht vollständig bestimmen.</translation>
     </message>
     <message>
         <source>I understand</source>
@@ -1721,11 +1721,11 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
 <context>
     <name>angiopose::app::SideBySideController</name>
     <message>
-        <source>Other views are hidden during a blind trial: they would reveal the answer.</source>
-        <translation>Während eines Blindversuchs sind andere Ansichten verborgen: Sie würden die Lösung verraten.</translation>
+        <source>Other views are hidden during a blind trial because they would reveal the true pose.</source>
+        <translation>Während eines Blindversuchs sind andere Ansichten verborgen, weil sie die wahre Lage verraten würden.</translation>
     </message>
     <message>
-        <source>Open an angiogram first. Another view can then be shown beside it.</source>
+        <source>Open an angiogram first. Another view can then be shown next to it.</source>
         <translation>Öffnen Sie zuerst ein Angiogramm. Eine weitere Ansicht lässt sich dann daneben zeigen.</translation>
     </message>
     <message>
@@ -1745,11 +1745,11 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>unabhängige Lage</translation>
     </message>
     <message>
-        <source>The vessels move here together with the active view.</source>
-        <translation>Die Gefäße bewegen sich hier zusammen mit der aktiven Ansicht.</translation>
+        <source>The vessels in this view move together with those in the active view.</source>
+        <translation>Die Gefäße in dieser Ansicht bewegen sich zusammen mit denen der aktiven Ansicht.</translation>
     </message>
     <message>
-        <source>The views are not registered jointly: moving the vessels in the active view does not move them here.</source>
+        <source>The views are not registered jointly: moving the vessels in the active view does not move them in this view.</source>
         <translation>Die Ansichten werden nicht gemeinsam registriert: Werden die Gefäße in der aktiven Ansicht bewegt, bleiben sie hier stehen.</translation>
     </message>
     <message>
@@ -1780,20 +1780,20 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Snapshot %1 speichern</translation>
     </message>
     <message>
-        <source>Saved as “%1” · Y compares</source>
-        <translation>Gespeichert als „%1“ · Y vergleicht</translation>
+        <source>Saved as “%1” · Y to compare</source>
+        <translation>Gespeichert als „%1“ · Y zum Vergleichen</translation>
     </message>
     <message>
-        <source>“%1”: median %2 mm · Esc returns</source>
-        <translation>„%1“: Median %2 mm · Esc kehrt zurück</translation>
+        <source>“%1”: median %2 mm · Esc to return</source>
+        <translation>„%1“: Median %2 mm · Esc: zurück</translation>
     </message>
     <message>
-        <source>“%1” · Esc returns</source>
-        <translation>„%1“ · Esc kehrt zurück</translation>
+        <source>“%1” · Esc to return</source>
+        <translation>„%1“ · Esc: zurück</translation>
     </message>
     <message>
-        <source>There is nothing to compare with yet: K saves a pose, and each registration (R) adds one.</source>
-        <translation>Es gibt noch nichts zum Vergleichen: K speichert eine Lage, und jede Registrierung (R) fügt eine hinzu.</translation>
+        <source>There is nothing to compare with yet: press K to save a snapshot; each registration (R) also adds one.</source>
+        <translation>Es gibt noch nichts zum Vergleichen: K speichert einen Snapshot, und jede Registrierung (R) fügt einen hinzu.</translation>
     </message>
     <message>
         <source>A: current pose</source>
@@ -1808,12 +1808,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Snapshot bearbeiten</translation>
     </message>
     <message>
-        <source>Delete pose</source>
-        <translation>Lage löschen</translation>
+        <source>Delete snapshot</source>
+        <translation>Snapshot löschen</translation>
     </message>
     <message>
-        <source>Delete %1 poses</source>
-        <translation>%1 Lagen löschen</translation>
+        <source>Delete %1 snapshots</source>
+        <translation>%1 Snapshots löschen</translation>
     </message>
 </context>
 <context>
@@ -1823,16 +1823,16 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>%1 %: %2</translation>
     </message>
     <message>
-        <source>%1 Press Return to accept it.</source>
+        <source>%1 Press Enter to accept it.</source>
         <translation>%1 Mit der Eingabetaste übernehmen.</translation>
     </message>
     <message>
-        <source>Branches %1: probability %2 %; %3 % of the wire follows them, %4 mm off their axes.</source>
-        <translation>Äste %1: Wahrscheinlichkeit %2 %; %3 % des Drahts folgen ihnen, %4 mm neben ihren Achsen.</translation>
+        <source>Branches %1: probability %2 %; %3 % of the guidewire follows them, %4 mm from their centerlines.</source>
+        <translation>Äste %1: Wahrscheinlichkeit %2 %; %3 % des Führungsdrahts folgen ihnen, %4 mm neben ihren Mittellinien.</translation>
     </message>
     <message>
-        <source>found</source>
-        <translation>gefunden</translation>
+        <source>result</source>
+        <translation>Ergebnis</translation>
     </message>
     <message>
         <source>Registered solution</source>
@@ -1843,7 +1843,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>%1 mm, %2°</translation>
     </message>
     <message>
-        <source>Other solution %1, score %2: differs from the registered one by %3 mm in plane, %4 mm in depth and %5° in rotation. Press Return to accept it.</source>
+        <source>Other solution %1, score %2: differs from the registered solution by %3 mm in plane, %4 mm in depth and %5° in rotation. Press Enter to accept it.</source>
         <translation>Andere Lösung %1, Güte %2: weicht von der registrierten um %3 mm in der Bildebene, %4 mm in der Tiefe und %5° in der Drehung ab. Mit der Eingabetaste übernehmen.</translation>
     </message>
 </context>
@@ -1858,8 +1858,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Startlage aus den Winkeln, Isozentrum in den Gefäßen</translation>
     </message>
     <message>
-        <source>Provide vessels, an angiogram and the geometry first.</source>
-        <translation>Laden Sie zuerst Gefäße und Angiogramm, und legen Sie die Geometrie fest.</translation>
+        <source>Open vessels and an angiogram and complete the geometry first.</source>
+        <translation>Öffnen Sie zuerst Gefäße und Angiogramm, und vervollständigen Sie die Geometrie.</translation>
     </message>
     <message>
         <source>Manual initial pose</source>
@@ -1897,8 +1897,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Erkennung…</translation>
     </message>
     <message>
-        <source>given centerline</source>
-        <translation>gegebene Mittellinie</translation>
+        <source>imported centerline</source>
+        <translation>importierte Mittellinie</translation>
     </message>
     <message>
         <source>frame %1</source>
@@ -1921,16 +1921,16 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>teils angenommen</translation>
     </message>
     <message>
-        <source>Some values are assumed. Enter them if you know them.</source>
+        <source>Some values are assumed. Enter the actual values if you know them.</source>
         <translation>Einige Werte sind angenommen. Geben Sie sie ein, wenn sie bekannt sind.</translation>
     </message>
     <message>
         <source>pixel spacing entered</source>
-        <translation>Pixelabstand eingegeben</translation>
+        <translation>Pixelgröße eingegeben</translation>
     </message>
     <message>
         <source>pixel spacing derived</source>
-        <translation>Pixelabstand abgeleitet</translation>
+        <translation>Pixelgröße abgeleitet</translation>
     </message>
     <message>
         <source>from the header</source>
@@ -1953,7 +1953,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>manuell verschoben</translation>
     </message>
     <message>
-        <source>followed</source>
+        <source>tracked</source>
         <translation>verfolgt</translation>
     </message>
     <message>
@@ -1977,7 +1977,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Median %1 mm</translation>
     </message>
     <message>
-        <source>written</source>
+        <source>exported</source>
         <translation>exportiert</translation>
     </message>
     <message>
@@ -1985,12 +1985,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Öffnen Sie eine CT-Angiographie, Segmentierung, Oberfläche oder Mittellinie.</translation>
     </message>
     <message>
-        <source>%1 pieces</source>
-        <translation>%1 Stücke</translation>
+        <source>%1 components</source>
+        <translation>%1 Komponenten</translation>
     </message>
     <message>
-        <source>The vessel tree is in pieces. The note below the branch list explains how to join them.</source>
-        <translation>Der Gefäßbaum besteht aus Stücken. Der Hinweis unter der Astliste erklärt, wie sie sich verbinden lassen.</translation>
+        <source>The vessel tree is not connected. The note below the branch list explains how to join its components.</source>
+        <translation>Der Gefäßbaum ist nicht zusammenhängend. Der Hinweis unter der Astliste erklärt, wie sich seine Komponenten verbinden lassen.</translation>
     </message>
     <message>
         <source>different patient?</source>
@@ -2001,8 +2001,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Bild %1, bearbeitet</translation>
     </message>
     <message>
-        <source>The header contains no pixel spacing: %1. Enter it, or press Enter in the field to confirm it.</source>
-        <translation>Der Header enthält keinen Pixelabstand: %1. Geben Sie ihn ein, oder bestätigen Sie ihn im Feld mit der Eingabetaste.</translation>
+        <source>The header contains no pixel spacing: %1. Enter it, or press Enter in the field to confirm the value.</source>
+        <translation>Der Header enthält keine Pixelgröße: %1. Geben Sie sie ein, oder bestätigen Sie den Wert im Feld mit der Eingabetaste.</translation>
     </message>
     <message>
         <source>from landmarks</source>
@@ -2013,7 +2013,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>nicht erfasst</translation>
     </message>
     <message>
-        <source>No vessels were traced in the scan. Place a seed or set the threshold next to the slices.</source>
+        <source>No vessels were traced in the scan. Place a seed or set the threshold in the panel next to the slices.</source>
         <translation>Im Scan wurden keine Gefäße erfasst. Setzen Sie neben den Schichten einen Startpunkt oder die Schwelle.</translation>
     </message>
     <message>
@@ -2040,7 +2040,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Min-IP der ganzen Serie</translation>
     </message>
     <message>
-        <source>One frame at a time</source>
+        <source>Single frames</source>
         <translation>Einzelbilder</translation>
     </message>
     <message>
@@ -2048,8 +2048,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Maskenbilder wählen</translation>
     </message>
     <message>
-        <source>A registration is running. Stop it to edit.</source>
-        <translation>Eine Registrierung läuft. Zum Bearbeiten anhalten.</translation>
+        <source>A registration is running. Stop it before editing.</source>
+        <translation>Eine Registrierung läuft. Halten Sie sie vor dem Bearbeiten an.</translation>
     </message>
     <message>
         <source>Open an angiogram first.</source>
@@ -2098,12 +2098,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Angehalten: Die Gefäße sind unverändert</translation>
     </message>
     <message>
-        <source>These vessels were not traced from an image: open a scan, a segmentation or a surface.</source>
-        <translation>Diese Gefäße wurden nicht aus einem Bild erfasst: Öffnen Sie einen Scan, eine Segmentierung oder eine Oberfläche.</translation>
+        <source>These vessels were not traced from an image. To trace vessels, open a scan, a segmentation or a surface.</source>
+        <translation>Diese Gefäße wurden nicht aus einem Bild erfasst. Öffnen Sie zum Erfassen einen Scan, eine Segmentierung oder eine Oberfläche.</translation>
     </message>
     <message>
         <source>A registration is running. Stop it first.</source>
-        <translation>Eine Registrierung läuft. Zuerst anhalten.</translation>
+        <translation>Eine Registrierung läuft. Halten Sie sie zuerst an.</translation>
     </message>
     <message>
         <source>Tracing the vessels of the scan…</source>
@@ -2126,8 +2126,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Bereit</translation>
     </message>
     <message>
-        <source>No label is selected: select the labels that are vessels.</source>
-        <translation>Kein Label ist ausgewählt: Wählen Sie die Labels, die Gefäße sind.</translation>
+        <source>No label is selected. Select the labels that contain vessels.</source>
+        <translation>Kein Label ist ausgewählt. Wählen Sie die Labels, die Gefäße enthalten.</translation>
     </message>
 </context>
 <context>
@@ -2137,8 +2137,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Wählen Sie einen Ast: Klicken Sie ihn in der Liste oder in einer Ansicht an.</translation>
     </message>
     <message>
-        <source>%1 pieces, too far apart to be joined</source>
-        <translation>%1 Stücke, zu weit auseinander zum Verbinden</translation>
+        <source>%1 components, too far apart to join</source>
+        <translation>%1 Komponenten, zu weit auseinander zum Verbinden</translation>
     </message>
     <message>
         <source>Place seed here</source>
@@ -2149,8 +2149,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Diesen Punkt meiden</translation>
     </message>
     <message>
-        <source>%1 pieces · gap %2 mm: %3 – %4</source>
-        <translation>%1 Stücke · Lücke %2 mm: %3 – %4</translation>
+        <source>%1 components · gap %2 mm: %3 – %4</source>
+        <translation>%1 Komponenten · Lücke %2 mm: %3 – %4</translation>
     </message>
     <message>
         <source>Rotate vessels about this point</source>
@@ -2180,7 +2180,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>%1 und nachgeordnete Äste löschen</translation>
     </message>
     <message>
-        <source>Click the cut position first, in a slice or on the branch in the 3-D view.</source>
+        <source>First click the position of the cut, in a slice or on the branch in the 3-D view.</source>
         <translation>Klicken Sie zuerst die Trennstelle an, in einer Schicht oder am Ast in der 3-D-Ansicht.</translation>
     </message>
     <message>
@@ -2188,8 +2188,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>%1 trennen</translation>
     </message>
     <message>
-        <source>Select the two branches to join: Ctrl adds the second one.</source>
-        <translation>Wählen Sie die zwei zu verbindenden Äste: Strg fügt den zweiten hinzu.</translation>
+        <source>Select two branches to join (Ctrl+click adds the second).</source>
+        <translation>Wählen Sie zwei zu verbindende Äste (Strg+Klick fügt den zweiten hinzu).</translation>
     </message>
     <message>
         <source>Join %1 and %2</source>
@@ -2216,8 +2216,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Alle Äste zeigen</translation>
     </message>
     <message>
-        <source>No terminal branch is shorter or thinner than that.</source>
-        <translation>Kein Endast ist kürzer oder dünner.</translation>
+        <source>No terminal branch is below these limits.</source>
+        <translation>Kein Endast liegt unter diesen Grenzwerten.</translation>
     </message>
     <message>
         <source>Prune 1 branch</source>
@@ -2251,7 +2251,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Diese Ansicht benennen</translation>
     </message>
     <message>
-        <source>Name of the view %1 (empty: its angles)</source>
+        <source>Name of view %1 (leave empty to use its angles)</source>
         <translation>Name der Ansicht %1 (leer: ihre Winkel)</translation>
     </message>
     <message>
@@ -2283,7 +2283,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Ansicht %1 zeigen</translation>
     </message>
     <message>
-        <source>No other view can be shown in its place.</source>
+        <source>No other view can be shown instead.</source>
         <translation>Keine andere Ansicht kann an ihrer Stelle gezeigt werden.</translation>
     </message>
     <message>
@@ -2306,7 +2306,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>ein Schritt der Registrierung</translation>
     </message>
     <message>
-        <source>a pose within image noise</source>
+        <source>a pose within the image noise</source>
         <translation>eine Lage innerhalb des Bildrauschens</translation>
     </message>
     <message>
@@ -2341,12 +2341,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
 <context>
     <name>core</name>
     <message>
-        <source>1 is the most probable path, 2 the next, and so on.</source>
-        <translation>1 ist der wahrscheinlichste Weg, 2 der nächste und so weiter.</translation>
+        <source>Rank of the path by probability: 1 is the most probable path.</source>
+        <translation>Rang des Wegs nach Wahrscheinlichkeit: 1 ist der wahrscheinlichste Weg.</translation>
     </message>
     <message>
-        <source>Adds the prior selected above to the attraction.</source>
-        <translation>Addiert den oben gewählten Prior zur Anziehung.</translation>
+        <source>Adds the prior selected above to the attraction term.</source>
+        <translation>Addiert den oben gewählten Prior zum Anziehungsterm.</translation>
     </message>
     <message>
         <source>Alternates kernel-weighted PnP between a few auxiliary points and all points (Song, Ghaffari).</source>
@@ -2361,15 +2361,15 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Alternierung</translation>
     </message>
     <message>
-        <source>Annealed particles around the initial pose, or a walk over the out-of-plane angles.</source>
+        <source>Annealed particles around the initial pose, or a sweep over the out-of-plane angles.</source>
         <translation>Abkühlende Partikel um die Startlage, oder ein Durchlauf der Winkel aus der Bildebene.</translation>
     </message>
     <message>
-        <source>A different number uses another random sequence; the same number reproduces it.</source>
-        <translation>Eine andere Zahl verwendet eine andere Zufallsfolge; dieselbe Zahl reproduziert sie.</translation>
+        <source>Seed of the random numbers; the same seed reproduces the result.</source>
+        <translation>Startwert der Zufallszahlen; derselbe Wert reproduziert das Ergebnis.</translation>
     </message>
     <message>
-        <source>Attracted by</source>
+        <source>Attracted to</source>
         <translation>Angezogen von</translation>
     </message>
     <message>
@@ -2381,24 +2381,24 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Best-first-Suche über Folgen zugeordneter Äste, mit je einer Lage pro Folge (nach Zhu; nachgebaut, eigene Parameter).</translation>
     </message>
     <message>
-        <source>Image brightness under the vessels at their own width, evolution strategy (Jomier 2006; re-implementation, our parameters).</source>
-        <translation>Bildhelligkeit unter den Gefäßen in ihrer eigenen Breite, Evolutionsstrategie (Jomier 2006; nachgebaut, eigene Parameter).</translation>
+        <source>Image intensity under the vessels at the scale of each vessel, optimized by an evolution strategy (Jomier 2006; re-implementation, our parameters).</source>
+        <translation>Bildintensität unter den Gefäßen auf der Skala jedes Gefäßes, optimiert mit einer Evolutionsstrategie (Jomier 2006; nachgebaut, eigene Parameter).</translation>
     </message>
     <message>
-        <source>Auxiliary branches (nodes if none are selected), nodes, the widest branches up to a third of the length, or random points.</source>
-        <translation>Hilfsäste (Knoten, wenn keine gewählt sind), Knoten, die weitesten Äste bis zu einem Drittel der Länge, oder zufällige Punkte.</translation>
+        <source>Auxiliary branches (nodes if none are selected), nodes, the widest branches (up to one third of the total length), or random points.</source>
+        <translation>Hilfsäste (Knoten, wenn keine gewählt sind), Knoten, die weitesten Äste (bis zu einem Drittel der Gesamtlänge) oder zufällige Punkte.</translation>
     </message>
     <message>
         <source>Coarse search, then robust point-to-line refinement about the tree&apos;s centroid, with uncertainty.</source>
         <translation>Grobe Suche, dann robuste Punkt-Linien-Verfeinerung um den Schwerpunkt, mit Unsicherheit.</translation>
     </message>
     <message>
-        <source>Covariance matrix adaptation, or one parent and one child at a time.</source>
-        <translation>Kovarianzmatrix-Adaptation, oder je ein Elter und ein Kind.</translation>
+        <source>Covariance matrix adaptation (CMA-ES), or a (1+1) evolution strategy.</source>
+        <translation>Kovarianzmatrix-Adaptation (CMA-ES) oder eine (1+1)-Evolutionsstrategie.</translation>
     </message>
     <message>
-        <source>Damped steps on the Huber loss with updated matches, or L-BFGS on the squared distances.</source>
-        <translation>Gedämpfte Schritte auf dem Huber-Verlust mit aktualisierten Zuordnungen, oder L-BFGS auf den Abstandsquadraten.</translation>
+        <source>Levenberg–Marquardt on the Huber loss with updated correspondences, or L-BFGS on the squared distances.</source>
+        <translation>Levenberg–Marquardt auf dem Huber-Verlust mit aktualisierten Zuordnungen oder L-BFGS auf den Abstandsquadraten.</translation>
     </message>
     <message>
         <source>Direction kernel</source>
@@ -2413,7 +2413,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Punktabstand auf den erkannten Gefäßen.</translation>
     </message>
     <message>
-        <source>Spacing of the matched tree points; smaller values are slower.</source>
+        <source>Spacing of the tree points used for matching; smaller values are slower.</source>
         <translation>Abstand der zugeordneten Baumpunkte; kleinere Werte sind langsamer.</translation>
     </message>
     <message>
@@ -2421,8 +2421,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Abstand, ab dem ein Punkt in der Endphase kaum noch Gewicht hat; Bildrauschen kann ihn vergrößern.</translation>
     </message>
     <message>
-        <source>Distance beyond which the pull of a point no longer grows.</source>
-        <translation>Abstand, ab dem der Zug eines Punkts nicht mehr wächst.</translation>
+        <source>Distance beyond which the influence of a point no longer increases.</source>
+        <translation>Abstand, ab dem der Einfluss eines Punkts nicht mehr zunimmt.</translation>
     </message>
     <message>
         <source>Edge scale</source>
@@ -2441,7 +2441,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Gleiche Abstände</translation>
     </message>
     <message>
-        <source>Factor by which the kernel narrows in each step after the first thirty.</source>
+        <source>Factor by which the kernel width is reduced in each step after the first thirty.</source>
         <translation>Faktor, um den der Kern nach den ersten dreißig Schritten in jedem Schritt enger wird.</translation>
     </message>
     <message>
@@ -2453,11 +2453,11 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Anfängliche Kernbreite</translation>
     </message>
     <message>
-        <source>Initial reach</source>
+        <source>Initial range</source>
         <translation>Anfängliche Reichweite</translation>
     </message>
     <message>
-        <source>Initial reach in the image</source>
+        <source>Initial image range</source>
         <translation>Anfängliche Reichweite im Bild</translation>
     </message>
     <message>
@@ -2465,16 +2465,16 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Max. Flussschritte</translation>
     </message>
     <message>
-        <source>Gradient ascent of the mean kernel between tree and traced vessels, or of the image brightness (Aylward 2003; re-implementation, our parameters).</source>
-        <translation>Gradientenaufstieg des mittleren Kerns zwischen Gefäßbaum und erkannten Gefäßen, oder der Bildhelligkeit (Aylward 2003; nachgebaut, eigene Parameter).</translation>
+        <source>Gradient ascent of the mean kernel value between tree and traced vessels, or of the image intensity (Aylward 2003; re-implementation, our parameters).</source>
+        <translation>Gradientenaufstieg des mittleren Kernwerts zwischen Gefäßbaum und erkannten Gefäßen oder der Bildintensität (Aylward 2003; nachgebaut, eigene Parameter).</translation>
     </message>
     <message>
-        <source>Gradient flow of the inner product of tree and traced vessels as functions in the image (Ghaffari 2019; re-implementation, our parameters).</source>
+        <source>Gradient flow of the inner product of tree and traced vessels, represented as functions in the image (Ghaffari 2019; re-implementation, our parameters).</source>
         <translation>Gradientenfluss des inneren Produkts von Gefäßbaum und erkannten Gefäßen als Funktionen im Bild (Ghaffari 2019; nachgebaut, eigene Parameter).</translation>
     </message>
     <message>
-        <source>Maximum number of gradient steps at each of the three widths.</source>
-        <translation>Höchstzahl der Gradientenschritte bei jeder der drei Breiten.</translation>
+        <source>Maximum number of gradient steps at each of the three kernel widths.</source>
+        <translation>Höchstzahl der Gradientenschritte bei jeder der drei Kernbreiten.</translation>
     </message>
     <message>
         <source>Required similarity of directions; smaller values are stricter.</source>
@@ -2513,12 +2513,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Anzahl der Hilfspunkte, wenn sie zufällig sind.</translation>
     </message>
     <message>
-        <source>Weighting of the pull toward the initial pose against the image.</source>
-        <translation>Gewichtung des Zugs zur Startlage gegenüber dem Bild.</translation>
+        <source>Weighting of the initial-pose prior relative to the image.</source>
+        <translation>Gewichtung des Startlage-Priors gegenüber dem Bild.</translation>
     </message>
     <message>
-        <source>Method for finding the nearest points: tree and grid are exact, the map is accurate to within three pixels.</source>
-        <translation>Verfahren zum Finden der nächsten Punkte: Baum und Gitter sind exakt, die Karte ist auf drei Pixel genau.</translation>
+        <source>Nearest-neighbor search: k-d tree and grid are exact; the distance map is accurate to within three pixels.</source>
+        <translation>Suche der nächsten Nachbarn: k-d-Baum und Gitter sind exakt, die Abstandskarte ist auf drei Pixel genau.</translation>
     </message>
     <message>
         <source>Huber distance</source>
@@ -2545,11 +2545,11 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Max. Iterationen</translation>
     </message>
     <message>
-        <source>Keeps the projected tree as wide as the traced vessels; lower it if many branches are missing from the image.</source>
-        <translation>Hält den projizierten Baum so breit wie die erkannten Gefäße; verringern Sie den Wert, wenn viele Äste im Bild fehlen.</translation>
+        <source>Keeps the extent of the projected tree equal to that of the traced vessels; lower it if many branches are missing from the image.</source>
+        <translation>Hält die Ausdehnung des projizierten Baums gleich der der erkannten Gefäße; verringern Sie den Wert, wenn viele Äste im Bild fehlen.</translation>
     </message>
     <message>
-        <source>Keeps the projected tree from shrinking; lower it if many branches are missing from the image.</source>
+        <source>Prevents the projected tree from shrinking; lower it if many branches are missing from the image.</source>
         <translation>Hindert den projizierten Baum am Schrumpfen; verringern Sie den Wert, wenn viele Äste im Bild fehlen.</translation>
     </message>
     <message>
@@ -2557,7 +2557,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Kernabnahme</translation>
     </message>
     <message>
-        <source>Initial kernel width: the largest distance, or its square as printed in the paper.</source>
+        <source>Initial kernel width: the largest distance, or its square, as printed in the paper.</source>
         <translation>Anfängliche Kernbreite: der größte Abstand, oder dessen Quadrat wie im Artikel.</translation>
     </message>
     <message>
@@ -2573,28 +2573,28 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Endgültige Kernbreite</translation>
     </message>
     <message>
-        <source>Last pose ±, depth</source>
-        <translation>Letzte Lage ±, Tiefe</translation>
+        <source>Last pose ± (depth)</source>
+        <translation>Letzte Lage ± (Tiefe)</translation>
     </message>
     <message>
-        <source>Last pose ±, rotation</source>
-        <translation>Letzte Lage ±, Drehung</translation>
+        <source>Last pose ± (rotation)</source>
+        <translation>Letzte Lage ± (Drehung)</translation>
     </message>
     <message>
-        <source>Last pose ±, shift</source>
-        <translation>Letzte Lage ±, Verschiebung</translation>
+        <source>Last pose ± (shift)</source>
+        <translation>Letzte Lage ± (Verschiebung)</translation>
     </message>
     <message>
         <source>Minimum Huber loss of the distances to the nearest traced vessel (Rivest-Hénault 2012; re-implementation, our parameters).</source>
         <translation>Minimaler Huber-Verlust der Abstände zum nächsten erkannten Gefäß (Rivest-Hénault 2012; nachgebaut, eigene Parameter).</translation>
     </message>
     <message>
-        <source>Least squares on branches matched by their graphs, followed by length-preserving vessel motion (Groher 2009; re-implementation, our parameters).</source>
-        <translation>Kleinste Quadrate auf Ästen, die nach ihren Graphen zugeordnet sind, danach längenerhaltende Gefäßbewegung (Groher 2009; nachgebaut, eigene Parameter).</translation>
+        <source>Least squares on branches matched by graph matching, followed by length-preserving vessel motion (Groher 2009; re-implementation, our parameters).</source>
+        <translation>Kleinste Quadrate auf Ästen, die durch Graph-Matching zugeordnet sind, danach längenerhaltende Gefäßbewegung (Groher 2009; nachgebaut, eigene Parameter).</translation>
     </message>
     <message>
-        <source>Repeated least squares on nearest pairs, with OpenCV&apos;s SQPNP.</source>
-        <translation>Wiederholte kleinste Quadrate auf nächsten Paaren, mit OpenCVs SQPNP.</translation>
+        <source>Iterative closest points with OpenCV&apos;s SQPnP solver.</source>
+        <translation>Iterative-Closest-Point-Verfahren mit dem Löser SQPnP von OpenCV.</translation>
     </message>
     <message>
         <source>Allow vessel motion</source>
@@ -2609,16 +2609,16 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Alterniert zwischen den Hilfspunkten und allen Punkten.</translation>
     </message>
     <message>
-        <source>Rounds of line searches along all six directions.</source>
-        <translation>Runden von Liniensuchen in allen sechs Richtungen.</translation>
+        <source>Number of line-search rounds along all six directions.</source>
+        <translation>Anzahl der Runden der Liniensuche in allen sechs Richtungen.</translation>
     </message>
     <message>
-        <source>Searches around the initial pose before the refinement.</source>
+        <source>Searches the neighborhood of the initial pose before the refinement.</source>
         <translation>Sucht vor der Verfeinerung um die Startlage.</translation>
     </message>
     <message>
-        <source>Many poses at once, resampled by likelihood, or a walk over the out-of-plane angles (after Tian 2022; re-implementation, our parameters).</source>
-        <translation>Viele Lagen zugleich, Resampling nach Likelihood, oder ein Durchlauf der Winkel aus der Bildebene (nach Tian 2022; nachgebaut, eigene Parameter).</translation>
+        <source>Particle filter resampled by likelihood, or a sweep over the out-of-plane angles (after Tian 2022; re-implementation, our parameters).</source>
+        <translation>Partikelfilter mit Resampling nach Likelihood oder ein Durchlauf der Winkel aus der Bildebene (nach Tian 2022; nachgebaut, eigene Parameter).</translation>
     </message>
     <message>
         <source>Mask margin</source>
@@ -2637,7 +2637,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Höchstzahl der Runden aus Astzuordnung und Lageanpassung.</translation>
     </message>
     <message>
-        <source>After the rigid fit, moves the branches onto their matches with lengths preserved and reports the displacement; the pose does not change.</source>
+        <source>After the rigid fit, moves the branches to their matches while preserving their lengths, and reports the displacement; the pose does not change.</source>
         <translation>Bewegt die Äste nach der starren Anpassung längenerhaltend auf ihre Zuordnungen und meldet die Verschiebung; die Lage ändert sich nicht.</translation>
     </message>
     <message>
@@ -2645,7 +2645,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>NICP in der alternierenden Suche (Song, Ghaffari; nachgebaut, eigene Parameter).</translation>
     </message>
     <message>
-        <source>Narrows the kernel after five steps, or when no new point comes within its reach.</source>
+        <source>Narrows the kernel after five steps, or when no new point comes within its range.</source>
         <translation>Verengt den Kern nach fünf Schritten, oder wenn kein neuer Punkt in seine Reichweite kommt.</translation>
     </message>
     <message>
@@ -2661,19 +2661,19 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Neben der Achse ±</translation>
     </message>
     <message>
-        <source>For images that show only a wire or catheter: finds its path through the tree, and the pose near the last full registration.</source>
-        <translation>Für Bilder, die nur einen Draht oder Katheter zeigen: findet seinen Weg im Gefäßbaum und die Lage nahe der letzten vollständigen Registrierung.</translation>
+        <source>For images that show only a guidewire or catheter: finds its path through the tree, and the pose near the last full registration.</source>
+        <translation>Für Bilder, die nur einen Führungsdraht oder Katheter zeigen: findet seinen Weg im Gefäßbaum und die Lage nahe der letzten vollständigen Registrierung.</translation>
     </message>
     <message>
         <source>Particles</source>
         <translation>Partikel</translation>
     </message>
     <message>
-        <source>Pixels compared</source>
+        <source>Compared pixels</source>
         <translation>Verglichene Pixel</translation>
     </message>
     <message>
-        <source>Points attract each other more strongly the more parallel the vessels are there.</source>
+        <source>Points attract each other more strongly where the vessels are more parallel.</source>
         <translation>Punkte ziehen einander umso stärker an, je paralleler die Gefäße dort verlaufen.</translation>
     </message>
     <message>
@@ -2685,7 +2685,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Anzahl der Lagen je Runde, jede aus drei zufälligen Korrespondenzen.</translation>
     </message>
     <message>
-        <source>Number of poses kept per round.</source>
+        <source>Number of poses retained per round.</source>
         <translation>Anzahl der je Runde behaltenen Lagen.</translation>
     </message>
     <message>
@@ -2725,19 +2725,19 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Rangkorrelation des Bildes mit DRRs der CTA oder von Röhren, Nelder–Mead (Steininger 2012; nachgebaut, eigene Parameter).</translation>
     </message>
     <message>
-        <source>Initial reach of the attraction.</source>
+        <source>Initial range of the attraction.</source>
         <translation>Anfängliche Reichweite der Anziehung.</translation>
     </message>
     <message>
-        <source>Final reach of the attraction.</source>
+        <source>Final range of the attraction.</source>
         <translation>Endgültige Reichweite der Anziehung.</translation>
     </message>
     <message>
-        <source>Root reach</source>
-        <translation>Reichweite der Wurzeln</translation>
+        <source>Max. node distance</source>
+        <translation>Max. Knotenabstand</translation>
     </message>
     <message>
-        <source>Rigid only, or followed by an affine stage whose rigid part is kept if it fits better.</source>
+        <source>Rigid only, or followed by an affine stage whose rigid component is kept if it fits better.</source>
         <translation>Nur starr, oder gefolgt von einer affinen Stufe, deren starrer Teil bleibt, wenn er besser passt.</translation>
     </message>
     <message>
@@ -2793,7 +2793,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Weitenterm</translation>
     </message>
     <message>
-        <source>Spaces the points evenly before matching; if off, uses the points unchanged.</source>
+        <source>Resamples the points at even spacing before matching; if off, the points are used unchanged.</source>
         <translation>Verteilt die Punkte vor dem Zuordnen gleichmäßig; ausgeschaltet bleiben die Punkte unverändert.</translation>
     </message>
     <message>
@@ -2817,24 +2817,24 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Standardabweichung der Startlage längs des Strahls.</translation>
     </message>
     <message>
-        <source>Standard deviation of the initial pose angles; constrains what the image cannot determine.</source>
-        <translation>Standardabweichung der Winkel der Startlage; legt fest, was das Bild nicht bestimmen kann.</translation>
+        <source>Standard deviation of the initial pose angles; constrains the components that the image cannot determine.</source>
+        <translation>Standardabweichung der Winkel der Startlage; legt die Komponenten fest, die das Bild nicht bestimmen kann.</translation>
     </message>
     <message>
-        <source>Standard deviation of the wire from the vessel axis, in addition to the play within the vessel width.</source>
-        <translation>Standardabweichung des Drahts von der Gefäßachse, zusätzlich zum Spiel innerhalb der Gefäßweite.</translation>
+        <source>Standard deviation of the guidewire from the vessel axis, in addition to its free play within the lumen.</source>
+        <translation>Standardabweichung des Führungsdrahts von der Gefäßachse, zusätzlich zum Spiel innerhalb der Gefäßweite.</translation>
     </message>
     <message>
         <source>Initial depth ±</source>
         <translation>Starttiefe ±</translation>
     </message>
     <message>
-        <source>Steps along the flow, total over all widths.</source>
-        <translation>Schritte längs des Flusses, alle Breiten zusammen.</translation>
+        <source>Maximum number of steps along the flow, summed over all kernel widths.</source>
+        <translation>Höchstzahl der Schritte längs des Flusses, über alle Kernbreiten summiert.</translation>
     </message>
     <message>
-        <source>Wire path</source>
-        <translation>Weg des Drahts</translation>
+        <source>Path rank</source>
+        <translation>Rang des Wegs</translation>
     </message>
     <message>
         <source>Auxiliary branch weight</source>
@@ -2849,7 +2849,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Unsicherheit der Geometrie</translation>
     </message>
     <message>
-        <source>Uncertainty of focal length and principal point: typical for their origin, as given below, or none.</source>
+        <source>Uncertainty of focal length and principal point: typical for their source, as given below, or none.</source>
         <translation>Unsicherheit von Brennweite und Hauptpunkt: typisch für ihre Herkunft, wie unten angegeben, oder keine.</translation>
     </message>
     <message>
@@ -2857,7 +2857,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Brennweite ±</translation>
     </message>
     <message>
-        <source>Standard deviation of the focal length, if given.</source>
+        <source>Standard deviation of the focal length, if specified.</source>
         <translation>Standardabweichung der Brennweite, falls angegeben.</translation>
     </message>
     <message>
@@ -2865,7 +2865,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Hauptpunkt ±</translation>
     </message>
     <message>
-        <source>Standard deviation of each principal-point coordinate, if given.</source>
+        <source>Standard deviation of each principal-point coordinate, if specified.</source>
         <translation>Standardabweichung jeder Koordinate des Hauptpunkts, falls angegeben.</translation>
     </message>
     <message>
@@ -2877,20 +2877,20 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Wenn die Bilder Brennweite oder Hauptpunkt klar widersprechen, werden die daraus ermittelten Werte übernommen und erneut registriert.</translation>
     </message>
     <message>
-        <source>Mirrored and rotated images</source>
-        <translation>Gespiegelte und gedrehte Bilder</translation>
+        <source>Mirrored or rotated images</source>
+        <translation>Gespiegelte oder gedrehte Bilder</translation>
     </message>
     <message>
-        <source>If the fit has low confidence, reports whether the image looks mirrored or rotated.</source>
-        <translation>Meldet bei geringer Konfidenz der Anpassung, ob das Bild gespiegelt oder gedreht aussieht.</translation>
+        <source>If confidence is low, reports whether the image appears mirrored or rotated.</source>
+        <translation>Meldet bei geringer Konfidenz, ob das Bild gespiegelt oder gedreht erscheint.</translation>
     </message>
     <message>
         <source>Deformation</source>
         <translation>Deformation</translation>
     </message>
     <message>
-        <source>Deforms the vessels onto the image after the rigid registration: never, if the fit suggests a deformation (angiopose, nothing locked), or always.</source>
-        <translation>Verformt die Gefäße nach der starren Registrierung auf das Bild: nie, wenn die Anpassung auf eine Verformung hindeutet (angiopose, nichts gesperrt), oder immer.</translation>
+        <source>Deforms the vessels to match the image after the rigid registration: never; automatically, if the fit suggests a deformation (method angiopose, nothing locked); or always.</source>
+        <translation>Verformt die Gefäße nach der starren Registrierung auf das Bild: nie; automatisch, wenn die Anpassung auf eine Verformung hindeutet (Methode angiopose, nichts gesperrt); oder immer.</translation>
     </message>
     <message>
         <source>Initial rotation ±</source>
@@ -2917,20 +2917,20 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Strategie</translation>
     </message>
     <message>
-        <source>Strength of the pull toward the initial pose.</source>
-        <translation>Stärke des Zugs zur Startlage.</translation>
+        <source>Weight of the initial-pose prior.</source>
+        <translation>Gewicht des Startlage-Priors.</translation>
     </message>
     <message>
         <source>Maximum number of refinement steps.</source>
         <translation>Höchstzahl der Verfeinerungsschritte.</translation>
     </message>
     <message>
-        <source>The spread narrows by a quarter in each round.</source>
+        <source>The spread decreases by one quarter in each round.</source>
         <translation>Die Streuung nimmt in jeder Runde um ein Viertel ab.</translation>
     </message>
     <message>
-        <source>The traced vessels, or the image brightness at each vessel&apos;s own width.</source>
-        <translation>Die erkannten Gefäße, oder die Bildhelligkeit in der Breite jedes Gefäßes.</translation>
+        <source>The traced vessels, or the image intensity at the scale of each vessel.</source>
+        <translation>Die erkannten Gefäße oder die Bildintensität auf der Skala jedes Gefäßes.</translation>
     </message>
     <message>
         <source>Transformation</source>
@@ -2942,10 +2942,10 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
     <message>
         <source>Rotates about the source before all other steps.</source>
-        <translation>Dreht vor allen anderen Schritten um die Quelle.</translation>
+        <translation>Dreht vor allen anderen Schritten um den Fokus.</translation>
     </message>
     <message>
-        <source>Balanced rotation and translation, or unscaled radians and millimeters, which hardly translates.</source>
+        <source>Balances rotation and translation, or uses unscaled radians and millimeters, which yields hardly any translation.</source>
         <translation>Drehung und Verschiebung ausgewogen, oder unskaliert Bogenmaß und Millimeter, was kaum verschiebt.</translation>
     </message>
     <message>
@@ -2953,11 +2953,11 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Gefäßwände gegen Bildgradienten, Powell-Verfahren (Mitrović 2013; nachgebaut, eigene Parameter).</translation>
     </message>
     <message>
-        <source>Initial width of the mixture Gaussians.</source>
+        <source>Initial width of the Gaussians in the mixture.</source>
         <translation>Anfängliche Breite der Gauß-Mischungen.</translation>
     </message>
     <message>
-        <source>Final width of the mixture Gaussians.</source>
+        <source>Final width of the Gaussians in the mixture.</source>
         <translation>Endgültige Breite der Gauß-Mischungen.</translation>
     </message>
     <message>
@@ -3183,7 +3183,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>C-Bogen-Winkel</translation>
     </message>
     <message>
-        <source>Blue: visible at full length and free of overlap. Amber: foreshortened or overlapped.</source>
+        <source>Blue: visible at full length and without overlap. Amber: foreshortened or overlapped.</source>
         <translation>Blau: in voller Länge und ohne Überlagerung sichtbar. Orange: verkürzt oder überlagert.</translation>
     </message>
     <message>
@@ -3195,8 +3195,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>C-Bogen-Grenzen</translation>
     </message>
     <message>
-        <source>Now: %1</source>
-        <translation>Jetzt: %1</translation>
+        <source>Current: %1</source>
+        <translation>Aktuell: %1</translation>
     </message>
     <message>
         <source>%1: foreshortening %2 %, overlap %3 %</source>
@@ -3226,12 +3226,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>The camera or the pose contains a value that is not a finite number. Export it again.</source>
         <comment>projection.not-finite</comment>
-        <translation>Kamera oder Lage enthalten einen Wert, der keine endliche Zahl ist. Bitte neu exportieren.</translation>
+        <translation>Kamera oder Lage enthalten einen Wert, der keine endliche Zahl ist. Exportieren Sie sie neu.</translation>
     </message>
     <message>
         <source>The left 3 x 3 block of the projection matrix is singular, so this is not an X-ray camera. Export it again.</source>
         <comment>projection.degenerate</comment>
-        <translation>Der linke 3 x 3-Block der Projektionsmatrix ist singulär; dies ist also keine Röntgenkamera. Bitte neu exportieren.</translation>
+        <translation>Der linke 3 x 3-Block der Projektionsmatrix ist singulär; dies ist also keine Röntgenkamera. Exportieren Sie sie neu.</translation>
     </message>
     <message>
         <source>The camera has skewed pixels (skew %1). Provide a camera without skew, or resample the image.</source>
@@ -3239,7 +3239,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Die Kamera hat gescherte Pixel (Scherung %1). Geben Sie eine Kamera ohne Scherung an, oder tasten Sie das Bild neu ab.</translation>
     </message>
     <message>
-        <source>K must contain only focal lengths and principal point: fx 0 cx, 0 fy cy, 0 0 1. Check whether it is transposed.</source>
+        <source>K must contain only focal lengths and principal point: fx 0 cx, 0 fy cy, 0 0 1. Check that it is not transposed.</source>
         <comment>projection.intrinsics</comment>
         <translation>K darf nur Brennweiten und Hauptpunkt enthalten: fx 0 cx, 0 fy cy, 0 0 1. Prüfen Sie, ob sie transponiert ist.</translation>
     </message>
@@ -3254,17 +3254,17 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>die Datei enthält keine Kamera mit Lage. Geben Sie P (3 x 4) an, oder K (3 x 3), R (3 x 3 oder rvec) und t (3).</translation>
     </message>
     <message>
-        <source>the file contains %1 numbers. P = K [R t] has 12 (three rows of four), a pose cameraFromPatient has 16.</source>
+        <source>the file contains %1 numbers. P = K [R t] requires 12 (three rows of four), a pose cameraFromPatient 16.</source>
         <comment>exchange.numbers</comment>
         <translation>die Datei enthält %1 Zahlen. P = K [R t] hat 12 (drei Zeilen zu vier), eine Lage cameraFromPatient hat 16.</translation>
     </message>
     <message>
-        <source>the camera has lens distortion (distortion coefficients). Undistort the image, then provide a camera without distortion.</source>
+        <source>the camera has lens distortion (distortion coefficients). Undistort the image, then specify a camera without distortion.</source>
         <comment>exchange.distorted</comment>
         <translation>die Kamera hat eine Verzeichnung (Verzeichnungskoeffizienten). Entzerren Sie das Bild, und geben Sie dann eine Kamera ohne Verzeichnung an.</translation>
     </message>
     <message>
-        <source>a pose in this format needs a camera. Provide a case, or a pose with a camera.</source>
+        <source>a pose in this format requires a camera. Specify a case, or a pose with a camera.</source>
         <comment>exchange.no-camera</comment>
         <translation>eine Lage in diesem Format braucht eine Kamera. Geben Sie einen Fall an, oder eine Lage mit Kamera.</translation>
     </message>
@@ -3291,12 +3291,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>line %1 contains no point (id,x,y,z,…). Export the points again.</source>
         <comment>fiducials.line</comment>
-        <translation>Zeile %1 enthält keinen Punkt (id,x,y,z,…). Die Punkte neu exportieren.</translation>
+        <translation>Zeile %1 enthält keinen Punkt (id,x,y,z,…). Exportieren Sie die Punkte neu.</translation>
     </message>
     <message>
-        <source>its coordinate system is %1, not LPS or RAS. Export the points in patient coordinates.</source>
+        <source>the coordinate system is %1, not LPS or RAS. Export the points in patient coordinates.</source>
         <comment>fiducials.system</comment>
-        <translation>das Koordinatensystem ist %1, nicht LPS oder RAS. Die Punkte in Patientenkoordinaten exportieren.</translation>
+        <translation>das Koordinatensystem ist %1, nicht LPS oder RAS. Exportieren Sie die Punkte in Patientenkoordinaten.</translation>
     </message>
     <message>
         <source>points can be saved as .fcsv or .mrk.json. Change the extension.</source>
@@ -3304,9 +3304,9 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Punkte lassen sich als .fcsv oder .mrk.json speichern. Ändern Sie die Endung.</translation>
     </message>
     <message>
-        <source>%1 is a pose or contains points. Open the case it belongs to first, then open this file on its own.</source>
+        <source>%1 contains a pose or points. Open its case first, then open this file separately.</source>
         <comment>open.pose-alone</comment>
-        <translation>%1 ist eine Lage oder enthält Punkte. Öffnen Sie zuerst den zugehörigen Fall, dann diese Datei allein.</translation>
+        <translation>%1 enthält eine Lage oder Punkte. Öffnen Sie zuerst den zugehörigen Fall, dann diese Datei allein.</translation>
     </message>
     <message>
         <source>The camera of the pose differs from the camera of the case. The vessels are drawn with the camera of the pose.</source>
@@ -3344,7 +3344,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Eingebrannter Text wurde maskiert (%1 % der Bildfläche). Prüfen Sie, dass nichts übrig ist.</translation>
     </message>
     <message>
-        <source>The header declares burned-in identity, but no text was found in the image. Review every frame.</source>
+        <source>The header declares burned-in patient information, but no text was detected in the image. Review every frame.</source>
         <comment>deidentify.letters-declared</comment>
         <translation>Laut Header sind Patientendaten in das Bild eingebrannt, doch es wurde kein Text gefunden. Prüfen Sie jedes Einzelbild.</translation>
     </message>
@@ -3364,24 +3364,24 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Dateien ohne Bild wurden übersprungen: %1 von %2.</translation>
     </message>
     <message>
-        <source>its segments are stored in a form that cannot be saved again. Convert it to .nii.gz or .nrrd; these formats store no label names.</source>
+        <source>the segments use an encoding that cannot be written. Convert the file to .nii.gz or .nrrd; these formats store no label names.</source>
         <comment>deidentify.segmentation</comment>
-        <translation>ihre Segmente sind in einer Form gespeichert, die sich nicht wieder speichern lässt. Wandeln Sie sie in .nii.gz oder .nrrd um; diese Formate speichern keine Label-Namen.</translation>
+        <translation>die Segmente verwenden eine Codierung, die sich nicht schreiben lässt. Wandeln Sie die Datei in .nii.gz oder .nrrd um; diese Formate speichern keine Label-Namen.</translation>
     </message>
     <message>
-        <source>its compressed 32-bit pixels cannot be saved again. Convert it to .nii.gz or .nrrd.</source>
+        <source>the compressed 32-bit pixels cannot be re-encoded. Convert the file to .nii.gz or .nrrd.</source>
         <comment>deidentify.pixels-too-wide</comment>
-        <translation>ihre komprimierten 32-Bit-Pixel lassen sich nicht wieder speichern. Wandeln Sie sie in .nii.gz oder .nrrd um.</translation>
+        <translation>die komprimierten 32-Bit-Pixel lassen sich nicht neu codieren. Wandeln Sie die Datei in .nii.gz oder .nrrd um.</translation>
     </message>
     <message>
-        <source>only PNG, JPEG, TIFF and DICOM images can be stripped of metadata. Save it as PNG.</source>
+        <source>only PNG, JPEG, TIFF and DICOM images can be stripped of metadata. Save the image as PNG.</source>
         <comment>deidentify.picture</comment>
         <translation>nur aus PNG-, JPEG-, TIFF- und DICOM-Bildern lassen sich die Metadaten entfernen. Speichern Sie es als PNG.</translation>
     </message>
     <message>
-        <source>the folder is not empty. Choose a new one, so nothing else is shared with the output.</source>
+        <source>the folder is not empty. Choose an empty folder so that no other files are shared with the output.</source>
         <comment>deidentify.output-not-empty</comment>
-        <translation>der Ordner ist nicht leer. Wählen Sie einen neuen, damit nichts anderes weitergegeben wird.</translation>
+        <translation>der Ordner ist nicht leer. Wählen Sie einen leeren, damit keine anderen Dateien mit weitergegeben werden.</translation>
     </message>
     <message>
         <source>the folder contains no DICOM image. Choose the folder of one study.</source>
@@ -3389,7 +3389,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>der Ordner enthält kein DICOM-Bild. Wählen Sie den Ordner einer Studie.</translation>
     </message>
     <message>
-        <source>an input file of the case could not be read and is not in the ZIP archive: %1</source>
+        <source>an input file of the case could not be read and is missing from the ZIP archive: %1</source>
         <comment>pack.input-missing</comment>
         <translation>eine Eingabedatei des Falls war nicht lesbar und fehlt im ZIP-Archiv: %1</translation>
     </message>
@@ -3404,14 +3404,14 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>das ZIP-Archiv lässt sich nicht schreiben (%1). Wählen Sie einen anderen Ordner, oder schaffen Sie Speicherplatz.</translation>
     </message>
     <message>
-        <source>User-entered names, notes and texts were replaced by numbers: %1.</source>
+        <source>Names, notes and texts entered by users were replaced by numbers: %1.</source>
         <comment>pack.texts-cleared</comment>
         <translation>Eingegebene Namen, Notizen und Texte wurden durch Nummern ersetzt: %1.</translation>
     </message>
     <message>
-        <source>the packed case does not match the original: %1 Nothing was written.</source>
+        <source>the ZIP archive does not match the original case: %1 Nothing was written.</source>
         <comment>pack.differs</comment>
-        <translation>der gepackte Fall stimmt nicht mit dem Original überein: %1 Es wurde nichts geschrieben.</translation>
+        <translation>das ZIP-Archiv stimmt nicht mit dem ursprünglichen Fall überein: %1 Es wurde nichts geschrieben.</translation>
     </message>
     <message>
         <source>Branch names are kept. Check that they contain anatomy only.</source>
@@ -3439,32 +3439,32 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>die Gefäße weichen ab.</translation>
     </message>
     <message>
-        <source>a key needs at least 16 bytes. Create one: head -c 32 /dev/urandom &gt; key</source>
+        <source>a key must have at least 16 bytes. To create one: head -c 32 /dev/urandom &gt; key</source>
         <comment>deidentify.key-too-short</comment>
         <translation>ein Schlüssel braucht mindestens 16 Byte. Einen erzeugen: head -c 32 /dev/urandom &gt; key</translation>
     </message>
     <message>
-        <source>de-identification turns this input into a file with the extension %1, and a folder into a folder. Name OUT accordingly.</source>
+        <source>this input is de-identified into a file with the extension %1, and a folder into a folder. Name OUT accordingly.</source>
         <comment>deidentify.kind</comment>
-        <translation>bei der De-Identifizierung wird diese Eingabe zu einer Datei mit der Endung %1, ein Ordner zu einem Ordner. Benennen Sie OUT entsprechend.</translation>
+        <translation>diese Eingabe wird zu einer de-identifizierten Datei mit der Endung %1, ein Ordner zu einem Ordner. Benennen Sie OUT entsprechend.</translation>
     </message>
     <message>
-        <source>this TIFF cannot be saved again without loss (supported: gray, palette or RGB with 8 or 16 bits or float, in strips). Save it as PNG.</source>
+        <source>this TIFF cannot be rewritten losslessly (supported: grayscale, palette or RGB with 8 or 16 bits or float, in strips). Convert it to PNG.</source>
         <comment>deidentify.tiff</comment>
         <translation>dieses TIFF lässt sich nicht verlustfrei wieder speichern (unterstützt: Grau, Palette oder RGB mit 8 oder 16 Bit oder Gleitkomma, in Streifen). Speichern Sie es als PNG.</translation>
     </message>
     <message>
-        <source>this is a document (PDF), and any page may show names. Generate it again from a de-identified case.</source>
+        <source>this is a PDF document; any page may contain names. Create it again from a de-identified case.</source>
         <comment>deidentify.pages</comment>
-        <translation>dies ist ein Dokument (PDF), dessen Seiten überall Namen zeigen können. Erzeugen Sie es neu aus einem de-identifizierten Fall.</translation>
+        <translation>dies ist ein PDF-Dokument, dessen Seiten überall Namen enthalten können. Erzeugen Sie es neu aus einem de-identifizierten Fall.</translation>
     </message>
     <message>
-        <source>objects of this kind (class %1) contain data that cannot be de-identified reliably. Leave it out.</source>
+        <source>objects of this kind (class %1) contain data that cannot be de-identified reliably. Omit the object.</source>
         <comment>deidentify.object</comment>
         <translation>Objekte dieser Art (Klasse %1) enthalten Daten, die sich nicht sicher de-identifizieren lassen. Lassen Sie es weg.</translation>
     </message>
     <message>
-        <source>its class (%1) declares no image, but the file contains one, which would be lost. Export it again, or leave it out.</source>
+        <source>its SOP class (%1) has no image, but the file contains one, which would be lost. Export it again, or omit it.</source>
         <comment>deidentify.object-with-pixels</comment>
         <translation>seine Klasse (%1) sieht kein Bild vor, die Datei enthält aber eines, das verloren ginge. Exportieren Sie es erneut, oder lassen Sie es weg.</translation>
     </message>
@@ -3479,7 +3479,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Alternativer Weg: %1 (%2).</translation>
     </message>
     <message>
-        <source>No path through the vessel tree is likely: the best one has a probability of %1.</source>
+        <source>No path through the vessel tree is likely: the best path has a probability of %1.</source>
         <comment>wire.unlikely</comment>
         <translation>Kein Weg durch den Gefäßbaum ist wahrscheinlich: der beste hat eine Wahrscheinlichkeit von %1.</translation>
     </message>
@@ -3489,9 +3489,9 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Nur %1 des Führungsdrahts liegen entlang des Gefäßbaums.</translation>
     </message>
     <message>
-        <source>The traced centerlines do not form a single line: gaps make up %1 of it. Remove those that are not the guidewire.</source>
+        <source>The traced curves do not form a single line: gaps make up %1 of it. Remove the curves that do not belong to the guidewire.</source>
         <comment>wire.in-pieces</comment>
-        <translation>Die verfolgten Mittellinien bilden keine einzelne Linie: %1 davon sind Lücken. Entfernen Sie die, die nicht zum Führungsdraht gehören.</translation>
+        <translation>Die erkannten Kurven bilden keine einzelne Linie: %1 davon sind Lücken. Entfernen Sie die Kurven, die nicht zum Führungsdraht gehören.</translation>
     </message>
     <message>
         <source>The guidewire matches no path of the vessel tree near the initial pose. Start from the last full registration, or allow a larger deviation.</source>
@@ -3499,17 +3499,17 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Der Führungsdraht passt nahe der Startlage zu keinem Weg im Gefäßbaum. Beginnen Sie mit der letzten vollständigen Registrierung, oder lassen Sie eine größere Abweichung zu.</translation>
     </message>
     <message>
-        <source>The guidewire follows branches %1 with a probability of %2; it lies %3 off the centerlines.</source>
+        <source>The guidewire follows branches %1 with a probability of %2, at a distance of %3 from their centerlines.</source>
         <comment>wire.follows</comment>
         <translation>Der Führungsdraht folgt mit einer Wahrscheinlichkeit von %2 den Ästen %1; er liegt %3 neben den Mittellinien.</translation>
     </message>
     <message>
-        <source>There are %1 likely paths: the most likely one is used instead of the requested one.</source>
+        <source>There are only %1 likely paths: the most likely one is used instead of the requested one.</source>
         <comment>wire.fewer-ways</comment>
-        <translation>Es gibt %1 wahrscheinliche Wege: Statt des gewünschten wird der wahrscheinlichste verwendet.</translation>
+        <translation>Es gibt nur %1 wahrscheinliche Wege: Statt des gewünschten wird der wahrscheinlichste verwendet.</translation>
     </message>
     <message>
-        <source>images can be saved as .png or .svg, in the window also as .pdf. Choose one of these.</source>
+        <source>images can be saved as .png or .svg, and in the window also as .pdf. Choose one of these.</source>
         <comment>picture.kind</comment>
         <translation>Bilder lassen sich als .png oder .svg speichern, im Fenster auch als .pdf. Wählen Sie eines davon.</translation>
     </message>
@@ -3524,24 +3524,24 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Der Ordner „%1“ lässt sich nicht anlegen: %2.</translation>
     </message>
     <message>
-        <source>Unexpected failure: %1</source>
+        <source>Unexpected error: %1</source>
         <comment>run.unexpected-failure</comment>
         <translation>Unerwarteter Fehler: %1</translation>
     </message>
     <message>
-        <source>there is no setting &apos;%1&apos;. The closest names are: %2.</source>
+        <source>unknown setting &apos;%1&apos;. Closest names: %2.</source>
         <comment>setting.unknown</comment>
         <translation>es gibt keine Einstellung „%1“. Die ähnlichsten Namen sind: %2.</translation>
     </message>
     <message>
-        <source>the setting %1 cannot be &apos;%2&apos;: %3</source>
+        <source>invalid value &apos;%2&apos; for the setting %1: %3</source>
         <comment>setting.value</comment>
-        <translation>die Einstellung %1 kann nicht „%2“ sein: %3</translation>
+        <translation>ungültiger Wert „%2“ für die Einstellung %1: %3</translation>
     </message>
     <message>
-        <source>a batch needs a header row with the column case, or the columns vessels and angiogram, and one row per case.</source>
+        <source>a batch file needs a header row with the column case, or with the columns vessels and angiogram, and one row per case.</source>
         <comment>batch.header-missing</comment>
-        <translation>ein Stapel braucht eine Kopfzeile mit der Spalte case oder den Spalten vessels und angiogram, und eine Zeile je Fall.</translation>
+        <translation>eine Stapeldatei braucht eine Kopfzeile mit der Spalte case oder mit den Spalten vessels und angiogram, und eine Zeile je Fall.</translation>
     </message>
     <message>
         <source>line %1, column %2: %3</source>
@@ -3549,17 +3549,17 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Zeile %1, Spalte %2: %3</translation>
     </message>
     <message>
-        <source>line %1 names both a case and inputs. Name either the case, or its vessels and its angiogram.</source>
+        <source>line %1 specifies both a case and inputs. Specify either the case or its vessels and angiogram.</source>
         <comment>batch.not-both</comment>
         <translation>Zeile %1 nennt sowohl einen Fall als auch Eingaben. Nennen Sie entweder den Fall, oder seine Gefäße und sein Angiogramm.</translation>
     </message>
     <message>
-        <source>line %1 is incomplete. Name a case, or both vessels and an angiogram.</source>
+        <source>line %1 is incomplete. Specify a case, or both vessels and an angiogram.</source>
         <comment>batch.inputs-lack</comment>
         <translation>Zeile %1 ist unvollständig. Nennen Sie einen Fall, oder sowohl Gefäße als auch ein Angiogramm.</translation>
     </message>
     <message>
-        <source>line %1: the seeds &apos;%2&apos; are not points. Write x y z in mm (LPS), with &apos;;&apos; between points.</source>
+        <source>line %1: invalid seeds &apos;%2&apos;. Specify x y z in mm (LPS), with &apos;;&apos; between points.</source>
         <comment>batch.seeds-unclear</comment>
         <translation>Zeile %1: Die Startpunkte „%2“ sind keine Punkte. Schreiben Sie x y z in mm (LPS), mit „;“ zwischen den Punkten.</translation>
     </message>
@@ -3569,9 +3569,9 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>der Arbeitsprozess endete unerwartet (%1). Seine unvollständige Ausgabe wurde verworfen.</translation>
     </message>
     <message>
-        <source>the case took longer than %1 and was aborted. Raise the limit with --time-limit.</source>
+        <source>the case exceeded the time limit of %1 and was aborted. Raise the limit with --time-limit.</source>
         <comment>batch.out-of-time</comment>
-        <translation>der Fall brauchte länger als %1 und wurde abgebrochen. Erhöhen Sie die Grenze mit --time-limit.</translation>
+        <translation>der Fall überschritt das Zeitlimit von %1 und wurde abgebrochen. Erhöhen Sie es mit --time-limit.</translation>
     </message>
     <message>
         <source>the worker program %1 cannot be started.</source>
@@ -3579,22 +3579,22 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>das Arbeitsprogramm %1 lässt sich nicht starten.</translation>
     </message>
     <message>
-        <source>the input contains %1 series. Name a file of one of them, or a case that names the series.</source>
+        <source>the input contains %1 series. Specify a file of one of them, or a case that specifies the series.</source>
         <comment>batch.several-series</comment>
         <translation>die Eingabe enthält %1 Serien. Nennen Sie eine Datei einer davon, oder einen Fall, der die Serie nennt.</translation>
     </message>
     <message>
-        <source>the vessels measure %1 units across, which is unlikely to be millimeters. Name a case that gives the unit.</source>
+        <source>the vessels span %1 units, which are unlikely to be millimeters. Specify a case that defines the unit.</source>
         <comment>batch.unit-unclear</comment>
         <translation>die Gefäße messen insgesamt %1 Einheiten, was kaum Millimeter sind. Nennen Sie einen Fall, der die Einheit angibt.</translation>
     </message>
     <message>
-        <source>no folder contains a result for this row. Run it with --resume.</source>
+        <source>no folder contains a result for this row. Process it with --resume.</source>
         <comment>batch.row-missing</comment>
         <translation>kein Ordner enthält ein Ergebnis zu dieser Zeile. Führen Sie sie mit --resume aus.</translation>
     </message>
     <message>
-        <source>the results of %1 and %2 come from different settings or versions. Merge only results of the same settings and version.</source>
+        <source>the results of %1 and %2 were computed with different settings or versions. Merge only results with the same settings and version.</source>
         <comment>batch.merge-differs</comment>
         <translation>die Ergebnisse von %1 und %2 stammen aus unterschiedlichen Einstellungen oder Versionen. Führen Sie nur Ergebnisse gleicher Einstellungen und Version zusammen.</translation>
     </message>
@@ -3609,9 +3609,9 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Dieser Fall wurde nicht registriert: Die Gefäße sind in der Startlage gezeichnet. Registrieren Sie ihn mit --save, oder geben Sie --pose oder --from an.</translation>
     </message>
     <message>
-        <source>at the initial pose: not registered</source>
+        <source>initial pose, not registered</source>
         <comment>pose.at-start</comment>
-        <translation>in der Startlage: nicht registriert</translation>
+        <translation>Startlage, nicht registriert</translation>
     </message>
     <message>
         <source>this is not a registration result. Provide a result.json or joint.json written by `register` or `batch`.</source>
@@ -3619,9 +3619,9 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>dies ist kein Registrierungsergebnis. Geben Sie eine result.json oder joint.json an, die `register` oder `batch` geschrieben hat.</translation>
     </message>
     <message>
-        <source>the result does not record its inputs: an earlier version computed it, or its registration estimated the geometry. Register its case instead.</source>
+        <source>the result does not record its inputs: it was computed by an earlier version, or the geometry was estimated. Register its case instead.</source>
         <comment>result.without-case</comment>
-        <translation>das Ergebnis hält seine Eingaben nicht fest: Eine frühere Version hat es berechnet, oder seine Registrierung hat die Geometrie geschätzt. Registrieren Sie stattdessen seinen Fall.</translation>
+        <translation>das Ergebnis hält seine Eingaben nicht fest: Es wurde mit einer früheren Version berechnet, oder die Geometrie wurde geschätzt. Registrieren Sie stattdessen seinen Fall.</translation>
     </message>
     <message>
         <source>no input %1 with the recorded content (SHA-256 %2) was found. Specify its folder with --inputs.</source>
@@ -3634,19 +3634,19 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>der Inhalt der Eingabe %1 hat sich seit der Berechnung geändert. Geben Sie den Ordner des Originals mit --inputs an.</translation>
     </message>
     <message>
-        <source>--shard needs the part and the number of parts, such as 2/4, not &apos;%1&apos;.</source>
+        <source>--shard expects a part and the number of parts, such as 2/4, not &apos;%1&apos;.</source>
         <comment>command.shard-unclear</comment>
         <translation>--shard braucht den Teil und die Anzahl der Teile, z. B. 2/4, nicht „%1“.</translation>
     </message>
     <message>
-        <source>There is no degree of freedom &apos;%1&apos; to lock. Use %2, or none.</source>
+        <source>There is no degree of freedom &apos;%1&apos;. Lock %2, or none.</source>
         <comment>command.no-such-freedom</comment>
         <translation>Es gibt keinen Freiheitsgrad „%1“ zum Sperren. Möglich: %2 oder none.</translation>
     </message>
     <message>
-        <source>its pose has no deformable registration. Register it where the vessels look deformed, or with the option deformable=always.</source>
+        <source>there is no deformable registration for this pose. Register a frame in which the vessels appear deformed, or use the option deformable=always.</source>
         <comment>command.no-bent-vessels</comment>
-        <translation>zu seiner Lage gibt es keine deformierbare Registrierung. Registrieren Sie ihn dort, wo die Gefäße verformt aussehen, oder mit der Option deformable=always.</translation>
+        <translation>zu dieser Lage gibt es keine deformierbare Registrierung. Registrieren Sie ein Bild, in dem die Gefäße verformt erscheinen, oder verwenden Sie die Option deformable=always.</translation>
     </message>
     <message>
         <source>the image of this view could not be read.</source>
@@ -3654,12 +3654,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>das Bild dieser Ansicht konnte nicht gelesen werden.</translation>
     </message>
     <message>
-        <source>The folders to merge contain results of &apos;%1&apos;, not of &apos;%2&apos;.</source>
+        <source>The folders to merge contain results of &apos;%1&apos; instead of &apos;%2&apos;.</source>
         <comment>command.merge-of-others</comment>
         <translation>Die zusammenzuführenden Ordner enthalten Ergebnisse von „%1“, nicht von „%2“.</translation>
     </message>
     <message>
-        <source>the file contains no centerlines yet. Trace them: angiopose-cli trace-vessel %1 --output %2.</source>
+        <source>the file contains no centerlines yet. Trace them with: angiopose-cli trace-vessel %1 --output %2.</source>
         <comment>convert.no-curves</comment>
         <translation>die Datei enthält noch keine Mittellinien. Erfassen Sie sie mit: angiopose-cli trace-vessel %1 --output %2.</translation>
     </message>
@@ -3674,9 +3674,9 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>diese Endung lässt sich nicht schreiben. Mittellinien: .vtp, .csv, .swc, .mrk.json; Volumen: .nii, .nii.gz, .nrrd, .mha; Oberflächen: .stl; Lagen: .json, .tfm, .h5; Röntgenserien: .dcm.</translation>
     </message>
     <message>
-        <source>this is the input, which is never overwritten. Choose another name.</source>
+        <source>this is the input file, which is never overwritten. Choose another name.</source>
         <comment>convert.onto-input</comment>
-        <translation>das ist die Eingabe, die nie überschrieben wird. Einen anderen Namen wählen.</translation>
+        <translation>das ist die Eingabedatei, die nie überschrieben wird. Wählen Sie einen anderen Namen.</translation>
     </message>
     <message>
         <source>this is not a label image, so it has no labels. Omit --label, or choose a segmentation.</source>
@@ -3684,9 +3684,9 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>dies ist kein Label-Bild und hat daher keine Labels. Lassen Sie --label weg, oder wählen Sie eine Segmentierung.</translation>
     </message>
     <message>
-        <source>the file already contains centerlines; no tracing is needed. `convert` changes their format.</source>
+        <source>the file already contains centerlines; no tracing is needed. Use `convert` to change the format.</source>
         <comment>trace.centrelines</comment>
-        <translation>die Datei enthält bereits Mittellinien; Erfassen ist nicht nötig. `convert` ändert ihr Format.</translation>
+        <translation>die Datei enthält bereits Mittellinien; Erfassen ist nicht nötig. Das Format ändert `convert`.</translation>
     </message>
     <message>
         <source>this surface cannot be traced. Choose another one.</source>
@@ -3719,7 +3719,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Nicht genügend Speicher. Schließen Sie andere Programme, oder verwenden Sie kleinere Daten.</translation>
     </message>
     <message>
-        <source>A library reported an error: %1. Check the inputs.</source>
+        <source>A software library reported an error: %1. Check the inputs.</source>
         <comment>run.library-gave-up</comment>
         <translation>Eine Bibliothek meldet einen Fehler: %1. Prüfen Sie die Eingaben.</translation>
     </message>
@@ -3729,22 +3729,22 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Die Registrierung wurde angehalten, bevor sie begann.</translation>
     </message>
     <message>
-        <source>Nothing to show yet.</source>
+        <source>There is nothing to show yet.</source>
         <comment>run.not-shown</comment>
         <translation>Noch nichts anzuzeigen.</translation>
     </message>
     <message>
-        <source>The scan does not reach the vessels. Show the whole scan, or open the scan that contains the vessels.</source>
+        <source>The scan does not cover the vessels. Show the whole scan, or open the scan that contains them.</source>
         <comment>scan.beside-vessels</comment>
         <translation>Der Scan reicht nicht bis zu den Gefäßen. Zeigen Sie den ganzen Scan, oder öffnen Sie den Scan, der die Gefäße enthält.</translation>
     </message>
     <message>
-        <source>An overlay needs a vessel tree and an angiogram. Open both first.</source>
+        <source>An overlay requires a vessel tree and an angiogram. Open both first.</source>
         <comment>picture.overlay-incomplete</comment>
         <translation>Eine Überlagerung braucht Gefäßbaum und Angiogramm. Öffnen Sie zuerst beide.</translation>
     </message>
     <message>
-        <source>An image export needs a vessel tree and an angiogram. Open both first.</source>
+        <source>Exporting an image requires a vessel tree and an angiogram. Open both first.</source>
         <comment>picture.incomplete</comment>
         <translation>Ein Bildexport braucht Gefäßbaum und Angiogramm. Öffnen Sie zuerst beide.</translation>
     </message>
@@ -3771,7 +3771,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>no response within %1. Try again later, or increase the response timeout of this PACS; completely received objects are kept.</source>
         <comment>archive.no-answer</comment>
-        <translation>keine Antwort innerhalb von %1. Versuchen Sie es später erneut, oder erhöhen Sie das Zeitlimit dieses PACS; vollständig empfangene Objekte bleiben erhalten.</translation>
+        <translation>keine Antwort innerhalb von %1. Versuchen Sie es später erneut, oder erhöhen Sie das Antwort-Timeout dieses PACS; vollständig empfangene Objekte bleiben erhalten.</translation>
     </message>
     <message>
         <source>the connection was lost (%1). Try again; completely received objects are kept.</source>
@@ -3779,14 +3779,14 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>die Verbindung brach ab (%1). Versuchen Sie es erneut; vollständig empfangene Objekte bleiben erhalten.</translation>
     </message>
     <message>
-        <source>%2 does not know the AE title %1. Correct the AE title of this PACS in the PACS list.</source>
+        <source>%2 does not recognize the called AE title %1. Correct the AE title of this PACS in the PACS list.</source>
         <comment>archive.unknown-title</comment>
-        <translation>%2 kennt den AE-Titel %1 nicht. Berichtigen Sie den AE-Titel dieses PACS in der PACS-Liste.</translation>
+        <translation>%2 kennt den gerufenen AE-Titel %1 nicht. Berichtigen Sie den AE-Titel dieses PACS in der PACS-Liste.</translation>
     </message>
     <message>
-        <source>the PACS does not accept our AE title %1. Have it registered there, or correct it in the PACS list.</source>
+        <source>the PACS does not recognize our calling AE title %1. Have it registered there, or correct it in the PACS list.</source>
         <comment>archive.title-not-allowed</comment>
-        <translation>das PACS akzeptiert unseren AE-Titel %1 nicht. Lassen Sie ihn dort eintragen, oder berichtigen Sie ihn in der PACS-Liste.</translation>
+        <translation>das PACS kennt unseren rufenden AE-Titel %1 nicht. Lassen Sie ihn dort eintragen, oder berichtigen Sie ihn in der PACS-Liste.</translation>
     </message>
     <message>
         <source>the association was rejected (%1). Ask the PACS administrator whether this computer may connect.</source>
@@ -3799,7 +3799,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>das PACS brach die Assoziation ab. Prüfen Sie sein Protokoll, oder versuchen Sie es erneut; vollständig empfangene Objekte bleiben erhalten.</translation>
     </message>
     <message>
-        <source>the PACS does not offer %1. Ask its administrator to allow it for our AE title %2.</source>
+        <source>the PACS does not offer %1. Ask its administrator to enable it for our AE title %2.</source>
         <comment>archive.no-service</comment>
         <translation>das PACS bietet %1 nicht an. Bitten Sie den Administrator, es für unseren AE-Titel %2 freizugeben.</translation>
     </message>
@@ -3834,14 +3834,14 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>dies ist keine PACS-Liste (%1). Berichtigen Sie sie, oder löschen Sie die Datei.</translation>
     </message>
     <message>
-        <source>there is no PACS %1 in %2; known: %3. Add it, or correct the name.</source>
+        <source>the PACS %1 is not listed in %2; available: %3. Add it, or correct the name.</source>
         <comment>archive.unknown</comment>
-        <translation>in %2 gibt es kein PACS %1; bekannt: %3. Fügen Sie es hinzu, oder berichtigen Sie den Namen.</translation>
+        <translation>das PACS %1 steht nicht in %2; vorhanden: %3. Fügen Sie es hinzu, oder berichtigen Sie den Namen.</translation>
     </message>
     <message>
-        <source>a PACS has no valid name (1 to 64 characters). Enter one.</source>
+        <source>a PACS has no valid name. Enter 1 to 64 characters.</source>
         <comment>archive.no-name</comment>
-        <translation>ein PACS hat keinen gültigen Namen (1 bis 64 Zeichen). Geben Sie einen ein.</translation>
+        <translation>ein PACS hat keinen gültigen Namen. Geben Sie 1 bis 64 Zeichen ein.</translation>
     </message>
     <message>
         <source>the PACS has neither a host nor a DICOMweb address. Enter one.</source>
@@ -3849,17 +3849,17 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>das PACS hat weder einen Host noch eine DICOMweb-Adresse. Geben Sie eines davon ein.</translation>
     </message>
     <message>
-        <source>%1 is not a valid host. Enter a name or an address without port and spaces.</source>
+        <source>%1 is not a valid host. Enter a host name or IP address without port or spaces.</source>
         <comment>archive.bad-host</comment>
-        <translation>%1 ist kein gültiger Host. Geben Sie einen Namen oder eine Adresse ohne Port und Leerzeichen ein.</translation>
+        <translation>%1 ist kein gültiger Host. Geben Sie einen Hostnamen oder eine IP-Adresse ohne Port und Leerzeichen ein.</translation>
     </message>
     <message>
-        <source>port %1 is not between 1 and 65535. Correct it.</source>
+        <source>port %1 is invalid. Enter a number from 1 to 65535.</source>
         <comment>archive.bad-port</comment>
-        <translation>Port %1 liegt nicht zwischen 1 und 65535. Berichtigen Sie ihn.</translation>
+        <translation>Port %1 ist ungültig. Geben Sie eine Zahl von 1 bis 65535 ein.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is not a valid AE title. Enter 1 to 16 letters, digits or symbols other than the backslash.</source>
+        <source>&quot;%1&quot; is not a valid AE title. Enter 1 to 16 letters, digits or symbols except the backslash.</source>
         <comment>archive.bad-title</comment>
         <translation>„%1“ ist kein gültiger AE-Titel. Geben Sie 1 bis 16 Buchstaben, Ziffern oder Zeichen außer dem umgekehrten Schrägstrich ein.</translation>
     </message>
@@ -3869,17 +3869,17 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>%1 ist keine DICOMweb-Adresse. Geben Sie eine ein, die mit https:// oder http:// beginnt.</translation>
     </message>
     <message>
-        <source>the response timeout must be 1 to 600 s. Correct it.</source>
+        <source>the response timeout is invalid. Enter 1 to 600 s.</source>
         <comment>archive.bad-time</comment>
-        <translation>das Zeitlimit für Antworten muss 1 bis 600 s betragen. Berichtigen Sie es.</translation>
+        <translation>das Antwort-Timeout ist ungültig. Geben Sie 1 bis 600 s ein.</translation>
     </message>
     <message>
-        <source>a client certificate requires its key and vice versa; one is missing. Specify both files.</source>
+        <source>a client certificate and its private key are required together; one is missing. Specify both files.</source>
         <comment>archive.key-without-certificate</comment>
-        <translation>Zertifikat und Schlüssel gehören zusammen; eines fehlt. Geben Sie beide Dateien an.</translation>
+        <translation>Client-Zertifikat und privater Schlüssel sind nur zusammen verwendbar; eines fehlt. Geben Sie beide Dateien an.</translation>
     </message>
     <message>
-        <source>the PACS has only a DICOMweb address. Enter host and port too, or use DICOMweb.</source>
+        <source>the PACS has only a DICOMweb address. Enter a host and port as well, or use DICOMweb.</source>
         <comment>archive.no-dimse</comment>
         <translation>das PACS hat nur eine DICOMweb-Adresse. Geben Sie auch Host und Port ein, oder verwenden Sie DICOMweb.</translation>
     </message>
@@ -3889,37 +3889,37 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>das PACS hat keine DICOMweb-Adresse. Geben Sie eine ein, oder verwenden Sie DIMSE.</translation>
     </message>
     <message>
-        <source>names and images are sent to %1 without encryption. Use https:// or TLS on a shared network.</source>
+        <source>names and images are sent to %1 unencrypted. On a shared network, use TLS or https://.</source>
         <comment>archive.plain-text</comment>
         <translation>Namen und Bilder werden unverschlüsselt an %1 gesendet. Verwenden Sie in gemeinsam genutzten Netzen https:// oder TLS.</translation>
     </message>
     <message>
-        <source>%1 is not a date. Write YYYY-MM-DD, or a range: 2024-01-01..2024-02-01.</source>
+        <source>%1 is not a date. Enter YYYY-MM-DD, or a range such as 2024-01-01..2024-02-01.</source>
         <comment>archive.bad-date</comment>
-        <translation>%1 ist kein Datum. Schreiben Sie JJJJ-MM-TT, oder einen Bereich: 2024-01-01..2024-02-01.</translation>
+        <translation>%1 ist kein Datum. Geben Sie JJJJ-MM-TT ein, oder einen Bereich wie 2024-01-01..2024-02-01.</translation>
     </message>
     <message>
-        <source>there are more than %1 matches; the rest is omitted. Narrow the query.</source>
+        <source>there are more than %1 matches; the rest are omitted. Narrow the query.</source>
         <comment>archive.many-matches</comment>
         <translation>es gibt mehr als %1 Treffer; der Rest fehlt. Schränken Sie die Suche ein.</translation>
     </message>
     <message>
-        <source>the PACS has no data for %1. Query again.</source>
+        <source>the PACS has no data for %1. Repeat the query.</source>
         <comment>archive.nothing-there</comment>
         <translation>das PACS hat keine Daten zu %1. Suchen Sie erneut.</translation>
     </message>
     <message>
-        <source>%1 is not a UID. Copy it from the output of find.</source>
+        <source>%1 is not a UID. Copy it from the output of `find`.</source>
         <comment>archive.bad-uid</comment>
-        <translation>%1 ist keine UID. Kopieren Sie sie aus der Ausgabe von find.</translation>
+        <translation>%1 ist keine UID. Kopieren Sie sie aus der Ausgabe von `find`.</translation>
     </message>
     <message>
-        <source>%1 of %2 objects were received; the PACS did not send the others (%3). Retrieve again, or check its log.</source>
+        <source>%1 of %2 objects were received; the PACS did not send the others (%3). Retrieve them again, or check the PACS log.</source>
         <comment>archive.not-all-came</comment>
-        <translation>%1 von %2 Objekten wurden empfangen; die übrigen sendete das PACS nicht (%3). Rufen Sie erneut ab, oder prüfen Sie sein Protokoll.</translation>
+        <translation>%1 von %2 Objekten wurden empfangen; die übrigen sendete das PACS nicht (%3). Rufen Sie sie erneut ab, oder prüfen Sie das Protokoll des PACS.</translation>
     </message>
     <message>
-        <source>the PACS does not offer C-GET, and C-MOVE needs a local port. Set the C-MOVE port, and have AE title, host and port registered at the PACS.</source>
+        <source>the PACS does not offer C-GET, and C-MOVE requires a local port. Set the C-MOVE port, and have AE title, host and port registered at the PACS.</source>
         <comment>archive.no-way-back</comment>
         <translation>das PACS bietet C-GET nicht an, und C-MOVE braucht einen lokalen Port. Setzen Sie den C-MOVE-Port, und lassen Sie AE-Titel, Host und Port im PACS eintragen.</translation>
     </message>
@@ -3929,7 +3929,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>an Port %1 lässt sich nicht lauschen (%2). Wählen Sie einen anderen Port über 1024.</translation>
     </message>
     <message>
-        <source>an object exceeds the limit of %1 and was discarded. Raise the limit if you need it (--max-object).</source>
+        <source>an object exceeds the limit of %1 and was discarded. If you need it, raise the limit (--max-object).</source>
         <comment>archive.object-too-large</comment>
         <translation>ein Objekt überschreitet die Grenze von %1 und wurde verworfen. Erhöhen Sie bei Bedarf die Grenze (--max-object).</translation>
     </message>
@@ -3939,19 +3939,19 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>ein empfangenes Objekt ist kein lesbares DICOM und wurde verworfen. Prüfen Sie das Protokoll des PACS.</translation>
     </message>
     <message>
-        <source>a received object is not the announced one (%1) and was discarded. Check the PACS log.</source>
+        <source>a received object does not match the announced one (%1) and was discarded. Check the PACS log.</source>
         <comment>archive.object-foreign</comment>
         <translation>ein empfangenes Objekt ist nicht das angekündigte (%1) und wurde verworfen. Prüfen Sie das Protokoll des PACS.</translation>
     </message>
     <message>
-        <source>a received object has the UID (%1) of a different local object; the local one is kept. Find out which is correct.</source>
+        <source>a received object has the same UID (%1) as a different local object; the local one is kept. Determine which one is correct.</source>
         <comment>archive.object-differs</comment>
         <translation>ein empfangenes Objekt hat die UID (%1) eines anderen lokalen Objekts; das lokale bleibt erhalten. Klären Sie, welches richtig ist.</translation>
     </message>
     <message>
-        <source>the series does not fit into the cache of %1. Raise its limit, or clear it.</source>
+        <source>the series does not fit into the cache of %1. Raise the limit, or empty the cache.</source>
         <comment>archive.cache-too-small</comment>
-        <translation>die Serie passt nicht in den Cache von %1. Erhöhen Sie seine Grenze, oder leeren Sie ihn.</translation>
+        <translation>die Serie passt nicht in den Zwischenspeicher von %1. Erhöhen Sie seine Grenze, oder leeren Sie ihn.</translation>
     </message>
     <message>
         <source>the folder cannot be created or used (%1). Choose another one, or free disk space.</source>
@@ -3959,14 +3959,14 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>der Ordner lässt sich nicht anlegen oder benutzen (%1). Wählen Sie einen anderen, oder schaffen Sie Speicherplatz.</translation>
     </message>
     <message>
-        <source>this is not a complete DICOM file with a transfer syntax and was not sent. Write it again, or choose another file.</source>
+        <source>this is not a complete DICOM file with a transfer syntax and was not sent. Export it again, or choose another file.</source>
         <comment>archive.not-sendable</comment>
         <translation>dies ist keine vollständige DICOM-Datei mit Transfersyntax und wurde nicht gesendet. Schreiben Sie sie neu, oder wählen Sie eine andere.</translation>
     </message>
     <message>
-        <source>the PACS does not accept this kind of object in its stored form (class %1, transfer syntax %2). Convert it, or ask the PACS administrator.</source>
+        <source>the PACS does not accept this SOP class in the stored transfer syntax (class %1, transfer syntax %2). Convert the object, or ask the PACS administrator.</source>
         <comment>archive.not-taken</comment>
-        <translation>das PACS nimmt solche Objekte in der gespeicherten Form nicht an (Klasse %1, Transfersyntax %2). Wandeln Sie es um, oder fragen Sie den PACS-Administrator.</translation>
+        <translation>das PACS nimmt diese SOP-Klasse in der gespeicherten Transfersyntax nicht an (Klasse %1, Transfersyntax %2). Wandeln Sie das Objekt um, oder fragen Sie den PACS-Administrator.</translation>
     </message>
     <message>
         <source>the PACS rejected the object with %1. Check its log, or ask its administrator.</source>
@@ -3989,9 +3989,9 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>die Antwort ist größer als %1. Schränken Sie die Suche ein.</translation>
     </message>
     <message>
-        <source>%1 (AE title %2) was rejected: it is not in the list of allowed callers.</source>
+        <source>%1 (AE title %2) was rejected: it is not in the list of allowed calling AE titles.</source>
         <comment>archive.title-turned-away</comment>
-        <translation>%1 (AE-Titel %2) wurde abgelehnt: nicht in der Liste der zugelassenen Sender.</translation>
+        <translation>%1 (AE-Titel %2) wurde abgelehnt: nicht in der Liste der zugelassenen rufenden AE-Titel.</translation>
     </message>
     <message>
         <source>%1 (AE title %2) was rejected: its called AE title %3 is not ours. Correct it at the sender.</source>
@@ -3999,7 +3999,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>%1 (AE-Titel %2) wurde abgelehnt: Der gerufene AE-Titel %3 ist nicht unserer. Berichtigen Sie ihn beim Sender.</translation>
     </message>
     <message>
-        <source>an incoming connection failed (%1). Check the sender: address, port, TLS.</source>
+        <source>an incoming connection failed (%1). Check address, port and TLS at the sender.</source>
         <comment>archive.call-failed</comment>
         <translation>eine eingehende Verbindung schlug fehl (%1). Prüfen Sie beim Sender: Adresse, Port, TLS.</translation>
     </message>
@@ -4009,19 +4009,19 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>eine eingehende Verbindung wurde abgelehnt: Der TLS-Handshake schlug fehl (%1). Prüfen Sie das Zertifikat des Senders, die hier akzeptierten Zertifikate, und ob der Sender TLS verwendet.</translation>
     </message>
     <message>
-        <source>TLS on a listening port needs our own certificate and its key. Specify both files.</source>
+        <source>TLS on a listening port requires a local certificate and its private key. Specify both files.</source>
         <comment>archive.port-unsecured</comment>
-        <translation>TLS an einem lauschenden Port braucht ein eigenes Zertifikat und dessen Schlüssel. Geben Sie beide Dateien an.</translation>
+        <translation>TLS an einem lauschenden Port braucht ein lokales Zertifikat und dessen privaten Schlüssel. Geben Sie beide Dateien an.</translation>
     </message>
     <message>
-        <source>%1 does not exist. Check the name, or whether its drive is mounted.</source>
+        <source>%1 does not exist. Check the name and whether the drive is mounted.</source>
         <comment>open.missing</comment>
-        <translation>%1 gibt es nicht. Namen prüfen, oder ob das Laufwerk eingehängt ist.</translation>
+        <translation>%1 gibt es nicht. Prüfen Sie den Namen, und ob das Laufwerk eingehängt ist.</translation>
     </message>
     <message>
         <source>%1 cannot be read: %2. Check its permissions.</source>
         <comment>open.unreadable</comment>
-        <translation>%1 lässt sich nicht lesen: %2. Die Rechte prüfen.</translation>
+        <translation>%1 lässt sich nicht lesen: %2. Prüfen Sie die Rechte.</translation>
     </message>
     <message>
         <source>%1 is empty. Copy the file again from its source.</source>
@@ -4041,12 +4041,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>%1 is a second vessel tree. Open one vessel tree at a time.</source>
         <comment>open.second-tree</comment>
-        <translation>%1 ist ein zweiter Gefäßbaum. Nur einen auf einmal öffnen.</translation>
+        <translation>%1 ist ein zweiter Gefäßbaum. Öffnen Sie nur einen auf einmal.</translation>
     </message>
     <message>
         <source>%1 is a second 2-D centerline. Open one 2-D centerline at a time.</source>
         <comment>open.second-centreline</comment>
-        <translation>%1 ist eine zweite 2-D-Mittellinie. Nur eine auf einmal öffnen.</translation>
+        <translation>%1 ist eine zweite 2-D-Mittellinie. Öffnen Sie nur eine auf einmal.</translation>
     </message>
     <message>
         <source>%1 is a second angiogram. Open one at a time; add others as views.</source>
@@ -4059,7 +4059,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>%1 wurde verschoben und unter %2 gefunden. Speichern Sie den Fall, um den neuen Pfad zu behalten.</translation>
     </message>
     <message>
-        <source>this is not an angiogram. Choose an XA image, or a case with one.</source>
+        <source>this is not an angiogram. Choose an XA image, or a case that contains one.</source>
         <comment>open.no-angiogram</comment>
         <translation>dies ist kein Angiogramm. Wählen Sie eine XA-Aufnahme, oder einen Fall mit einer.</translation>
     </message>
@@ -4094,9 +4094,9 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>%1 · Median %2</translation>
     </message>
     <message>
-        <source>%1 · median %2 · unreliable</source>
+        <source>%1 · median %2 · not reliable</source>
         <comment>picture.pose-not-trustworthy</comment>
-        <translation>%1 · Median %2 · unzuverlässig</translation>
+        <translation>%1 · Median %2 · nicht verlässlich</translation>
     </message>
     <message>
         <source>displacement, mm</source>
@@ -4104,14 +4104,14 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Verschiebung, mm</translation>
     </message>
     <message>
-        <source>deformation from frame %1, not this one</source>
+        <source>deformation of frame %1, not of this frame</source>
         <comment>picture.bent-on-frame</comment>
-        <translation>Verformung aus Bild %1, nicht diesem</translation>
+        <translation>Verformung von Bild %1, nicht von diesem</translation>
     </message>
     <message>
-        <source>deformation along the ray: unknown</source>
+        <source>deformation in depth: unknown</source>
         <comment>picture.bent-depth-untold</comment>
-        <translation>Verformung entlang des Strahls: unbekannt</translation>
+        <translation>Verformung in der Tiefe: unbekannt</translation>
     </message>
     <message>
         <source>rigid: %1</source>
@@ -4119,9 +4119,9 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>starr: %1</translation>
     </message>
     <message>
-        <source>vessels rigid; deformation available</source>
+        <source>vessels shown rigid; deformation available</source>
         <comment>picture.vessels-rigid</comment>
-        <translation>Gefäße starr; Verformung verfügbar</translation>
+        <translation>Gefäße starr gezeigt; Verformung verfügbar</translation>
     </message>
     <message>
         <source>vessels deformed by up to %1, uncertain</source>
@@ -4194,7 +4194,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>abgeleitet</translation>
     </message>
     <message>
-        <source>user</source>
+        <source>entered</source>
         <comment>origin.user</comment>
         <translation>eingegeben</translation>
     </message>
@@ -4209,37 +4209,37 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>fehlt</translation>
     </message>
     <message>
-        <source>The simulation&apos;s %1 must lie between %2 and %3, not %4.</source>
+        <source>The %1 of the simulation must be between %2 and %3, not %4.</source>
         <comment>simulation.out-of-range</comment>
         <translation>%1 der Simulation muss zwischen %2 und %3 liegen, nicht %4.</translation>
     </message>
     <message>
-        <source>Method &apos;%1&apos; has no option with the choice &apos;%2&apos;. Use option=value.</source>
+        <source>Method &apos;%1&apos; has no option with the value &apos;%2&apos;. Use option=value.</source>
         <comment>contest.no-such-choice</comment>
-        <translation>Das Verfahren „%1“ hat keine Option mit der Wahl „%2“. Verwenden Sie option=wert.</translation>
+        <translation>Die Methode „%1“ hat keine Option mit dem Wert „%2“. Verwenden Sie option=wert.</translation>
     </message>
     <message>
-        <source>Method &apos;%1&apos; has several options with the choice &apos;%2&apos;. Use option=value.</source>
+        <source>Method &apos;%1&apos; has several options with the value &apos;%2&apos;. Use option=value.</source>
         <comment>contest.choice-of-several</comment>
-        <translation>Das Verfahren „%1“ hat mehrere Optionen mit der Wahl „%2“. Verwenden Sie option=wert.</translation>
+        <translation>Die Methode „%1“ hat mehrere Optionen mit dem Wert „%2“. Verwenden Sie option=wert.</translation>
     </message>
     <message>
-        <source>No method is specified. See the methods in: angiopose-cli evaluate --help</source>
+        <source>No method specified. For a list of methods, run: angiopose-cli evaluate --help</source>
         <comment>contest.no-method-named</comment>
-        <translation>Es ist kein Verfahren angegeben. Die Verfahren stehen in: angiopose-cli evaluate --help</translation>
+        <translation>Es ist keine Methode angegeben. Eine Liste der Methoden gibt: angiopose-cli evaluate --help</translation>
     </message>
     <message>
-        <source>The experiment &apos;%1&apos; has no condition &apos;%2&apos;. See the conditions in: angiopose-cli evaluate --help</source>
+        <source>The experiment &apos;%1&apos; has no condition &apos;%2&apos;. For a list of conditions, run: angiopose-cli evaluate --help</source>
         <comment>experiment.no-such-condition</comment>
-        <translation>Das Experiment „%1“ hat keine Bedingung „%2“. Die Bedingungen stehen in: angiopose-cli evaluate --help</translation>
+        <translation>Das Experiment „%1“ hat keine Bedingung „%2“. Eine Liste der Bedingungen gibt: angiopose-cli evaluate --help</translation>
     </message>
     <message>
-        <source>The condition &apos;%1&apos; does not belong to &apos;%2&apos;. Merge results of this program version.</source>
+        <source>The condition &apos;%1&apos; does not belong to &apos;%2&apos;. Merge only results of this program version.</source>
         <comment>merge.foreign-condition</comment>
         <translation>Die Bedingung „%1“ gehört nicht zu „%2“. Führen Sie Ergebnisse dieser Programmversion zusammen.</translation>
     </message>
     <message>
-        <source>Two parts differ in %1 of trial %2 of %3. Merge results of the same program version and settings.</source>
+        <source>Two parts differ in %1 of trial %2 of %3. Merge only results of the same program version and settings.</source>
         <comment>merge.parts-disagree</comment>
         <translation>Zwei Teile unterscheiden sich bei %1 im Versuch %2 von %3. Führen Sie Ergebnisse derselben Programmversion und Einstellungen zusammen.</translation>
     </message>
@@ -4249,34 +4249,34 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Es gibt keine Ergebnisse zusammenzuführen.</translation>
     </message>
     <message>
-        <source>Results of &apos;%1&apos;, seed %2, and of &apos;%3&apos;, seed %4, do not belong together. Merge parts of one experiment.</source>
+        <source>Results of &apos;%1&apos;, seed %2, and of &apos;%3&apos;, seed %4, do not belong together. Merge only parts of one experiment.</source>
         <comment>merge.runs-of-others</comment>
         <translation>Ergebnisse von „%1“, Startwert %2, und von „%3“, Startwert %4, gehören nicht zusammen. Führen Sie Teile eines Experiments zusammen.</translation>
     </message>
     <message>
-        <source>The focal lengths fx and fy must be finite and not zero.</source>
+        <source>The focal lengths fx and fy must be finite and nonzero.</source>
         <comment>camera.focal-lengths</comment>
         <translation>Die Brennweiten fx und fy müssen endlich und ungleich null sein.</translation>
     </message>
     <message>
-        <source>The principal point cx, cy must be finite.</source>
+        <source>The principal point (cx, cy) must be finite.</source>
         <comment>camera.principal-point</comment>
         <translation>Der Hauptpunkt cx, cy muss endlich sein.</translation>
     </message>
     <message>
-        <source>The camera needs the image size: width and height must be positive.</source>
+        <source>The image size of the camera is invalid: width and height must be positive.</source>
         <comment>camera.image-size</comment>
-        <translation>Die Kamera braucht die Bildgröße: Breite und Höhe müssen positiv sein.</translation>
+        <translation>Die Bildgröße der Kamera ist ungültig: Breite und Höhe müssen positiv sein.</translation>
     </message>
     <message>
-        <source>The camera is for images of %1 x %2 pixels, but the angiogram has %3 x %4. Use the camera that belongs to the angiogram.</source>
+        <source>The camera belongs to images of %1 x %2 pixels, but the angiogram has %3 x %4. Use the camera of this angiogram.</source>
         <comment>camera.other-image</comment>
         <translation>Die Kamera gilt für Bilder mit %1 x %2 Pixeln, das Angiogramm hat aber %3 x %4. Verwenden Sie die zum Angiogramm gehörende Kamera.</translation>
     </message>
     <message>
-        <source>The image must be 1 to %1 px wide and high; choose another size.</source>
+        <source>Image width and height must be between 1 and %1 px. Choose another size.</source>
         <comment>picture.size</comment>
-        <translation>Das Bild muss 1 bis %1 px breit und hoch sein; eine andere Größe wählen.</translation>
+        <translation>Breite und Höhe des Bildes müssen zwischen 1 und %1 px liegen. Wählen Sie eine andere Größe.</translation>
     </message>
     <message>
         <source>%1 is missing or not positive. Enter it in the C-arm geometry (the image header does not contain it).</source>
@@ -4299,72 +4299,72 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Die Pixelgröße des Detektors</translation>
     </message>
     <message>
-        <source>The gantry angles (LAO/RAO, CRA/CAU) are missing or not finite. Enter them in the C-arm geometry.</source>
+        <source>The gantry angles (LAO/RAO, CRA/CAU) are missing or invalid. Enter them in the C-arm geometry.</source>
         <comment>geometry.angles-missing</comment>
-        <translation>Die Angulationswinkel (LAO/RAO, CRA/CAU) fehlen oder sind nicht endlich. Tragen Sie sie in der C-Bogen-Geometrie ein.</translation>
+        <translation>Die Angulationswinkel (LAO/RAO, CRA/CAU) fehlen oder sind ungültig. Tragen Sie sie in der C-Bogen-Geometrie ein.</translation>
     </message>
     <message>
-        <source>The isocenter has a coordinate that is not a number (NaN or infinite). Enter its position in the patient in mm.</source>
+        <source>A coordinate of the isocenter is not a number (NaN or infinite). Enter its position in the patient in mm.</source>
         <comment>geometry.isocentre-not-finite</comment>
         <translation>Das Isozentrum hat eine Koordinate, die keine Zahl ist (NaN oder unendlich). Geben Sie seine Position im Patienten in mm ein.</translation>
     </message>
     <message>
-        <source>Source-to-detector distance (SID): enter it, typically 900 to 1200 mm.</source>
+        <source>Enter the source-to-detector distance (SID), typically 900 to 1200 mm.</source>
         <comment>geometry.ask-sid</comment>
-        <translation>Abstand Fokus–Detektor (SID): eintragen, typisch 900 bis 1200 mm.</translation>
+        <translation>Abstand Fokus–Detektor (SID) eingeben, typisch 900 bis 1200 mm.</translation>
     </message>
     <message>
-        <source>Source-to-isocenter distance (SOD): enter it, typically 700 to 800 mm.</source>
+        <source>Enter the source-to-isocenter distance (SOD), typically 700 to 800 mm.</source>
         <comment>geometry.ask-sod</comment>
-        <translation>Abstand Fokus–Isozentrum (SOD): eintragen, typisch 700 bis 800 mm.</translation>
+        <translation>Abstand Fokus–Isozentrum (SOD) eingeben, typisch 700 bis 800 mm.</translation>
     </message>
     <message>
-        <source>Detector pixel spacing: enter it, or the width of the field of view on the detector divided by the number of columns.</source>
+        <source>Enter the detector pixel spacing, or the width of the field of view at the detector divided by the number of columns.</source>
         <comment>geometry.ask-spacing</comment>
-        <translation>Pixelgröße des Detektors: eintragen, oder die Breite des Bildfelds auf dem Detektor geteilt durch die Spaltenzahl.</translation>
+        <translation>Pixelgröße des Detektors eingeben, oder die Breite des Bildfelds auf dem Detektor geteilt durch die Spaltenzahl.</translation>
     </message>
     <message>
-        <source>LAO/RAO angle: enter it, or register from landmarks.</source>
+        <source>Enter the LAO/RAO angle, or register from landmarks.</source>
         <comment>geometry.ask-primary-angle</comment>
-        <translation>Winkel LAO/RAO: eintragen, oder nach Landmarken registrieren.</translation>
+        <translation>Winkel LAO/RAO eingeben, oder nach Landmarken registrieren.</translation>
     </message>
     <message>
-        <source>CRA/CAU angle: enter it, or register from landmarks.</source>
+        <source>Enter the CRA/CAU angle, or register from landmarks.</source>
         <comment>geometry.ask-secondary-angle</comment>
-        <translation>Winkel CRA/CAU: eintragen, oder nach Landmarken registrieren.</translation>
+        <translation>Winkel CRA/CAU eingeben, oder nach Landmarken registrieren.</translation>
     </message>
     <message>
         <source>A source-to-detector distance (SID) of %1 is implausible for a C-arm (500 to 2000 mm): check the unit.</source>
         <comment>geometry.sid-unusual</comment>
-        <translation>Ein Abstand Fokus–Detektor (SID) von %1 ist für einen C-Bogen unplausibel (500 bis 2000 mm): Einheit prüfen.</translation>
+        <translation>Ein Abstand Fokus–Detektor (SID) von %1 ist für einen C-Bogen unplausibel (500 bis 2000 mm): Prüfen Sie die Einheit.</translation>
     </message>
     <message>
-        <source>SOD (%1) is not smaller than SID (%2): the isocenter would lie behind the detector. Correct one of them.</source>
+        <source>SOD (%1) is not smaller than SID (%2): the isocenter would lie behind the detector. Correct one of the two.</source>
         <comment>geometry.sod-beyond-sid</comment>
         <translation>SOD (%1) ist nicht kleiner als SID (%2): Das Isozentrum läge hinter dem Detektor. Berichtigen Sie einen der Werte.</translation>
     </message>
     <message>
-        <source>SID is %1 times SOD; typical angiographic magnification is 1.0 to 2.5. Check both distances.</source>
+        <source>SID is %1 times SOD; the typical angiographic magnification is 1.0 to 2.5. Check both distances.</source>
         <comment>geometry.magnification-unusual</comment>
         <translation>SID ist das %1-fache von SOD; Angiogramme sind typischerweise 1,0- bis 2,5-fach vergrößert. Prüfen Sie beide Abstände.</translation>
     </message>
     <message>
-        <source>The header&apos;s magnification of %1 (0018,1114) does not equal SID/SOD = %2: one of the three values is outdated. Check SID and SOD.</source>
+        <source>The magnification of %1 in the header (0018,1114) does not match SID/SOD = %2: one of the three values is outdated. Check SID and SOD.</source>
         <comment>geometry.magnification-stale</comment>
         <translation>Die Vergrößerung im Header von %1 (0018,1114) entspricht nicht SID/SOD = %2: Einer der drei Werte ist veraltet. Prüfen Sie SID und SOD.</translation>
     </message>
     <message>
         <source>A detector pixel spacing of %1 is outside 0.05 to 2 mm: check its unit.</source>
         <comment>geometry.spacing-unusual</comment>
-        <translation>Eine Pixelgröße von %1 liegt außerhalb 0,05 bis 2 mm: die Einheit prüfen.</translation>
+        <translation>Eine Pixelgröße von %1 liegt außerhalb 0,05 bis 2 mm: Prüfen Sie die Einheit.</translation>
     </message>
     <message>
-        <source>The pixel height-to-width ratio is %1 by the pixel spacing but %2 by the pixel aspect ratio: check the pixel spacing.</source>
+        <source>The pixel height-to-width ratio is %1 according to the pixel spacing but %2 according to the pixel aspect ratio: check the pixel spacing.</source>
         <comment>geometry.aspect-differs</comment>
-        <translation>Das Verhältnis von Pixelhöhe zu -breite ist nach der Pixelgröße %1, nach dem Pixelseitenverhältnis %2: Pixelgröße prüfen.</translation>
+        <translation>Das Verhältnis von Pixelhöhe zu -breite ist nach der Pixelgröße %1, nach dem Pixelseitenverhältnis %2: Prüfen Sie die Pixelgröße.</translation>
     </message>
     <message>
-        <source>By its pixel spacing, the image covers %1 x %2 of the detector</source>
+        <source>According to its pixel spacing, the image covers %1 x %2 of the detector</source>
         <comment>geometry.image-covers</comment>
         <translation>Nach der Pixelgröße bedeckt das Bild %1 x %2 des Detektors</translation>
     </message>
@@ -4379,12 +4379,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>%1, das Bildfeld ist aber %2 x %3: Das Bild ist vielleicht gezoomt, beschnitten oder neu abgetastet. Prüfen Sie die Pixelgröße.</translation>
     </message>
     <message>
-        <source>%1, more than the image intensifier of %2. Check the pixel spacing.</source>
+        <source>%1, which exceeds the image intensifier of %2. Check the pixel spacing.</source>
         <comment>geometry.extent-beyond-intensifier</comment>
-        <translation>%1, mehr als der Bildverstärker von %2. Die Pixelgröße prüfen.</translation>
+        <translation>%1, mehr als der Bildverstärker von %2. Prüfen Sie die Pixelgröße.</translation>
     </message>
     <message>
-        <source>%1, more than its active area of %2 x %3. Check the pixel spacing.</source>
+        <source>%1, which exceeds its active area of %2 x %3. Check the pixel spacing.</source>
         <comment>geometry.extent-beyond-detector</comment>
         <translation>%1, mehr als seine aktive Fläche von %2 x %3. Prüfen Sie die Pixelgröße.</translation>
     </message>
@@ -4394,49 +4394,49 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Die kalibrierte Pixelgröße von %1 mal SID/SOD ergibt %2, nicht die %3 des Detektors: Kalibrierung oder Abstand stimmt nicht.</translation>
     </message>
     <message>
-        <source>Pixel Spacing (0028,0030) is %1 without a calibration, but the detector pixel spacing is %2: check which one applies.</source>
+        <source>Pixel Spacing (0028,0030) is %1 without calibration, but the detector pixel spacing is %2: check which one applies.</source>
         <comment>geometry.spacings-differ</comment>
         <translation>Pixel Spacing (0028,0030) ist ohne Kalibrierung %1, die Pixelgröße des Detektors aber %2: Prüfen Sie, welche gilt.</translation>
     </message>
     <message>
         <source>The primary angle (LAO/RAO) is outside ±180°. Correct it.</source>
         <comment>geometry.primary-angle-outside</comment>
-        <translation>Der Primärwinkel (LAO/RAO) liegt außerhalb ±180°. Berichtigen.</translation>
+        <translation>Der Primärwinkel (LAO/RAO) liegt außerhalb ±180°. Berichtigen Sie ihn.</translation>
     </message>
     <message>
         <source>The secondary angle (CRA/CAU) is outside ±90°. Correct it.</source>
         <comment>geometry.secondary-angle-outside</comment>
-        <translation>Der Sekundärwinkel (CRA/CAU) liegt außerhalb ±90°. Berichtigen.</translation>
+        <translation>Der Sekundärwinkel (CRA/CAU) liegt außerhalb ±90°. Berichtigen Sie ihn.</translation>
     </message>
     <message>
         <source>The roll is outside ±180°. Correct it.</source>
         <comment>geometry.roll-outside</comment>
-        <translation>Das Rollen liegt außerhalb ±180°. Berichtigen.</translation>
+        <translation>Das Rollen liegt außerhalb ±180°. Berichtigen Sie es.</translation>
     </message>
     <message>
-        <source>The principal point (%1, %2) is outside the image, which is correct only for a cropped image.</source>
+        <source>The principal point (%1, %2) is outside the image, which is plausible only for a cropped image.</source>
         <comment>geometry.principal-point-outside</comment>
         <translation>Der Hauptpunkt (%1, %2) liegt außerhalb des Bildes; das ist nur bei einem beschnittenen Bild richtig.</translation>
     </message>
     <message>
-        <source>Two of the angiograms seem to be of different patients (%1 differs). Check that the correct ones are open.</source>
+        <source>Two of the angiograms appear to belong to different patients (%1 differs). Check that the correct files are open.</source>
         <comment>patient.of-runs-differs</comment>
         <translation>Zwei der Angiogramme scheinen von verschiedenen Patienten zu sein (%1 verschieden). Prüfen Sie, ob die richtigen geöffnet sind.</translation>
     </message>
     <message>
-        <source>Two of the angiograms seem to be of different patients (%1 differ). Check that the correct ones are open.</source>
+        <source>Two of the angiograms appear to belong to different patients (%1 differ). Check that the correct files are open.</source>
         <comment>patient.of-runs-differs-in-several</comment>
         <translation>Zwei der Angiogramme scheinen von verschiedenen Patienten zu sein (%1 verschieden). Prüfen Sie, ob die richtigen geöffnet sind.</translation>
     </message>
     <message>
-        <source>Two of the angiograms show opposite sides of the patient. Check that the correct ones are open.</source>
+        <source>Two of the angiograms show opposite sides of the patient. Check that the correct files are open.</source>
         <comment>patient.side-of-runs-differs</comment>
         <translation>Zwei der Angiogramme zeigen entgegengesetzte Seiten des Patienten. Prüfen Sie, ob die richtigen geöffnet sind.</translation>
     </message>
     <message>
-        <source>The registration rated this pose as unreliable.</source>
+        <source>The registration rated this pose as not reliable.</source>
         <comment>pose.run-distrusted</comment>
-        <translation>Die Registrierung stufte diese Lage als unzuverlässig ein.</translation>
+        <translation>Die Registrierung stufte diese Lage als nicht verlässlich ein.</translation>
     </message>
     <message>
         <source>Different patients in these images?</source>
@@ -4454,14 +4454,14 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Gehören diese Bilder zusammen?</translation>
     </message>
     <message>
-        <source>Scan and angiogram seem to be of different patients (%1 differs). Check that both are correct.</source>
+        <source>Scan and angiogram appear to belong to different patients (%1 differs). Check that both are correct.</source>
         <comment>patient.differs</comment>
-        <translation>CT und Angiogramm scheinen von verschiedenen Patienten zu sein (%1 verschieden). Prüfen Sie, ob beide richtig sind.</translation>
+        <translation>Scan und Angiogramm scheinen von verschiedenen Patienten zu sein (%1 verschieden). Prüfen Sie, ob beide richtig sind.</translation>
     </message>
     <message>
-        <source>Scan and angiogram seem to be of different patients (%1 differ). Check that both are correct.</source>
+        <source>Scan and angiogram appear to belong to different patients (%1 differ). Check that both are correct.</source>
         <comment>patient.differs-in-several</comment>
-        <translation>CT und Angiogramm scheinen von verschiedenen Patienten zu sein (%1 verschieden). Prüfen Sie, ob beide richtig sind.</translation>
+        <translation>Scan und Angiogramm scheinen von verschiedenen Patienten zu sein (%1 verschieden). Prüfen Sie, ob beide richtig sind.</translation>
     </message>
     <message>
         <source>patient ID</source>
@@ -4486,7 +4486,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>The scan shows the patient&apos;s %1 side, the angiogram the other side. Check that both are correct.</source>
         <comment>patient.side-differs</comment>
-        <translation>Das CT zeigt die Seite %1 des Patienten, das Angiogramm die andere. Prüfen Sie, ob beide richtig sind.</translation>
+        <translation>Der Scan zeigt die Seite %1 des Patienten, das Angiogramm die andere. Prüfen Sie, ob beide richtig sind.</translation>
     </message>
     <message>
         <source>left</source>
@@ -4521,7 +4521,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>There is no method &apos;%1&apos;. Choose one of: %2.</source>
         <comment>options.no-such-method</comment>
-        <translation>Es gibt keine Methode „%1“. Wählbar: %2.</translation>
+        <translation>Es gibt keine Methode „%1“. Wählen Sie eine von: %2.</translation>
     </message>
     <message>
         <source>Option %1 is out of range. Enter a number from %2 to %3.</source>
@@ -4529,14 +4529,14 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Die Option %1 liegt außerhalb des Bereichs. Geben Sie eine Zahl von %2 bis %3 ein.</translation>
     </message>
     <message>
-        <source>Option &apos;%1&apos; needs a value, not &apos;%2&apos;.</source>
+        <source>Option &apos;%1&apos; requires a value, not &apos;%2&apos;.</source>
         <comment>options.needs-value</comment>
         <translation>Die Option „%1“ braucht einen Wert, nicht „%2“.</translation>
     </message>
     <message>
         <source>Option &apos;%1&apos; must be one of %2, not &apos;%3&apos;.</source>
         <comment>options.needs-choice</comment>
-        <translation>Die Option „%1“ muss eines von %2 sein, nicht „%3“.</translation>
+        <translation>Die Option „%1“ muss einen der Werte %2 haben, nicht „%3“.</translation>
     </message>
     <message>
         <source>Option &apos;%1&apos; must be an integer, not %2.</source>
@@ -4544,19 +4544,19 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Die Option „%1“ muss eine ganze Zahl sein, nicht %2.</translation>
     </message>
     <message>
-        <source>Option &apos;%1&apos; must lie between %2 and %3, not %4.</source>
+        <source>Option &apos;%1&apos; must be between %2 and %3, not %4.</source>
         <comment>options.value-out-of-range</comment>
         <translation>Die Option „%1“ muss zwischen %2 und %3 liegen, nicht %4.</translation>
     </message>
     <message>
-        <source>Option &apos;%1&apos; is unknown. See the options in: angiopose-cli register --help</source>
+        <source>Unknown option &apos;%1&apos;. For a list of options, run: angiopose-cli register --help</source>
         <comment>options.no-such-option</comment>
-        <translation>Die Option „%1“ ist unbekannt. Die Optionen stehen in: angiopose-cli register --help</translation>
+        <translation>Unbekannte Option „%1“. Eine Liste der Optionen gibt: angiopose-cli register --help</translation>
     </message>
     <message>
-        <source>Branch %1 is selected as %2, but the vessel tree has no such branch. Select from its branches.</source>
+        <source>Branch %1 is selected as %2, but the vessel tree has no such branch. Select an existing branch.</source>
         <comment>input.chosen-branch-missing</comment>
-        <translation>Ast %1 ist als %2 ausgewählt, der Gefäßbaum hat ihn aber nicht. Wählen Sie unter seinen Ästen.</translation>
+        <translation>Ast %1 ist als %2 ausgewählt, der Gefäßbaum hat ihn aber nicht. Wählen Sie einen vorhandenen Ast.</translation>
     </message>
     <message>
         <source>auxiliary</source>
@@ -4571,32 +4571,32 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>All branches of the vessel tree are excluded. Include at least one branch.</source>
         <comment>input.all-branches-excluded</comment>
-        <translation>Alle Äste des Gefäßbaums sind ausgeschlossen. Mindestens einen einschließen.</translation>
+        <translation>Alle Äste des Gefäßbaums sind ausgeschlossen. Schließen Sie mindestens einen ein.</translation>
     </message>
     <message>
-        <source>The image size does not match the camera. Use the camera that belongs to the image.</source>
+        <source>The image size does not match the camera. Use the camera of this image.</source>
         <comment>input.image-not-of-camera</comment>
         <translation>Die Bildgröße passt nicht zur Kamera. Verwenden Sie die zum Bild gehörende Kamera.</translation>
     </message>
     <message>
-        <source>%1 points of the traced vessels were unordered: each was connected to its neighbors.</source>
+        <source>%1 points of the traced vessels were unordered and have been connected to their neighbors.</source>
         <comment>input.target-reordered</comment>
-        <translation>%1 Punkte der verfolgten Gefäße waren ungeordnet: Jeder wurde mit seinen Nachbarn verbunden.</translation>
+        <translation>%1 Punkte der erkannten Gefäße waren ungeordnet: Jeder wurde mit seinen Nachbarn verbunden.</translation>
     </message>
     <message>
         <source>Auxiliary branches: median distance to the traced vessels %1 (%2 when fitting all branches). The pose changed by %3 and %4.</source>
         <comment>result.chosen-branches-fitted</comment>
-        <translation>Hilfsäste: medianer Abstand zu den verfolgten Gefäßen %1 (%2 bei Anpassung aller Äste). Die Lage änderte sich um %3 und %4.</translation>
+        <translation>Hilfsäste: medianer Abstand zu den erkannten Gefäßen %1 (%2 bei Anpassung aller Äste). Die Lage änderte sich um %3 und %4.</translation>
     </message>
     <message>
-        <source>With deformation allowed, the vessels move by %1 (RMS; maximum %2) toward the matched branches: the median distance becomes %3, compared with %4 at the rigid pose. The rigid pose is reported.</source>
+        <source>With deformation allowed, the vessels move by %1 (RMS; maximum %2) toward the matched branches, and the median distance becomes %3 instead of %4 at the rigid pose. The rigid pose is reported.</source>
         <comment>result.matched-branches-moved</comment>
         <translation>Mit Verformung bewegen sich die Gefäße um %1 (RMS; maximal %2) auf die zugeordneten Äste zu: Der mediane Abstand wird %3 statt %4 in der starren Lage. Angegeben ist die starre Lage.</translation>
     </message>
     <message>
-        <source>The initial pose is not a rigid motion: its rotation must be orthonormal with determinant +1 and all numbers must be finite. Correct cameraFromPatient, or derive the initial pose from the angles.</source>
+        <source>The initial pose is not a rigid transform: its rotation must be orthonormal with determinant +1, and all values must be finite. Correct cameraFromPatient, or derive the initial pose from the angles.</source>
         <comment>input.start-pose-not-rigid</comment>
-        <translation>Die Startlage ist keine starre Bewegung: Die Drehung muss orthonormal mit Determinante +1 sein, alle Zahlen endlich. Berichtigen Sie cameraFromPatient, oder leiten Sie die Startlage aus den Winkeln ab.</translation>
+        <translation>Die Startlage ist keine starre Transformation: Die Drehung muss orthonormal mit Determinante +1 sein, alle Werte endlich. Berichtigen Sie cameraFromPatient, oder leiten Sie die Startlage aus den Winkeln ab.</translation>
     </message>
     <message>
         <source>The initial pose places vessels at or behind the X-ray source, where they cannot be projected. Check the source-to-isocenter distance and the direction of the initial pose.</source>
@@ -4604,9 +4604,9 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Die Startlage setzt Gefäße an oder hinter den Röntgenfokus, wo keine Projektion möglich ist. Prüfen Sie den Abstand Fokus–Isozentrum und die Richtung der Startlage.</translation>
     </message>
     <message>
-        <source>The pose to evaluate is not a rigid motion: its rotation must be orthonormal with determinant +1 and all numbers must be finite.</source>
+        <source>The pose to evaluate is not a rigid transform: its rotation must be orthonormal with determinant +1, and all values must be finite.</source>
         <comment>input.judged-pose-not-rigid</comment>
-        <translation>Die zu beurteilende Lage ist keine starre Bewegung: die Drehung muss orthonormal mit Determinante +1 sein, alle Zahlen endlich.</translation>
+        <translation>Die zu beurteilende Lage ist keine starre Transformation: Die Drehung muss orthonormal mit Determinante +1 sein, alle Werte endlich.</translation>
     </message>
     <message>
         <source>There are no landmarks yet. Click a point on the vessels and the same point in the image.</source>
@@ -4614,7 +4614,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Noch keine Landmarken. Klicken Sie eine Stelle an den Gefäßen und dieselbe im Bild an.</translation>
     </message>
     <message>
-        <source>Without gantry angles, a pose needs four landmarks; there are %1. Add landmarks, or enter the angles: then one is enough.</source>
+        <source>Without gantry angles, a pose requires four landmarks; there are %1. Add landmarks, or enter the angles; one landmark is then enough.</source>
         <comment>landmarks.too-few</comment>
         <translation>Ohne C-Bogen-Winkel braucht eine Lage vier Landmarken; es sind %1. Fügen Sie Landmarken hinzu, oder tragen Sie die Winkel ein: dann genügt eine.</translation>
     </message>
@@ -4624,12 +4624,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Eine Landmarke hat eine Koordinate, die keine endliche Zahl ist. Entfernen Sie sie.</translation>
     </message>
     <message>
-        <source>The landmarks all lie at the same position. Choose some farther apart.</source>
+        <source>All landmarks are at the same position. Place them farther apart.</source>
         <comment>landmarks.in-one-place</comment>
         <translation>Die Landmarken liegen alle an derselben Stelle. Wählen Sie weiter auseinander liegende.</translation>
     </message>
     <message>
-        <source>The landmarks are collinear, so the rotation about their line is undetermined. Add one off that line.</source>
+        <source>The landmarks are collinear, so the rotation about their line is undetermined. Add a landmark off that line.</source>
         <comment>landmarks.on-one-line</comment>
         <translation>Die Landmarken liegen auf einer Geraden; die Drehung um sie ist daher unbestimmt. Fügen Sie eine daneben hinzu.</translation>
     </message>
@@ -4644,7 +4644,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Ansicht %1: %2</translation>
     </message>
     <message>
-        <source>A joint registration needs at least two views.</source>
+        <source>A joint registration requires at least two views.</source>
         <comment>views.too-few</comment>
         <translation>Eine gemeinsame Registrierung braucht mindestens zwei Ansichten.</translation>
     </message>
@@ -4664,12 +4664,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Ansicht %1 ist mit der gemeinsamen Lage nicht vereinbar.</translation>
     </message>
     <message>
-        <source>The geometry of view %1 differs strongly from its header: check angles and distances.</source>
+        <source>The geometry of view %1 differs substantially from its header. Check the angles and distances.</source>
         <comment>views.far-from-header</comment>
-        <translation>Die Geometrie der Ansicht %1 weicht stark von ihrem Header ab: Winkel und Abstände prüfen.</translation>
+        <translation>Die Geometrie der Ansicht %1 weicht stark von ihrem Header ab. Prüfen Sie Winkel und Abstände.</translation>
     </message>
     <message>
-        <source>There is only one frame: nothing to track. Open a run with several frames.</source>
+        <source>There is only one frame, so there is nothing to track. Open a run with several frames.</source>
         <comment>follow.one-frame</comment>
         <translation>Nur ein Bild: nichts zu verfolgen. Öffnen Sie eine Serie mit mehreren Bildern.</translation>
     </message>
@@ -4679,7 +4679,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Die Mittellinie dieses Bildes stammt aus einer Datei; andere Bilder haben keine. Entfernen Sie diese Mittellinie aus dem Fall, um jedes Bild zu erfassen.</translation>
     </message>
     <message>
-        <source>The gantry rotates during this run: frames differ in view angle, not only in motion. Register the frames individually, or jointly as views.</source>
+        <source>The gantry rotates during this run: the frames differ in view angle, not only in motion. Register the frames individually, or jointly as views.</source>
         <comment>follow.gantry-turns</comment>
         <translation>Der C-Bogen dreht sich während der Serie: Die Bilder unterscheiden sich im Blickwinkel, nicht nur durch Bewegung. Registrieren Sie die Bilder einzeln, oder gemeinsam als Ansichten.</translation>
     </message>
@@ -4689,12 +4689,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Nur %1 des Gefäßbaums liegen im Bild.</translation>
     </message>
     <message>
-        <source>Only %1 of the vessel tree matches a traced vessel, and it explains %2 of the traced vessels.</source>
+        <source>Only %1 of the vessel tree matches a traced vessel, and the tree accounts for %2 of the traced vessels.</source>
         <comment>trust.little-agreement</comment>
         <translation>Nur %1 des Gefäßbaums passen zu einem erkannten Gefäß, und er erklärt %2 der erkannten Gefäße.</translation>
     </message>
     <message>
-        <source>The vessel tree explains only %1 of the traced vessels. Check that it belongs to the image and that its unit is mm.</source>
+        <source>The vessel tree accounts for only %1 of the traced vessels. Check that it belongs to the image and that its unit is mm.</source>
         <comment>trust.little-explained</comment>
         <translation>Der Gefäßbaum erklärt nur %1 der erkannten Gefäße. Prüfen Sie, ob er zum Bild gehört und seine Einheit mm ist.</translation>
     </message>
@@ -4719,17 +4719,17 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Die Position des Gefäßbaums entlang der Gefäße ist durch das Bild kaum bestimmt.</translation>
     </message>
     <message>
-        <source>The pose is uncertain by about %1.</source>
+        <source>The pose uncertainty is about %1.</source>
         <comment>trust.pose-uncertain</comment>
-        <translation>Die Lage ist um etwa %1 unsicher.</translation>
+        <translation>Die Unsicherheit der Lage beträgt etwa %1.</translation>
     </message>
     <message>
-        <source>Another pose explains the image almost as well: compare the alternatives.</source>
+        <source>Another pose fits the image almost as well: compare the other solutions.</source>
         <comment>trust.rival</comment>
-        <translation>Eine andere Lage erklärt das Bild fast ebenso gut: die Alternativen vergleichen.</translation>
+        <translation>Eine andere Lage passt fast ebenso gut zum Bild: Vergleichen Sie die anderen Lösungen.</translation>
     </message>
     <message>
-        <source>Similar fits are within 2 mm of the vessels in only %1 of cases.</source>
+        <source>Fits of this quality are within 2 mm of the vessels in only %1 of cases.</source>
         <comment>trust.often-fails</comment>
         <translation>Vergleichbare Anpassungen liegen nur in %1 der Fälle höchstens 2 mm neben den Gefäßen.</translation>
     </message>
@@ -4754,14 +4754,14 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Das Bild zeigt %1 des Gefäßbaums und von jedem Ast weniger als die Hälfte. Die Lage beruht auf den sichtbaren Abschnitten.</translation>
     </message>
     <message>
-        <source>Only part of the vessel tree appears opacified, and it explains too little of the image to be certain.</source>
+        <source>Only part of the vessel tree appears opacified, and it accounts for too little of the image for a reliable result.</source>
         <comment>trust.filled-doubtful</comment>
         <translation>Nur ein Teil des Gefäßbaums erscheint kontrastiert, und er erklärt zu wenig vom Bild für ein sicheres Ergebnis.</translation>
     </message>
     <message>
-        <source>Only one vessel path is visible. It fits at many positions, and a guidewire or catheter lies off the vessel axis: the guidewire method ranks the possible paths.</source>
+        <source>Only a single vessel path is visible. It fits at many positions, and a guidewire or catheter does not follow the vessel axis. The guidewire method ranks the possible paths.</source>
         <comment>trust.single-path</comment>
-        <translation>Nur ein Gefäßweg ist sichtbar. Er passt an vielen Stellen, und ein Führungsdraht oder Katheter liegt neben der Gefäßachse: Das Verfahren für Drähte stuft die möglichen Wege ein.</translation>
+        <translation>Nur ein Gefäßweg ist sichtbar. Er passt an vielen Stellen, und ein Führungsdraht oder Katheter folgt nicht der Gefäßachse. Die Führungsdraht-Methode stuft die möglichen Wege ein.</translation>
     </message>
     <message>
         <source>Depth cannot be determined from this single view: the distance from the source stays close to the initial pose.</source>
@@ -4774,69 +4774,69 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Die Tiefe lässt sich aus dieser einen Ansicht nicht bestimmen: Der Abstand vom Fokus weicht um %1 von der Startlage ab und kann falsch sein. Sperren Sie die Tiefe, oder fügen Sie eine Ansicht hinzu.</translation>
     </message>
     <message>
-        <source>The vessels fit clearly better with a focal length %1 longer. Check the source-to-detector distance (may be larger) and the pixel spacing (may be smaller). The option “Estimate the geometry” uses the values that fit the images.</source>
+        <source>The vessels fit clearly better with a focal length that is %1 longer. Check the source-to-detector distance (may be larger) and the pixel spacing (may be smaller). The option “Estimate geometry” uses the values that fit the images.</source>
         <comment>camera.focal-longer</comment>
         <translation>Die Gefäße passen deutlich besser mit einer um %1 längeren Brennweite. Prüfen Sie den Abstand Fokus–Detektor (vielleicht größer) und die Pixelgröße (vielleicht kleiner). Die Option „Geometrie schätzen“ verwendet die Werte, die zu den Bildern passen.</translation>
     </message>
     <message>
-        <source>The vessels fit clearly better with a focal length %1 shorter. Check the source-to-detector distance (may be smaller) and the pixel spacing (may be larger). The option “Estimate the geometry” uses the values that fit the images.</source>
+        <source>The vessels fit clearly better with a focal length that is %1 shorter. Check the source-to-detector distance (may be smaller) and the pixel spacing (may be larger). The option “Estimate geometry” uses the values that fit the images.</source>
         <comment>camera.focal-shorter</comment>
         <translation>Die Gefäße passen deutlich besser mit einer um %1 kürzeren Brennweite. Prüfen Sie den Abstand Fokus–Detektor (vielleicht kleiner) und die Pixelgröße (vielleicht größer). Die Option „Geometrie schätzen“ verwendet die Werte, die zu den Bildern passen.</translation>
     </message>
     <message>
-        <source>The images contradicted the geometry, which was estimated from them: the focal length is %1 of the given one, the principal point is shifted by (%2, %3) px.</source>
+        <source>The images contradicted the geometry, so it was estimated from them: the focal length is %1 of the specified value, and the principal point is shifted by (%2, %3) px.</source>
         <comment>camera.estimated</comment>
         <translation>Die Bilder widersprachen der Geometrie, die daher aus ihnen geschätzt wurde: Die Brennweite ist %1 der angegebenen, der Hauptpunkt ist um (%2, %3) px verschoben.</translation>
     </message>
     <message>
-        <source>The vessels fit clearly better with the principal point shifted by %1, to (%2, %3). Check it, and whether the image was cropped or shifted.</source>
+        <source>The vessels fit clearly better with the principal point shifted by %1, to (%2, %3). Check the principal point, and whether the image was cropped or shifted.</source>
         <comment>camera.principal-point-off</comment>
         <translation>Die Gefäße passen deutlich besser, wenn der Hauptpunkt um %1 nach (%2, %3) verschoben ist. Prüfen Sie ihn, und ob das Bild beschnitten oder verschoben wurde.</translation>
     </message>
     <message>
-        <source>The image appears rotated 90° clockwise: rotated back, vessels and image agree by %1 instead of %2. Check the image export, or the roll.</source>
+        <source>The image appears rotated 90° clockwise: when rotated back, the agreement between vessels and image is %1 instead of %2. Check the image export, or the roll.</source>
         <comment>frame.turned-clockwise</comment>
         <translation>Das Bild scheint um 90° im Uhrzeigersinn gedreht: Zurückgedreht stimmen Gefäße und Bild zu %1 statt %2 überein. Prüfen Sie den Bildexport, oder die Bilddrehung.</translation>
     </message>
     <message>
-        <source>The image appears rotated 90° counterclockwise: rotated back, vessels and image agree by %1 instead of %2. Check the image export, or the roll.</source>
+        <source>The image appears rotated 90° counterclockwise: when rotated back, the agreement between vessels and image is %1 instead of %2. Check the image export, or the roll.</source>
         <comment>frame.turned-anticlockwise</comment>
         <translation>Das Bild scheint um 90° gegen den Uhrzeigersinn gedreht: Zurückgedreht stimmen Gefäße und Bild zu %1 statt %2 überein. Prüfen Sie den Bildexport, oder die Bilddrehung.</translation>
     </message>
     <message>
-        <source>The image appears rotated 180°: rotated back, vessels and image agree by %1 instead of %2. Check the image export, the roll, and the patient position.</source>
+        <source>The image appears rotated 180°: when rotated back, the agreement between vessels and image is %1 instead of %2. Check the image export, the roll, and the patient position.</source>
         <comment>frame.upside-down</comment>
         <translation>Das Bild scheint um 180° gedreht: Zurückgedreht stimmen Gefäße und Bild zu %1 statt %2 überein. Prüfen Sie den Bildexport, die Bilddrehung und die Patientenlagerung.</translation>
     </message>
     <message>
-        <source>The image appears mirrored left to right: mirrored back, vessels and image agree by %1 instead of %2. Check the viewing side in the geometry.</source>
+        <source>The image appears mirrored left to right: when mirrored back, the agreement between vessels and image is %1 instead of %2. Check the viewing side in the geometry.</source>
         <comment>frame.mirrored-left-right</comment>
         <translation>Das Bild scheint links-rechts gespiegelt: Zurückgespiegelt stimmen Gefäße und Bild zu %1 statt %2 überein. Prüfen Sie die Betrachtungsseite in der Geometrie.</translation>
     </message>
     <message>
-        <source>The image appears mirrored top to bottom: mirrored back, vessels and image agree by %1 instead of %2. Check the image export.</source>
+        <source>The image appears mirrored top to bottom: when mirrored back, the agreement between vessels and image is %1 instead of %2. Check the image export.</source>
         <comment>frame.mirrored-up-down</comment>
         <translation>Das Bild scheint oben-unten gespiegelt: Zurückgespiegelt stimmen Gefäße und Bild zu %1 statt %2 überein. Prüfen Sie den Bildexport.</translation>
     </message>
     <message>
-        <source>The image appears mirrored and rotated 90°: corrected, vessels and image agree by %1 instead of %2. Check the image export.</source>
+        <source>The image appears mirrored and rotated 90°: when corrected, the agreement between vessels and image is %1 instead of %2. Check the image export.</source>
         <comment>frame.mirrored-and-turned</comment>
         <translation>Das Bild scheint gespiegelt und um 90° gedreht: Korrigiert stimmen Gefäße und Bild zu %1 statt %2 überein. Prüfen Sie den Bildexport.</translation>
     </message>
     <message>
-        <source>The patient position was %1, and the device seems to count its angles from the table: read this way, vessels and image agree by %2 instead of %3. Enter in the geometry: LAO/RAO %4, CRA/CAU %5, roll %6.</source>
+        <source>The patient position was %1, and the device seems to define its angles relative to the table: interpreted this way, the agreement between vessels and image is %2 instead of %3. Enter in the geometry: LAO/RAO %4, CRA/CAU %5, roll %6.</source>
         <comment>frame.counted-from-table</comment>
-        <translation>Die Patientenlagerung war %1, und das Gerät scheint seine Winkel vom Tisch aus zu zählen: So gelesen stimmen Gefäße und Bild zu %2 statt %3 überein. Geben Sie in der Geometrie ein: LAO/RAO %4, CRA/CAU %5, Bilddrehung %6.</translation>
+        <translation>Die Patientenlagerung war %1, und das Gerät scheint seine Winkel relativ zum Tisch anzugeben: So interpretiert stimmen Gefäße und Bild zu %2 statt %3 überein. Geben Sie in der Geometrie ein: LAO/RAO %4, CRA/CAU %5, Bilddrehung %6.</translation>
     </message>
     <message>
-        <source>The mirrored image fits the vessels about as well (agreement %1, currently %2): check the viewing side of the image.</source>
+        <source>The mirrored image fits the vessels about equally well (agreement %1, currently %2): check the viewing side of the image.</source>
         <comment>frame.mirror-rival</comment>
         <translation>Das gespiegelte Bild passt etwa ebenso gut zu den Gefäßen (Übereinstimmung %1, derzeit %2): Prüfen Sie die Betrachtungsseite des Bildes.</translation>
     </message>
     <message>
-        <source>The patient position is %1 (0018,5100), not head first supine. The angles are interpreted as the DICOM standard defines them: relative to the patient, head up in the image. If this device counts them from the table, the initial pose is rotated; a registration that fails tries this and reports the angles to enter.</source>
+        <source>The patient position is %1 (0018,5100), not head first supine. The angles are interpreted as the DICOM standard defines them: relative to the patient, with the head up in the image. If this device defines them relative to the table, the initial pose is rotated; if a registration fails, AngioPose tests this and reports the angles to enter.</source>
         <comment>dicom.patient-lies</comment>
-        <translation>Die Patientenlagerung ist %1 (0018,5100), nicht Kopf voran in Rückenlage. Die Winkel werden nach dem DICOM-Standard gelesen: relativ zum Patienten, Kopf im Bild oben. Zählt dieses Gerät sie vom Tisch aus, ist die Startlage gedreht; eine misslungene Registrierung prüft dies und nennt die einzugebenden Winkel.</translation>
+        <translation>Die Patientenlagerung ist %1 (0018,5100), nicht Kopf voran in Rückenlage. Die Winkel werden nach dem DICOM-Standard interpretiert: relativ zum Patienten, Kopf im Bild oben. Gibt dieses Gerät sie relativ zum Tisch an, ist die Startlage gedreht; misslingt eine Registrierung, prüft AngioPose dies und nennt die einzugebenden Winkel.</translation>
     </message>
     <message>
         <source>The table moved during this run (%1). The motion is ignored: a pose is valid only for its own frame, and the frames are not views of the same position.</source>
@@ -4844,19 +4844,19 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Der Tisch bewegte sich während dieser Serie (%1). Die Bewegung bleibt unberücksichtigt: Eine Lage gilt nur für ihr eigenes Bild, und die Bilder sind keine Ansichten derselben Position.</translation>
     </message>
     <message>
-        <source>distance not given in the header</source>
+        <source>distance not specified in the header</source>
         <comment>dicom.table-moved-unknown</comment>
         <translation>Strecke im Header nicht angegeben</translation>
     </message>
     <message>
-        <source>Deformable registration needs at least one registered view.</source>
+        <source>Deformable registration requires at least one registered view.</source>
         <comment>bend.no-view</comment>
         <translation>Deformierbare Registrierung braucht mindestens eine registrierte Ansicht.</translation>
     </message>
     <message>
-        <source>The traced vessels are isolated points. Connect them to curves before deforming the tree.</source>
+        <source>The traced vessels are isolated points. Connect them into curves before deforming the tree.</source>
         <comment>bend.needs-curves</comment>
-        <translation>Die verfolgten Gefäße sind einzelne Punkte. Verbinden Sie sie zu Kurven, bevor der Baum verformt wird.</translation>
+        <translation>Die erkannten Gefäße sind einzelne Punkte. Verbinden Sie sie zu Kurven, bevor der Baum verformt wird.</translation>
     </message>
     <message>
         <source>The pose priors and the knot spacing must be positive numbers.</source>
@@ -4864,12 +4864,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Die A-priori-Werte der Lage und der Knotenabstand müssen positive Zahlen sein.</translation>
     </message>
     <message>
-        <source>The vessels are deformed relative to the tree: the rigid overlay is off by %1 on average, most at branch %3 (%2).</source>
+        <source>The vessels are deformed relative to the tree: the rigid overlay deviates by %1 on average, most at branch %3 (%2).</source>
         <comment>bend.rigid-off</comment>
         <translation>Die Gefäße sind gegenüber dem Baum verformt: Die starre Überlagerung weicht im Mittel um %1 ab, am meisten an Ast %3 (%2).</translation>
     </message>
     <message>
-        <source>The vessels may be deformed relative to the tree, but the image is inconclusive: the rigid overlay would be off by %1 on average, most at branch %3 (%2).</source>
+        <source>The vessels may be deformed relative to the tree, but the image is inconclusive: the rigid overlay would deviate by %1 on average, most at branch %3 (%2).</source>
         <comment>bend.may-be-off</comment>
         <translation>Die Gefäße sind möglicherweise gegenüber dem Baum verformt, das Bild ist aber nicht eindeutig: Die starre Überlagerung wiche im Mittel um %1 ab, am meisten an Ast %3 (%2).</translation>
     </message>
@@ -4879,9 +4879,9 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Die deformierbare Registrierung wurde vorzeitig angehalten: Die starre Lage bleibt erhalten.</translation>
     </message>
     <message>
-        <source>Deformable registrations from different starting points differ by %1: some branches may be matched to other vessels.</source>
+        <source>Deformable registrations from different initial values differ by %1: some branches may be matched to the wrong vessels.</source>
         <comment>bend.runs-differ</comment>
-        <translation>Deformierbare Registrierungen von verschiedenen Startwerten unterscheiden sich um %1: Einige Äste sind vielleicht anderen Gefäßen zugeordnet.</translation>
+        <translation>Deformierbare Registrierungen von verschiedenen Startwerten unterscheiden sich um %1: Einige Äste sind vielleicht falschen Gefäßen zugeordnet.</translation>
     </message>
     <message>
         <source>Only %1 of the vessel tree was matched to vessels in the image.</source>
@@ -4889,12 +4889,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Nur %1 des Gefäßbaums ließen sich Gefäßen im Bild zuordnen.</translation>
     </message>
     <message>
-        <source>The traced vessels still lie about %1 off the deformed tree: their motion is more local than the model can follow.</source>
+        <source>The traced vessels are still about %1 away from the deformed tree: their motion is more local than the model can represent.</source>
         <comment>bend.not-followed</comment>
-        <translation>Die verfolgten Gefäße liegen noch etwa %1 neben dem verformten Baum: Ihre Bewegung ist kleinräumiger, als das Modell folgen kann.</translation>
+        <translation>Die erkannten Gefäße liegen noch etwa %1 neben dem verformten Baum: Ihre Bewegung ist kleinräumiger, als das Modell abbilden kann.</translation>
     </message>
     <message>
-        <source>The vessels toward the %1 (%2 of their length) are displaced by %3 from the rest, toward the %4.</source>
+        <source>The vessels toward the %1 (%2 of their length) are displaced by %3 relative to the rest, toward the %4.</source>
         <comment>bend.part-moved</comment>
         <translation>Die Gefäße in Richtung %1 (%2 ihrer Länge) sind gegenüber dem Rest um %3 verschoben, in Richtung %4.</translation>
     </message>
@@ -4934,12 +4934,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Das Angiogrammbild hat Pixel, die keine Zahl sind (NaN oder unendlich). Wählen Sie ein anderes Bild, oder exportieren Sie es neu.</translation>
     </message>
     <message>
-        <source>The angiogram frame has a single gray value: there is nothing to trace. Choose another frame or file.</source>
+        <source>The angiogram frame has only one gray value, so there is nothing to trace. Choose another frame or file.</source>
         <comment>frame.one-colour</comment>
         <translation>Das Angiogrammbild hat nur einen Grauwert: Es gibt nichts zu erkennen. Wählen Sie ein anderes Bild oder eine andere Datei.</translation>
     </message>
     <message>
-        <source>This is a text page, such as a dose report, not an angiogram. Choose the run it belongs to, or another frame.</source>
+        <source>This is a text page, such as a dose report, not an angiogram. Choose the corresponding run, or another frame.</source>
         <comment>frame.report-page</comment>
         <translation>Dies ist eine Textseite, etwa ein Dosisbericht, kein Angiogramm. Wählen Sie die Serie, zu der sie gehört, oder ein anderes Bild.</translation>
     </message>
@@ -4949,9 +4949,9 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Die hier erkannten Strukturen sind schon im ersten Bild der Serie sichtbar: Dazwischen kommt kein Kontrastmittel an. Enthält die Serie keines, sind es Katheter, Führungsdrähte und Knochenkanten, keine Gefäße.</translation>
     </message>
     <message>
-        <source>Little in this frame looks like opacified vessels: the traced curves are short or faint, or may be catheters, guidewires and bone edges. Choose a frame with more contrast agent; if there is none, check the curves with Edit traced vessels.</source>
+        <source>Few structures in this frame resemble opacified vessels: the traced curves are short or faint, or may be catheters, guidewires and bone edges. Choose a frame with more contrast agent; if there is none, check the curves with “Edit traced vessels”.</source>
         <comment>frame.little-contrast</comment>
-        <translation>Wenig in diesem Bild sieht nach kontrastierten Gefäßen aus: Die erkannten Kurven sind kurz oder schwach, oder es sind vielleicht Katheter, Führungsdrähte und Knochenkanten. Wählen Sie ein Bild mit mehr Kontrastmittel; gibt es keines, prüfen Sie die Kurven mit Erkannte Gefäße bearbeiten.</translation>
+        <translation>Wenige Strukturen in diesem Bild ähneln kontrastierten Gefäßen: Die erkannten Kurven sind kurz oder schwach, oder es sind vielleicht Katheter, Führungsdrähte und Knochenkanten. Wählen Sie ein Bild mit mehr Kontrastmittel; gibt es keines, prüfen Sie die Kurven mit „Erkannte Gefäße bearbeiten“.</translation>
     </message>
     <message>
         <source>No vessel was found in the angiogram frame. Choose a frame with more contrast agent, raise the sensitivity, or check whether vessels are dark or bright.</source>
@@ -4959,22 +4959,22 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Im Angiogrammbild wurde kein Gefäß gefunden. Wählen Sie ein Bild mit mehr Kontrastmittel, erhöhen Sie die Empfindlichkeit, oder prüfen Sie, ob Gefäße dunkel oder hell sind.</translation>
     </message>
     <message>
-        <source>The minimum vessel radius (%1) must be positive and at most the maximum vessel radius (%2).</source>
+        <source>The minimum vessel radius (%1) must be positive and not larger than the maximum vessel radius (%2).</source>
         <comment>trace.radii-unusable</comment>
         <translation>Der minimale Gefäßradius (%1) muss positiv und darf höchstens so groß wie der maximale (%2) sein.</translation>
     </message>
     <message>
-        <source>The tracing sensitivity must be above 0, not %1.</source>
+        <source>The tracing sensitivity must be greater than 0, not %1.</source>
         <comment>trace.sensitivity-unusable</comment>
         <translation>Die Empfindlichkeit der Erkennung muss über 0 liegen, nicht %1.</translation>
     </message>
     <message>
-        <source>The vessel mask contains no vessel of at least %1. Draw longer vessels, or lower the minimum length.</source>
+        <source>The vessel mask contains no vessel with a length of at least %1. Draw longer vessels, or lower the minimum length.</source>
         <comment>frame.mask-without-vessels</comment>
         <translation>Die Gefäßmaske enthält kein Gefäß von mindestens %1. Zeichnen Sie längere Gefäße, oder senken Sie die Mindestlänge.</translation>
     </message>
     <message>
-        <source>The run has one frame: there is nothing to subtract. Choose a run with frames before contrast arrival.</source>
+        <source>The run has only one frame, so nothing can be subtracted. Choose a run with frames before contrast arrival.</source>
         <comment>subtraction.one-frame</comment>
         <translation>Die Serie hat nur ein Bild: Es gibt nichts zu subtrahieren. Wählen Sie eine Serie mit Bildern vor Kontrastmittelankunft.</translation>
     </message>
@@ -4984,7 +4984,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Die Bilder der Serie sind verschieden groß und lassen sich nicht subtrahieren.</translation>
     </message>
     <message>
-        <source>The run shows contrast agent from its first frame on, so no frame can serve as mask. Specify the mask frames, or trace without subtraction.</source>
+        <source>The run shows contrast agent from the first frame on, so no frame can serve as the mask. Specify the mask frames, or trace without subtraction.</source>
         <comment>subtraction.no-mask</comment>
         <translation>Die Serie zeigt vom ersten Bild an Kontrastmittel; kein Bild eignet sich als Maske. Geben Sie die Maskenbilder an, oder erkennen Sie ohne Subtraktion.</translation>
     </message>
@@ -4996,12 +4996,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>The volume is empty. Choose another series or file.</source>
         <comment>volume.empty</comment>
-        <translation>Das Volumen ist leer. Andere Serie oder Datei wählen.</translation>
+        <translation>Das Volumen ist leer. Wählen Sie eine andere Serie oder Datei.</translation>
     </message>
     <message>
         <source>The volume has more than 4 billion voxels. Crop or resample it first.</source>
         <comment>volume.too-large</comment>
-        <translation>Das Volumen hat mehr als 4 Milliarden Voxel. Zuerst zuschneiden oder umrechnen.</translation>
+        <translation>Das Volumen hat mehr als 4 Milliarden Voxel. Schneiden Sie es zuerst zu, oder tasten Sie es neu ab.</translation>
     </message>
     <message>
         <source>The volume has no valid voxel spacing. Enter the spacing in mm, or export the volume again.</source>
@@ -5009,7 +5009,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Das Volumen hat keinen gültigen Voxelabstand. Geben Sie den Abstand in mm ein, oder exportieren Sie es neu.</translation>
     </message>
     <message>
-        <source>The volume has a single value: there is nothing to trace. Choose another series or file.</source>
+        <source>The volume has only one value, so there is nothing to trace. Choose another series or file.</source>
         <comment>volume.one-value</comment>
         <translation>Das Volumen hat nur einen Wert: Es gibt nichts zu erkennen. Wählen Sie eine andere Serie oder Datei.</translation>
     </message>
@@ -5029,14 +5029,14 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Das Volumen enthält keine gefäßartige Struktur: Kein Ast ist lang genug. Senken Sie die Schwelle oder die Mindestlänge der Äste.</translation>
     </message>
     <message>
-        <source>No opacified vessels were found: soft tissue has %1, and no uniform region shows vascular enhancement. Is this the arterial phase? Choose the CT angiogram, or set the threshold at which vessels begin.</source>
+        <source>No opacified vessels were found: soft tissue measures %1, and no uniform region shows vascular enhancement. Is this the arterial phase? Choose the CT angiogram, or set the lower threshold of the vessels.</source>
         <comment>tracing.no-contrast</comment>
-        <translation>Es wurden keine kontrastierten Gefäße gefunden: Weichgewebe hat %1, und kein homogener Bereich zeigt eine Gefäßkontrastierung. Ist dies die arterielle Phase? Wählen Sie die CT-Angiographie, oder geben Sie die Schwelle an, ab der die Gefäße beginnen.</translation>
+        <translation>Es wurden keine kontrastierten Gefäße gefunden: Weichgewebe misst %1, und kein homogener Bereich zeigt eine Gefäßkontrastierung. Ist dies die arterielle Phase? Wählen Sie die CT-Angiographie, oder geben Sie die untere Schwelle der Gefäße an.</translation>
     </message>
     <message>
-        <source>No opacified vessels were found: apart from bone, the brightest region has %1 (soft tissue %2) and is not vessel-like. Is this the arterial phase? Choose the CT angiogram, or set the threshold at which vessels begin.</source>
+        <source>No opacified vessels were found: apart from bone, the brightest region measures %1 (soft tissue %2) and is not vessel-like. Is this the arterial phase? Choose the CT angiogram, or set the lower threshold of the vessels.</source>
         <comment>tracing.brightest-is-no-vessel</comment>
-        <translation>Es wurden keine kontrastierten Gefäße gefunden: Außer Knochen hat der hellste Bereich %1 (Weichgewebe %2) und ist nicht gefäßartig. Ist dies die arterielle Phase? Wählen Sie die CT-Angiographie, oder geben Sie die Schwelle an, ab der die Gefäße beginnen.</translation>
+        <translation>Es wurden keine kontrastierten Gefäße gefunden: Außer Knochen misst der hellste Bereich %1 (Weichgewebe %2) und ist nicht gefäßartig. Ist dies die arterielle Phase? Wählen Sie die CT-Angiographie, oder geben Sie die untere Schwelle der Gefäße an.</translation>
     </message>
     <message>
         <source>There are points to avoid, but no seed. Place at least one seed in the vessels.</source>
@@ -5049,24 +5049,24 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>(%1, %2, %3)</translation>
     </message>
     <message>
-        <source>The seed %1 mm (LPS) is not inside a vessel. Place it inside one, or lower the threshold.</source>
+        <source>The seed %1 mm (LPS) is not inside a vessel. Place it inside a vessel, or lower the threshold.</source>
         <comment>tracing.seed-in-no-vessel</comment>
         <translation>Der Startpunkt %1 mm (LPS) liegt in keinem Gefäß. Setzen Sie ihn in eines, oder senken Sie die Schwelle.</translation>
     </message>
     <message>
-        <source>The seed %1 mm (LPS) is not inside an enhanced vessel: the vessel %2 away was used.</source>
+        <source>The seed %1 mm (LPS) is not inside an enhanced vessel: the vessel at a distance of %2 was used.</source>
         <comment>tracing.seed-moved</comment>
         <translation>Der Startpunkt %1 mm (LPS) liegt in keinem kontrastierten Gefäß: Das Gefäß in %2 Abstand wurde verwendet.</translation>
     </message>
     <message>
-        <source>No seed was placed: the aorta (or main artery) was found automatically at %1 mm (LPS) and traced. If it is the wrong vessel, place a seed in another one.</source>
+        <source>No seed was placed: the aorta (or main artery) was found automatically at %1 mm (LPS) and traced. If it is the wrong vessel, place a seed in the correct one.</source>
         <comment>tracing.no-seed-found-vessel</comment>
-        <translation>Kein Startpunkt gesetzt: Die Aorta (oder Hauptarterie) wurde automatisch bei %1 mm (LPS) gefunden und erfasst. Ist es das falsche Gefäß, setzen Sie einen Startpunkt in ein anderes.</translation>
+        <translation>Kein Startpunkt gesetzt: Die Aorta (oder Hauptarterie) wurde automatisch bei %1 mm (LPS) gefunden und erfasst. Ist es das falsche Gefäß, setzen Sie einen Startpunkt in das richtige.</translation>
     </message>
     <message>
-        <source>No seed was placed, and no aorta or main artery was found: the largest component was traced. If it is not the vessels, place a seed in them.</source>
+        <source>No seed was placed, and no aorta or main artery was found: the largest component was traced. If these are not the desired vessels, place a seed in them.</source>
         <comment>tracing.no-seed-largest-piece</comment>
-        <translation>Kein Startpunkt gesetzt, und keine Aorta oder Hauptarterie gefunden: Die größte Komponente wurde erfasst. Sind es nicht die Gefäße, setzen Sie einen Startpunkt in diese.</translation>
+        <translation>Kein Startpunkt gesetzt, und keine Aorta oder Hauptarterie gefunden: Die größte Komponente wurde erfasst. Sind es nicht die gewünschten Gefäße, setzen Sie einen Startpunkt in diese.</translation>
     </message>
     <message>
         <source>This is a head scan, and arteries cannot be identified reliably: venous sinuses and veins may be enhanced too. Place a seed in the artery to trace, for example in a carotid artery in the neck or at the skull base.</source>
@@ -5074,7 +5074,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Dies ist ein Kopfscan, und die Arterien sind nicht sicher zu erkennen: Auch venöse Sinus und Venen können kontrastiert sein. Setzen Sie einen Startpunkt in die zu erfassende Arterie, etwa in eine Halsschlagader am Hals oder an der Schädelbasis.</translation>
     </message>
     <message>
-        <source>The values of this scan are not Hounsfield units, and no large vessel can be identified reliably. Place a seed in a wide part of the artery to trace.</source>
+        <source>The values of this scan are not in Hounsfield units, and no large vessel can be identified reliably. Place a seed in a wide part of the artery to trace.</source>
         <comment>tracing.scan-needs-seed</comment>
         <translation>Die Werte dieses Scans sind keine Hounsfield-Einheiten, und kein großes Gefäß ist sicher zu erkennen. Setzen Sie einen Startpunkt an einer weiten Stelle in die zu erfassende Arterie.</translation>
     </message>
@@ -5094,7 +5094,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Die Mittellinien folgen %1 des Maskenskeletts bis auf zwei Voxel; das meiste vom Rest liegt bei %2 mm (LPS). Wo das Lumen weit oder seine Wand rau ist, folgen sie stattdessen der Lumenmitte. Prüfen Sie dort, ob ein Gefäß fehlt.</translation>
     </message>
     <message>
-        <source>The point %1 mm (LPS) is outside the scan. Choose one inside.</source>
+        <source>The point %1 mm (LPS) is outside the scan. Choose a point inside it.</source>
         <comment>tracing.path-end-outside-scan</comment>
         <translation>Der Punkt %1 mm (LPS) liegt außerhalb des Scans. Wählen Sie einen innerhalb.</translation>
     </message>
@@ -5114,12 +5114,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Zwischen den beiden Punkten wurde kein Weg gefunden. Setzen Sie sie näher zusammen.</translation>
     </message>
     <message>
-        <source>For %1, the path does not run through a vessel-like structure. Check it, or place a point in between.</source>
+        <source>Over a length of %1, the path does not run through a vessel-like structure. Check it, or place a point in between.</source>
         <comment>tracing.path-outside</comment>
-        <translation>Auf %1 verläuft der Weg durch keine gefäßartige Struktur. Prüfen Sie ihn, oder setzen Sie einen Punkt dazwischen.</translation>
+        <translation>Auf einer Länge von %1 verläuft der Weg durch keine gefäßartige Struktur. Prüfen Sie ihn, oder setzen Sie einen Punkt dazwischen.</translation>
     </message>
     <message>
-        <source>Tracing thin vessels requires seeds, and none is placed. Place one in each vessel, near its origin.</source>
+        <source>Tracing thin vessels requires seeds, but none is placed. Place one in each vessel, near its origin.</source>
         <comment>tracing.tubes-need-seed</comment>
         <translation>Das Erfassen dünner Gefäße braucht Startpunkte, und keiner ist gesetzt. Setzen Sie in jedes Gefäß einen, nahe dem Abgang.</translation>
     </message>
@@ -5129,12 +5129,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Von den Startpunkten aus wurde kein ausreichend langes dünnes Gefäß gefunden. Setzen Sie sie in die Mitte der Gefäße, oder heben Sie die Beschränkung auf dünne Gefäße auf.</translation>
     </message>
     <message>
-        <source>The search limit was reached: the vessels are cut off. Check for leakage into lung, liver or bone.</source>
+        <source>The search limit was reached: the vessels are truncated. Check for leakage into lung, liver or bone.</source>
         <comment>tracing.tubes-cut-short</comment>
         <translation>Die Suchgrenze wurde erreicht: Die Gefäße sind abgeschnitten. Prüfen Sie, ob die Segmentierung in Lunge, Leber oder Knochen ausläuft.</translation>
     </message>
     <message>
-        <source>The vessels consist of %1 unconnected components, each with its own root: %2. Connect those that belong together, or select some by placing a seed in each.</source>
+        <source>The vessels consist of %1 unconnected components, each with its own root: %2. Connect those that belong together, or select components by placing a seed in each.</source>
         <comment>tracing.vessels-in-pieces</comment>
         <translation>Die Gefäße bestehen aus %1 unverbundenen Komponenten, jede mit eigener Wurzel: %2. Verbinden Sie, was zusammengehört, oder wählen Sie einzelne durch je einen Startpunkt aus.</translation>
     </message>
@@ -5154,27 +5154,27 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>%1 weitere mit %2</translation>
     </message>
     <message>
-        <source>A component not connected to the traced vessels was left out: %1 mm (LPS). Place a seed in it if it belongs to the tree.</source>
+        <source>A component that is not connected to the traced vessels was omitted: %1 mm (LPS). Place a seed in it if it belongs to the tree.</source>
         <comment>tracing.one-piece-left-out</comment>
         <translation>Eine nicht mit den erkannten Gefäßen verbundene Komponente wurde ausgelassen: %1 mm (LPS). Setzen Sie einen Startpunkt hinein, wenn sie zum Baum gehört.</translation>
     </message>
     <message>
-        <source>%1 components with %2 of the voxels are not connected to the traced vessels and were left out: %3. Place a seed in each that belongs to the tree.</source>
+        <source>%1 components with %2 of the voxels are not connected to the traced vessels and were omitted: %3. Place a seed in each that belongs to the tree.</source>
         <comment>tracing.pieces-left-out</comment>
         <translation>%1 Komponenten mit %2 der Voxel sind nicht mit den erkannten Gefäßen verbunden und wurden ausgelassen: %3. Setzen Sie in jede, die zum Baum gehört, einen Startpunkt.</translation>
     </message>
     <message>
-        <source>A component contains no branch of the minimum length and was left out: %1 mm (LPS). Lower the minimum branch length if it is a vessel.</source>
+        <source>A component contains no branch of the minimum length and was omitted: %1 mm (LPS). Lower the minimum branch length if it is a vessel.</source>
         <comment>tracing.one-piece-too-short</comment>
         <translation>Eine Komponente enthält keinen Ast der Mindestlänge und wurde ausgelassen: %1 mm (LPS). Senken Sie die Mindestlänge der Äste, wenn es ein Gefäß ist.</translation>
     </message>
     <message>
-        <source>%1 components with %2 of the voxels contain no branch of the minimum length and were left out: %3. Lower the minimum branch length if they are vessels.</source>
+        <source>%1 components with %2 of the voxels contain no branch of the minimum length and were omitted: %3. Lower the minimum branch length if they are vessels.</source>
         <comment>tracing.pieces-too-short</comment>
         <translation>%1 Komponenten mit %2 der Voxel enthalten keinen Ast der Mindestlänge und wurden ausgelassen: %3. Senken Sie die Mindestlänge der Äste, wenn es Gefäße sind.</translation>
     </message>
     <message>
-        <source>Gaps where a vessel clearly continues were closed: %1, of up to %2. Check there for vessels that do not belong together.</source>
+        <source>Gaps where a vessel clearly continues were closed: %1, up to %2 long. Check there for vessels that do not belong together.</source>
         <comment>tracing.gaps-closed</comment>
         <translation>Lücken, über die ein Gefäß deutlich weiterläuft, wurden geschlossen: %1, bis %2. Prüfen Sie dort, ob die Gefäße zusammengehören.</translation>
     </message>
@@ -5189,22 +5189,22 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>%1 Schleifen wurden an den engsten Stellen getrennt; prüfen Sie, ob sich dort Gefäße nur berühren.</translation>
     </message>
     <message>
-        <source>Loops kept as requested: %1. Where a loop closes, one branch ends on another.</source>
+        <source>Loops kept as requested: %1. At the closure of a loop, one branch ends on another.</source>
         <comment>tracing.loops-kept</comment>
         <translation>Wie gewünscht erhaltene Schleifen: %1. Wo sich eine schließt, endet ein Ast auf einem anderen.</translation>
     </message>
     <message>
-        <source>A part darker than the vessels was left out; it may be a vein or an organ. Place a seed in it if it belongs to the tree.</source>
+        <source>A region darker than the vessels was omitted; it may be a vein or an organ. Place a seed in it if it belongs to the tree.</source>
         <comment>tracing.one-dim-part-left-out</comment>
-        <translation>Ein Teil, der dunkler als die Gefäße ist, wurde ausgelassen; es könnte eine Vene oder ein Organ sein. Setzen Sie einen Startpunkt hinein, wenn er zum Baum gehört.</translation>
+        <translation>Ein Bereich, der dunkler als die Gefäße ist, wurde ausgelassen; es könnte eine Vene oder ein Organ sein. Setzen Sie einen Startpunkt hinein, wenn er zum Baum gehört.</translation>
     </message>
     <message>
-        <source>%1 parts darker than the vessels were left out; they may be veins or organs. Place seeds in those that belong to the tree.</source>
+        <source>%1 regions darker than the vessels were omitted; they may be veins or organs. Place seeds in those that belong to the tree.</source>
         <comment>tracing.dim-parts-left-out</comment>
-        <translation>%1 Teile, die dunkler als die Gefäße sind, wurden ausgelassen; es könnten Venen oder Organe sein. Setzen Sie in die, die zum Baum gehören, einen Startpunkt.</translation>
+        <translation>%1 Bereiche, die dunkler als die Gefäße sind, wurden ausgelassen; es könnten Venen oder Organe sein. Setzen Sie in die, die zum Baum gehören, einen Startpunkt.</translation>
     </message>
     <message>
-        <source>No voxel of the scan is as dark as air in Hounsfield units: if its values are not HU, bone cannot be separated reliably from vessels. Check the vessels for bone, or export the scan in Hounsfield units.</source>
+        <source>No voxel of the scan is as dark as air in Hounsfield units. If the values are not HU, bone cannot be separated reliably from vessels. Check the vessels for bone, or export the scan in Hounsfield units.</source>
         <comment>tracing.perhaps-no-hounsfield</comment>
         <translation>Kein Voxel des Scans ist so dunkel wie Luft in Hounsfield-Einheiten: Sind die Werte keine HE, lässt sich Knochen nicht sicher von Gefäßen trennen. Prüfen Sie die Gefäße auf Knochen, oder exportieren Sie den Scan in Hounsfield-Einheiten.</translation>
     </message>
@@ -5234,9 +5234,9 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Ast %1 des Gefäßbaums hat keine Länge: alle Punkte fallen zusammen.</translation>
     </message>
     <message>
-        <source>Branch %1 of the vessel tree does not have one radius per point.</source>
+        <source>The number of radii of branch %1 of the vessel tree does not match its number of points.</source>
         <comment>tree.branch-radii-missing</comment>
-        <translation>Ast %1 des Gefäßbaums hat nicht je Punkt einen Radius.</translation>
+        <translation>Die Zahl der Radien von Ast %1 des Gefäßbaums entspricht nicht der Zahl seiner Punkte.</translation>
     </message>
     <message>
         <source>Branch %1 of the vessel tree has a radius that is negative or not a number. Correct it, or omit the radii of this branch.</source>
@@ -5249,7 +5249,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Der Gefäßbaum hat keinen Ast %1.</translation>
     </message>
     <message>
-        <source>The range of %1 must be two angles within ±%2°, the lower one first.</source>
+        <source>The range of %1 must consist of two angles within ±%2°, the lower one first.</source>
         <comment>angles.range-odd</comment>
         <translation>Der Bereich von %1 braucht zwei Winkel innerhalb von ±%2°, den kleineren zuerst.</translation>
     </message>
@@ -5266,7 +5266,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>Select one branch in the image, in the 3-D view or in the list.</source>
         <comment>angles.select-one-branch</comment>
-        <translation>Einen Ast im Bild, in der 3-D-Ansicht oder in der Liste auswählen.</translation>
+        <translation>Wählen Sie einen Ast im Bild, in der 3-D-Ansicht oder in der Liste aus.</translation>
     </message>
     <message>
         <source>The vessels have no radii: 1 mm is assumed, so the overlap of the branch is an estimate.</source>
@@ -5279,22 +5279,22 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Ast %1 ist mit keinem anderen Ast verbunden und hat daher keinen Abgang. Verwenden Sie den Ast selbst.</translation>
     </message>
     <message>
-        <source>All branches descend from branch %1: nothing would be left.</source>
+        <source>All branches descend from branch %1; no branches would remain.</source>
         <comment>edit.all-hang-on-branch</comment>
-        <translation>Alle Äste gehen von Ast %1 aus: Nichts bliebe übrig.</translation>
+        <translation>Alle Äste gehen von Ast %1 aus; es blieben keine Äste übrig.</translation>
     </message>
     <message>
-        <source>All branches are shorter or thinner than the limits: nothing would be left. Lower the limits.</source>
+        <source>All branches are shorter or thinner than the limits; no branches would remain. Lower the limits.</source>
         <comment>edit.all-pruned</comment>
-        <translation>Alle Äste sind kürzer oder dünner als die Grenzen: Nichts bliebe übrig. Senken Sie die Grenzen.</translation>
+        <translation>Alle Äste sind kürzer oder dünner als die Grenzen; es blieben keine Äste übrig. Senken Sie die Grenzen.</translation>
     </message>
     <message>
-        <source>Branch %1 cannot be cut this close to its end. Delete it, or cut farther from the end.</source>
+        <source>Branch %1 cannot be cut so close to its end. Delete the branch, or cut it farther from the end.</source>
         <comment>edit.cut-too-near-end</comment>
         <translation>Ast %1 lässt sich so nah am Ende nicht trennen. Löschen Sie ihn, oder trennen Sie weiter vom Ende entfernt.</translation>
     </message>
     <message>
-        <source>The whole path runs inside vessels that are already traced: there is nothing to add.</source>
+        <source>The whole path runs inside vessels that are already traced, so there is nothing to add.</source>
         <comment>edit.branch-runs-inside</comment>
         <translation>Der ganze Weg verläuft in bereits erfassten Gefäßen: Es gibt nichts hinzuzufügen.</translation>
     </message>
@@ -5316,20 +5316,20 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>The surface has no triangles, or the voxel size is not positive. Choose another surface.</source>
         <comment>surface.empty</comment>
-        <translation>Die Oberfläche hat keine Dreiecke, oder die Voxelgröße ist nicht positiv. Andere Oberfläche wählen.</translation>
+        <translation>Die Oberfläche hat keine Dreiecke, oder die Voxelgröße ist nicht positiv. Wählen Sie eine andere Oberfläche.</translation>
     </message>
     <message>
-        <source>The surface is flat and encloses no volume. Choose the wall of a vessel.</source>
+        <source>The surface is flat and encloses no volume. Choose the surface of a vessel wall.</source>
         <comment>surface.flat</comment>
         <translation>Die Oberfläche ist flach und umschließt kein Volumen. Wählen Sie eine Gefäßwand.</translation>
     </message>
     <message>
-        <source>The voxel size is too small for a surface of this extent. Choose a larger one.</source>
+        <source>The voxel size is too small for a surface of this extent. Choose a larger voxel size.</source>
         <comment>surface.voxel-too-fine</comment>
         <translation>Die Voxelgröße ist für eine so große Oberfläche zu klein. Wählen Sie eine größere.</translation>
     </message>
     <message>
-        <source>The surface encloses nothing: it is too open, or thinner than a voxel. Close its holes, or choose a smaller voxel size.</source>
+        <source>The surface encloses no volume: it has large openings, or is thinner than a voxel. Close its holes, or choose a smaller voxel size.</source>
         <comment>surface.nothing-inside</comment>
         <translation>Die Oberfläche umschließt nichts: Sie ist zu offen oder dünner als ein Voxel. Schließen Sie die Löcher, oder wählen Sie kleinere Voxel.</translation>
     </message>
@@ -5341,12 +5341,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>this is %1, not a case. Choose an .angiopose file.</source>
         <comment>case.is-other</comment>
-        <translation>das ist %1, kein Fall. Eine .angiopose-Datei wählen.</translation>
+        <translation>dies ist %1, kein Fall. Wählen Sie eine .angiopose-Datei.</translation>
     </message>
     <message>
         <source>this JSON is not an AngioPose case (its format is not &quot;angiopose-case&quot;). Choose an .angiopose file.</source>
         <comment>case.not-one</comment>
-        <translation>dieses JSON ist kein AngioPose-Fall (sein format ist nicht &quot;angiopose-case&quot;). Eine .angiopose-Datei wählen.</translation>
+        <translation>dieses JSON ist kein AngioPose-Fall (sein format ist nicht &quot;angiopose-case&quot;). Wählen Sie eine .angiopose-Datei.</translation>
     </message>
     <message>
         <source>a value has the wrong type. Compare the file with the published schema.</source>
@@ -5356,7 +5356,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>the case was saved by a newer AngioPose. Update the program.</source>
         <comment>case.newer</comment>
-        <translation>der Fall stammt von einem neueren AngioPose. Das Programm aktualisieren.</translation>
+        <translation>der Fall stammt von einem neueren AngioPose. Aktualisieren Sie das Programm.</translation>
     </message>
     <message>
         <source>the key %1 is missing. Add it.</source>
@@ -5374,9 +5374,9 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>der Wert hat den falschen Typ. Siehe das veröffentlichte Schema.</translation>
     </message>
     <message>
-        <source>%1 Correct it.</source>
+        <source>%1 Correct this value.</source>
         <comment>case.value-wrong</comment>
-        <translation>%1 Berichtigen.</translation>
+        <translation>%1 Berichtigen Sie diesen Wert.</translation>
     </message>
     <message>
         <source>the file does not conform to the published schema. Compare it with a valid case.</source>
@@ -5399,17 +5399,17 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>ein CT allein ist noch kein Fall: Die Falldatei braucht erfasste Gefäße und ein Angiogramm. Erfassen Sie vor dem Speichern die Gefäße, und öffnen Sie ein Angiogramm; die CT-Datei selbst wird nicht verändert.</translation>
     </message>
     <message>
-        <source>a case needs a vessel tree and an angiogram. Open both before saving.</source>
+        <source>a case requires a vessel tree and an angiogram. Open both before saving.</source>
         <comment>case.incomplete</comment>
         <translation>ein Fall braucht Gefäßbaum und Angiogramm. Öffnen Sie vor dem Speichern beide.</translation>
     </message>
     <message>
-        <source>the pose is not a rigid motion of finite numbers. Reset the pose before saving.</source>
+        <source>the pose is not a rigid transform with finite values. Reset it before saving.</source>
         <comment>case.pose-not-rigid</comment>
-        <translation>die Lage ist keine starre Bewegung endlicher Zahlen. Vor dem Speichern zurücksetzen.</translation>
+        <translation>die Lage ist keine starre Transformation mit endlichen Werten. Setzen Sie sie vor dem Speichern zurück.</translation>
     </message>
     <message>
-        <source>the camera belongs to an image of %1 x %2 pixels, but the angiogram has %3 x %4. Provide the camera of this image.</source>
+        <source>the camera belongs to an image of %1 x %2 pixels, but the angiogram has %3 x %4. Specify the camera of this image.</source>
         <comment>case.camera-of-other-image</comment>
         <translation>die Kamera gehört zu einem Bild mit %1 x %2 Pixeln, das Angiogramm hat aber %3 x %4. Geben Sie die Kamera dieses Bildes an.</translation>
     </message>
@@ -5419,7 +5419,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>maxVesselRadiusPx ist kleiner als minVesselRadiusPx. Vertauschen Sie beide.</translation>
     </message>
     <message>
-        <source>the case names no vessel input. Specify the vessel file as centerline, segmentation, surface or volume.</source>
+        <source>the case contains no vessel input. Specify the vessel file as centerline, segmentation, surface or volume.</source>
         <comment>case.no-input</comment>
         <translation>der Fall nennt keine Eingabe für die Gefäße. Geben Sie die Gefäßdatei als centerline, segmentation, surface oder volume an.</translation>
     </message>
@@ -5441,12 +5441,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>enter a number from %1 to %2.</source>
         <comment>case.option-number</comment>
-        <translation>eine Zahl von %1 bis %2 eingeben.</translation>
+        <translation>geben Sie eine Zahl von %1 bis %2 ein.</translation>
     </message>
     <message>
         <source>choose one of %1.</source>
         <comment>case.option-choice</comment>
-        <translation>eines von %1 wählen.</translation>
+        <translation>wählen Sie eines von %1.</translation>
     </message>
     <message>
         <source>the initial pose is missing and cannot be computed from the angles. %1</source>
@@ -5454,22 +5454,22 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>die Startlage fehlt und lässt sich nicht aus den Winkeln berechnen. %1</translation>
     </message>
     <message>
-        <source>the file has changed since the case was saved. Check that it is the correct one.</source>
+        <source>the file has changed since the case was saved. Check that it is the correct file.</source>
         <comment>case.file-changed</comment>
         <translation>die Datei hat sich seit dem Speichern des Falls geändert. Prüfen Sie, ob es die richtige ist.</translation>
     </message>
     <message>
-        <source>its stored result was dropped because the vessels, the image or the traced curves have changed since. Register again.</source>
+        <source>the stored result was discarded because the vessels, the image or the traced curves have changed since. Register again.</source>
         <comment>case.result-stale</comment>
-        <translation>ihr gespeichertes Ergebnis wurde verworfen, weil sich Gefäße, Bild oder erkannte Kurven seither geändert haben. Registrieren Sie erneut.</translation>
+        <translation>das gespeicherte Ergebnis wurde verworfen, weil sich Gefäße, Bild oder erkannte Kurven seither geändert haben. Registrieren Sie erneut.</translation>
     </message>
     <message>
-        <source>its stored result was dropped because the case file has changed since: %1. Register again.</source>
+        <source>the stored result was discarded because the case file has changed since: %1. Register again.</source>
         <comment>case.result-beside</comment>
-        <translation>ihr gespeichertes Ergebnis wurde verworfen, weil die Falldatei seither geändert wurde: %1. Registrieren Sie erneut.</translation>
+        <translation>das gespeicherte Ergebnis wurde verworfen, weil die Falldatei seither geändert wurde: %1. Registrieren Sie erneut.</translation>
     </message>
     <message>
-        <source>the tracked poses were dropped because they do not match the run or the pose of the case. Track the vessels again.</source>
+        <source>the tracked poses were discarded because they do not match the run or the pose of the case. Track the vessels again.</source>
         <comment>case.followed-misfit</comment>
         <translation>die verfolgten Lagen wurden verworfen, weil sie nicht zur Serie oder zur Lage des Falls passen. Verfolgen Sie die Gefäße erneut.</translation>
     </message>
@@ -5479,9 +5479,9 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Die Gefäße einer verfolgten Serie werden in ihren Lagen gezeigt, aber ohne Verformung: %1 Verfolgen Sie sie erneut.</translation>
     </message>
     <message>
-        <source>the case names no file with their deformations.</source>
+        <source>the case specifies no deformation file.</source>
         <comment>case.bends-unnamed</comment>
-        <translation>der Fall nennt keine Datei mit ihren Verformungen.</translation>
+        <translation>der Fall nennt keine Verformungsdatei.</translation>
     </message>
     <message>
         <source>this is not a deformation file.</source>
@@ -5489,7 +5489,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>dies ist keine Verformungsdatei.</translation>
     </message>
     <message>
-        <source>the deformations belong to other vessels or frames.</source>
+        <source>the deformations belong to different vessels or frames.</source>
         <comment>case.bends-of-others</comment>
         <translation>die Verformungen gehören zu anderen Gefäßen oder Bildern.</translation>
     </message>
@@ -5549,9 +5549,9 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>die Startlage</translation>
     </message>
     <message>
-        <source>the locked axes</source>
+        <source>the locked degrees of freedom</source>
         <comment>part.locks</comment>
-        <translation>die gesperrten Achsen</translation>
+        <translation>die gesperrten Freiheitsgrade</translation>
     </message>
     <message>
         <source>the method</source>
@@ -5564,27 +5564,27 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>die Optionen</translation>
     </message>
     <message>
-        <source>this DICOM image is not the one the case was created with.</source>
+        <source>this is not the DICOM image with which the case was created.</source>
         <comment>case.other-image</comment>
         <translation>dies ist nicht das DICOM-Bild, mit dem der Fall erstellt wurde.</translation>
     </message>
     <message>
-        <source>%1 The case contains the edited vessels and opens without the file.</source>
+        <source>%1 The case contains the edited vessels and can be opened without the file.</source>
         <comment>case.opens-without</comment>
         <translation>%1 Der Fall enthält die bearbeiteten Gefäße und lässt sich ohne die Datei öffnen.</translation>
     </message>
     <message>
-        <source>the tree has no branch %1; the entry is ignored.</source>
+        <source>the tree has no branch %1; this entry is ignored.</source>
         <comment>case.branch-left-out</comment>
         <translation>der Baum hat keinen Ast %1; der Eintrag wird ignoriert.</translation>
     </message>
     <message>
-        <source>Another view was left out: %1</source>
+        <source>Another view was omitted: %1</source>
         <comment>case.view-left-out</comment>
         <translation>Eine weitere Ansicht wurde ausgelassen: %1</translation>
     </message>
     <message>
-        <source>line %1: &apos;%2&apos; is not a valid folder name. Use one without &apos;/&apos;.</source>
+        <source>line %1: &apos;%2&apos; is not a valid folder name. Use a name without &apos;/&apos;.</source>
         <comment>batch.no-folder-name</comment>
         <translation>Zeile %1: „%2“ ist kein gültiger Ordnername. Verwenden Sie einen ohne „/“.</translation>
     </message>
@@ -5609,9 +5609,9 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Zeile %1, Spalte %2 ist keine Zahl. Wählen Sie einen Ordner, den `angiopose-cli evaluate` geschrieben hat.</translation>
     </message>
     <message>
-        <source>the folder mixes experiments or seeds. Use a separate folder for each.</source>
+        <source>the folder contains results of different experiments or seeds. Use a separate folder for each.</source>
         <comment>runs.mixed</comment>
-        <translation>der Ordner mischt Experimente oder Startwerte. Verwenden Sie für jedes einen eigenen Ordner.</translation>
+        <translation>der Ordner enthält Ergebnisse verschiedener Experimente oder Startwerte. Verwenden Sie für jedes einen eigenen Ordner.</translation>
     </message>
     <message>
         <source>reading was stopped.</source>
@@ -5646,7 +5646,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>this is a folder. Choose a file in it.</source>
         <comment>file.is-folder</comment>
-        <translation>das ist ein Ordner. Eine Datei darin wählen.</translation>
+        <translation>dies ist ein Ordner. Wählen Sie eine Datei darin.</translation>
     </message>
     <message>
         <source>this is not a regular file. Choose a file on disk.</source>
@@ -5656,7 +5656,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>the file is empty. Export or copy it again.</source>
         <comment>file.empty</comment>
-        <translation>die Datei ist leer. Neu exportieren oder kopieren.</translation>
+        <translation>die Datei ist leer. Exportieren oder kopieren Sie sie neu.</translation>
     </message>
     <message>
         <source>this is a Git LFS pointer, not the file itself. Run `git lfs pull` in its repository.</source>
@@ -5664,9 +5664,9 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>dies ist ein Git-LFS-Verweis, nicht die Datei selbst. Führen Sie `git lfs pull` in ihrem Repository aus.</translation>
     </message>
     <message>
-        <source>a file cannot be saved here. Enter a file name in an existing folder.</source>
+        <source>the file cannot be saved here. Enter a file name in an existing folder.</source>
         <comment>file.no-place</comment>
-        <translation>hier lässt sich keine Datei speichern. Geben Sie einen Dateinamen in einem vorhandenen Ordner ein.</translation>
+        <translation>die Datei lässt sich hier nicht speichern. Geben Sie einen Dateinamen in einem vorhandenen Ordner ein.</translation>
     </message>
     <message>
         <source>the unit must be a positive length in mm.</source>
@@ -5674,39 +5674,39 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>die Einheit muss eine positive Länge in mm sein.</translation>
     </message>
     <message>
-        <source>the file declares more data than fits into memory. It is damaged; export it again.</source>
+        <source>the file declares more data than fit into memory. It is damaged; export it again.</source>
         <comment>file.larger-than-memory</comment>
         <translation>die Datei nennt mehr Daten, als in den Speicher passen. Sie ist beschädigt; exportieren Sie sie neu.</translation>
     </message>
     <message>
-        <source>the decoder %1 is missing or does not start. Reinstall AngioPose.</source>
+        <source>the decoder %1 is missing or cannot be started. Reinstall AngioPose.</source>
         <comment>file.decoder-missing</comment>
-        <translation>der Dekodierer %1 fehlt oder startet nicht. Installieren Sie AngioPose neu.</translation>
+        <translation>der Decoder %1 fehlt oder lässt sich nicht starten. Installieren Sie AngioPose neu.</translation>
     </message>
     <message>
-        <source>the decoder fails on its content. The file is damaged; export it again, or in another format.</source>
+        <source>the decoder could not process the file. The file is damaged; export it again, or in another format.</source>
         <comment>file.decoder-died</comment>
-        <translation>der Dekodierer scheitert an ihrem Inhalt. Die Datei ist beschädigt; exportieren Sie sie neu oder in einem anderen Format.</translation>
+        <translation>der Decoder konnte die Datei nicht verarbeiten. Die Datei ist beschädigt; exportieren Sie sie neu oder in einem anderen Format.</translation>
     </message>
     <message>
-        <source>decoding takes far longer than expected for its file size. The file is damaged; export it again.</source>
+        <source>decoding takes far longer than expected for the file size. The file is damaged; export it again.</source>
         <comment>file.decoder-too-long</comment>
         <translation>das Dekodieren dauert viel länger, als für die Dateigröße zu erwarten ist. Die Datei ist beschädigt; exportieren Sie sie neu.</translation>
     </message>
     <message>
-        <source>decoding takes far more memory than expected for its file size. The file is damaged; export it again.</source>
+        <source>decoding requires far more memory than expected for the file size. The file is damaged; export it again.</source>
         <comment>file.decoder-too-large</comment>
         <translation>das Dekodieren braucht viel mehr Speicher, als für die Dateigröße zu erwarten ist. Die Datei ist beschädigt; exportieren Sie sie neu.</translation>
     </message>
     <message>
         <source>SHA-256 cannot be computed. Check the OpenSSL installation.</source>
         <comment>file.hash-impossible</comment>
-        <translation>SHA-256 lässt sich nicht berechnen. Die OpenSSL-Installation prüfen.</translation>
+        <translation>SHA-256 lässt sich nicht berechnen. Prüfen Sie die OpenSSL-Installation.</translation>
     </message>
     <message>
         <source>the folder cannot be read (%1). Check the path.</source>
         <comment>folder.not-read</comment>
-        <translation>der Ordner lässt sich nicht lesen (%1). Pfad prüfen.</translation>
+        <translation>der Ordner lässt sich nicht lesen (%1). Prüfen Sie den Pfad.</translation>
     </message>
     <message>
         <source>the folder cannot be read completely. Copy it to a local disk.</source>
@@ -5714,12 +5714,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>der Ordner lässt sich nicht vollständig lesen. Kopieren Sie ihn auf eine lokale Festplatte.</translation>
     </message>
     <message>
-        <source>the folder contains more than 50000 files. Choose the folder of one study.</source>
+        <source>the folder contains more than 50,000 files. Choose the folder of one study.</source>
         <comment>folder.too-full</comment>
-        <translation>der Ordner enthält über 50000 Dateien. Wählen Sie den Ordner einer einzelnen Studie.</translation>
+        <translation>der Ordner enthält über 50.000 Dateien. Wählen Sie den Ordner einer einzelnen Studie.</translation>
     </message>
     <message>
-        <source>its JSON is nested more than %1 levels deep. AngioPose does not write such files.</source>
+        <source>the JSON is nested more than %1 levels deep. AngioPose does not write such files.</source>
         <comment>json.too-deep</comment>
         <translation>das JSON ist mehr als %1 Ebenen tief verschachtelt. AngioPose schreibt keine solchen Dateien.</translation>
     </message>
@@ -5729,19 +5729,19 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>das JSON ist in Zeile %1 ungültig. Berichtigen Sie die Datei, oder stellen Sie eine Sicherung wieder her.</translation>
     </message>
     <message>
-        <source>the file contains a number too large for a double. Correct it.</source>
+        <source>the file contains a number that exceeds double precision. Correct it.</source>
         <comment>json.number-too-large</comment>
         <translation>die Datei enthält eine Zahl, die für double zu groß ist. Berichtigen Sie sie.</translation>
     </message>
     <message>
         <source>this is not a text table. Choose a CSV file with a header row.</source>
         <comment>table.no-text</comment>
-        <translation>das ist keine Texttabelle. Eine CSV-Datei mit Kopfzeile wählen.</translation>
+        <translation>dies ist keine Texttabelle. Wählen Sie eine CSV-Datei mit Kopfzeile.</translation>
     </message>
     <message>
-        <source>line %1 has %2 columns, but the first line has %3. Separate columns by commas and use . as decimal point.</source>
+        <source>line %1 has %2 columns, but the first line has %3. Separate columns by commas and use a period as the decimal point.</source>
         <comment>table.columns</comment>
-        <translation>Zeile %1 hat %2 Spalten, die erste hat %3. Trennen Sie Spalten durch Kommas, und verwenden Sie . als Dezimalzeichen.</translation>
+        <translation>Zeile %1 hat %2 Spalten, die erste hat %3. Trennen Sie Spalten durch Kommas, und verwenden Sie den Punkt als Dezimalzeichen.</translation>
     </message>
     <message>
         <source>line %1, column %2: &quot;%3&quot; is not a finite number. Correct or remove the line.</source>
@@ -5749,9 +5749,9 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Zeile %1, Spalte %2: „%3“ ist keine endliche Zahl. Berichtigen oder entfernen Sie die Zeile.</translation>
     </message>
     <message>
-        <source>line %1: the branch must be an integer. Correct the line.</source>
+        <source>line %1: the value in the column branch must be an integer. Correct the line.</source>
         <comment>table.branch-no-number</comment>
-        <translation>Zeile %1: branch muss eine ganze Zahl sein. Berichtigen Sie die Zeile.</translation>
+        <translation>Zeile %1: Der Wert in der Spalte branch muss eine ganze Zahl sein. Berichtigen Sie die Zeile.</translation>
     </message>
     <message>
         <source>the file must contain exactly one ITK transform. Export a single rigid transform.</source>
@@ -5759,7 +5759,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>die Datei muss genau eine ITK-Transformation enthalten. Exportieren Sie eine einzelne starre Transformation.</translation>
     </message>
     <message>
-        <source>its transform &quot;%1&quot; is not rigid, or parameters are missing. Export a rigid transform (affine, Euler3D or VersorRigid3D).</source>
+        <source>the transform &quot;%1&quot; is not rigid, or parameters are missing. Export a rigid transform (affine, Euler3D or VersorRigid3D).</source>
         <comment>pose.not-rigid-transform</comment>
         <translation>die Transformation „%1“ ist nicht starr, oder es fehlen Parameter. Exportieren Sie eine starre (affine, Euler3D oder VersorRigid3D).</translation>
     </message>
@@ -5769,7 +5769,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>der Mittelpunkt der Transformation ist nicht endlich. Exportieren Sie die Transformation neu.</translation>
     </message>
     <message>
-        <source>the file has no 4 x 4 matrix `cameraFromPatient`, at the top level or in `pose`. Add one.</source>
+        <source>the file contains no 4 x 4 matrix `cameraFromPatient`, at the top level or in `pose`. Add the matrix.</source>
         <comment>pose.no-matrix</comment>
         <translation>die Datei hat keine 4 x 4-Matrix `cameraFromPatient`, weder auf oberster Ebene noch in `pose`. Fügen Sie eine hinzu.</translation>
     </message>
@@ -5784,7 +5784,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>cameraFromPatient enthält einen Wert, der keine endliche Zahl ist.</translation>
     </message>
     <message>
-        <source>the last row of cameraFromPatient must be 0 0 0 1. Check whether the matrix is transposed.</source>
+        <source>the last row of cameraFromPatient must be 0 0 0 1. Check that the matrix is not transposed.</source>
         <comment>pose.last-row</comment>
         <translation>die letzte Zeile von cameraFromPatient muss 0 0 0 1 sein. Prüfen Sie, ob die Matrix transponiert ist.</translation>
     </message>
@@ -5794,7 +5794,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>cameraFromPatient ist eine Spiegelung (Determinante unter 0). Ein gespiegeltes Bild gehört in das Vorzeichen von fx, nicht in die Drehung.</translation>
     </message>
     <message>
-        <source>the upper left 3 x 3 block of cameraFromPatient is not a rotation (scale or shear). Provide a rigid pose in mm.</source>
+        <source>the upper left 3 x 3 block of cameraFromPatient is not a rotation (it contains scale or shear). Provide a rigid pose in mm.</source>
         <comment>pose.no-rotation</comment>
         <translation>der linke obere 3 x 3-Block von cameraFromPatient ist keine Drehung (Skalierung oder Scherung). Geben Sie eine starre Lage in mm an.</translation>
     </message>
@@ -5809,9 +5809,9 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>dies ist keine Lage. Wählen Sie eine .json-Datei, oder eine ITK-Datei (.tfm, .mat, .h5).</translation>
     </message>
     <message>
-        <source>the pose is not a rigid motion of finite numbers. Reset it before saving.</source>
+        <source>the pose is not a rigid transform with finite values. Reset it before saving.</source>
         <comment>pose.not-saved</comment>
-        <translation>die Lage ist keine starre Bewegung endlicher Zahlen. Vor dem Speichern zurücksetzen.</translation>
+        <translation>die Lage ist keine starre Transformation mit endlichen Werten. Setzen Sie sie vor dem Speichern zurück.</translation>
     </message>
     <message>
         <source>poses can be saved as .json, .tfm or .h5. Change the extension.</source>
@@ -5819,9 +5819,9 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Lagen lassen sich als .json, .tfm oder .h5 speichern. Ändern Sie die Endung.</translation>
     </message>
     <message>
-        <source>this is not a log of observer trials. Choose another name.</source>
+        <source>this is not a blind trial log. Choose another name.</source>
         <comment>observer-log.not-one</comment>
-        <translation>dies ist kein Protokoll von Beobachterversuchen. Wählen Sie einen anderen Namen.</translation>
+        <translation>dies ist kein Protokoll von Blindversuchen. Wählen Sie einen anderen Namen.</translation>
     </message>
     <message>
         <source>a gzip archive</source>
@@ -5886,7 +5886,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>a legacy VTK file</source>
         <comment>content.legacy-vtk</comment>
-        <translation>eine alte VTK-Datei</translation>
+        <translation>eine Legacy-VTK-Datei</translation>
     </message>
     <message>
         <source>a VTK XML file</source>
@@ -5944,14 +5944,14 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Die Transparenz des Bildes wird ignoriert.</translation>
     </message>
     <message>
-        <source>A plain image has no C-arm geometry: enter it in the geometry of the case.</source>
+        <source>A non-DICOM image contains no C-arm geometry. Enter it in the geometry of the case.</source>
         <comment>image.no-geometry</comment>
-        <translation>Ein einfaches Bild hat keine C-Bogen-Geometrie: Tragen Sie sie in der Geometrie des Falls ein.</translation>
+        <translation>Ein Nicht-DICOM-Bild enthält keine C-Bogen-Geometrie. Tragen Sie sie in der Geometrie des Falls ein.</translation>
     </message>
     <message>
-        <source>The image is a two-level mask: its vessels are used as drawn.</source>
+        <source>The image is a binary mask: its vessels are used as drawn.</source>
         <comment>image.is-mask</comment>
-        <translation>Das Bild ist eine zweistufige Maske: Die Gefäße werden übernommen, wie sie gezeichnet sind.</translation>
+        <translation>Das Bild ist eine binäre Maske: Die Gefäße werden übernommen, wie sie gezeichnet sind.</translation>
     </message>
     <message>
         <source>unsupported image format. Choose a DICOM XA run, or a PNG, TIFF or JPEG image.</source>
@@ -5971,15 +5971,15 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>the image is damaged or truncated. Copy or export it again.</source>
         <comment>image.damaged</comment>
-        <translation>das Bild ist beschädigt oder unvollständig. Neu kopieren oder exportieren.</translation>
+        <translation>das Bild ist beschädigt oder unvollständig. Kopieren oder exportieren Sie es neu.</translation>
     </message>
     <message>
-        <source>the image is damaged or in an unsupported format. Export it in gray or RGB with 8 or 16 bits, without tiles.</source>
+        <source>the image is damaged or in an unsupported format. Export it as untiled grayscale or RGB with 8 or 16 bits.</source>
         <comment>image.unusual</comment>
         <translation>das Bild ist beschädigt oder hat ein nicht unterstütztes Format. Exportieren Sie es in Grau oder RGB mit 8 oder 16 Bit, ohne Kacheln.</translation>
     </message>
     <message>
-        <source>the image has fewer than 8 pixels on a side, or more than AngioPose supports. Export the angiogram at its original size.</source>
+        <source>the image has fewer than 8 pixels per side, or more than AngioPose supports. Export the angiogram at its original size.</source>
         <comment>image.size</comment>
         <translation>das Bild hat weniger als 8 Pixel je Seite, oder mehr, als AngioPose unterstützt. Exportieren Sie das Angiogramm in Originalgröße.</translation>
     </message>
@@ -5991,17 +5991,17 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>there is no image to write. Render or trace one first.</source>
         <comment>image.no-picture</comment>
-        <translation>kein Bild zu schreiben. Erzeugen Sie zuerst eines.</translation>
+        <translation>es gibt kein Bild zu schreiben. Erzeugen Sie zuerst eines.</translation>
     </message>
     <message>
         <source>a pixel is not a finite number. Correct the image before writing it.</source>
         <comment>image.pixel-not-finite-writing</comment>
-        <translation>ein Pixel ist keine endliche Zahl. Das Bild vor dem Schreiben berichtigen.</translation>
+        <translation>ein Pixel ist keine endliche Zahl. Berichtigen Sie das Bild vor dem Schreiben.</translation>
     </message>
     <message>
         <source>a pixel is not a finite number. Export the image again.</source>
         <comment>image.pixel-not-finite</comment>
-        <translation>ein Pixel ist keine endliche Zahl. Das Bild neu exportieren.</translation>
+        <translation>ein Pixel ist keine endliche Zahl. Exportieren Sie das Bild neu.</translation>
     </message>
     <message>
         <source>this is %1, not a 2-D centerline. Choose a CSV table or a PNG mask.</source>
@@ -6009,12 +6009,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>dies ist %1, keine 2-D-Mittellinie. Wählen Sie eine CSV-Tabelle oder eine PNG-Maske.</translation>
     </message>
     <message>
-        <source>this is not a two-level mask. Draw the vessels white on black.</source>
+        <source>this is not a binary mask. Draw the vessels in white on black.</source>
         <comment>centreline.no-mask</comment>
-        <translation>dies ist keine zweistufige Maske. Zeichnen Sie die Gefäße weiß auf schwarz.</translation>
+        <translation>dies ist keine binäre Maske. Zeichnen Sie die Gefäße weiß auf schwarz.</translation>
     </message>
     <message>
-        <source>the header row has no columns x and y. The first line must name the columns: x,y and, if available, branch,radius (px).</source>
+        <source>the header row has no columns x and y. The first line must specify the columns: x,y and, if available, branch,radius (px).</source>
         <comment>centreline.no-columns</comment>
         <translation>in der Kopfzeile fehlen die Spalten x und y. Die erste Zeile muss die Spalten nennen: x,y und, falls vorhanden, branch,radius (px).</translation>
     </message>
@@ -6029,9 +6029,9 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>die Datei hat über eine Million Punkte. Tasten Sie die Mittellinie neu ab.</translation>
     </message>
     <message>
-        <source>line %1 is far outside any image. Coordinates are in pixels.</source>
+        <source>line %1 is far outside any image. Coordinates must be in pixels.</source>
         <comment>centreline.outside</comment>
-        <translation>Zeile %1 liegt weit außerhalb jedes Bildes. Koordinaten sind in Pixeln.</translation>
+        <translation>Zeile %1 liegt weit außerhalb jedes Bildes. Koordinaten müssen in Pixeln angegeben sein.</translation>
     </message>
     <message>
         <source>this is not a DICOM file. Choose a scan.</source>
@@ -6039,14 +6039,14 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>dies ist keine DICOM-Datei. Wählen Sie einen Scan.</translation>
     </message>
     <message>
-        <source>its deflate-compressed content is damaged or truncated. Copy or export it again.</source>
+        <source>the deflate-compressed content is damaged or truncated. Copy or export the file again.</source>
         <comment>dicom.deflate-damaged</comment>
         <translation>der Deflate-komprimierte Inhalt ist beschädigt oder unvollständig. Kopieren oder exportieren Sie sie neu.</translation>
     </message>
     <message>
-        <source>it contains no readable DICOM element. The file is damaged; copy or export it again.</source>
+        <source>the file contains no readable DICOM element. It is damaged; copy or export it again.</source>
         <comment>dicom.no-element</comment>
-        <translation>sie enthält kein lesbares DICOM-Element. Die Datei ist beschädigt; kopieren oder exportieren Sie sie neu.</translation>
+        <translation>die Datei enthält kein lesbares DICOM-Element. Sie ist beschädigt; kopieren oder exportieren Sie sie neu.</translation>
     </message>
     <message>
         <source>element %1 declares %2 bytes, but only %3 remain</source>
@@ -6054,14 +6054,14 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>das Element %1 nennt %2 Bytes, es bleiben aber nur %3</translation>
     </message>
     <message>
-        <source>the sequence %1 has no end</source>
+        <source>the sequence %1 is not terminated</source>
         <comment>dicom.sequence-without-end</comment>
-        <translation>die Sequenz %1 hat kein Ende</translation>
+        <translation>die Sequenz %1 ist nicht abgeschlossen</translation>
     </message>
     <message>
-        <source>it ends within an element</source>
+        <source>the file ends within an element</source>
         <comment>dicom.ends-within</comment>
-        <translation>endet innerhalb eines Elements</translation>
+        <translation>die Datei endet innerhalb eines Elements</translation>
     </message>
     <message>
         <source>The end of the file is damaged (%1); the image is complete.</source>
@@ -6069,9 +6069,9 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Das Dateiende ist beschädigt (%1); das Bild ist vollständig.</translation>
     </message>
     <message>
-        <source>%1 is damaged before its pixels: %2. Copy or export it again.</source>
+        <source>%1 is damaged before the pixel data: %2. Copy or export it again.</source>
         <comment>dicom.damaged-before-pixels</comment>
-        <translation>%1 ist vor den Pixeln beschädigt: %2. Neu kopieren oder exportieren.</translation>
+        <translation>%1 ist vor den Pixeldaten beschädigt: %2. Kopieren oder exportieren Sie die Datei neu.</translation>
     </message>
     <message>
         <source>%1 contains no image. Choose the X-ray angiography run.</source>
@@ -6089,49 +6089,49 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>diese DICOM-Datei (%1)</translation>
     </message>
     <message>
-        <source>its header has contradictory values for the bits per pixel. The header is damaged; export the run again.</source>
+        <source>the header has contradictory values for the bits per pixel. It is damaged; export the run again.</source>
         <comment>dicom.bits-contradict</comment>
         <translation>die Angaben der Bits je Pixel widersprechen sich. Der Header ist beschädigt; exportieren Sie die Serie neu.</translation>
     </message>
     <message>
-        <source>it is stored in palette colors. Export the angiogram in grayscale.</source>
+        <source>the image is stored in palette color. Export the angiogram in grayscale.</source>
         <comment>dicom.palette-colours</comment>
-        <translation>ist in Palettenfarben gespeichert. Das Angiogramm in Graustufen exportieren.</translation>
+        <translation>das Bild ist in Palettenfarben gespeichert. Exportieren Sie das Angiogramm in Graustufen.</translation>
     </message>
     <message>
-        <source>its pixels (%1, %2 samples) are neither gray nor color. Export the angiogram in grayscale.</source>
+        <source>the pixels (%1, %2 samples) are neither grayscale nor color. Export the angiogram in grayscale.</source>
         <comment>dicom.not-grey</comment>
-        <translation>die Pixel (%1, %2 Werte) sind weder grau noch farbig. Das Angiogramm in Graustufen exportieren.</translation>
+        <translation>die Pixel (%1, %2 Werte) sind weder grau noch farbig. Exportieren Sie das Angiogramm in Graustufen.</translation>
     </message>
     <message>
-        <source>its pixels have %1 bits. Export the angiogram with 8 or 16 bits.</source>
+        <source>the pixels have %1 bits. Export the angiogram with 8 or 16 bits.</source>
         <comment>dicom.pixel-bits</comment>
-        <translation>die Pixel haben %1 Bit. Das Angiogramm mit 8 oder 16 Bit exportieren.</translation>
+        <translation>die Pixel haben %1 Bit. Exportieren Sie das Angiogramm mit 8 oder 16 Bit.</translation>
     </message>
     <message>
-        <source>its header gives no image size. The file is damaged; export the run again.</source>
+        <source>the header contains no image size. The file is damaged; export the run again.</source>
         <comment>dicom.no-image-size</comment>
-        <translation>der Header nennt keine Bildgröße. Die Datei ist beschädigt; Serie neu exportieren.</translation>
+        <translation>der Header nennt keine Bildgröße. Die Datei ist beschädigt; exportieren Sie die Serie neu.</translation>
     </message>
     <message>
-        <source>it declares %1 frames of %2 x %3 pixels, more than AngioPose supports. Export fewer frames.</source>
+        <source>the file declares %1 frames of %2 x %3 pixels, more than AngioPose supports. Export fewer frames.</source>
         <comment>dicom.too-many-frames</comment>
-        <translation>nennt %1 Bilder mit %2 x %3 Pixeln, mehr als AngioPose unterstützt. Exportieren Sie weniger Bilder.</translation>
+        <translation>die Datei nennt %1 Bilder mit %2 x %3 Pixeln, mehr als AngioPose unterstützt. Exportieren Sie weniger Bilder.</translation>
     </message>
     <message>
-        <source>its pixel data are truncated: %1 of %2 bytes are present. Copy or export it again.</source>
+        <source>the pixel data are truncated: %1 of %2 bytes are present. Copy or export the file again.</source>
         <comment>dicom.pixels-cut-short</comment>
-        <translation>die Pixel sind unvollständig: %1 von %2 Bytes vorhanden. Neu kopieren oder exportieren.</translation>
+        <translation>die Pixeldaten sind unvollständig: %1 von %2 Bytes vorhanden. Kopieren oder exportieren Sie die Datei neu.</translation>
     </message>
     <message>
-        <source>its compressed pixel data are truncated. Copy or export it again.</source>
+        <source>the compressed pixel data are truncated. Copy or export the file again.</source>
         <comment>dicom.packed-pixels-cut-short</comment>
-        <translation>die komprimierten Pixel sind unvollständig. Neu kopieren oder exportieren.</translation>
+        <translation>die komprimierten Pixeldaten sind unvollständig. Kopieren oder exportieren Sie die Datei neu.</translation>
     </message>
     <message>
-        <source>only %1 of its %2 frames are present. Copy or export it again.</source>
+        <source>only %1 of %2 frames are present. Copy or export the file again.</source>
         <comment>dicom.frames-missing</comment>
-        <translation>nur %1 von %2 Bildern vorhanden. Neu kopieren oder exportieren.</translation>
+        <translation>nur %1 von %2 Bildern sind vorhanden. Kopieren oder exportieren Sie die Datei neu.</translation>
     </message>
     <message>
         <source>frame %1 cannot be decoded (transfer syntax %2): it is damaged, truncated, or uses an unsupported compression. Export the run again, uncompressed if possible.</source>
@@ -6139,24 +6139,24 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Bild %1 lässt sich nicht dekodieren (Transfersyntax %2): beschädigt, unvollständig oder nicht unterstützte Kompression. Exportieren Sie die Serie neu, möglichst unkomprimiert.</translation>
     </message>
     <message>
-        <source>Frames %1 of %2 cannot be decoded and are shown empty; the others can be read. Export the run again if you need them.</source>
+        <source>Frames %1 of %2 cannot be decoded and are shown blank; the others can be read. Export the run again if you need them.</source>
         <comment>dicom.frames-lost</comment>
         <translation>Die Bilder %1 von %2 lassen sich nicht dekodieren und werden leer gezeigt; die anderen sind lesbar. Exportieren Sie die Serie neu, wenn Sie sie brauchen.</translation>
     </message>
     <message>
-        <source>Frames %1 of %2 are partly damaged and shown as far as they could be decoded. Compare them with another viewer before you use them.</source>
+        <source>Frames %1 of %2 are partly damaged and are shown as far as they could be decoded. Compare them with another viewer before using them.</source>
         <comment>dicom.frames-flawed</comment>
         <translation>Die Bilder %1 von %2 sind teilweise beschädigt und werden gezeigt, soweit sie sich dekodieren ließen. Vergleichen Sie sie vor dem Gebrauch mit einem anderen Betrachter.</translation>
     </message>
     <message>
-        <source>The image is partly damaged and shown as far as it could be decoded. Compare it with another viewer before you use it.</source>
+        <source>The image is partly damaged and is shown as far as it could be decoded. Compare it with another viewer before using it.</source>
         <comment>image.flawed</comment>
         <translation>Das Bild ist teilweise beschädigt und wird gezeigt, soweit es sich dekodieren ließ. Vergleichen Sie es vor dem Gebrauch mit einem anderen Betrachter.</translation>
     </message>
     <message>
-        <source>it has only %1 x %2 pixels. Choose the angiogram at full size.</source>
+        <source>the image has only %1 x %2 pixels. Choose the full-size angiogram.</source>
         <comment>dicom.thumbnail</comment>
-        <translation>hat nur %1 x %2 Pixel. Wählen Sie das Angiogramm in voller Größe.</translation>
+        <translation>das Bild hat nur %1 x %2 Pixel. Wählen Sie das Angiogramm in voller Größe.</translation>
     </message>
     <message>
         <source>This is %1, not X-ray angiography: it has no C-arm geometry.</source>
@@ -6171,17 +6171,17 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>there are no frames to write. Load or simulate an angiogram first.</source>
         <comment>dicom.no-frames-to-write</comment>
-        <translation>keine Bilder zu schreiben. Zuerst ein Angiogramm laden oder simulieren.</translation>
+        <translation>es gibt keine Bilder zu schreiben. Laden oder simulieren Sie zuerst ein Angiogramm.</translation>
     </message>
     <message>
         <source>the run is too large for an uncompressed DICOM file. Write fewer frames.</source>
         <comment>dicom.run-too-large</comment>
-        <translation>die Serie ist zu groß für eine unkomprimierte DICOM-Datei. Weniger Bilder schreiben.</translation>
+        <translation>die Serie ist zu groß für eine unkomprimierte DICOM-Datei. Schreiben Sie weniger Bilder.</translation>
     </message>
     <message>
         <source>there is not enough memory to write this run. Write fewer frames.</source>
         <comment>dicom.no-memory-to-write</comment>
-        <translation>der Speicher reicht nicht, um diese Serie zu schreiben. Weniger Bilder schreiben.</translation>
+        <translation>der Speicher reicht nicht, um diese Serie zu schreiben. Schreiben Sie weniger Bilder.</translation>
     </message>
     <message>
         <source>modality %1</source>
@@ -6214,7 +6214,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Der Header enthält kein Imager Pixel Spacing (0018,1164): Tragen Sie es in der Geometrie ein. Der Bildverstärker von %1 legt höchstens %2 nahe.</translation>
     </message>
     <message>
-        <source>The header contains only isocenter angles (0018,9463), whose signs are ambiguous: enter LAO/RAO and CRA/CAU in the geometry.</source>
+        <source>The header contains only isocenter angles (0018,9463), whose signs are ambiguous. Enter LAO/RAO and CRA/CAU in the geometry.</source>
         <comment>dicom.angles-of-isocentre</comment>
         <translation>Der Header enthält nur Isozentrumswinkel (0018,9463), deren Vorzeichen mehrdeutig sind: Tragen Sie LAO/RAO und CRA/CAU in der Geometrie ein.</translation>
     </message>
@@ -6229,7 +6229,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Das Bild wird als gespiegelt angenommen, auf Grundlage von %1. Prüfen Sie links und rechts.</translation>
     </message>
     <message>
-        <source>The C-arm moved during this run, but the header contains %1 for its %2 frames: the angles of the first frame are used. Check them for the frame you use.</source>
+        <source>The C-arm moved during this run, but the header contains %1 for its %2 frames: the angles of the first frame are used. Check them for the selected frame.</source>
         <comment>dicom.gantry-moved</comment>
         <translation>Der C-Bogen hat sich während der Serie bewegt, der Header enthält aber %1 für %2 Bilder: Es werden die Winkel des ersten Bildes verwendet. Prüfen Sie sie für das benutzte Bild.</translation>
     </message>
@@ -6244,7 +6244,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>%1</translation>
     </message>
     <message>
-        <source>The traced structure is hardly longer than it is wide: check that it is a vessel.</source>
+        <source>The traced structure is hardly longer than wide: check that it is a vessel.</source>
         <comment>vessels.compact</comment>
         <translation>Die erfasste Struktur ist kaum länger als breit: Prüfen Sie, ob es ein Gefäß ist.</translation>
     </message>
@@ -6261,7 +6261,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>this is %1, not a surface. Choose a .vtp, .vtk, .stl, .ply or .obj file.</source>
         <comment>surface.is-other</comment>
-        <translation>das ist %1, keine Oberfläche. Eine .vtp-, .vtk-, .stl-, .ply- oder .obj-Datei wählen.</translation>
+        <translation>dies ist %1, keine Oberfläche. Wählen Sie eine .vtp-, .vtk-, .stl-, .ply- oder .obj-Datei.</translation>
     </message>
     <message>
         <source>the file contains no triangles. Choose the surface of a vessel.</source>
@@ -6269,14 +6269,14 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>die Datei enthält keine Dreiecke. Wählen Sie die Oberfläche eines Gefäßes.</translation>
     </message>
     <message>
-        <source>all its triangles have zero area. Choose the surface of a vessel.</source>
+        <source>all triangles have zero area. Choose the surface of a vessel.</source>
         <comment>surface.no-area</comment>
         <translation>alle Dreiecke haben die Fläche null. Wählen Sie die Oberfläche eines Gefäßes.</translation>
     </message>
     <message>
-        <source>it has more triangles than AngioPose supports. Decimate the surface.</source>
+        <source>the surface has more triangles than AngioPose supports. Decimate it.</source>
         <comment>surface.too-large</comment>
-        <translation>hat mehr Dreiecke, als AngioPose unterstützt. Vereinfachen Sie die Oberfläche.</translation>
+        <translation>die Oberfläche hat mehr Dreiecke, als AngioPose unterstützt. Vereinfachen Sie sie.</translation>
     </message>
     <message>
         <source>a coordinate is not a number, or exceeds one kilometer. Correct it, or export the surface again.</source>
@@ -6286,12 +6286,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>a triangle refers to a point that does not exist. The file is damaged; export it again.</source>
         <comment>surface.bad-index</comment>
-        <translation>ein Dreieck verweist auf einen Punkt, den es nicht gibt. Die Datei ist beschädigt; neu exportieren.</translation>
+        <translation>ein Dreieck verweist auf einen Punkt, den es nicht gibt. Die Datei ist beschädigt; exportieren Sie sie neu.</translation>
     </message>
     <message>
-        <source>its triangles are damaged or truncated. Copy or export it again.</source>
+        <source>the triangles are damaged or truncated. Copy or export the file again.</source>
         <comment>surface.cut-short</comment>
-        <translation>die Dreiecke sind beschädigt oder unvollständig. Neu kopieren oder exportieren.</translation>
+        <translation>die Dreiecke sind beschädigt oder unvollständig. Kopieren oder exportieren Sie die Datei neu.</translation>
     </message>
     <message>
         <source>surfaces can be saved as .stl. Change the extension.</source>
@@ -6299,7 +6299,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Oberflächen lassen sich als .stl speichern. Ändern Sie die Endung.</translation>
     </message>
     <message>
-        <source>The surface is not closed (%1 open and %2 non-manifold edges): its inside is determined by majority vote. Check the result, or close the holes.</source>
+        <source>The surface is not closed (%1 open and %2 non-manifold edges): its interior is determined by majority vote. Check the result, or close the holes.</source>
         <comment>surface.open</comment>
         <translation>Die Oberfläche ist nicht geschlossen (%1 offene und %2 mehrfache Kanten): Ihr Inneres wird durch Mehrheitsentscheid bestimmt. Prüfen Sie das Ergebnis, oder schließen Sie die Löcher.</translation>
     </message>
@@ -6329,19 +6329,19 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Zeile %1 ist kein gültiger Punkt. Die Datei ist beschädigt; exportieren Sie sie neu.</translation>
     </message>
     <message>
-        <source>its PLY header is damaged or truncated. Export it again.</source>
+        <source>the PLY header is damaged or truncated. Export the file again.</source>
         <comment>surface.ply-header-damaged</comment>
-        <translation>der PLY-Header ist beschädigt oder unvollständig. Neu exportieren.</translation>
+        <translation>der PLY-Header ist beschädigt oder unvollständig. Exportieren Sie die Datei neu.</translation>
     </message>
     <message>
-        <source>its PLY header is damaged: the element &quot;%1&quot; has no properties. Export it again.</source>
+        <source>the PLY header is damaged: the element &quot;%1&quot; has no properties. Export the file again.</source>
         <comment>surface.ply-element-empty</comment>
         <translation>der PLY-Header ist beschädigt: Das Element „%1“ hat keine Eigenschaften. Exportieren Sie die Datei neu.</translation>
     </message>
     <message>
-        <source>its PLY data are damaged or truncated, or a face has more than 255 vertices. Export it again, as triangles.</source>
+        <source>the PLY data are damaged or truncated, or a face has more than 255 vertices. Export the file again, as triangles.</source>
         <comment>surface.ply-data-damaged</comment>
-        <translation>ihre PLY-Daten sind beschädigt oder unvollständig, oder eine Fläche hat mehr als 255 Ecken. Exportieren Sie sie neu, als Dreiecke.</translation>
+        <translation>die PLY-Daten sind beschädigt oder unvollständig, oder eine Fläche hat mehr als 255 Ecken. Exportieren Sie die Datei neu, als Dreiecke.</translation>
     </message>
     <message>
         <source>this is %1, not a centerline. Choose a centerline file: .vtp, .vtk, .vtu, .csv, .swc or .mrk.json.</source>
@@ -6354,9 +6354,9 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>nicht unterstütztes Mittellinienformat. Wählen Sie eine Mittelliniendatei: .vtp, .vtk, .vtu, .csv, .swc oder .mrk.json.</translation>
     </message>
     <message>
-        <source>it does not start like a VTK file. Export the centerlines again.</source>
+        <source>the file does not start with a VTK header. Export the centerlines again.</source>
         <comment>tree.no-vtk-beginning</comment>
-        <translation>beginnt nicht wie eine VTK-Datei. Exportieren Sie die Mittellinien neu.</translation>
+        <translation>die Datei beginnt nicht mit einem VTK-Header. Exportieren Sie die Mittellinien neu.</translation>
     </message>
     <message>
         <source>vessel trees can be saved as .vtp, .csv, .swc or .mrk.json. Change the extension.</source>
@@ -6364,14 +6364,14 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Gefäßbäume lassen sich als .vtp, .csv, .swc oder .mrk.json speichern. Ändern Sie die Endung.</translation>
     </message>
     <message>
-        <source>it has %1 points; a centerline tree has at most %2. Resample the centerlines.</source>
+        <source>the file has %1 points; a centerline tree may have at most %2. Resample the centerlines.</source>
         <comment>tree.too-many-points</comment>
-        <translation>hat %1 Punkte; ein Gefäßbaum hat höchstens %2. Tasten Sie die Mittellinien neu ab.</translation>
+        <translation>die Datei hat %1 Punkte; ein Gefäßbaum darf höchstens %2 haben. Tasten Sie die Mittellinien neu ab.</translation>
     </message>
     <message>
-        <source>it has %1 separate lines; a centerline tree has at most %2. Keep only the vessels of interest.</source>
+        <source>the file has %1 separate lines; a centerline tree may have at most %2. Keep only the vessels of interest.</source>
         <comment>tree.too-many-lines</comment>
-        <translation>hat %1 getrennte Linien; ein Gefäßbaum hat höchstens %2. Behalten Sie nur die relevanten Gefäße.</translation>
+        <translation>die Datei hat %1 getrennte Linien; ein Gefäßbaum darf höchstens %2 haben. Behalten Sie nur die relevanten Gefäße.</translation>
     </message>
     <message>
         <source>the file contains no lines. Choose a file with vessel centerlines.</source>
@@ -6379,29 +6379,29 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>die Datei enthält keine Linien. Wählen Sie eine Datei mit Gefäßmittellinien.</translation>
     </message>
     <message>
-        <source>the file contains a surface, not centerlines. Extract the centerlines first (e.g. with VMTK or Slicer) and open those.</source>
+        <source>the file contains a surface, not centerlines. Extract the centerlines first (e.g., with VMTK or 3D Slicer) and open those.</source>
         <comment>tree.is-surface</comment>
         <translation>die Datei enthält eine Oberfläche, keine Mittellinien. Extrahieren Sie zuerst die Mittellinien (z. B. mit VMTK oder Slicer), und öffnen Sie diese.</translation>
     </message>
     <message>
         <source>a line refers to a point that does not exist. The file is damaged; export it again.</source>
         <comment>tree.bad-index</comment>
-        <translation>eine Linie verweist auf einen Punkt, den es nicht gibt. Die Datei ist beschädigt; neu exportieren.</translation>
+        <translation>eine Linie verweist auf einen Punkt, den es nicht gibt. Die Datei ist beschädigt; exportieren Sie sie neu.</translation>
     </message>
     <message>
-        <source>its lines pass through the same points too often. The file is damaged; export it again.</source>
+        <source>the lines pass through the same points too often. The file is damaged; export it again.</source>
         <comment>tree.points-repeated</comment>
         <translation>die Linien durchlaufen dieselben Punkte zu oft. Die Datei ist beschädigt; exportieren Sie sie neu.</translation>
     </message>
     <message>
-        <source>none of its lines has two distinct points. Choose a file with vessel centerlines.</source>
+        <source>no line has two distinct points. Choose a file with vessel centerlines.</source>
         <comment>tree.no-length</comment>
         <translation>keine der Linien hat zwei verschiedene Punkte. Wählen Sie eine Datei mit Gefäßmittellinien.</translation>
     </message>
     <message>
-        <source>the third line of a legacy VTK file must be ASCII or BINARY. Export it again.</source>
+        <source>the third line of a legacy VTK file must be ASCII or BINARY. Export the file again.</source>
         <comment>tree.vtk-third-line</comment>
-        <translation>die dritte Zeile einer alten VTK-Datei muss ASCII oder BINARY sein. Neu exportieren.</translation>
+        <translation>die dritte Zeile einer Legacy-VTK-Datei muss ASCII oder BINARY sein. Exportieren Sie die Datei neu.</translation>
     </message>
     <message>
         <source>the file contains no POLYDATA or UNSTRUCTURED_GRID data set. Export the centerlines as polylines.</source>
@@ -6414,32 +6414,32 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>die Datei enthält %1, nicht POLYDATA oder UNSTRUCTURED_GRID. Exportieren Sie die Mittellinien als Polylinien.</translation>
     </message>
     <message>
-        <source>the section &quot;%1&quot; is damaged or truncated. Export it again.</source>
+        <source>the section &quot;%1&quot; is damaged or truncated. Export the file again.</source>
         <comment>tree.vtk-section-damaged</comment>
         <translation>der Abschnitt „%1“ ist beschädigt oder unvollständig. Exportieren Sie die Datei neu.</translation>
     </message>
     <message>
-        <source>its VTK XML data are damaged or truncated. Export it again.</source>
+        <source>the VTK XML data are damaged or truncated. Export the file again.</source>
         <comment>tree.vtk-xml-damaged</comment>
-        <translation>die VTK-XML-Daten sind beschädigt oder unvollständig. Neu exportieren.</translation>
+        <translation>die VTK-XML-Daten sind beschädigt oder unvollständig. Exportieren Sie die Datei neu.</translation>
     </message>
     <message>
-        <source>it is neither VTK XML PolyData nor UnstructuredGrid. Export the centerlines as .vtp.</source>
+        <source>the file contains neither VTK XML PolyData nor UnstructuredGrid. Export the centerlines as .vtp.</source>
         <comment>tree.vtk-xml-other</comment>
-        <translation>ist weder VTK-XML-PolyData noch UnstructuredGrid. Exportieren Sie die Mittellinien als .vtp.</translation>
+        <translation>die Datei enthält weder VTK-XML-PolyData noch UnstructuredGrid. Exportieren Sie die Mittellinien als .vtp.</translation>
     </message>
     <message>
-        <source>it declares %1, which is impossible. The file is damaged; export it again.</source>
+        <source>the file declares %1, which is impossible. It is damaged; export it again.</source>
         <comment>tree.vtk-xml-impossible-count</comment>
-        <translation>nennt %1, was unmöglich ist. Die Datei ist beschädigt; exportieren Sie sie neu.</translation>
+        <translation>die Datei nennt %1, was unmöglich ist. Sie ist beschädigt; exportieren Sie sie neu.</translation>
     </message>
     <message>
-        <source>this is not a Slicer markups file with curves. Export the centerlines as .mrk.json curves, .vtp, .vtk, .csv or .swc.</source>
+        <source>this is not a 3D Slicer markups file with curves. Export the centerlines as .mrk.json curves, .vtp, .vtk, .csv or .swc.</source>
         <comment>tree.markups-none</comment>
         <translation>dies ist keine Slicer-Markups-Datei mit Kurven. Exportieren Sie die Mittellinien als .mrk.json-Kurven, .vtp, .vtk, .csv oder .swc.</translation>
     </message>
     <message>
-        <source>line %1 does not have the form `id type x y z radius parent`. Correct the line, or export it again.</source>
+        <source>line %1 does not have the form `id type x y z radius parent`. Correct the line, or export the file again.</source>
         <comment>tree.swc-line</comment>
         <translation>Zeile %1 hat nicht die Form `id type x y z radius parent`. Berichtigen Sie sie, oder exportieren Sie die Datei neu.</translation>
     </message>
@@ -6454,19 +6454,19 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Zeile %1 verweist auf den Elternknoten %2, der fehlt. Exportieren Sie den ganzen Baum.</translation>
     </message>
     <message>
-        <source>the first line must name the columns: x,y,z and, if available, radius,branch.</source>
+        <source>the first line must specify the columns: x,y,z and, if available, radius,branch.</source>
         <comment>tree.table-no-header</comment>
         <translation>die erste Zeile muss die Spalten nennen: x,y,z und, falls vorhanden, radius,branch.</translation>
     </message>
     <message>
-        <source>the header row has no columns x, y and z. Name them (mm, patient LPS).</source>
+        <source>the header row has no columns x, y and z. Name the columns accordingly (mm, patient LPS).</source>
         <comment>tree.table-no-columns</comment>
-        <translation>der Kopfzeile fehlen die Spalten x, y und z. Sie benennen (mm, Patient LPS).</translation>
+        <translation>der Kopfzeile fehlen die Spalten x, y und z. Benennen Sie die Spalten entsprechend (mm, Patient LPS).</translation>
     </message>
     <message>
-        <source>it looks like a list of graph nodes (column id) without an order along the vessels. Add a branch column, or export the centerlines themselves.</source>
+        <source>the file appears to be a list of graph nodes (column id) without an order along the vessels. Add a branch column, or export the centerlines themselves.</source>
         <comment>tree.table-is-graph</comment>
-        <translation>sieht nach einer Liste von Graphknoten (Spalte id) ohne Reihenfolge entlang der Gefäße aus. Fügen Sie eine Spalte branch hinzu, oder exportieren Sie die Mittellinien selbst.</translation>
+        <translation>die Datei scheint eine Liste von Graphknoten (Spalte id) ohne Reihenfolge entlang der Gefäße zu sein. Fügen Sie eine Spalte branch hinzu, oder exportieren Sie die Mittellinien selbst.</translation>
     </message>
     <message>
         <source>this folder contains no DICOM image. Choose the folder of a DICOM scan, or a volume file.</source>
@@ -6494,14 +6494,14 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>keine Serie in diesem Ordner bildet ein Volumen. Wählen Sie einen anderen Ordner.</translation>
     </message>
     <message>
-        <source>it contains %1 volumes (%2). Choose one by its series ID; `info` lists them.</source>
+        <source>the input contains %1 volumes (%2). Choose one by its series ID; `info` lists them.</source>
         <comment>series.several</comment>
-        <translation>enthält %1 Volumen (%2). Wählen Sie eines über seine Serien-ID; `info` listet sie auf.</translation>
+        <translation>die Eingabe enthält %1 Volumen (%2). Wählen Sie eines über seine Serien-ID; `info` listet sie auf.</translation>
     </message>
     <message>
         <source>this is an X-ray run, not a volume. Open it as the angiogram.</source>
         <comment>series.is-xray</comment>
-        <translation>das ist eine Röntgenserie, kein Volumen. Als Angiogramm öffnen.</translation>
+        <translation>dies ist eine Röntgenserie, kein Volumen. Öffnen Sie sie als Angiogramm.</translation>
     </message>
     <message>
         <source>this is a DICOM segmentation. Export it as a NIfTI or NRRD label image.</source>
@@ -6514,22 +6514,22 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>dies ist eine einzelne Schicht, kein Volumen. Kopieren Sie alle Schichten der Serie, oder wählen Sie eine andere Serie.</translation>
     </message>
     <message>
-        <source>its images contain no pixel size, so they do not form a volume. Choose another series.</source>
+        <source>the images contain no pixel size, so they do not form a volume. Choose another series.</source>
         <comment>series.no-pixel-size</comment>
         <translation>die Bilder enthalten keine Pixelgröße und bilden daher kein Volumen. Wählen Sie eine andere Serie.</translation>
     </message>
     <message>
-        <source>its images contain no position in the patient, so they do not form a volume. Choose another series.</source>
+        <source>the images contain no position in the patient, so they do not form a volume. Choose another series.</source>
         <comment>series.no-place</comment>
         <translation>die Bilder enthalten keine Position im Patienten und bilden daher kein Volumen. Wählen Sie eine andere Serie.</translation>
     </message>
     <message>
-        <source>its slices lie side by side instead of stacked. Choose another series.</source>
+        <source>the slices lie side by side instead of being stacked. Choose another series.</source>
         <comment>series.beside-each-other</comment>
         <translation>die Schichten liegen nebeneinander statt übereinander. Wählen Sie eine andere Serie.</translation>
     </message>
     <message>
-        <source>its slice spacing is too uneven to form a volume (%1 slices over %2). Copy all slices of the series, or choose another series.</source>
+        <source>the slice spacing is too uneven to form a volume (%1 slices over %2). Copy all slices of the series, or choose another series.</source>
         <comment>series.too-uneven</comment>
         <translation>der Schichtabstand ist für ein Volumen zu ungleichmäßig (%1 Schichten auf %2). Kopieren Sie alle Schichten der Serie, oder wählen Sie eine andere Serie.</translation>
     </message>
@@ -6539,27 +6539,27 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>dies ist ein Farbbild. Wählen Sie den Scan selbst in Grauwerten.</translation>
     </message>
     <message>
-        <source>its image size does not match the header. Export it again.</source>
+        <source>the image size does not match the header. Export the series again.</source>
         <comment>series.slice-size</comment>
         <translation>die Bildgröße entspricht nicht dem Header. Exportieren Sie die Serie neu.</translation>
     </message>
     <message>
-        <source>The slices are unevenly spaced (%1 to %2): resampled to %3.</source>
+        <source>The slices are unevenly spaced (%1 to %2) and were resampled to %3.</source>
         <comment>series.uneven-slices</comment>
         <translation>Die Schichten haben ungleiche Abstände (%1 bis %2): auf %3 neu abgetastet.</translation>
     </message>
     <message>
-        <source>The slices are not stacked perpendicularly (%1 off, as with a tilted gantry): they were shifted in plane to their true position.</source>
+        <source>The slices are not stacked perpendicularly (deviation of %1, as with a tilted gantry): they were shifted in plane to their true position.</source>
         <comment>series.slanted</comment>
         <translation>Die Schichten sind nicht senkrecht gestapelt (%1 Abweichung, wie bei geneigter Gantry): Sie wurden in ihrer Ebene an ihre tatsächliche Position verschoben.</translation>
     </message>
     <message>
-        <source>1 of %1 slices is missing (%2): interpolated between its neighbors. Copy the series again if possible.</source>
+        <source>1 of %1 slices is missing (%2) and was interpolated from its neighbors. Copy the series again if possible.</source>
         <comment>series.slice-missing</comment>
         <translation>1 von %1 Schichten fehlt (%2): zwischen den Nachbarn interpoliert. Kopieren Sie die Serie wenn möglich neu.</translation>
     </message>
     <message>
-        <source>%1 of %2 slices are missing (%3): interpolated between their neighbors. Copy the series again if possible.</source>
+        <source>%1 of %2 slices are missing (%3) and were interpolated from their neighbors. Copy the series again if possible.</source>
         <comment>series.slices-missing</comment>
         <translation>%1 von %2 Schichten fehlen (%3): zwischen den Nachbarn interpoliert. Kopieren Sie die Serie wenn möglich neu.</translation>
     </message>
@@ -6574,12 +6574,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>nach Schicht %1 und anderswo</translation>
     </message>
     <message>
-        <source>%1 of %2 slices have the same position as another one; the first acquired of each is used.</source>
+        <source>%1 of %2 slices have the same position as another slice; only the first acquired slice at each position is used.</source>
         <comment>series.overlap</comment>
-        <translation>%1 von %2 Schichten haben dieselbe Position wie eine andere; verwendet wird die jeweils zuerst aufgenommene.</translation>
+        <translation>%1 von %2 Schichten haben dieselbe Position wie eine andere; verwendet wird je Position nur die zuerst aufgenommene.</translation>
     </message>
     <message>
-        <source>%1 files of the series are duplicates.</source>
+        <source>%1 files of the series are duplicates and are ignored.</source>
         <comment>series.files-twice</comment>
         <translation>%1 Dateien der Serie sind Duplikate.</translation>
     </message>
@@ -6589,9 +6589,9 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>%1 Dateien der Serie sind am Ende beschädigt.</translation>
     </message>
     <message>
-        <source>The series mixes images of %1 sizes or orientations; each is listed separately.</source>
+        <source>The series contains images of %1 different sizes or orientations; each is listed separately.</source>
         <comment>series.mixed</comment>
-        <translation>Die Serie mischt Bilder in %1 Größen oder Ausrichtungen; jede ist einzeln aufgeführt.</translation>
+        <translation>Die Serie enthält Bilder in %1 verschiedenen Größen oder Ausrichtungen; jede ist einzeln aufgeführt.</translation>
     </message>
     <message>
         <source>part %1 of %2</source>
@@ -6599,7 +6599,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Teil %1 von %2</translation>
     </message>
     <message>
-        <source>The slices are stored with different scaling or as floating point. %1</source>
+        <source>The slices are stored with different rescale factors or as floating point. %1</source>
         <comment>series.scales</comment>
         <translation>Die Schichten sind unterschiedlich skaliert oder als Gleitkommazahlen gespeichert. %1</translation>
     </message>
@@ -6611,7 +6611,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>this is %1, not a volume. Choose a DICOM folder, NIfTI, NRRD or MetaImage (.mha, .mhd).</source>
         <comment>volume.is-other</comment>
-        <translation>das ist %1, kein Volumen. Einen DICOM-Ordner, NIfTI, NRRD oder MetaImage (.mha, .mhd) wählen.</translation>
+        <translation>dies ist %1, kein Volumen. Wählen Sie einen DICOM-Ordner, NIfTI, NRRD oder MetaImage (.mha, .mhd).</translation>
     </message>
     <message>
         <source>the file contains a %1, not an image. Choose the scan.</source>
@@ -6619,184 +6619,184 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>die Datei enthält ein %1, kein Bild. Wählen Sie den Scan.</translation>
     </message>
     <message>
-        <source>it declares %1, more than AngioPose supports. Crop the scan to the vessels.</source>
+        <source>the file declares %1, more than AngioPose supports. Crop the scan to the vessels.</source>
         <comment>volume.declares</comment>
-        <translation>nennt %1, mehr als AngioPose unterstützt. Schneiden Sie den Scan auf die Gefäße zu.</translation>
+        <translation>die Datei nennt %1, mehr als AngioPose unterstützt. Schneiden Sie den Scan auf die Gefäße zu.</translation>
     </message>
     <message>
-        <source>the volume is larger than this computer&apos;s memory. Crop the scan to the vessels.</source>
+        <source>the volume exceeds the memory of this computer. Crop the scan to the vessels.</source>
         <comment>volume.larger-than-memory</comment>
-        <translation>das Volumen ist größer als der Speicher dieses Rechners. Den Scan auf die Gefäße zuschneiden.</translation>
+        <translation>das Volumen übersteigt den Speicher dieses Rechners. Schneiden Sie den Scan auf die Gefäße zu.</translation>
     </message>
     <message>
-        <source>it has %1: a single slice is not a volume. Choose the whole scan.</source>
+        <source>the file has %1: a single slice is not a volume. Choose the whole scan.</source>
         <comment>volume.single-slice</comment>
-        <translation>hat %1: Eine einzelne Schicht ist kein Volumen. Wählen Sie den ganzen Scan.</translation>
+        <translation>die Datei hat %1: Eine einzelne Schicht ist kein Volumen. Wählen Sie den ganzen Scan.</translation>
     </message>
     <message>
-        <source>it is %1-dimensional, but a volume has three dimensions. Choose the whole scan.</source>
+        <source>the file is %1-dimensional, but a volume has three dimensions. Choose the whole scan.</source>
         <comment>volume.not-three-dimensional</comment>
-        <translation>ist %1-dimensional, ein Volumen hat aber drei Dimensionen. Wählen Sie den ganzen Scan.</translation>
+        <translation>die Datei ist %1-dimensional, ein Volumen hat aber drei Dimensionen. Wählen Sie den ganzen Scan.</translation>
     </message>
     <message>
-        <source>it has %1 dimensions (4-D or more). Save the volume you need as a separate file and open that.</source>
+        <source>the file has %1 dimensions (4-D or more). Save the volume you need as a separate file and open that.</source>
         <comment>volume.dimensions</comment>
-        <translation>hat %1 Dimensionen (4-D oder mehr). Speichern Sie das benötigte Volumen als eigene Datei, und öffnen Sie diese.</translation>
+        <translation>die Datei hat %1 Dimensionen (4-D oder mehr). Speichern Sie das benötigte Volumen als eigene Datei, und öffnen Sie diese.</translation>
     </message>
     <message>
-        <source>it contains %1 volumes or values per voxel (4-D). Extract the one you need and open that.</source>
+        <source>the file contains %1 volumes or values per voxel (4-D). Extract the volume you need and open that.</source>
         <comment>volume.several-4d</comment>
-        <translation>enthält %1 Volumen oder Werte je Voxel (4-D). Extrahieren Sie das benötigte, und öffnen Sie es.</translation>
+        <translation>die Datei enthält %1 Volumen oder Werte je Voxel (4-D). Extrahieren Sie das benötigte Volumen, und öffnen Sie es.</translation>
     </message>
     <message>
-        <source>it contains %1 volumes, layers or values per voxel (4-D). Save the one you need as a separate file and open that.</source>
+        <source>the file contains %1 volumes, layers or values per voxel (4-D). Save the volume you need as a separate file and open that.</source>
         <comment>volume.several-layers</comment>
-        <translation>enthält %1 Volumen, Ebenen oder Werte je Voxel (4-D). Speichern Sie das benötigte als eigene Datei, und öffnen Sie diese.</translation>
+        <translation>die Datei enthält %1 Volumen, Ebenen oder Werte je Voxel (4-D). Speichern Sie das benötigte Volumen als eigene Datei, und öffnen Sie diese.</translation>
     </message>
     <message>
-        <source>it has %1 values per voxel. Choose the grayscale scan itself.</source>
+        <source>the file has %1 values per voxel. Choose the grayscale scan itself.</source>
         <comment>volume.channels</comment>
-        <translation>hat %1 Werte je Voxel. Wählen Sie den Scan selbst in Grauwerten.</translation>
+        <translation>die Datei hat %1 Werte je Voxel. Wählen Sie den Scan selbst in Grauwerten.</translation>
     </message>
     <message>
-        <source>its first axis has %1 entries, so it is a color image, not a volume. Choose the scan.</source>
+        <source>the first axis has %1 entries, so the file is a color image, not a volume. Choose the scan.</source>
         <comment>volume.colour-axis</comment>
         <translation>die erste Achse hat %1 Einträge; es ist also ein Farbbild, kein Volumen. Wählen Sie den Scan.</translation>
     </message>
     <message>
-        <source>its voxels are colors. Choose the grayscale scan itself.</source>
+        <source>the voxels are colors. Choose the grayscale scan itself.</source>
         <comment>volume.colours</comment>
         <translation>die Voxel sind Farben. Wählen Sie den Scan selbst in Grauwerten.</translation>
     </message>
     <message>
-        <source>its header declares %1. The file is damaged; export it again.</source>
+        <source>the header declares %1. The file is damaged; export it again.</source>
         <comment>volume.header-gives</comment>
         <translation>der Header nennt %1. Die Datei ist beschädigt; exportieren Sie sie neu.</translation>
     </message>
     <message>
-        <source>its header contains no usable voxel size or position. Export the volume again.</source>
+        <source>the header contains no usable voxel size or position. Export the volume again.</source>
         <comment>volume.no-place</comment>
         <translation>der Header enthält keine brauchbare Voxelgröße oder Position. Exportieren Sie das Volumen neu.</translation>
     </message>
     <message>
-        <source>its header is damaged: it declares %1 dimensions. Export it again.</source>
+        <source>the header is damaged: it declares %1 dimensions. Export the file again.</source>
         <comment>volume.header-dimensions</comment>
-        <translation>der Header ist beschädigt: er nennt %1 Dimensionen. Neu exportieren.</translation>
+        <translation>der Header ist beschädigt: Er nennt %1 Dimensionen. Exportieren Sie die Datei neu.</translation>
     </message>
     <message>
-        <source>its header is damaged: the voxel data offset is invalid. Export it again.</source>
+        <source>the header is damaged: the voxel data offset is invalid. Export the file again.</source>
         <comment>volume.impossible-start</comment>
         <translation>der Header ist beschädigt: Der Offset der Voxeldaten ist ungültig. Exportieren Sie die Datei neu.</translation>
     </message>
     <message>
-        <source>its axes are %1 apart instead of 90°. Resample the volume to orthogonal axes.</source>
+        <source>the axes are at %1 to each other instead of 90°. Resample the volume to orthogonal axes.</source>
         <comment>volume.skewed</comment>
         <translation>die Achsen stehen %1 statt 90° zueinander. Tasten Sie das Volumen auf orthogonale Achsen neu ab.</translation>
     </message>
     <message>
-        <source>its header cannot be read (%1). Export it again.</source>
+        <source>the header cannot be read (%1). Export the file again.</source>
         <comment>volume.header-not-read</comment>
-        <translation>der Header ist nicht lesbar (%1). Neu exportieren.</translation>
+        <translation>der Header ist nicht lesbar (%1). Exportieren Sie die Datei neu.</translation>
     </message>
     <message>
-        <source>its %1 header cannot be read. Export it again.</source>
+        <source>the %1 header cannot be read. Export the file again.</source>
         <comment>volume.format-header-not-read</comment>
-        <translation>der %1-Header ist nicht lesbar. Neu exportieren.</translation>
+        <translation>der %1-Header ist nicht lesbar. Exportieren Sie die Datei neu.</translation>
     </message>
     <message>
-        <source>its HeaderSize is invalid. Correct the header.</source>
+        <source>the HeaderSize is invalid. Correct the header.</source>
         <comment>volume.header-size</comment>
         <translation>die HeaderSize ist ungültig. Berichtigen Sie den Header.</translation>
     </message>
     <message>
-        <source>its header does not specify the voxel data file (ElementDataFile). Export it again.</source>
+        <source>the header does not specify the voxel data file (ElementDataFile). Export the volume again.</source>
         <comment>volume.no-data-file</comment>
         <translation>der Header nennt die Datei mit den Voxeldaten nicht (ElementDataFile). Exportieren Sie das Volumen neu.</translation>
     </message>
     <message>
-        <source>its line skip or byte skip is invalid. Correct the header.</source>
+        <source>the line skip or byte skip is invalid. Correct the header.</source>
         <comment>volume.skips</comment>
         <translation>line skip oder byte skip ist ungültig. Berichtigen Sie den Header.</translation>
     </message>
     <message>
-        <source>its header skips lines in a separate data file. Save header and voxels as one file.</source>
+        <source>the header skips lines in a separate data file. Save header and voxels as one file.</source>
         <comment>volume.skips-lines-elsewhere</comment>
         <translation>der Header überspringt Zeilen in einer separaten Datendatei. Speichern Sie Header und Voxel als eine Datei.</translation>
     </message>
     <message>
-        <source>its voxels are split over several files. Save it as one file.</source>
+        <source>the voxels are split over several files. Save the volume as one file.</source>
         <comment>volume.several-files</comment>
         <translation>die Voxel sind auf mehrere Dateien verteilt. Speichern Sie es als eine Datei.</translation>
     </message>
     <message>
-        <source>the voxel type &quot;%1&quot; is not supported. Save it as 16-bit or float.</source>
+        <source>the voxel type &quot;%1&quot; is not supported. Save the volume as 16-bit or float.</source>
         <comment>volume.voxel-type</comment>
         <translation>der Voxeltyp „%1“ wird nicht unterstützt. Speichern Sie es als 16 Bit oder float.</translation>
     </message>
     <message>
-        <source>the voxel type (NIfTI datatype %1) is not supported. Save it as 16-bit or float.</source>
+        <source>the voxel type (NIfTI datatype %1) is not supported. Save the volume as 16-bit or float.</source>
         <comment>volume.nifti-type</comment>
         <translation>der Voxeltyp (NIfTI-Datentyp %1) wird nicht unterstützt. Speichern Sie es als 16 Bit oder float.</translation>
     </message>
     <message>
-        <source>its voxel type is not supported. Save it as 16-bit or float.</source>
+        <source>the voxel type is not supported. Save the volume as 16-bit or float.</source>
         <comment>volume.other-voxel-type</comment>
         <translation>der Voxeltyp wird nicht unterstützt. Speichern Sie es als 16 Bit oder float.</translation>
     </message>
     <message>
-        <source>its voxels are compressed with bzip2. Save it with gzip or raw encoding.</source>
+        <source>the voxels are compressed with bzip2. Save the volume with gzip or raw encoding.</source>
         <comment>volume.bzip2</comment>
         <translation>die Voxel sind mit bzip2 komprimiert. Speichern Sie es mit gzip- oder raw-Kodierung.</translation>
     </message>
     <message>
-        <source>its voxels are stored as text (%1). Save it with gzip or raw encoding.</source>
+        <source>the voxels are stored as text (%1). Save the volume with gzip or raw encoding.</source>
         <comment>volume.text-encoding</comment>
         <translation>die Voxel sind als Text gespeichert (%1). Speichern Sie es mit gzip- oder raw-Kodierung.</translation>
     </message>
     <message>
-        <source>its voxels are stored as text. Save it with binary data.</source>
+        <source>the voxels are stored as text. Save the volume in binary form.</source>
         <comment>volume.text</comment>
         <translation>die Voxel sind als Text gespeichert. Speichern Sie es mit binären Daten.</translation>
     </message>
     <message>
-        <source>its voxel data are truncated, or their compression is damaged. Copy or export it again.</source>
+        <source>the voxel data are truncated, or their compression is damaged. Copy or export the volume again.</source>
         <comment>volume.packing-damaged</comment>
         <translation>die Voxeldaten sind unvollständig, oder ihre Kompression ist beschädigt. Kopieren oder exportieren Sie es neu.</translation>
     </message>
     <message>
-        <source>its voxel data are truncated or damaged. Copy or export it again.</source>
+        <source>the voxel data are truncated or damaged. Copy or export the volume again.</source>
         <comment>volume.voxels-damaged</comment>
         <translation>die Voxeldaten sind unvollständig oder beschädigt. Kopieren oder exportieren Sie es neu.</translation>
     </message>
     <message>
-        <source>its voxel data are truncated. Copy or export it again.</source>
+        <source>the voxel data are truncated. Copy or export the volume again.</source>
         <comment>volume.cut-short</comment>
         <translation>die Voxeldaten sind unvollständig. Kopieren oder exportieren Sie es neu.</translation>
     </message>
     <message>
-        <source>its voxel data are truncated: %1 of %2 bytes are present. Copy or export it again.</source>
+        <source>the voxel data are truncated: %1 of %2 bytes are present. Copy or export the volume again.</source>
         <comment>volume.cut-short-by</comment>
         <translation>die Voxeldaten sind unvollständig: %1 von %2 Bytes vorhanden. Kopieren oder exportieren Sie es neu.</translation>
     </message>
     <message>
-        <source>its voxel data file %1 is missing. Copy both files together.</source>
+        <source>the voxel data file %1 is missing. Copy both files together.</source>
         <comment>volume.voxels-not-there</comment>
         <translation>die Datei %1 mit den Voxeldaten fehlt. Kopieren Sie beide Dateien zusammen.</translation>
     </message>
     <message>
-        <source>the file with its voxels cannot be read (%1).</source>
+        <source>the voxel data file cannot be read (%1).</source>
         <comment>volume.voxel-file-not-read</comment>
         <translation>die Datei mit den Voxeln lässt sich nicht lesen (%1).</translation>
     </message>
     <message>
-        <source>its voxel data start with the header of another volume. Open that file itself, or set the number of bytes to skip: -1 if the voxels are at the end.</source>
+        <source>the voxel data start with the header of another volume. Open that file itself, or set the number of bytes to skip: -1 if the voxels are at the end.</source>
         <comment>volume.voxels-are-header</comment>
         <translation>die Voxeldaten beginnen mit dem Header eines anderen Volumens. Öffnen Sie jene Datei selbst, oder geben Sie die Zahl der zu überspringenden Bytes an: -1, wenn die Voxel am Ende stehen.</translation>
     </message>
     <message>
-        <source>none of its voxels is a number. Export the volume again.</source>
+        <source>no voxel contains a valid number. Export the volume again.</source>
         <comment>volume.no-numbers</comment>
-        <translation>keines der Voxel ist eine Zahl. Das Volumen neu exportieren.</translation>
+        <translation>kein Voxel enthält eine gültige Zahl. Exportieren Sie das Volumen neu.</translation>
     </message>
     <message>
         <source>%1 voxels are not numbers; they are set to the lowest value.</source>
@@ -6804,7 +6804,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>%1 Voxel sind keine Zahlen; sie werden auf den kleinsten Wert gesetzt.</translation>
     </message>
     <message>
-        <source>The %1 voxels are rounded to 16 bit, in steps of %2.</source>
+        <source>The %1 voxels are rounded to 16 bits, in steps of %2.</source>
         <comment>volume.rounded</comment>
         <translation>Die %1-Voxel werden auf 16 Bit gerundet, in Schritten von %2.</translation>
     </message>
@@ -6824,12 +6824,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Der Header enthält keine Voxelgröße: 1 x 1 x 1 mm wird angenommen.</translation>
     </message>
     <message>
-        <source>The voxel size is given as 1 x 1 x 1 mm: check that it was not lost in a conversion.</source>
+        <source>The voxel size is specified as 1 x 1 x 1 mm: check that it was not lost in a conversion.</source>
         <comment>volume.size-of-one</comment>
         <translation>Die Voxelgröße ist mit 1 x 1 x 1 mm angegeben: Prüfen Sie, ob sie bei einer Umwandlung verloren ging.</translation>
     </message>
     <message>
-        <source>NIfTI supports at most 32767 voxels along an axis. Save as .nrrd or .mha.</source>
+        <source>NIfTI supports at most 32767 voxels along an axis. Save the volume as .nrrd or .mha.</source>
         <comment>volume.nifti-too-long</comment>
         <translation>NIfTI unterstützt höchstens 32767 Voxel je Achse. Speichern Sie als .nrrd oder .mha.</translation>
     </message>
@@ -6854,29 +6854,29 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>diese DICOM-Datei ist keine Segmentierung. Wählen Sie ein Labelbild.</translation>
     </message>
     <message>
-        <source>it contains a single slice, not a volume. Choose the complete segmentation.</source>
+        <source>the file contains only a single slice, not a volume. Choose the complete segmentation.</source>
         <comment>labels.one-plane</comment>
-        <translation>sie enthält nur eine Schicht, kein Volumen. Wählen Sie die vollständige Segmentierung.</translation>
+        <translation>die Datei enthält nur eine Schicht, kein Volumen. Wählen Sie die vollständige Segmentierung.</translation>
     </message>
     <message>
-        <source>it contains the value %1, which is not a label: labels are integers from 0. Choose a label image.</source>
+        <source>the file contains the value %1, which is not a label: labels are non-negative integers. Choose a label image.</source>
         <comment>labels.no-whole-number</comment>
-        <translation>sie enthält den Wert %1, der kein Label ist: Labels sind ganze Zahlen ab 0. Wählen Sie ein Labelbild.</translation>
+        <translation>die Datei enthält den Wert %1, der kein Label ist: Labels sind nichtnegative ganze Zahlen. Wählen Sie ein Labelbild.</translation>
     </message>
     <message>
-        <source>it contains no labeled voxels: every voxel is background. Choose another segmentation.</source>
+        <source>the file contains no labeled voxels: every voxel is background. Choose another segmentation.</source>
         <comment>labels.nothing-marked</comment>
-        <translation>sie enthält keine markierten Voxel: alle Voxel sind Hintergrund. Wählen Sie eine andere Segmentierung.</translation>
+        <translation>die Datei enthält keine markierten Voxel: Alle Voxel sind Hintergrund. Wählen Sie eine andere Segmentierung.</translation>
     </message>
     <message>
-        <source>it has no label %1. Available labels: %2. Choose one of these.</source>
+        <source>there is no label %1. Available labels: %2. Choose one of these.</source>
         <comment>labels.no-such-number</comment>
-        <translation>sie hat kein Label %1. Vorhandene Labels: %2. Wählen Sie eines davon.</translation>
+        <translation>es gibt kein Label %1. Vorhandene Labels: %2. Wählen Sie eines davon.</translation>
     </message>
     <message>
-        <source>it has no label &quot;%1&quot;. Available labels: %2. Choose one of these.</source>
+        <source>there is no label &quot;%1&quot;. Available labels: %2. Choose one of these.</source>
         <comment>labels.no-such-name</comment>
-        <translation>sie hat kein Label „%1“. Vorhandene Labels: %2. Wählen Sie eines davon.</translation>
+        <translation>es gibt kein Label „%1“. Vorhandene Labels: %2. Wählen Sie eines davon.</translation>
     </message>
     <message>
         <source>none</source>
@@ -6899,22 +6899,22 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Das Volumen enthält Labels; die Gefäße werden direkt daraus übernommen.</translation>
     </message>
     <message>
-        <source>A length at the vessels requires their depth. Open the vessels, or measure at the detector or in pixels.</source>
+        <source>Measuring lengths at the vessels requires their depth. Open the vessels, or measure at the detector or in pixels.</source>
         <comment>measure.needs-vessels</comment>
         <translation>Eine Länge an den Gefäßen erfordert deren Tiefe. Öffnen Sie die Gefäße, oder messen Sie am Detektor oder in Pixeln.</translation>
     </message>
     <message>
         <source>The vessels lie behind the X-ray source, so nothing can be measured at them. Correct the pose, or measure in pixels.</source>
         <comment>measure.behind-source</comment>
-        <translation>Die Gefäße liegen hinter der Röntgenquelle, daher lässt sich an ihnen nichts messen. Korrigieren Sie die Lage, oder messen Sie in Pixeln.</translation>
+        <translation>Die Gefäße liegen hinter dem Röntgenfokus, daher lässt sich an ihnen nichts messen. Korrigieren Sie die Lage, oder messen Sie in Pixeln.</translation>
     </message>
     <message>
         <source>The pixel spacing of the detector is unknown. Enter it under Geometry, or measure in pixels.</source>
         <comment>measure.needs-spacing</comment>
-        <translation>Der Pixelabstand des Detektors ist unbekannt. Geben Sie ihn unter „Geometrie“ ein, oder messen Sie in Pixeln.</translation>
+        <translation>Die Pixelgröße des Detektors ist unbekannt. Geben Sie sie unter „Geometrie“ ein, oder messen Sie in Pixeln.</translation>
     </message>
     <message>
-        <source>This type of measurement needs at least %1 points; this one has %2. Draw it again.</source>
+        <source>This type of measurement requires at least %1 points; this one has %2. Draw it again.</source>
         <comment>measure.points</comment>
         <translation>Diese Art von Messung braucht mindestens %1 Punkte; diese hat %2. Zeichnen Sie sie neu.</translation>
     </message>
@@ -6956,7 +6956,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>At the depth of the vessels&apos; centroid (%1 from the source), a pixel measures %2. Segments that run toward or away from the source are longer than they appear.</source>
         <comment>measure.basis-vessels</comment>
-        <translation>In der Tiefe des Gefäßschwerpunkts (%1 von der Quelle) misst ein Pixel %2. Abschnitte, die zur Quelle hin oder von ihr weg verlaufen, sind länger, als sie erscheinen.</translation>
+        <translation>In der Tiefe des Gefäßschwerpunkts (%1 vom Fokus) misst ein Pixel %2. Abschnitte, die zum Fokus hin oder von ihm weg verlaufen, sind länger, als sie erscheinen.</translation>
     </message>
     <message>
         <source>On the detector, a pixel measures %1. Structures in the patient are smaller by the magnification factor.</source>
@@ -6979,12 +6979,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Pixel werden als quadratisch angenommen.</translation>
     </message>
     <message>
-        <source>The geometry behind this scale is assumed, not measured; its relative error carries over to this value.</source>
+        <source>The geometry used for this scale is assumed, not measured; its relative error carries over to this value.</source>
         <comment>measure.scale-assumed</comment>
         <translation>Die Geometrie hinter diesem Maßstab ist angenommen, nicht gemessen; ihr relativer Fehler überträgt sich auf diesen Wert.</translation>
     </message>
     <message>
-        <source>The geometry behind this scale was entered manually.</source>
+        <source>The geometry used for this scale was entered manually.</source>
         <comment>measure.scale-typed</comment>
         <translation>Die Geometrie hinter diesem Maßstab wurde manuell eingegeben.</translation>
     </message>
@@ -6994,9 +6994,9 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Diese Lage stammt nicht aus einer Registrierung; die Tiefe der Gefäße ist ungeprüft.</translation>
     </message>
     <message>
-        <source>The registration behind this pose is not reliable, and neither is the depth of the vessels.</source>
+        <source>The registration of this pose is not reliable, and neither is the depth of the vessels.</source>
         <comment>measure.pose-doubtful</comment>
-        <translation>Die Registrierung hinter dieser Lage ist nicht verlässlich und damit auch nicht die Tiefe der Gefäße.</translation>
+        <translation>Die Registrierung dieser Lage ist nicht verlässlich und damit auch nicht die Tiefe der Gefäße.</translation>
     </message>
     <message>
         <source>Depth uncertainty: ±%1 (1-σ), which is ±%2 of the length.</source>
@@ -7004,7 +7004,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Unsicherheit der Tiefe: ±%1 (1-σ), das sind ±%2 der Länge.</translation>
     </message>
     <message>
-        <source>this type of measurement needs at least %1 points, not %2. Add points or remove the measurement.</source>
+        <source>this type of measurement requires at least %1 points, not %2. Add points or remove the measurement.</source>
         <comment>case.measurement-points</comment>
         <translation>diese Art von Messung braucht mindestens %1 Punkte, nicht %2. Ergänzen Sie Punkte, oder entfernen Sie die Messung.</translation>
     </message>
@@ -7044,24 +7044,24 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>In diesem Bild nicht markiert. Wählen Sie „Zielpunkt im Bild markieren“, und klicken Sie auf den Punkt.</translation>
     </message>
     <message>
-        <source>Marked in frame %1, but the pose belongs to frame %2. Go to the marked frame, or mark the point in this one.</source>
+        <source>Marked in frame %1, but the pose belongs to frame %2. Go to the marked frame, or mark the point in the current one.</source>
         <comment>check.other-frame</comment>
         <translation>In Bild %1 markiert, aber die Lage gehört zu Bild %2. Wechseln Sie zum markierten Bild, oder markieren Sie den Punkt in diesem.</translation>
     </message>
     <message>
         <source>The point lies behind the X-ray source at this pose. Correct the pose.</source>
         <comment>check.behind-source</comment>
-        <translation>Bei dieser Lage liegt der Punkt hinter der Röntgenquelle. Korrigieren Sie die Lage.</translation>
+        <translation>Bei dieser Lage liegt der Punkt hinter dem Röntgenfokus. Korrigieren Sie die Lage.</translation>
     </message>
     <message>
-        <source>In the image plane at the depth of the point (%1 from the source): %2, %3. A pixel measures %4 there, which limits the accuracy of a click.</source>
+        <source>In the image plane at the depth of the point (%1 from the source): %2, %3. A pixel measures %4 there, which limits the click accuracy.</source>
         <comment>check.image-error</comment>
-        <translation>In der Bildebene in der Tiefe des Punkts (%1 von der Quelle): %2, %3. Ein Pixel misst dort %4 und begrenzt die Genauigkeit eines Klicks.</translation>
+        <translation>In der Bildebene in der Tiefe des Punkts (%1 vom Fokus): %2, %3. Ein Pixel misst dort %4 und begrenzt die Genauigkeit eines Klicks.</translation>
     </message>
     <message>
-        <source>The covariance of the pose predicts %1 there (1-σ).</source>
+        <source>The pose covariance predicts %1 at this point (1-σ).</source>
         <comment>check.claimed</comment>
-        <translation>Die Kovarianz der Lage sagt dort %1 voraus (1-σ).</translation>
+        <translation>Die Kovarianz der Lage sagt an diesem Punkt %1 voraus (1-σ).</translation>
     </message>
     <message>
         <source>This pose does not come from a registration; no error is predicted.</source>
@@ -7074,29 +7074,29 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Mit verformten Gefäßen: %1.</translation>
     </message>
     <message>
-        <source>In space, where the rays of views %1 intersect (angle %2): %3. The rays miss each other by %4.</source>
+        <source>In 3-D, at the intersection of the rays of views %1 (angle %2): %3. Distance between the rays: %4.</source>
         <comment>check.space-error</comment>
-        <translation>Im Raum, wo sich die Strahlen der Ansichten %1 schneiden (Winkel %2): %3. Die Strahlen verfehlen einander um %4.</translation>
+        <translation>In 3-D, am Schnittpunkt der Strahlen der Ansichten %1 (Winkel %2): %3. Abstand der Strahlen: %4.</translation>
     </message>
     <message>
-        <source>A 3-D error requires the point to be marked in two views; so far it is marked in at most one.</source>
+        <source>A 3-D error requires the point to be marked in two views; it is currently marked in at most one.</source>
         <comment>check.needs-two-views</comment>
         <translation>Ein 3-D-Fehler setzt voraus, dass der Punkt in zwei Ansichten markiert ist; bisher ist er höchstens in einer markiert.</translation>
     </message>
     <message>
-        <source>The views see the point from almost the same direction (%1 between the rays), so its depth cannot be determined.</source>
+        <source>The views show the point from almost the same direction (%1 between the rays), so its depth cannot be determined.</source>
         <comment>check.rays-alike</comment>
         <translation>Die Ansichten zeigen den Punkt aus fast derselben Richtung (%1 zwischen den Strahlen), daher lässt sich seine Tiefe nicht bestimmen.</translation>
     </message>
     <message>
-        <source>%1 off</source>
+        <source>error %1</source>
         <comment>check.label</comment>
-        <translation>%1 daneben</translation>
+        <translation>Fehler %1</translation>
     </message>
     <message>
-        <source>%1 off, %2 predicted</source>
+        <source>error %1, predicted %2</source>
         <comment>check.label-claimed</comment>
-        <translation>%1 daneben, %2 erwartet</translation>
+        <translation>Fehler %1, erwartet %2</translation>
     </message>
     <message>
         <source>⌀ %1</source>
@@ -7104,9 +7104,9 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>⌀ %1</translation>
     </message>
     <message>
-        <source>This branch has no radius here, so a ring would have no size. Add a target point instead.</source>
+        <source>This branch has no radius here, so the size of a ring is undefined. Add a target point instead.</source>
         <comment>check.ring-needs-radius</comment>
-        <translation>Dieser Ast hat hier keinen Radius, daher hätte ein Ring keine Größe. Setzen Sie stattdessen einen Zielpunkt.</translation>
+        <translation>Dieser Ast hat hier keinen Radius, daher ist die Größe eines Rings nicht definiert. Setzen Sie stattdessen einen Zielpunkt.</translation>
     </message>
     <message>
         <source>Click on the vessels: target points and rings must lie on them.</source>
@@ -7124,12 +7124,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>zwei Marken haben die Nummer %1. Geben Sie jeder eine eigene Nummer.</translation>
     </message>
     <message>
-        <source>a ring needs a radius greater than 0 and a direction. Add them or remove the ring.</source>
+        <source>a ring requires a radius greater than 0 and a direction. Add them or remove the ring.</source>
         <comment>case.ring-open</comment>
         <translation>ein Ring braucht einen Radius über 0 und eine Richtung. Ergänzen Sie beides, oder entfernen Sie den Ring.</translation>
     </message>
     <message>
-        <source>an arrow needs two points, a text one. Correct the points or remove the annotation.</source>
+        <source>an arrow requires two points, a text annotation one. Correct the points or remove the annotation.</source>
         <comment>case.annotation-points</comment>
         <translation>ein Pfeil braucht zwei Punkte, ein Text einen. Korrigieren Sie die Punkte, oder entfernen Sie die Anmerkung.</translation>
     </message>
@@ -7149,57 +7149,57 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Winkel in der Schichtebene; verlässt ein Schenkel die Ebene, weicht der 3-D-Winkel ab.</translation>
     </message>
     <message>
-        <source>it is a report, not an image.</source>
+        <source>this is a report, not an image.</source>
         <comment>study.report</comment>
-        <translation>sie ist ein Befund, kein Bild.</translation>
+        <translation>dies ist ein Befund, kein Bild.</translation>
     </message>
     <message>
-        <source>it only defines how other images are displayed.</source>
+        <source>this only defines how other images are displayed.</source>
         <comment>study.presentation</comment>
-        <translation>sie legt nur fest, wie andere Bilder dargestellt werden.</translation>
+        <translation>dies legt nur fest, wie andere Bilder dargestellt werden.</translation>
     </message>
     <message>
-        <source>it contains no image (%1).</source>
+        <source>this contains no image (%1).</source>
         <comment>study.no-image</comment>
-        <translation>sie enthält kein Bild (%1).</translation>
+        <translation>hier ist kein Bild enthalten (%1).</translation>
     </message>
     <message>
-        <source>it is a scout (localizer), neither a volume nor an angiogram.</source>
+        <source>this is a scout (localizer), neither a volume nor an angiogram.</source>
         <comment>study.scout</comment>
-        <translation>sie ist ein Übersichtsbild (Scout), weder Volumen noch Angiogramm.</translation>
+        <translation>dies ist ein Übersichtsbild (Scout), weder Volumen noch Angiogramm.</translation>
     </message>
     <message>
-        <source>its frames are compressed as video, which is not supported. Export it in another format.</source>
+        <source>the frames are compressed as video, which is not supported. Export them in another format.</source>
         <comment>study.video</comment>
-        <translation>ihre Bilder sind als Video komprimiert, das nicht unterstützt wird. Exportieren Sie sie in einem anderen Format.</translation>
+        <translation>die Bilder sind als Video komprimiert, was nicht unterstützt wird. Exportieren Sie sie in einem anderen Format.</translation>
     </message>
     <message>
-        <source>vessels are not traced in images of modality %1.</source>
+        <source>AngioPose does not trace vessels in images of modality %1.</source>
         <comment>study.modality</comment>
-        <translation>in Bildern der Modalität %1 werden keine Gefäße erfasst.</translation>
+        <translation>AngioPose erfasst in Bildern der Modalität %1 keine Gefäße.</translation>
     </message>
     <message>
-        <source>the DICOMDIR lists it, but its files are missing.</source>
+        <source>listed in the DICOMDIR, but the files are missing.</source>
         <comment>study.missing</comment>
-        <translation>das DICOMDIR führt sie auf, aber ihre Dateien fehlen.</translation>
+        <translation>im DICOMDIR aufgeführt, aber die Dateien fehlen.</translation>
     </message>
     <message>
-        <source>it contains no list of files</source>
+        <source>it contains no file list</source>
         <comment>directory.no-records</comment>
         <translation>es enthält keine Dateiliste</translation>
     </message>
     <message>
-        <source>its records are not linked consistently</source>
+        <source>the records are not linked consistently</source>
         <comment>directory.torn</comment>
-        <translation>seine Einträge sind nicht schlüssig verkettet</translation>
+        <translation>die Einträge sind nicht schlüssig verkettet</translation>
     </message>
     <message>
-        <source>it is cut off in the middle of a record</source>
+        <source>it ends in the middle of a record</source>
         <comment>directory.unfinished</comment>
         <translation>es bricht mitten in einem Eintrag ab</translation>
     </message>
     <message>
-        <source>movies can be written as .mp4 or .gif. Choose one of these.</source>
+        <source>movies can be saved as .mp4 or .gif. Choose one of these.</source>
         <comment>movie.kind</comment>
         <translation>Filme lassen sich als .mp4 oder .gif schreiben. Wählen Sie eines davon.</translation>
     </message>
@@ -7214,7 +7214,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>MP4 unterstützt keine Bilder von %1 × %2 Pixeln: Die Grenze liegt bei 9.437.184 Pixeln (4096 × 2304) und 8688 je Seite. Wählen Sie eine kleinere Größe oder GIF.</translation>
     </message>
     <message>
-        <source>a GIF of %1 × %2 pixels is too large: the limit is %3 per side. Choose a smaller size.</source>
+        <source>a GIF of %1 × %2 pixels is too large: the limit is %3 pixels per side. Choose a smaller size.</source>
         <comment>movie.gif-too-large</comment>
         <translation>ein GIF von %1 × %2 Pixeln ist zu groß: Die Grenze liegt bei %3 je Seite. Wählen Sie eine kleinere Größe.</translation>
     </message>
@@ -7244,7 +7244,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Die Berichtsvorlage %1 ist nicht lesbar: Eine Vorlage muss ein UTF-8-Text von höchstens 1 MB sein. Wählen Sie eine andere Vorlage oder die eingebaute.</translation>
     </message>
     <message>
-        <source>The report template lacks %1. Without it, a report could omit information that must be read with the result. Add it.</source>
+        <source>The report template does not contain %1. Without it, a report could omit information that must be read together with the result. Add it.</source>
         <comment>report.template-lacks</comment>
         <translation>Der Berichtsvorlage fehlt %1. Ohne diese Angabe könnte ein Bericht Informationen auslassen, die mit dem Ergebnis gelesen werden müssen. Fügen Sie sie hinzu.</translation>
     </message>
@@ -7279,9 +7279,9 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>ein Presentation State muss auf ein DICOM-Bild verweisen, und auf dieses Angiogramm lässt sich nicht verweisen. Öffnen Sie es als DICOM, oder lassen Sie den Presentation State weg.</translation>
     </message>
     <message>
-        <source>no vessels lie on the image. Move them there first, or leave out the presentation state.</source>
+        <source>no vessels lie within the image. Move them into it first, or leave out the presentation state.</source>
         <comment>object.no-lines</comment>
-        <translation>auf dem Bild liegen keine Gefäße. Verschieben Sie sie zuerst dorthin, oder lassen Sie den Presentation State weg.</translation>
+        <translation>im Bild liegen keine Gefäße. Verschieben Sie sie zuerst dorthin, oder lassen Sie den Presentation State weg.</translation>
     </message>
     <message>
         <source>the pose is not a rigid transform with finite values. Reset the pose first.</source>
@@ -7299,17 +7299,17 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>es gibt weder eine Messung noch ein Registrierungsergebnis. Erstellen Sie zuerst eines davon, oder lassen Sie die Messungen weg.</translation>
     </message>
     <message>
-        <source>this DICOM file contains no registration between two frames of reference. Choose a spatial registration.</source>
+        <source>this DICOM file contains no registration between two frames of reference. Choose a Spatial Registration object.</source>
         <comment>pose.no-registration</comment>
         <translation>diese DICOM-Datei enthält keine Registrierung zwischen zwei Bezugssystemen. Wählen Sie eine Spatial Registration.</translation>
     </message>
     <message>
-        <source>a segmentation needs the scan or mask that the vessels come from. Open it first, or leave out the segmentation.</source>
+        <source>a segmentation requires the scan or mask from which the vessels were traced. Open it first, or leave out the segmentation.</source>
         <comment>dicom-export.no-scan</comment>
         <translation>eine Segmentierung braucht den Scan oder die Maske, aus denen die Gefäße stammen. Öffnen Sie diese zuerst, oder lassen Sie die Segmentierung weg.</translation>
     </message>
     <message>
-        <source>the program angiopose, which writes the reports, is missing at &apos;%1&apos;. Install it next to angiopose-cli, or build the target angiopose.</source>
+        <source>the program angiopose, which creates the reports, is missing at &apos;%1&apos;. Install it next to angiopose-cli, or build the target angiopose.</source>
         <comment>report.program-missing</comment>
         <translation>das Programm angiopose, das die Berichte schreibt, fehlt unter &apos;%1&apos;. Installieren Sie es neben angiopose-cli, oder bauen Sie das Ziel angiopose.</translation>
     </message>
@@ -7329,9 +7329,9 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>angehalten; es wurde kein Bericht geschrieben.</translation>
     </message>
     <message>
-        <source>a report is created by angiopose-cli report or in the window. Pass its PDF with --report, or leave it out.</source>
+        <source>reports are created by angiopose-cli report or in the window. Pass the PDF with --report, or leave out the report.</source>
         <comment>dicom-export.no-report</comment>
-        <translation>ein Bericht entsteht mit angiopose-cli report oder im Fenster. Geben Sie sein PDF mit --report an, oder lassen Sie ihn weg.</translation>
+        <translation>Berichte entstehen mit angiopose-cli report oder im Fenster. Geben Sie das PDF mit --report an, oder lassen Sie den Bericht weg.</translation>
     </message>
     <message>
         <source>Not exported: %1: %2</source>
@@ -7339,17 +7339,17 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Nicht exportiert: %1: %2</translation>
     </message>
     <message>
-        <source>The angiogram is not a DICOM image: its objects start a new study without a patient.</source>
+        <source>The angiogram is not a DICOM image: the exported objects form a new study without a patient.</source>
         <comment>dicom-export.new-study</comment>
-        <translation>Das Angiogramm ist kein DICOM-Bild: Seine Objekte beginnen eine neue Studie ohne Patienten.</translation>
+        <translation>Das Angiogramm ist kein DICOM-Bild: Die exportierten Objekte bilden eine neue Studie ohne Patienten.</translation>
     </message>
     <message>
-        <source>The scan is not a DICOM series: its segmentation references no series and has its own frame of reference.</source>
+        <source>The scan is not a DICOM series: the segmentation references no series and has its own frame of reference.</source>
         <comment>dicom-export.no-scan-study</comment>
         <translation>Der Scan ist keine DICOM-Serie: Seine Segmentierung verweist auf keine Serie und hat ein eigenes Bezugssystem.</translation>
     </message>
     <message>
-        <source>A spatial registration holds only a rigid matrix. It cannot store the perspective camera, which an overlay requires. The camera is stored in its private elements and in the accompanying camera.json.</source>
+        <source>A Spatial Registration contains only a rigid matrix. It cannot store the perspective camera, which an overlay requires. The camera is stored in private elements and in the accompanying camera.json.</source>
         <comment>dicom-export.rigid-only</comment>
         <translation>Eine Spatial Registration enthält nur eine starre Matrix. Die perspektivische Kamera, die eine Überlagerung erfordert, kann sie nicht speichern. Die Kamera steht in ihren privaten Elementen und in der beiliegenden camera.json.</translation>
     </message>
@@ -7359,9 +7359,9 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Der Presentation State zeigt das gespeicherte, nicht subtrahierte Bild: Seine Grauwerte weichen von den hier gezeigten ab.</translation>
     </message>
     <message>
-        <source>this case can be exported as none of these objects. Open vessels and an angiogram first.</source>
+        <source>none of these objects can be created from this case. Open vessels and an angiogram first.</source>
         <comment>dicom-export.nothing</comment>
-        <translation>dieser Fall lässt sich als keines dieser Objekte exportieren. Öffnen Sie zuerst Gefäße und ein Angiogramm.</translation>
+        <translation>aus diesem Fall lässt sich keines dieser Objekte erzeugen. Öffnen Sie zuerst Gefäße und ein Angiogramm.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is unknown. Use %2.</source>
@@ -7374,7 +7374,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>angehalten; nichts wurde geschrieben.</translation>
     </message>
     <message>
-        <source>Vessels of a registered 3-D tree overlaid on the image, with the chosen window and size</source>
+        <source>Vessels of a registered 3-D tree overlaid on the image, with the selected window and size</source>
         <comment>dicom-export.derivation</comment>
         <translation>Gefäße eines registrierten 3-D-Baums dem Bild überlagert, mit gewähltem Fenster und gewählter Größe</translation>
     </message>
@@ -7419,44 +7419,44 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Ansicht von vorn, um %1 gedreht</translation>
     </message>
     <message>
-        <source>it cannot be written: it would exceed the file size limit of the system (ulimit -f) or of the drive. Raise the limit or choose another folder.</source>
+        <source>the file cannot be written: it would exceed the file size limit of the system (ulimit -f) or of the drive. Raise the limit, or choose another folder.</source>
         <comment>file.beyond-limit</comment>
-        <translation>sie lässt sich nicht schreiben: Sie würde die Dateigrößengrenze des Systems (ulimit -f) oder des Laufwerks überschreiten. Heben Sie die Grenze an, oder wählen Sie einen anderen Ordner.</translation>
+        <translation>die Datei lässt sich nicht schreiben: Sie würde die Dateigrößengrenze des Systems (ulimit -f) oder des Laufwerks überschreiten. Heben Sie die Grenze an, oder wählen Sie einen anderen Ordner.</translation>
     </message>
     <message>
-        <source>it was changed elsewhere since it was opened here. Save it under another name, or reopen it.</source>
+        <source>the case was changed elsewhere after it was opened here. Save it under another name, or reopen it.</source>
         <comment>case.changed-elsewhere</comment>
-        <translation>sie wurde anderswo geändert, seit sie hier geöffnet wurde. Speichern Sie sie unter anderem Namen, oder öffnen Sie sie erneut.</translation>
+        <translation>der Fall wurde anderswo geändert, nachdem er hier geöffnet wurde. Speichern Sie ihn unter anderem Namen, oder öffnen Sie ihn erneut.</translation>
     </message>
     <message>
-        <source>it is also open elsewhere (process %1 on %2). Save it under another name, or close it there.</source>
+        <source>the case is also open elsewhere (process %1 on %2). Save it under another name, or close it there.</source>
         <comment>case.open-elsewhere</comment>
-        <translation>sie ist auch anderswo geöffnet (Prozess %1 auf %2). Speichern Sie sie unter anderem Namen, oder schließen Sie sie dort.</translation>
+        <translation>der Fall ist auch anderswo geöffnet (Prozess %1 auf %2). Speichern Sie ihn unter anderem Namen, oder schließen Sie ihn dort.</translation>
     </message>
     <message>
-        <source>it lists no cases. Start with a header row with the column case and one of the columns reference and pairs; add one row per case.</source>
+        <source>the table lists no cases. Start with a header row that contains the column case and one of the columns reference and pairs; add one row per case.</source>
         <comment>own.no-header</comment>
-        <translation>sie führt keine Fälle auf. Beginnen Sie mit einer Kopfzeile mit der Spalte case und einer der Spalten reference und pairs; fügen Sie je Fall eine Zeile hinzu.</translation>
+        <translation>die Tabelle führt keine Fälle auf. Beginnen Sie mit einer Kopfzeile mit der Spalte case und einer der Spalten reference und pairs; fügen Sie je Fall eine Zeile hinzu.</translation>
     </message>
     <message>
-        <source>line %1 names no case. Enter the path of a case file in the column case.</source>
+        <source>line %1 specifies no case. Enter the path of a case file in the column case.</source>
         <comment>own.no-case</comment>
         <translation>Zeile %1 nennt keinen Fall. Geben Sie in der Spalte case den Pfad einer Falldatei an.</translation>
     </message>
     <message>
-        <source>line %1 has no ground truth. Give a pose in the column reference, or a table of point pairs in the column pairs.</source>
+        <source>line %1 has no ground truth. Specify a pose in the column reference, or a table of point pairs in the column pairs.</source>
         <comment>own.no-truth</comment>
         <translation>Zeile %1 hat keine Referenzwahrheit. Geben Sie eine Lage in der Spalte reference an oder eine Tabelle von Punktpaaren in der Spalte pairs.</translation>
     </message>
     <message>
-        <source>line %1 gives the true vessel positions in the column bent. This requires a pose in the column reference and excludes landmarks, which would also have to be deformed.</source>
+        <source>line %1 specifies the true vessel positions in the column bent. This requires a pose in the column reference and excludes landmarks, which would also have to be deformed.</source>
         <comment>own.bent-alone</comment>
         <translation>Zeile %1 gibt in der Spalte bent die wahren Gefäßpositionen an. Das erfordert eine Lage in der Spalte reference und schließt Landmarken aus, die ebenfalls verformt werden müssten.</translation>
     </message>
     <message>
-        <source>its branches or their numbers of points differ from those of the case&apos;s vessels. Deformed vessels are evaluated point by point: move the points of the case&apos;s own vessel file.</source>
+        <source>the branches, or their numbers of points, differ from those of the case&apos;s vessels. Deformed vessels are evaluated point by point: move the points of the case&apos;s own vessel file.</source>
         <comment>own.bent-other</comment>
-        <translation>ihre Äste oder deren Punktzahlen weichen von den Gefäßen des Falles ab. Verformte Gefäße werden Punkt für Punkt ausgewertet: Verschieben Sie die Punkte der Gefäßdatei des Falles.</translation>
+        <translation>die Äste oder deren Punktzahlen weichen von den Gefäßen des Falles ab. Verformte Gefäße werden Punkt für Punkt ausgewertet: Verschieben Sie die Punkte der Gefäßdatei des Falles.</translation>
     </message>
     <message>
         <source>line %1: &apos;%2&apos; is not a valid condition name, because files are named after it. Use letters, digits, dots, dashes and underscores.</source>
@@ -7464,24 +7464,24 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Zeile %1: &apos;%2&apos; ist kein gültiger Name einer Bedingung, denn Dateien werden danach benannt. Verwenden Sie Buchstaben, Ziffern, Punkte, Binde- und Unterstriche.</translation>
     </message>
     <message>
-        <source>a column is named pose. without a name after the dot. Add the name of the method or person that found these poses.</source>
+        <source>a column is named &apos;pose.&apos; without a name after the dot. Add the name of the method or person that determined these poses.</source>
         <comment>own.pose-without-name</comment>
-        <translation>eine Spalte heißt pose. ohne Namen nach dem Punkt. Ergänzen Sie die Methode oder Person, die diese Lagen gefunden hat.</translation>
+        <translation>eine Spalte heißt &apos;pose.&apos; ohne Namen nach dem Punkt. Ergänzen Sie die Methode oder Person, die diese Lagen bestimmt hat.</translation>
     </message>
     <message>
-        <source>column %1 is missing. Landmarks need x, y, z (mm, LPS); point pairs also need u and v (px).</source>
+        <source>column %1 is missing. Landmarks require x, y, z (mm, LPS); point pairs also require u and v (px).</source>
         <comment>own.point-column-missing</comment>
         <translation>die Spalte %1 fehlt. Landmarken brauchen x, y, z (mm, LPS), Punktpaare zusätzlich u und v (px).</translation>
     </message>
     <message>
-        <source>it contains no points.</source>
+        <source>the table contains no points.</source>
         <comment>own.no-points</comment>
-        <translation>sie enthält keine Punkte.</translation>
+        <translation>die Tabelle enthält keine Punkte.</translation>
     </message>
     <message>
-        <source>column %1 is missing: this is not a log of blind trials, or an earlier version that did not store the centroid wrote it. Registration &gt; Blind observer trial writes such logs.</source>
+        <source>column %1 is missing: this is not a blind trial log, or it was written by an earlier version that did not store the centroid. Such logs are created by Registration &gt; Blind observer trial.</source>
         <comment>observers.column-missing</comment>
-        <translation>die Spalte %1 fehlt: Dies ist kein Protokoll blinder Versuche, oder eine frühere Version, die den Schwerpunkt nicht speicherte, hat es geschrieben. Solche Protokolle schreibt Registrierung &gt; Blinder Beobachterversuch.</translation>
+        <translation>die Spalte %1 fehlt: Dies ist kein Protokoll von Blindversuchen, oder eine frühere Version, die den Schwerpunkt nicht speicherte, hat es geschrieben. Solche Protokolle erzeugt Registrierung &gt; Blinder Beobachterversuch.</translation>
     </message>
     <message>
         <source>The logs contain no two finished trials of the same image, so there is nothing to compare. Have an observer repeat a trial, or another observer perform it.</source>
@@ -7494,9 +7494,9 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>&apos;%1&apos; ist kein gültiger Schlüssel von %2. Gültige Schlüssel: %3.</translation>
     </message>
     <message>
-        <source>%1 lacks &apos;%2&apos;.</source>
+        <source>%1 has no &apos;%2&apos;.</source>
         <comment>study.missing-key</comment>
-        <translation>%1 fehlt &apos;%2&apos;.</translation>
+        <translation>%1 hat kein &apos;%2&apos;.</translation>
     </message>
     <message>
         <source>&apos;%1&apos; of %2 has an invalid value: %3.</source>
@@ -7504,29 +7504,29 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>&apos;%1&apos; von %2 hat einen ungültigen Wert: %3.</translation>
     </message>
     <message>
-        <source>it is not a study file. Start it with &quot;format&quot;: &quot;angiopose-study&quot;, &quot;version&quot;: 1.</source>
+        <source>this is not a study file. The file must begin with &quot;format&quot;: &quot;angiopose-study&quot;, &quot;version&quot;: 1.</source>
         <comment>study.no-study</comment>
-        <translation>sie ist keine Studiendatei. Beginnen Sie sie mit &quot;format&quot;: &quot;angiopose-study&quot;, &quot;version&quot;: 1.</translation>
+        <translation>dies ist keine Studiendatei. Die Datei muss mit &quot;format&quot;: &quot;angiopose-study&quot;, &quot;version&quot;: 1 beginnen.</translation>
     </message>
     <message>
-        <source>two settings are named &apos;%1&apos;. Give each a unique name: folders are named after it.</source>
+        <source>two settings are named &apos;%1&apos;. Give each a unique name, which is also used as its folder name.</source>
         <comment>study.name-twice</comment>
-        <translation>zwei Einstellungen heißen &apos;%1&apos;. Geben Sie jeder einen eigenen Namen: Ordner werden danach benannt.</translation>
+        <translation>zwei Einstellungen heißen &apos;%1&apos;. Geben Sie jeder einen eigenen Namen, der auch als Ordnername dient.</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; of %2 must lie between %3 and %4.</source>
+        <source>&apos;%1&apos; of %2 must be between %3 and %4.</source>
         <comment>study.out-of-range</comment>
         <translation>&apos;%1&apos; von %2 muss zwischen %3 und %4 liegen.</translation>
     </message>
     <message>
-        <source>`evaluate own` needs a table of cases with their reference data: angiopose-cli evaluate own CASES.csv --output FOLDER.</source>
+        <source>`evaluate own` requires a table of cases with reference data: angiopose-cli evaluate own CASES.csv --output FOLDER.</source>
         <comment>evaluate.no-manifest</comment>
         <translation>`evaluate own` braucht eine Tabelle der Fälle mit ihren Referenzdaten: angiopose-cli evaluate own CASES.csv --output FOLDER.</translation>
     </message>
     <message>
-        <source>`evaluate observers` needs a log of blind trials: angiopose-cli evaluate observers TRIALS.csv --output FOLDER.</source>
+        <source>`evaluate observers` requires a blind trial log: angiopose-cli evaluate observers TRIALS.csv --output FOLDER.</source>
         <comment>evaluate.no-log</comment>
-        <translation>`evaluate observers` braucht ein Protokoll blinder Versuche: angiopose-cli evaluate observers TRIALS.csv --output FOLDER.</translation>
+        <translation>`evaluate observers` braucht ein Protokoll von Blindversuchen: angiopose-cli evaluate observers TRIALS.csv --output FOLDER.</translation>
     </message>
     <message>
         <source>The experiment &apos;%1&apos; generates its own trials. Omit &apos;%2&apos;, or write `evaluate own %2`.</source>
@@ -7534,7 +7534,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Das Experiment &apos;%1&apos; erzeugt seine Versuche selbst. Lassen Sie &apos;%2&apos; weg, oder schreiben Sie `evaluate own %2`.</translation>
     </message>
     <message>
-        <source>`simulate` needs --seed for one case or --study for many.</source>
+        <source>`simulate` requires --seed for one case or --study for many.</source>
         <comment>simulate.what</comment>
         <translation>`simulate` braucht --seed für einen Fall oder --study für viele.</translation>
     </message>
@@ -7544,24 +7544,24 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>%1 Voxel liegen weit außerhalb des Bereichs aller anderen (%2 bis %3); sie werden auf diesen Bereich begrenzt.</translation>
     </message>
     <message>
-        <source>the output was not written completely: the drive or pipe behind the standard output is full or closed. Free up space, or redirect the output.</source>
+        <source>the output was not written completely: the drive or pipe used for standard output is full or closed. Free up space, or redirect the output.</source>
         <comment>run.output-not-written</comment>
         <translation>die Ausgabe wurde nicht vollständig geschrieben: Laufwerk oder Pipe hinter der Standardausgabe ist voll oder geschlossen. Schaffen Sie Platz, oder leiten Sie die Ausgabe um.</translation>
     </message>
     <message>
-        <source>the audit log cannot be written (%1), so actions are not recorded in it. Free up space, or allow writing to it.</source>
+        <source>the audit log cannot be written (%1), so actions are not recorded in it. Free up space, or grant write permission.</source>
         <comment>audit.not-written</comment>
         <translation>das Audit-Protokoll lässt sich nicht schreiben (%1), daher werden Aktionen darin nicht verzeichnet. Schaffen Sie Platz, oder erlauben Sie das Schreiben.</translation>
     </message>
     <message>
-        <source>The header does not give the table position: the image of this view determines the vessel position, and only the rotation comes from the angles.</source>
+        <source>The header contains no table position: the image of this view determines the vessel position, and only the rotation comes from the angles.</source>
         <comment>geometry.table-unknown</comment>
-        <translation>Der Header gibt die Tischposition nicht an: Die Gefäßposition in dieser Ansicht ergibt sich aus ihrem Bild, nur die Drehung aus den Winkeln.</translation>
+        <translation>Der Header enthält keine Tischposition: Die Gefäßposition in dieser Ansicht ergibt sich aus ihrem Bild, nur die Drehung aus den Winkeln.</translation>
     </message>
     <message>
-        <source>Only (0018,1111) gives a distance, and it differs between the views (%1, %2), so it is not the isocenter distance. The shift between the views is not used; enter the source-to-isocenter distance (SOD) of both views.</source>
+        <source>The only distance in the headers is (0018,1111), and it differs between the views (%1, %2), so it is not the isocenter distance. The shift between the views is not used; enter the source-to-isocenter distance (SOD) of both views.</source>
         <comment>geometry.isocenter-unknown</comment>
-        <translation>Nur (0018,1111) gibt einen Abstand an, und er unterscheidet sich zwischen den Ansichten (%1, %2), ist also nicht der Isozentrumsabstand. Die Verschiebung zwischen den Ansichten wird nicht verwendet; geben Sie für beide Ansichten den Abstand Quelle–Isozentrum (SOD) ein.</translation>
+        <translation>Der einzige Abstand in den Headern ist (0018,1111), und er unterscheidet sich zwischen den Ansichten (%1, %2), ist also nicht der Isozentrumsabstand. Die Verschiebung zwischen den Ansichten wird nicht verwendet; geben Sie für beide Ansichten den Abstand Fokus–Isozentrum (SOD) ein.</translation>
     </message>
     <message>
         <source>The table moved during one of the runs: the shift between the views is treated as unknown (50 mm).</source>
@@ -7569,7 +7569,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Der Tisch bewegte sich während einer der Serien: Die Verschiebung zwischen den Ansichten wird als unbekannt behandelt (50 mm).</translation>
     </message>
     <message>
-        <source>Almost all lines traced here stay still throughout the run, like shutter edges, leads and bones: the frame shows no contrast agent to track.</source>
+        <source>Almost all lines traced here remain stationary throughout the run, as shutter edges, leads and bones do: the frame shows no contrast agent to track.</source>
         <comment>follow.stands-still</comment>
         <translation>Fast alle hier erkannten Linien stehen in der ganzen Serie still, wie Blendenränder, Kabel und Knochen: Das Bild zeigt kein Kontrastmittel, das sich verfolgen ließe.</translation>
     </message>
@@ -7584,7 +7584,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Maskenbild %1 existiert nicht (ab 1 gezählt). Die Serie hat die Bilder 1 bis %2.</translation>
     </message>
     <message>
-        <source>A wide vessel that was not traced runs beside the traced ones for %1, at %2: possibly the false lumen of a dissection. Place a seed in each lumen to trace both.</source>
+        <source>A wide vessel that was not traced runs next to the traced vessels over %1, at %2: possibly the false lumen of a dissection. Place a seed in each lumen to trace both.</source>
         <comment>tracing.other-lumen-beside</comment>
         <translation>Neben den erfassten Gefäßen verläuft über %1 ein weites, nicht erfasstes Gefäß, bei %2: möglicherweise das falsche Lumen einer Dissektion. Setzen Sie in jedes Lumen einen Startpunkt, um beide zu erfassen.</translation>
     </message>
@@ -7604,17 +7604,17 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Seite %1 hat %2 x %3 Pixel, die erste Seite %4 x %5. Exportieren Sie die Bilder einer einzigen Serie, alle gleich groß.</translation>
     </message>
     <message>
-        <source>it has %1 pages. Export the mask as a single image.</source>
+        <source>the file has %1 pages. Export the mask as a single image.</source>
         <comment>centreline.mask-pages</comment>
-        <translation>sie hat %1 Seiten. Exportieren Sie die Maske als ein einziges Bild.</translation>
+        <translation>die Datei hat %1 Seiten. Exportieren Sie die Maske als ein einziges Bild.</translation>
     </message>
     <message>
-        <source>The header declares %1 frames, the file contains %2; those in the file are loaded. Copy or export the file again if some are missing.</source>
+        <source>The header declares %1 frames, but the file contains %2; the frames in the file were loaded. Copy or export the file again if frames are missing.</source>
         <comment>dicom.frames-other</comment>
-        <translation>Der Header nennt %1 Bilder, die Datei enthält %2; die in der Datei werden geladen. Kopieren oder exportieren Sie die Datei erneut, falls welche fehlen.</translation>
+        <translation>Der Header nennt %1 Bilder, die Datei enthält aber %2; die in der Datei wurden geladen. Kopieren oder exportieren Sie die Datei erneut, falls Bilder fehlen.</translation>
     </message>
     <message>
-        <source>The header gives contradictory times between frames: Frame Time %1, Frame Time Vector %2. %3 is used.</source>
+        <source>The header contains contradictory frame intervals: Frame Time %1, Frame Time Vector %2. %3 is used.</source>
         <comment>dicom.frame-times</comment>
         <translation>Der Header enthält widersprüchliche Bildabstände: Frame Time %1, Frame Time Vector %2. Verwendet wird %3.</translation>
     </message>
@@ -7629,7 +7629,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Die Blende %1 im Header (0018,1600) verdeckt das gesamte Bild (%2) und wird ignoriert. Prüfen Sie, dass kein Blendenrand als Gefäß erkannt ist.</translation>
     </message>
     <message>
-        <source>The image is assumed to be rotated clockwise by %1, according to %2. Check where head and left are.</source>
+        <source>The image is assumed to be rotated clockwise by %1, based on %2. Check the head and left directions.</source>
         <comment>dicom.image-turned</comment>
         <translation>Das Bild gilt gemäß %2 als um %1 im Uhrzeigersinn gedreht. Prüfen Sie, wo Kopf und links liegen.</translation>
     </message>
@@ -7639,54 +7639,54 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Patient Orientation (0020,0020) lautet %1, was bei diesen Winkeln unmöglich ist. Prüfen Sie die Winkel und ob das Bild gespiegelt oder gedreht ist.</translation>
     </message>
     <message>
-        <source>The header places the object %1 and the isocenter %2 from the source: the vessels start at the object distance, and the gantry rotates about the isocenter.</source>
+        <source>According to the header, the object is %1 and the isocenter %2 from the source: the vessels are initially placed at the object distance, and the gantry rotates about the isocenter.</source>
         <comment>dicom.object-off-isocenter</comment>
-        <translation>Laut Header liegt das Objekt %1 und das Isozentrum %2 von der Quelle entfernt: Die Gefäße beginnen im Objektabstand, und der C-Bogen dreht um das Isozentrum.</translation>
+        <translation>Laut Header liegt das Objekt %1 und das Isozentrum %2 vom Fokus entfernt: Die Gefäße beginnen im Objektabstand, und der C-Bogen dreht um das Isozentrum.</translation>
     </message>
     <message>
-        <source>The file states its unit (&quot;%1&quot;): one unit is read as %2. Give the unit if that is wrong.</source>
+        <source>The file specifies its unit (&quot;%1&quot;): one unit is read as %2. Specify the unit if this is wrong.</source>
         <comment>vessels.unit-stated</comment>
         <translation>Die Datei nennt ihre Einheit („%1“): eine Einheit wird als %2 gelesen. Geben Sie die Einheit an, falls das nicht stimmt.</translation>
     </message>
     <message>
-        <source>The file states its unit (&quot;%1&quot;, which is %2), but one unit is read as %3, as requested. Check the size.</source>
+        <source>The file specifies its unit (&quot;%1&quot;, which is %2), but one unit is read as %3, as requested. Check the size.</source>
         <comment>vessels.unit-overruled</comment>
         <translation>Die Datei nennt ihre Einheit („%1“, also %2), aber eine Einheit wird wie angefordert als %3 gelesen. Prüfen Sie die Größe.</translation>
     </message>
     <message>
-        <source>The file states two units (&quot;%1&quot; and &quot;%2&quot;). Check the size, and give the unit if it is wrong.</source>
+        <source>The file specifies two units (&quot;%1&quot; and &quot;%2&quot;). Check the size, and specify the unit if it is wrong.</source>
         <comment>vessels.units-contradict</comment>
         <translation>Die Datei nennt zwei Einheiten („%1“ und „%2“). Prüfen Sie die Größe und geben Sie die Einheit an, falls sie nicht stimmt.</translation>
     </message>
     <message>
-        <source>its axes are %1, not LPS or RAS. Export it in patient coordinates (LPS).</source>
+        <source>the axes are %1, not LPS or RAS. Export the file in patient coordinates (LPS).</source>
         <comment>vessels.axes-other</comment>
-        <translation>ihre Achsen sind %1, nicht LPS oder RAS. Exportieren Sie sie in Patientenkoordinaten (LPS).</translation>
+        <translation>die Achsen sind %1, nicht LPS oder RAS. Exportieren Sie die Datei in Patientenkoordinaten (LPS).</translation>
     </message>
     <message>
-        <source>Lines whose first points were at their end and have been moved to the beginning: %1. Check the vessels.</source>
+        <source>Lines whose first points were stored at the end and have been moved to the beginning: %1. Check the vessels.</source>
         <comment>tree.turned-round</comment>
         <translation>Linien, deren erste Punkte am Ende standen und an den Anfang gesetzt wurden: %1. Prüfen Sie die Gefäße.</translation>
     </message>
     <message>
-        <source>The lines jump %1 times, by up to %2, far beyond their typical point spacing; they were cut there. Check the order of the points.</source>
+        <source>The lines contain %1 jumps of up to %2, far beyond their typical point spacing, and were split there. Check the order of the points.</source>
         <comment>tree.leaps</comment>
         <translation>Die Linien springen %1-mal um bis zu %2, weit mehr als ihr typischer Punktabstand; sie wurden dort getrennt. Prüfen Sie die Reihenfolge der Punkte.</translation>
     </message>
     <message>
-        <source>%1 points of the curves are not placed and were skipped.</source>
+        <source>%1 curve points have no position and were skipped.</source>
         <comment>tree.markups-not-placed</comment>
-        <translation>%1 Punkte der Kurven sind nicht gesetzt und wurden ausgelassen.</translation>
+        <translation>%1 Kurvenpunkte haben keine Position und wurden ausgelassen.</translation>
     </message>
     <message>
-        <source>its header declares %1 triangles, but the file holds %2. Copy or export it again.</source>
+        <source>the header declares %1 triangles, but the file contains %2. Copy or export the file again.</source>
         <comment>surface.stl-too-few</comment>
-        <translation>ihr Kopf nennt %1 Dreiecke, aber die Datei enthält %2. Kopieren oder exportieren Sie sie erneut.</translation>
+        <translation>der Header nennt %1 Dreiecke, die Datei enthält aber %2. Kopieren oder exportieren Sie die Datei erneut.</translation>
     </message>
     <message>
-        <source>The header declares %1 triangles, but the file has room for %2; data after the declared triangles was not read. Check that nothing is missing.</source>
+        <source>The header declares %1 triangles, but the file size corresponds to %2; the data after the declared triangles were not read. Check that nothing is missing.</source>
         <comment>surface.stl-too-many</comment>
-        <translation>Der Kopf nennt %1 Dreiecke, aber die Datei hat Platz für %2; Daten nach den genannten Dreiecken wurden nicht gelesen. Prüfen Sie, ob etwas fehlt.</translation>
+        <translation>Der Header nennt %1 Dreiecke, die Dateigröße entspricht aber %2; Daten nach den genannten Dreiecken wurden nicht gelesen. Prüfen Sie, ob etwas fehlt.</translation>
     </message>
     <message>
         <source>The text ends after %1 triangles without &quot;endsolid&quot; and may be truncated. Check that nothing is missing.</source>
@@ -7694,12 +7694,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Der Text endet nach %1 Dreiecken ohne „endsolid“ und ist möglicherweise abgeschnitten. Prüfen Sie, ob etwas fehlt.</translation>
     </message>
     <message>
-        <source>its coordinates are in &quot;%1&quot;, which is not a known unit of length. Export them in mm.</source>
+        <source>the coordinates are in &quot;%1&quot;, which is not a known unit of length. Export them in mm.</source>
         <comment>tree.markups-unit</comment>
-        <translation>ihre Koordinaten sind in „%1“, einer unbekannten Längeneinheit. Exportieren Sie sie in mm.</translation>
+        <translation>die Koordinaten sind in „%1“, einer unbekannten Längeneinheit. Exportieren Sie sie in mm.</translation>
     </message>
     <message>
-        <source>The header gives contradictory slice spacings: %1 (Spacing Between Slices), %2 from the slice positions. The positions are used.</source>
+        <source>The header contains contradictory slice spacings: %1 (Spacing Between Slices) and %2 (slice positions). The positions are used.</source>
         <comment>series.step</comment>
         <translation>Der Header enthält widersprüchliche Schichtabstände: %1 (Spacing Between Slices), %2 nach den Schichtpositionen. Die Positionen gelten.</translation>
     </message>
@@ -7709,7 +7709,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Teil %1 von %2 (Akquisition %3)</translation>
     </message>
     <message>
-        <source>%1 of %2 images of the series share a SOP Instance UID although they differ; all of them are read. Export the series again before you archive it.</source>
+        <source>%1 of %2 images of the series share a SOP Instance UID although they differ; all of them are read. Export the series again before archiving it.</source>
         <comment>series.same-uid</comment>
         <translation>%1 von %2 Bildern der Serie haben dieselbe SOP Instance UID, obwohl sie sich unterscheiden; alle werden gelesen. Exportieren Sie die Serie vor dem Archivieren neu.</translation>
     </message>
@@ -7719,27 +7719,27 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>%1 Patienten oder Studien teilen sich die UID dieser Serie; jede ist einzeln aufgeführt.</translation>
     </message>
     <message>
-        <source>The header gives lengths in &quot;%1&quot;, which is not a known unit: millimeters are assumed. Check the voxel size.</source>
+        <source>The header specifies lengths in &quot;%1&quot;, which is not a known unit: millimeters are assumed. Check the voxel size.</source>
         <comment>volume.unit-unknown</comment>
         <translation>Der Header gibt Längen in „%1“ an, einer unbekannten Einheit: Millimeter werden angenommen. Prüfen Sie die Voxelgröße.</translation>
     </message>
     <message>
-        <source>Its qform and sform transforms differ by up to %1; the qform, in scanner coordinates, is used.</source>
+        <source>The qform and sform transforms differ by up to %1; the qform, in scanner coordinates, is used.</source>
         <comment>volume.nifti-qform-used</comment>
-        <translation>Ihre Transformationen qform und sform weichen um bis zu %1 ab; die qform in Gerätekoordinaten wird verwendet.</translation>
+        <translation>Die Transformationen qform und sform weichen um bis zu %1 voneinander ab; die qform in Gerätekoordinaten wird verwendet.</translation>
     </message>
     <message>
-        <source>Its qform and sform transforms differ by up to %1; the sform is used.</source>
+        <source>The qform and sform transforms differ by up to %1; the sform is used.</source>
         <comment>volume.nifti-sform-used</comment>
-        <translation>Ihre Transformationen qform und sform weichen um bis zu %1 ab; die sform wird verwendet.</translation>
+        <translation>Die Transformationen qform und sform weichen um bis zu %1 voneinander ab; die sform wird verwendet.</translation>
     </message>
     <message>
-        <source>The header gives contradictory voxel sizes: %1 (pixdim), %2 from its transform. The transform is used. Check which is correct.</source>
+        <source>The header contains contradictory voxel sizes: %1 (pixdim) and %2 (transform). The transform is used. Check which is correct.</source>
         <comment>volume.nifti-sizes</comment>
         <translation>Der Header enthält widersprüchliche Voxelgrößen: %1 (pixdim), %2 nach seiner Transformation. Die Transformation wird verwendet. Prüfen Sie, was stimmt.</translation>
     </message>
     <message>
-        <source>The header gives contradictory voxel types: %1 bits (bitpix), but %2 bits by its datatype (%3), which is used.</source>
+        <source>The header contains contradictory voxel types: %1 bits (bitpix), but %2 bits according to the datatype (%3), which is used.</source>
         <comment>volume.nifti-bits</comment>
         <translation>Der Header enthält widersprüchliche Voxeltypen: %1 Bit (bitpix), aber %2 Bit nach dem Datentyp (%3), der verwendet wird.</translation>
     </message>
@@ -7764,12 +7764,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>NICHT VERLÄSSLICH</translation>
     </message>
     <message>
-        <source>These distances cover only the %1 of the tree judged opacified. Whole tree: median %2, 95th percentile %3.</source>
+        <source>These distances cover only the %1 of the tree classified as opacified. Whole tree: median %2, 95th percentile %3.</source>
         <comment>fit.over-opacified</comment>
         <translation>Diese Abstände gelten nur für die %1 des Gefäßbaums, die als kontrastiert eingestuft sind. Ganzer Gefäßbaum: Median %2, 95. Perzentil %3.</translation>
     </message>
     <message>
-        <source>Excluded branches: %1 (medians). With them: median %2, 95th percentile %3.</source>
+        <source>Excluded branches: %1 (medians). Including them: median %2, 95th percentile %3.</source>
         <comment>fit.without-excluded</comment>
         <translation>Ausgeschlossene Äste: %1 (Mediane). Mit ihnen: Median %2, 95. Perzentil %3.</translation>
     </message>
@@ -7779,9 +7779,9 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Hilfsäste: %1 (Mediane).</translation>
     </message>
     <message>
-        <source>at this pose, all vessels lie at or behind the X-ray source and cannot be projected. Check the pose and its direction (camera from patient).</source>
+        <source>at this pose, all vessels lie at or behind the X-ray source and cannot be projected. Check the pose and its direction (patient to camera).</source>
         <comment>pose.all-behind-source</comment>
-        <translation>in dieser Lage liegen alle Gefäße an oder hinter der Röntgenquelle und lassen sich nicht projizieren. Prüfen Sie die Lage und ihre Richtung (Kamera aus Patient).</translation>
+        <translation>in dieser Lage liegen alle Gefäße an oder hinter dem Röntgenfokus und lassen sich nicht projizieren. Prüfen Sie die Lage und ihre Richtung (Patient → Kamera).</translation>
     </message>
     <message>
         <source>At this pose, no vessel lies inside the image. Check the pose.</source>
@@ -7818,11 +7818,11 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Unbekannter Renderer „%1“. Verwenden Sie auto, vtk oder painter.</translation>
     </message>
     <message>
-        <source>No display is available for the window. Use angiopose-cli, which does the same work without a display.</source>
-        <translation>Für das Fenster ist keine Anzeige verfügbar. Verwenden Sie angiopose-cli, das dieselbe Arbeit ohne Anzeige leistet.</translation>
+        <source>No display is available for the window. Use angiopose-cli, which provides the same functions without a display.</source>
+        <translation>Für das Fenster ist keine Anzeige verfügbar. Verwenden Sie angiopose-cli, das dieselben Funktionen ohne Anzeige bietet.</translation>
     </message>
     <message>
-        <source>Write the report of a case (.pdf or .html) and exit; needs no display.</source>
+        <source>Write the report of a case (.pdf or .html) and exit; requires no display.</source>
         <translation>Den Bericht eines Falls schreiben (.pdf oder .html) und beenden; braucht keine Anzeige.</translation>
     </message>
     <message>
@@ -7842,7 +7842,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Mit --report: die Patientendaten aufnehmen, die sonst fehlen.</translation>
     </message>
     <message>
-        <source>With --report: language to use instead of the window&apos;s.</source>
+        <source>With --report: language to use instead of the language of the window.</source>
         <translation>Mit --report: Sprache statt der des Fensters.</translation>
     </message>
     <message>
@@ -7858,7 +7858,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Berichte werden als .pdf oder .html geschrieben, nicht als „%1“.</translation>
     </message>
     <message>
-        <source>A report needs exactly one case: angiopose --report FILE CASE</source>
+        <source>A report requires exactly one case: angiopose --report FILE CASE</source>
         <translation>Ein Bericht braucht genau einen Fall: angiopose --report FILE CASE</translation>
     </message>
 </context>
@@ -7896,11 +7896,11 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Automatisch</translation>
     </message>
     <message>
-        <source>Choose the frames before the contrast agent arrives</source>
+        <source>Chooses the frames before contrast arrival</source>
         <translation>Wählt die Bilder vor Ankunft des Kontrastmittels</translation>
     </message>
     <message>
-        <source>Compute the shift of each frame</source>
+        <source>Computes the shift of each frame</source>
         <translation>Berechnet die Verschiebung jedes Bildes</translation>
     </message>
     <message>
@@ -7912,7 +7912,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Vorgaben</translation>
     </message>
     <message>
-        <source>Restore the default tracing settings</source>
+        <source>Restores the default tracing settings</source>
         <translation>Stellt die Standardeinstellungen der Erkennung wieder her</translation>
     </message>
     <message>
@@ -7924,7 +7924,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Native Bilder zeigen</translation>
     </message>
     <message>
-        <source>One frame at a time</source>
+        <source>Single frames</source>
         <translation>Einzelbilder</translation>
     </message>
     <message>
@@ -7932,7 +7932,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Maskenbilder automatisch wählen</translation>
     </message>
     <message>
-        <source>Find the mask shift</source>
+        <source>Compute mask shift</source>
         <translation>Maskenverschiebung bestimmen</translation>
     </message>
     <message>
@@ -8032,7 +8032,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Empfindlichkeit</translation>
     </message>
     <message>
-        <source>Above 1, fainter vessels are traced as well</source>
+        <source>Values above 1 also trace fainter vessels</source>
         <translation>Über 1 werden auch schwächere Gefäße erfasst</translation>
     </message>
     <message>
@@ -8072,7 +8072,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Maske mit Pfeiltasten oder Maus verschieben</translation>
     </message>
     <message>
-        <source>Removes structures that the mask frames also show, such as bones and organs</source>
+        <source>Removes structures that also appear in the mask frames, such as bones and organs</source>
         <translation>Entfernt Strukturen, die auch die Maskenbilder zeigen, etwa Knochen und Organe</translation>
     </message>
     <message>
@@ -8092,16 +8092,16 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Fenster</translation>
     </message>
     <message>
-        <source>Window W: number of gray values between black and white</source>
-        <translation>Fenster W: Zahl der Grauwerte zwischen Schwarz und Weiß</translation>
+        <source>Window (W): range of gray values between black and white</source>
+        <translation>Fenster (W): Bereich der Grauwerte zwischen Schwarz und Weiß</translation>
     </message>
     <message>
         <source>Level</source>
         <translation>Zentrum</translation>
     </message>
     <message>
-        <source>Level L: gray value at the center of the window</source>
-        <translation>Zentrum L: Grauwert in der Mitte des Fensters</translation>
+        <source>Level (L): gray value at the center of the window</source>
+        <translation>Zentrum (L): Grauwert in der Mitte des Fensters</translation>
     </message>
     <message>
         <source>window, level</source>
@@ -8115,7 +8115,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Angiogramm mit projiziertem Gefäßbaum</translation>
     </message>
     <message>
-        <source>Mirrored image, unmirrored by the view</source>
+        <source>Mirrored image, mirrored back in this view</source>
         <translation>Gespiegeltes Bild, von der Ansicht zurückgespiegelt</translation>
     </message>
     <message>
@@ -8146,7 +8146,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Stattdessen %1</translation>
     </message>
     <message>
-        <source>This method alternates between the auxiliary branches and the whole tree.</source>
+        <source>This method alternates between the auxiliary branches and the whole vessel tree.</source>
         <translation>Diese Methode wechselt zwischen den Hilfsästen und dem ganzen Gefäßbaum.</translation>
     </message>
     <message>
@@ -8202,8 +8202,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>festgelegt durch</translation>
     </message>
     <message>
-        <source>± is the standard deviation expected for traced vessels with typical noise.</source>
-        <translation>± ist die bei typischem Rauschen erwartete Standardabweichung der erkannten Gefäße.</translation>
+        <source>±: standard deviation expected for traced vessels with typical noise.</source>
+        <translation>±: bei typischem Rauschen erwartete Standardabweichung der erkannten Gefäße.</translation>
     </message>
     <message>
         <source>Last generation</source>
@@ -8285,8 +8285,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Blinder Beobachterversuch</translation>
     </message>
     <message>
-        <source>The vessels start at a random pose around the current one. Until you choose Done, all numbers, residual colors and earlier poses are hidden. Time and final pose are logged; the case is unchanged.</source>
-        <translation>Die Gefäße beginnen in einer zufälligen Lage um die aktuelle. Bis Sie „Fertig“ wählen, sind alle Zahlen, Abweichungsfarben und früheren Lagen verborgen. Zeit und Endlage werden protokolliert; der Fall bleibt unverändert.</translation>
+        <source>The vessels start at a random pose around the current one. Until you choose “Done”, all numbers, residual colors and earlier poses are hidden. Time and final pose are logged; the case is unchanged.</source>
+        <translation>Die Gefäße beginnen in einer zufälligen Lage um die aktuelle. Bis Sie „Fertig“ wählen, sind alle Zahlen, Residuenfarben und früheren Lagen verborgen. Zeit und Endlage werden protokolliert; der Fall bleibt unverändert.</translation>
     </message>
     <message>
         <source>Observer</source>
@@ -8305,8 +8305,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Abbrechen</translation>
     </message>
     <message>
-        <source>Log of the trials</source>
-        <translation>Protokoll der Versuche</translation>
+        <source>Trial log</source>
+        <translation>Versuchsprotokoll</translation>
     </message>
     <message>
         <source>Tables (*.csv)</source>
@@ -8347,7 +8347,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>%1 mm</translation>
     </message>
     <message>
-        <source>out</source>
+        <source>excl.</source>
         <translation>aus</translation>
     </message>
     <message>
@@ -8366,8 +8366,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>%1, %2 mm lang</translation>
     </message>
     <message>
-        <source>in the auxiliary set</source>
-        <translation>in der Hilfsmenge</translation>
+        <source>auxiliary branch</source>
+        <translation>Hilfsast</translation>
     </message>
     <message>
         <source>excluded</source>
@@ -8375,7 +8375,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
     <message>
         <source>median residual %1 mm</source>
-        <translation>mediane Abweichung %1 mm</translation>
+        <translation>medianes Residuum %1 mm</translation>
     </message>
     <message>
         <source>radius %1 mm</source>
@@ -8426,7 +8426,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
     <message>
         <source>by residual</source>
-        <translation>nach Abweichung</translation>
+        <translation>nach Residuum</translation>
     </message>
     <message>
         <source>Find a branch</source>
@@ -8461,8 +8461,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Noch keine Gefäße. Öffnen Sie ein CT, eine Gefäßmaske oder eine Mittellinie.</translation>
     </message>
     <message>
-        <source>Bridges the gap; undo reverts it.</source>
-        <translation>Überbrückt die Lücke; Rückgängig macht es rückgängig.</translation>
+        <source>Bridges the gap; can be undone.</source>
+        <translation>Überbrückt die Lücke; lässt sich rückgängig machen.</translation>
     </message>
     <message>
         <source>%1 auxiliary · %2 exclude</source>
@@ -8793,7 +8793,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
     <message>
         <source>Examples of good and bad fits</source>
-        <translation>Beispiele guter und schlechter Passung</translation>
+        <translation>Beispiele guter und schlechter Registrierungen</translation>
     </message>
     <message>
         <source>Keyboard and mouse</source>
@@ -8889,11 +8889,11 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
     <message>
         <source>Delete branches and descendants</source>
-        <translation>Äste und Abgänge löschen</translation>
+        <translation>Äste samt nachgeordneten löschen</translation>
     </message>
     <message>
         <source>Prune short or thin branches…</source>
-        <translation>Kurze oder dünne Äste ausdünnen…</translation>
+        <translation>Kurze oder dünne Äste entfernen…</translation>
     </message>
     <message>
         <source>Bridge next gap</source>
@@ -9009,7 +9009,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
     <message>
         <source>Blue to amber</source>
-        <translation>Blau bis Bernstein</translation>
+        <translation>Blau bis Orange</translation>
     </message>
     <message>
         <source>Blue, white, red</source>
@@ -9025,7 +9025,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
     <message>
         <source>Vessel and residual colors</source>
-        <translation>Farben von Gefäßen und Abweichungen</translation>
+        <translation>Farben von Gefäßen und Residuen</translation>
     </message>
     <message>
         <source>Choose vessel labels</source>
@@ -9101,7 +9101,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
     <message>
         <source>Export lumen mask…</source>
-        <translation>Lumenmaske exportieren…</translation>
+        <translation>Gefäßmaske exportieren…</translation>
     </message>
     <message>
         <source>Trace between two points</source>
@@ -9109,15 +9109,15 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
     <message>
         <source>Paint in lumen mask</source>
-        <translation>In Lumenmaske malen</translation>
+        <translation>In Gefäßmaske malen</translation>
     </message>
     <message>
         <source>Erase from lumen mask</source>
-        <translation>Aus Lumenmaske radieren</translation>
+        <translation>Aus Gefäßmaske radieren</translation>
     </message>
     <message>
         <source>Cut lumen mask with lasso</source>
-        <translation>Lumenmaske mit Lasso schneiden</translation>
+        <translation>Gefäßmaske mit Lasso schneiden</translation>
     </message>
     <message>
         <source>Trace the edited mask</source>
@@ -9177,7 +9177,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     </message>
     <message>
         <source>Write audit log…</source>
-        <translation>Audit-Protokoll führen…</translation>
+        <translation>Audit-Protokoll schreiben…</translation>
     </message>
     <message>
         <source>Save support bundle…</source>
@@ -9207,10 +9207,10 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Gefäßverschiebung je Schritt</translation>
     </message>
     <message>
-        <source>Top: half of the vessel points lie closer than this to the traced vessels.
-Bottom: distance that a step moved the vessels, root mean square over all points; the bottom line is zero.</source>
-        <translation>Oben: Die Hälfte der Gefäßpunkte liegt näher als dies an den erkannten Gefäßen.
-Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel über alle Punkte; die unterste Linie ist null.</translation>
+        <source>Top: median distance of the vessel points to the traced vessels.
+Bottom: displacement of the vessels in each step (root mean square over all points); the lowest line is zero.</source>
+        <translation>Oben: medianer Abstand der Gefäßpunkte zu den erkannten Gefäßen.
+Unten: Verschiebung der Gefäße je Schritt (quadratisches Mittel über alle Punkte); die unterste Linie ist null.</translation>
     </message>
 </context>
 <context>
@@ -9220,7 +9220,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>3-D</translation>
     </message>
     <message>
-        <source>Show all slices enlarged</source>
+        <source>Enlarge all slices</source>
         <translation>Alle Schichten groß zeigen</translation>
     </message>
     <message>
@@ -9271,7 +9271,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>Trennen</translation>
     </message>
     <message>
-        <source>Click where a curve should be split</source>
+        <source>Click where to split a curve</source>
         <translation>Klicken, wo eine Kurve geteilt werden soll</translation>
     </message>
     <message>
@@ -9295,8 +9295,8 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>Neu erfassen</translation>
     </message>
     <message>
-        <source>Discard the edits of this frame and trace it automatically; undo restores them</source>
-        <translation>Bearbeitung dieses Bildes verwerfen und automatisch erfassen; Rückgängig stellt sie wieder her</translation>
+        <source>Discard the edits of this frame and trace it automatically; can be undone</source>
+        <translation>Bearbeitung dieses Bildes verwerfen und automatisch erfassen; lässt sich rückgängig machen</translation>
     </message>
     <message>
         <source>Done</source>
@@ -9315,7 +9315,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>Katheter</translation>
     </message>
     <message>
-        <source>Click a catheter or guidewire to mark it as a device: it is not a vessel, but can be tracked</source>
+        <source>Click a catheter or guidewire to mark it as a device: it does not count as a vessel, but can be tracked</source>
         <translation>Katheter oder Führungsdraht anklicken, um ihn als Instrument zu markieren: Er ist kein Gefäß, lässt sich aber verfolgen</translation>
     </message>
     <message>
@@ -9323,8 +9323,8 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>Instrument verfolgen</translation>
     </message>
     <message>
-        <source>Find the path through the tree that the catheter or guidewire takes (method Wire or catheter)</source>
-        <translation>Den Weg durch den Gefäßbaum bestimmen, den Katheter oder Führungsdraht nimmt (Methode Draht oder Katheter)</translation>
+        <source>Find the path of the catheter or guidewire through the tree (method “Guidewire or catheter”)</source>
+        <translation>Den Weg des Katheters oder Führungsdrahts durch den Gefäßbaum bestimmen (Methode „Führungsdraht oder Katheter“)</translation>
     </message>
     <message>
         <source>%1, devices: %2</source>
@@ -9334,7 +9334,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
 <context>
     <name>angiopose::ui::EditCurvesTool</name>
     <message>
-        <source>Mark as not a vessel</source>
+        <source>Mark as non-vessel</source>
         <translation>Als Nicht-Gefäß markieren</translation>
     </message>
     <message>
@@ -9346,11 +9346,11 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>Radieren: über Kurven streichen, [ ] Pinselgröße, Esc beendet</translation>
     </message>
     <message>
-        <source>Draw: click along the vessel, Enter ends, Backspace removes a point, Shift straight</source>
+        <source>Draw: click along the vessel, Enter ends, Backspace removes a point, Shift draws straight lines</source>
         <translation>Zeichnen: am Gefäß entlang klicken, Eingabe beendet, Rücktaste entfernt einen Punkt, Umschalt gerade</translation>
     </message>
     <message>
-        <source>Cut: click where a curve should be split, Esc ends</source>
+        <source>Cut: click where to split a curve, Esc ends</source>
         <translation>Trennen: klicken, wo eine Kurve geteilt werden soll, Esc beendet</translation>
     </message>
     <message>
@@ -9390,7 +9390,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>Möglicher Katheter: A Gefäß, W Katheter oder Führungsdraht, Entf schließt aus, S nächster</translation>
     </message>
     <message>
-        <source>Catheter or guidewire: click a curve to mark it as a device or to unmark it, Esc ends</source>
+        <source>Catheter or guidewire: click a curve to mark or unmark it as a device, Esc ends</source>
         <translation>Katheter oder Führungsdraht: Kurve anklicken, um sie als Instrument zu markieren oder dies aufzuheben, Esc beendet</translation>
     </message>
 </context>
@@ -9445,8 +9445,8 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>%1 × %2 px, %3 × %4 cm</translation>
     </message>
     <message>
-        <source>The image is labeled “Not for clinical use”; inputs, method and pose are stored in its metadata. (16-bit: metadata only)</source>
-        <translation>Das Bild ist mit „Nicht für klinischen Gebrauch“ beschriftet; Eingaben, Methode und Lage stehen in seinen Metadaten. (16 Bit: nur Metadaten)</translation>
+        <source>The image is labeled “Not for clinical use”; inputs, method and pose are stored in its metadata (16-bit: metadata only).</source>
+        <translation>Das Bild ist mit „Nicht für den klinischen Einsatz“ beschriftet; Eingaben, Methode und Lage stehen in seinen Metadaten (16 Bit: nur Metadaten).</translation>
     </message>
     <message>
         <source>Width</source>
@@ -9454,7 +9454,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
     </message>
     <message>
         <source>Residual colors with scale</source>
-        <translation>Abweichungsfarben mit Skala</translation>
+        <translation>Residuenfarben mit Skala</translation>
     </message>
     <message>
         <source>Patient identity in the image</source>
@@ -9516,8 +9516,8 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>R-Zacke</translation>
     </message>
     <message>
-        <source>Drag the ends to play part of the run; double-click for all of it</source>
-        <translation>Enden ziehen, um einen Teil der Serie abzuspielen; Doppelklick: alles</translation>
+        <source>Drag the ends to play part of the run; double-click to play the whole run</source>
+        <translation>Enden ziehen, um einen Teil der Serie abzuspielen; Doppelklick spielt die ganze Serie ab</translation>
     </message>
     <message>
         <source>Opacification of the frames</source>
@@ -9532,7 +9532,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>%1 s</translation>
     </message>
     <message>
-        <source>peak opacification frame</source>
+        <source>peak-opacification frame</source>
         <translation>Bild maximaler Kontrastierung</translation>
     </message>
     <message>
@@ -9540,8 +9540,8 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>Maske</translation>
     </message>
     <message>
-        <source>Shift+drag marks mask frames; double-click shows the curve</source>
-        <translation>Umschalt+Ziehen markiert Maskenbilder; Doppelklick zeigt die Kurve</translation>
+        <source>Shift+drag marks mask frames; double-click shows the opacification curve</source>
+        <translation>Umschalt+Ziehen markiert Maskenbilder; Doppelklick zeigt die Kontrastierungskurve</translation>
     </message>
 </context>
 <context>
@@ -9568,7 +9568,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
     </message>
     <message>
         <source>pixel spacing</source>
-        <translation>Pixelabstand</translation>
+        <translation>Pixelgröße</translation>
     </message>
     <message>
         <source>LAO / RAO</source>
@@ -9616,11 +9616,11 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
     </message>
     <message>
         <source>Use distances and spacing instead</source>
-        <translation>Stattdessen Abstände und Pixelabstand verwenden</translation>
+        <translation>Stattdessen Abstände und Pixelgröße verwenden</translation>
     </message>
     <message>
-        <source>SID 1000 mm, SOD 750 mm, pixel 0.3 mm, angles 0°: fills in missing values only.</source>
-        <translation>SID 1000 mm, SOD 750 mm, Pixel 0,3 mm, Winkel 0°: ersetzt nur fehlende Werte.</translation>
+        <source>SID 1000 mm, SOD 750 mm, pixel spacing 0.3 mm, angles 0°: fills in missing values only.</source>
+        <translation>SID 1000 mm, SOD 750 mm, Pixelgröße 0,3 mm, Winkel 0°: ersetzt nur fehlende Werte.</translation>
     </message>
     <message>
         <source>Camera from the case file: f %1 px, principal point %2, %3 px, %4.</source>
@@ -9667,7 +9667,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>Betrachtungsseite des Bildes</translation>
     </message>
     <message>
-        <source>Angiograms are shown as seen from the detector. A mirrored export swaps left and right: the projection is mirrored with the image, the vessels never are.</source>
+        <source>Angiograms are shown as seen from the detector. A mirrored export swaps left and right: the projection is then mirrored together with the image; the vessels are never mirrored.</source>
         <translation>Angiogramme werden wie vom Detektor gesehen gezeigt. Ein gespiegelter Export vertauscht links und rechts: Die Projektion wird mit dem Bild gespiegelt, die Gefäße nie.</translation>
     </message>
     <message>
@@ -9683,28 +9683,28 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>%1 Tags</translation>
     </message>
     <message>
-        <source>The header gives no pixel spacing; this value is derived. Press Enter in the field to confirm it, or enter another value.</source>
-        <translation>Der Header enthält keinen Pixelabstand; dieser Wert ist abgeleitet. Bestätigen Sie ihn im Feld mit der Eingabetaste, oder geben Sie einen anderen ein.</translation>
+        <source>The header contains no pixel spacing; this value is derived. Press Enter in the field to confirm it, or enter another value.</source>
+        <translation>Der Header enthält keine Pixelgröße; dieser Wert ist abgeleitet. Bestätigen Sie ihn im Feld mit der Eingabetaste, oder geben Sie einen anderen ein.</translation>
     </message>
     <message>
         <source>The image is assumed to be mirrored (%1). Check left and right.</source>
         <translation>Das Bild gilt als gespiegelt (%1). Prüfen Sie links und rechts.</translation>
     </message>
     <message>
-        <source>The gantry rotates during this run: by %1° LAO/RAO and %2° CRA/CAU from the first frame to this one.</source>
+        <source>The gantry rotates during this run: by %1° in LAO/RAO and %2° in CRA/CAU from the first frame to this one.</source>
         <translation>Der C-Bogen dreht sich in dieser Serie: vom ersten bis zu diesem Bild um %1° LAO/RAO und %2° CRA/CAU.</translation>
     </message>
     <message>
-        <source>Pixel spacing on the detector. Enter confirms a derived value.</source>
-        <translation>Pixelabstand auf dem Detektor. Eingabe bestätigt einen abgeleiteten Wert.</translation>
+        <source>Pixel spacing at the detector. Press Enter to confirm a derived value.</source>
+        <translation>Pixelgröße auf dem Detektor. Die Eingabetaste bestätigt einen abgeleiteten Wert.</translation>
     </message>
     <message>
         <source>detector width</source>
         <translation>Detektorbreite</translation>
     </message>
     <message>
-        <source>Width of the image on the detector; determines the pixel spacing</source>
-        <translation>Breite des Bildes auf dem Detektor; bestimmt den Pixelabstand</translation>
+        <source>Width of the image at the detector; determines the pixel spacing</source>
+        <translation>Breite des Bildes auf dem Detektor; bestimmt die Pixelgröße</translation>
     </message>
     <message>
         <source>roll</source>
@@ -9719,7 +9719,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>Mitte x</translation>
     </message>
     <message>
-        <source>Column where the central ray meets the detector; 0 is the center of the first column</source>
+        <source>Column in which the central ray meets the detector; 0 is the center of the first column</source>
         <translation>Spalte, in der der Zentralstrahl den Detektor trifft; 0 ist die Mitte der ersten Spalte</translation>
     </message>
     <message>
@@ -9727,7 +9727,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>Mitte y</translation>
     </message>
     <message>
-        <source>Row where the central ray meets the detector; 0 is the center of the first row</source>
+        <source>Row in which the central ray meets the detector; 0 is the center of the first row</source>
         <translation>Zeile, in der der Zentralstrahl den Detektor trifft; 0 ist die Mitte der ersten Zeile</translation>
     </message>
     <message>
@@ -9774,36 +9774,36 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>Schlecht: falscher Winkel</translation>
     </message>
     <message>
-        <source>Lines run along the middle of their vessels, blue throughout, including the side branches.</source>
+        <source>The lines run along the center of the vessels and are blue throughout, including the side branches.</source>
         <translation>Die Linien verlaufen in der Mitte ihrer Gefäße, durchgehend blau, auch in den Seitenästen.</translation>
     </message>
     <message>
         <source>Amber only where there is no contrast agent in this frame; every opacified vessel is blue.</source>
-        <translation>Gelb nur, wo dieses Bild kein Kontrastmittel zeigt; jedes kontrastierte Gefäß ist blau.</translation>
+        <translation>Orange nur, wo dieses Bild kein Kontrastmittel zeigt; jedes kontrastierte Gefäß ist blau.</translation>
     </message>
     <message>
-        <source>Small deviations to both sides, from heartbeat and breathing. No rigid pose fits better.</source>
+        <source>Small deviations to both sides due to heartbeat and breathing; no rigid pose fits better.</source>
         <translation>Kleine Abweichungen nach beiden Seiten durch Herzschlag und Atmung. Keine starre Lage passt besser.</translation>
     </message>
     <message>
-        <source>All lines are off to the same side. Register again, or nudge with the arrow keys.</source>
+        <source>All lines are shifted to the same side. Register again, or nudge with the arrow keys.</source>
         <translation>Alle Linien liegen zur selben Seite daneben. Registrieren Sie neu, oder justieren Sie mit den Pfeiltasten.</translation>
     </message>
     <message>
-        <source>Fits in the middle and deviates more and more toward the edges: rotated in the image plane.</source>
+        <source>Fits in the center but deviates increasingly toward the edges: rotated in the image plane.</source>
         <translation>Passt in der Mitte und weicht nach außen zunehmend ab: in der Bildebene verdreht.</translation>
     </message>
     <message>
-        <source>The trunk fits, but side branches point elsewhere: LAO/RAO or CRA/CAU is wrong.</source>
-        <translation>Der Stamm passt, aber Seitenäste zeigen woandershin: LAO/RAO oder CRA/CAU stimmt nicht.</translation>
+        <source>The trunk fits, but the side branches run in other directions: LAO/RAO or CRA/CAU is wrong.</source>
+        <translation>Der Stamm passt, aber die Seitenäste verlaufen in andere Richtungen: LAO/RAO oder CRA/CAU stimmt nicht.</translation>
     </message>
     <message>
         <source>Examples of good and bad fits</source>
-        <translation>Beispiele guter und schlechter Passung</translation>
+        <translation>Beispiele guter und schlechter Registrierungen</translation>
     </message>
     <message>
-        <source>Simulated vessels. Blue: on a vessel. Amber: 2 mm off or more.</source>
-        <translation>Simulierte Gefäße. Blau: auf einem Gefäß. Gelb: 2 mm oder mehr daneben.</translation>
+        <source>Simulated vessels. Blue: on a vessel. Amber: off by 2 mm or more.</source>
+        <translation>Simulierte Gefäße. Blau: auf einem Gefäß. Orange: 2 mm oder mehr daneben.</translation>
     </message>
     <message>
         <source>Close</source>
@@ -9848,11 +9848,11 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
     <name>angiopose::ui::HistogramPlot</name>
     <message>
         <source>Histogram of residuals</source>
-        <translation>Histogramm der Abweichungen</translation>
+        <translation>Histogramm der Residuen</translation>
     </message>
     <message>
         <source>no residuals yet</source>
-        <translation>noch keine Abweichungen</translation>
+        <translation>noch keine Residuen</translation>
     </message>
     <message>
         <source>above %1</source>
@@ -10002,19 +10002,19 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>In der 3-D-Ansicht</translation>
     </message>
     <message>
-        <source>in 3-D or a slice, then in the image: sets one pair</source>
+        <source>in 3-D or in a slice, then in the image: sets one pair</source>
         <translation>in 3-D oder einer Schicht, dann im Bild: setzt ein Paar</translation>
     </message>
     <message>
-        <source>move a vessel node to its position, or move a cross</source>
-        <translation>Gefäßknoten an seinen Ort oder Kreuz verschieben</translation>
+        <source>drag a vessel node to its position, or move a landmark cross</source>
+        <translation>Gefäßknoten an seinen Ort ziehen oder Landmarkenkreuz verschieben</translation>
     </message>
     <message>
         <source>Enter</source>
         <translation>Eingabe</translation>
     </message>
     <message>
-        <source>register the vessels from the pairs</source>
+        <source>register the vessels from the landmark pairs</source>
         <translation>Gefäße anhand der Paare registrieren</translation>
     </message>
     <message>
@@ -10046,7 +10046,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>D</translation>
     </message>
     <message>
-        <source>draw: Enter ends, Backspace removes a point, Shift straight</source>
+        <source>draw: Enter ends, Backspace removes a point, Shift draws straight lines</source>
         <translation>zeichnen: Eingabe beendet, Rücktaste entfernt einen Punkt, Umschalt gerade</translation>
     </message>
     <message>
@@ -10070,7 +10070,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>✓ ✗</translation>
     </message>
     <message>
-        <source>dashed curves may be a catheter: keep or exclude</source>
+        <source>dashed curves may be catheters: keep or exclude them</source>
         <translation>gestrichelte Kurven sind möglicherweise ein Katheter: behalten oder ausschließen</translation>
     </message>
     <message>
@@ -10122,7 +10122,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>In einer Schicht</translation>
     </message>
     <message>
-        <source>show this view only, or restore</source>
+        <source>show only this view, or restore</source>
         <translation>nur diese Ansicht zeigen, oder wiederherstellen</translation>
     </message>
     <message>
@@ -10296,7 +10296,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>Keine</translation>
     </message>
     <message>
-        <source>Clears all labels in the list</source>
+        <source>Deselects all labels in the list</source>
         <translation>Hebt die Auswahl aller Labels auf</translation>
     </message>
     <message>
@@ -10304,7 +10304,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>Gefäße</translation>
     </message>
     <message>
-        <source>Selects the labels whose names denote vessels</source>
+        <source>Selects the labels whose names indicate vessels</source>
         <translation>Wählt die Labels aus, deren Namen Gefäße bezeichnen</translation>
     </message>
     <message>
@@ -10347,7 +10347,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>Landmarken und ihre Residuen</translation>
     </message>
     <message>
-        <source>Computes the initial pose from the pairs (Enter while clicking). Undo restores the previous one.</source>
+        <source>Computes the initial pose from the pairs (or press Enter while picking). Undo restores the previous pose.</source>
         <translation>Berechnet die Startlage aus den Paaren (Eingabetaste beim Klicken). Rückgängig stellt die vorige wieder her.</translation>
     </message>
     <message>
@@ -10428,7 +10428,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
     <name>angiopose::ui::MaskShiftTool</name>
     <message>
         <source>Pixel shift: arrow keys or drag, Shift 1 px, Ctrl 0.05 px, Esc ends · right %1, down %2 px</source>
-        <translation>Pixel-Shift: Pfeiltasten oder Ziehen, Umschalt 1 px, Strg 0,05 px, Esc beendet · rechts %1, unten %2 px</translation>
+        <translation>Pixelshift: Pfeiltasten oder Ziehen, Umschalt 1 px, Strg 0,05 px, Esc beendet · rechts %1, unten %2 px</translation>
     </message>
 </context>
 <context>
@@ -10457,11 +10457,11 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>Eingaben nicht gefunden</translation>
     </message>
     <message>
-        <source>“%1” refers to files that are no longer in their place. A search next to the case and among recent cases did not find them. The case itself is undamaged.</source>
-        <translation>„%1“ verweist auf Dateien, die nicht mehr am Ort sind. Die Suche neben dem Fall und bei den letzten Fällen fand sie nicht. Der Fall selbst ist unbeschädigt.</translation>
+        <source>“%1” refers to files that have been moved or deleted. They were not found next to the case or in the folders of recent cases. The case itself is intact.</source>
+        <translation>„%1“ verweist auf Dateien, die verschoben oder gelöscht wurden. Sie wurden weder neben dem Fall noch bei den letzten Fällen gefunden. Der Fall selbst ist unbeschädigt.</translation>
     </message>
     <message>
-        <source>was in %1</source>
+        <source>formerly in %1</source>
         <translation>war in %1</translation>
     </message>
     <message>
@@ -10485,8 +10485,8 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>Abbrechen</translation>
     </message>
     <message>
-        <source>now %1</source>
-        <translation>jetzt %1</translation>
+        <source>now: %1</source>
+        <translation>jetzt: %1</translation>
     </message>
     <message>
         <source>Search a folder</source>
@@ -10497,8 +10497,8 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>Trotzdem öffnen</translation>
     </message>
     <message>
-        <source>Only a scan in addition to the vessels, or another view, is missing. Everything else opens.</source>
-        <translation>Es fehlt nur ein Scan zusätzlich zu den Gefäßen oder eine weitere Ansicht. Alles andere wird geöffnet.</translation>
+        <source>Only an additional scan or another view is missing. Everything else can be opened.</source>
+        <translation>Es fehlt nur ein zusätzlicher Scan oder eine weitere Ansicht. Alles andere lässt sich öffnen.</translation>
     </message>
 </context>
 <context>
@@ -10542,14 +10542,14 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>%1 · %2 s</translation>
     </message>
     <message>
-        <source>Only runs with several frames have a curve</source>
-        <translation>Nur Serien mit mehreren Bildern haben eine Kurve</translation>
+        <source>The curve requires a run with several frames</source>
+        <translation>Die Kurve erfordert eine Serie mit mehreren Bildern</translation>
     </message>
 </context>
 <context>
     <name>angiopose::ui::PivotMark</name>
     <message>
-        <source>pivot</source>
+        <source>rotation center</source>
         <translation>Drehzentrum</translation>
     </message>
 </context>
@@ -10567,11 +10567,11 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>Verschlüsselt (TLS)</translation>
     </message>
     <message>
-        <source>Own certificate (PEM)</source>
+        <source>Local certificate (PEM)</source>
         <translation>Eigenes Zertifikat (PEM)</translation>
     </message>
     <message>
-        <source>Private key of the own certificate (PEM)</source>
+        <source>Private key of the local certificate (PEM)</source>
         <translation>Privater Schlüssel des eigenen Zertifikats (PEM)</translation>
     </message>
     <message>
@@ -10595,7 +10595,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>Zugelassene rufende AE-Titel</translation>
     </message>
     <message>
-        <source>Separated by commas; empty: any</source>
+        <source>Comma-separated; leave empty to allow any</source>
         <translation>Durch Kommas getrennt; leer: alle</translation>
     </message>
     <message>
@@ -10603,15 +10603,15 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>Zugelassene Adressen</translation>
     </message>
     <message>
-        <source>IP addresses separated by commas, such as 10.0.0.7; empty: any</source>
+        <source>Comma-separated IP addresses, such as 10.0.0.7; leave empty to allow any</source>
         <translation>IP-Adressen, durch Kommas getrennt, z. B. 10.0.0.7; leer: alle</translation>
     </message>
     <message>
-        <source>Own certificate</source>
+        <source>Local certificate</source>
         <translation>Eigenes Zertifikat</translation>
     </message>
     <message>
-        <source>PEM file shown to callers</source>
+        <source>PEM file presented to calling applications</source>
         <translation>PEM-Datei, die aufrufenden Anwendungen vorgelegt wird</translation>
     </message>
     <message>
@@ -10627,7 +10627,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>Vertrauenswürdige Zertifikate</translation>
     </message>
     <message>
-        <source>PEM file used to verify the certificates of calling applications; empty: certificates trusted by the system</source>
+        <source>PEM file used to verify the certificates of calling applications; if empty, the certificates trusted by the system are used</source>
         <translation>PEM-Datei zum Prüfen der Zertifikate aufrufender Anwendungen; leer: die vom System als vertrauenswürdig eingestuften</translation>
     </message>
     <message>
@@ -10713,7 +10713,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>%1 sperren</translation>
     </message>
     <message>
-        <source>Locks this value: nudging, dragging, typing and Register leave it unchanged.</source>
+        <source>Locks this value: nudging, dragging, typing and registration do not change it.</source>
         <translation>Sperrt diesen Wert: Justieren, Ziehen, Eingeben und Registrieren ändern ihn nicht.</translation>
     </message>
     <message>
@@ -10721,7 +10721,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>Rückgängig stellt die Lage wieder her.</translation>
     </message>
     <message>
-        <source>nudging · arrow keys · %1 ends</source>
+        <source>nudging · arrow keys · %1 to exit</source>
         <translation>Justieren · Pfeiltasten · %1 beendet</translation>
     </message>
     <message>
@@ -10729,8 +10729,8 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>%1: justieren (Strg fein, Umschalt grob)</translation>
     </message>
     <message>
-        <source>Rotations and shifts refer to the selected rotation center. %1 resets it to the centroid.</source>
-        <translation>Drehungen und Verschiebungen beziehen sich auf den gewählten Drehzentrum. %1 setzt ihn auf den Schwerpunkt zurück.</translation>
+        <source>Rotations and translations refer to the selected rotation center. %1 resets it to the centroid.</source>
+        <translation>Drehungen und Verschiebungen beziehen sich auf das gewählte Drehzentrum. %1 setzt es auf den Schwerpunkt zurück.</translation>
     </message>
 </context>
 <context>
@@ -10756,8 +10756,8 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>Wiederherstellen</translation>
     </message>
     <message>
-        <source>Moves the vessels to this pose; undo reverts it.</source>
-        <translation>Bringt die Gefäße in diese Lage; Rückgängig macht es ungeschehen.</translation>
+        <source>Moves the vessels to this pose; can be undone.</source>
+        <translation>Bringt die Gefäße in diese Lage; lässt sich rückgängig machen.</translation>
     </message>
     <message>
         <source>Use as reference</source>
@@ -10772,8 +10772,8 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>Löschen</translation>
     </message>
     <message>
-        <source>Deletes the snapshots; undo restores them.</source>
-        <translation>Löscht die gespeicherten Lagen; Rückgängig stellt sie wieder her.</translation>
+        <source>Deletes the snapshots; can be undone.</source>
+        <translation>Löscht die Snapshots; lässt sich rückgängig machen.</translation>
     </message>
     <message>
         <source>Compare poses</source>
@@ -10824,7 +10824,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>Autor</translation>
     </message>
     <message>
-        <source>When</source>
+        <source>Date</source>
         <translation>Wann</translation>
     </message>
     <message>
@@ -10857,7 +10857,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
     </message>
     <message>
         <source>Differences are relative to “%1”, about the center of the tree. Amber: not reliable.</source>
-        <translation>Unterschiede relativ zu „%1“, um die Mitte des Gefäßbaums. Bernstein: nicht verlässlich.</translation>
+        <translation>Unterschiede relativ zu „%1“, um die Mitte des Gefäßbaums. Orange: nicht verlässlich.</translation>
     </message>
 </context>
 <context>
@@ -10868,7 +10868,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
     </message>
     <message>
         <source>Prune</source>
-        <translation>Ausdünnen</translation>
+        <translation>Entfernen</translation>
     </message>
     <message>
         <source>Remove terminal branches that are</source>
@@ -10918,8 +10918,8 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>Ungespeicherte Arbeit wiederherstellen?</translation>
     </message>
     <message>
-        <source>AngioPose ended unexpectedly. These cases had unsaved changes. Recover opens the copy and leaves the saved case unchanged.</source>
-        <translation>AngioPose wurde unerwartet beendet. Diese Fälle hatten ungespeicherte Änderungen. Wiederherstellen öffnet die Kopie und lässt den gespeicherten Fall unverändert.</translation>
+        <source>AngioPose ended unexpectedly. These cases had unsaved changes. “Recover” opens the copy and leaves the saved case unchanged.</source>
+        <translation>AngioPose wurde unerwartet beendet. Diese Fälle hatten ungespeicherte Änderungen. „Wiederherstellen“ öffnet die Kopie und lässt den gespeicherten Fall unverändert.</translation>
     </message>
     <message>
         <source>Not now</source>
@@ -10977,8 +10977,8 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>Über diese Methode</translation>
     </message>
     <message>
-        <source>Shows the cost this method minimizes, when it fails, and its source.</source>
-        <translation>Zeigt, welche Kosten diese Methode minimiert, wann sie versagt, und ihre Quelle.</translation>
+        <source>Explains the cost that this method minimizes, when it fails, and its source.</source>
+        <translation>Erklärt, welche Kosten diese Methode minimiert, wann sie versagt, und ihre Quelle.</translation>
     </message>
     <message>
         <source>1 auxiliary branch</source>
@@ -10998,15 +10998,15 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
     </message>
     <message>
         <source>Registering…</source>
-        <translation>Registriert…</translation>
+        <translation>Wird registriert…</translation>
     </message>
     <message>
-        <source>Register keeps the locked degree of freedom fixed.</source>
-        <translation>Registrieren hält den gesperrten Freiheitsgrad fest.</translation>
+        <source>Registration keeps the locked degree of freedom fixed.</source>
+        <translation>Die Registrierung hält den gesperrten Freiheitsgrad fest.</translation>
     </message>
     <message>
-        <source>Register keeps the %1 locked degrees of freedom fixed.</source>
-        <translation>Registrieren hält die %1 gesperrten Freiheitsgrade fest.</translation>
+        <source>Registration keeps the %1 locked degrees of freedom fixed.</source>
+        <translation>Die Registrierung hält die %1 gesperrten Freiheitsgrade fest.</translation>
     </message>
     <message>
         <source>Register all %1 views jointly</source>
@@ -11017,8 +11017,8 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>Findet die Lage, die die Gefäße mit dem Angiogramm zur Deckung bringt.</translation>
     </message>
     <message>
-        <source>Uses one pose for all views: moving the vessels manually moves them in every view, and Register fits all views with AngioPose&apos;s own method, because depth in one view is a shift in another. If off, only the shown view is used.</source>
-        <translation>Eine Lage für alle Ansichten: Manuelles Verschieben bewegt die Gefäße in jeder Ansicht, und Registrieren passt alle Ansichten mit AngioPoses eigener Methode an, denn die Tiefe der einen Ansicht ist eine Verschiebung in der anderen. Ohne Haken wird nur die gezeigte Ansicht verwendet.</translation>
+        <source>Uses one pose for all views: moving the vessels manually moves them in every view, and registration fits all views with the AngioPose method, because depth in one view is translation in another. If off, only the displayed view is used.</source>
+        <translation>Eine Lage für alle Ansichten: Manuelles Verschieben bewegt die Gefäße in jeder Ansicht, und die Registrierung passt alle Ansichten mit der Methode AngioPose an, denn die Tiefe der einen Ansicht ist eine Verschiebung in der anderen. Ohne Haken wird nur die gezeigte Ansicht verwendet.</translation>
     </message>
 </context>
 <context>
@@ -11028,7 +11028,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>%1 · aus einer früheren Registrierung</translation>
     </message>
     <message>
-        <source>Inputs changed since this registration. Press R to update.</source>
+        <source>The inputs have changed since this registration. Press R to update.</source>
         <translation>Eingaben haben sich seit dieser Registrierung geändert. R registriert neu.</translation>
     </message>
     <message>
@@ -11080,8 +11080,8 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>Abdeckung</translation>
     </message>
     <message>
-        <source>Share of the traced vessel length within 3 px of the tree.</source>
-        <translation>Anteil der erfassten Gefäßlänge höchstens 3 px neben dem Gefäßbaum.</translation>
+        <source>Share of the traced vessel length that lies within 3 px of the tree.</source>
+        <translation>Anteil der erkannten Gefäßlänge, der höchstens 3 px vom Gefäßbaum entfernt ist.</translation>
     </message>
     <message>
         <source>± is one standard deviation.</source>
@@ -11132,7 +11132,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>Manuell verschoben, nicht registriert</translation>
     </message>
     <message>
-        <source>Inputs changed since this registration</source>
+        <source>Inputs have changed since this registration</source>
         <translation>Eingaben seit dieser Registrierung geändert</translation>
     </message>
     <message>
@@ -11233,7 +11233,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>Welche Serie?</translation>
     </message>
     <message numerus="yes">
-        <source>%1 holds %n series.</source>
+        <source>%1 contains %n series.</source>
         <translation>
             <numerusform>%1 enthält %n Serien.</numerusform>
             <numerusform>%1 enthält %n Serien.</numerusform>
@@ -11341,7 +11341,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
     </message>
     <message>
         <source>Snapshots</source>
-        <translation>Gespeicherte Lagen</translation>
+        <translation>Snapshots</translation>
     </message>
     <message>
         <source>Registrations (%1)</source>
@@ -11385,7 +11385,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
     </message>
     <message>
         <source>Saves this pose and its values as a named snapshot.</source>
-        <translation>Speichert diese Lage und ihre Werte unter einem Namen.</translation>
+        <translation>Speichert diese Lage und ihre Werte als benannten Snapshot.</translation>
     </message>
     <message>
         <source>Compares poses and methods in a table.</source>
@@ -11503,7 +11503,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>Meiden</translation>
     </message>
     <message>
-        <source>Click heart, veins or bone in a slice. Regions reached from there through wider passages are excluded.</source>
+        <source>Click the heart, veins or bone in a slice. Regions reached from there through wider passages are excluded.</source>
         <translation>Klicken Sie auf Herz, Venen oder Knochen in einer Schicht. Von dort über weitere Wege erreichte Bereiche entfallen.</translation>
     </message>
     <message>
@@ -11542,18 +11542,18 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>Schwelle</translation>
     </message>
     <message>
-        <source>Voxels above this intensity of the scan count as vessel.</source>
+        <source>Voxels above this scan intensity are treated as vessel.</source>
         <translation>Voxel oberhalb dieser Intensität des Scans gelten als Gefäß.</translation>
     </message>
 </context>
 <context>
     <name>angiopose::ui::TracingPanel</name>
     <message>
-        <source>Thin vessels only (needs seeds)</source>
+        <source>Thin vessels only (requires seeds)</source>
         <translation>Nur dünne Gefäße (mit Startpunkten)</translation>
     </message>
     <message>
-        <source>For coronary arteries next to opacified chambers or hepatic arteries next to the portal vein: tracing stops at structures wider than 1 cm. Needs seeds.</source>
+        <source>For coronary arteries next to opacified chambers or hepatic arteries next to the portal vein: tracing stops at structures wider than 1 cm. Requires seeds.</source>
         <translation>Für Koronararterien neben kontrastierten Herzhöhlen oder Leberarterien neben der Pfortader: Die Erfassung endet an Strukturen, die breiter als 1 cm sind. Braucht Startpunkte.</translation>
     </message>
     <message>
@@ -11597,7 +11597,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>Komponenten</translation>
     </message>
     <message>
-        <source>Used without seeds. Default: in a mask all components; in a scan the one of the aorta or main artery. All: in a scan the components of every great vessel.</source>
+        <source>Applies without seeds. Default: in a mask, all components; in a scan, the component of the aorta or main artery. All: in a scan, the components of all great vessels.</source>
         <translation>Gilt ohne Startpunkte. Standard: in einer Maske alle Komponenten, im Scan die der Aorta oder Hauptarterie. Alle: im Scan die Komponenten aller großen Gefäße.</translation>
     </message>
     <message>
@@ -11613,8 +11613,8 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>Größte</translation>
     </message>
     <message>
-        <source>Keeps vessels that form a loop closed; otherwise each loop is cut at its narrowest point.</source>
-        <translation>Lässt Gefäße, die eine Schleife bilden, geschlossen; sonst wird jede Schleife an der engsten Stelle getrennt.</translation>
+        <source>Keeps vessel loops closed; otherwise, each loop is cut at its narrowest point.</source>
+        <translation>Lässt Gefäßschleifen geschlossen; sonst wird jede Schleife an der engsten Stelle getrennt.</translation>
     </message>
     <message>
         <source>Cancels tracing; the vessels stay unchanged.</source>
@@ -11629,8 +11629,8 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>Klicken Sie in eine Schicht, um einen Punkt zu setzen; Esc beendet.</translation>
     </message>
     <message>
-        <source>The traced vessels replace the current tree; undo restores it.</source>
-        <translation>Die erfassten Gefäße ersetzen den aktuellen Gefäßbaum; Rückgängig stellt ihn wieder her.</translation>
+        <source>The traced vessels replace the current tree; can be undone.</source>
+        <translation>Die erfassten Gefäße ersetzen den aktuellen Gefäßbaum; das lässt sich rückgängig machen.</translation>
     </message>
     <message>
         <source>Show</source>
@@ -11657,7 +11657,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
     </message>
     <message>
         <source>3-D view of vessel tree, X-ray source and detector</source>
-        <translation>3-D-Ansicht von Gefäßbaum, Röntgenquelle und Detektor</translation>
+        <translation>3-D-Ansicht von Gefäßbaum, Röntgenfokus und Detektor</translation>
     </message>
 </context>
 <context>
@@ -11675,7 +11675,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>Fertig</translation>
     </message>
     <message>
-        <source>Blind trial of %1: align the vessels with the image. Values reappear when you are done.</source>
+        <source>Blind trial of %1: align the vessels with the image. Values are shown again when you are done.</source>
         <translation>Blindversuch von %1: Bringen Sie die Gefäße mit dem Bild zur Deckung. Die Werte erscheinen danach wieder.</translation>
     </message>
     <message>
@@ -11716,7 +11716,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>Fadenkreuz</translation>
     </message>
     <message>
-        <source>Shows the point under the pointer as an epipolar line in the other views and as a point on the vessels</source>
+        <source>Shows the point under the mouse pointer as an epipolar line in the other views and as a point on the vessels</source>
         <translation>Zeigt die Stelle unter dem Zeiger in den anderen Ansichten als Epipolarlinie und auf den Gefäßen als Punkt</translation>
     </message>
     <message>
@@ -11735,7 +11735,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
 <context>
     <name>angiopose::ui::VtkView</name>
     <message>
-        <source>The 3-D view needs OpenGL 3.2, which this display does not support. Everything else works. Try LIBGL_ALWAYS_SOFTWARE=1, or install libgl1-mesa-dri.</source>
+        <source>The 3-D view requires OpenGL 3.2, which this display does not support. Everything else works. Try LIBGL_ALWAYS_SOFTWARE=1, or install libgl1-mesa-dri.</source>
         <translation>Die 3-D-Ansicht braucht OpenGL 3.2, das diese Anzeige nicht unterstützt. Alles andere funktioniert. Versuchen Sie LIBGL_ALWAYS_SOFTWARE=1, oder installieren Sie libgl1-mesa-dri.</translation>
     </message>
 </context>
@@ -11808,7 +11808,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>Automatisch</translation>
     </message>
     <message>
-        <source>Set from the values of this scan; right-drag in a slice to adjust it manually.</source>
+        <source>Set automatically from the values of this scan; right-drag in a slice to adjust it manually.</source>
         <translation>Aus den Werten dieses Scans; Ziehen mit rechts in einer Schicht ändert es manuell.</translation>
     </message>
 </context>
@@ -11935,7 +11935,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>Messbezug</translation>
     </message>
     <message>
-        <source>Measures lengths at the depth of the vessels, on the detector, or in pixels.</source>
+        <source>Measures lengths at the depth of the vessels, at the detector, or in pixels.</source>
         <translation>Misst Längen in der Tiefe der Gefäße, auf dem Detektor oder in Pixeln.</translation>
     </message>
     <message>
@@ -11943,7 +11943,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>Entfernt die gewählten Messungen (Entf)</translation>
     </message>
     <message>
-        <source>Writes all measurements with their basis as a CSV table.</source>
+        <source>Writes all measurements and their basis as a CSV table.</source>
         <translation>Schreibt alle Messungen mit ihrer Grundlage als CSV-Tabelle.</translation>
     </message>
     <message>
@@ -12009,7 +12009,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
 <context>
     <name>angiopose::app::ProfileController</name>
     <message>
-        <source>Select one branch, in the list or in a view.</source>
+        <source>Select a branch in the list or in a view.</source>
         <translation>Wählen Sie einen Ast in der Liste oder in einer Ansicht.</translation>
     </message>
     <message>
@@ -12092,7 +12092,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>Radius %1 mm</translation>
     </message>
     <message>
-        <source>Diameters are twice the radii of the tree; the narrowest point is relative to the rest of the branch.</source>
+        <source>Diameters are twice the radii of the tree; the narrowest point is determined relative to the rest of the branch.</source>
         <translation>Durchmesser sind die doppelten Radien des Gefäßbaums; die engste Stelle gilt relativ zum Rest des Astes.</translation>
     </message>
 </context>
@@ -12134,7 +12134,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>Abspielen</translation>
     </message>
     <message>
-        <source>Stops at the frame shown. Esc returns to the frame before playback.</source>
+        <source>Stops at the current frame. Esc returns to the frame shown before playback.</source>
         <translation>Hält beim gezeigten Bild an. Esc kehrt zum Bild vor der Wiedergabe zurück.</translation>
     </message>
     <message>
@@ -12158,8 +12158,8 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>%1 · %2 fps</translation>
     </message>
     <message>
-        <source>The header gives no frame rate: 1× assumes %1 frames per second</source>
-        <translation>Die Kopfdaten nennen keine Bildrate: 1× nimmt %1 Bilder pro Sekunde an</translation>
+        <source>The header contains no frame rate: 1× assumes %1 frames per second</source>
+        <translation>Der Header enthält keine Bildrate: 1× nimmt %1 Bilder pro Sekunde an</translation>
     </message>
     <message>
         <source>1×: acquisition frame rate, %1 frames per second</source>
@@ -12205,7 +12205,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>Entfernt die gewählten Markierungen (Entf)</translation>
     </message>
     <message>
-        <source>Writes all target points and rings with their errors as a CSV table.</source>
+        <source>Writes all target points and rings and their errors as a CSV table.</source>
         <translation>Schreibt alle Zielpunkte und Ringe mit ihren Fehlern als CSV-Tabelle.</translation>
     </message>
     <message>
@@ -12228,11 +12228,11 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>Im Bild markieren: dorthin klicken, wo der gewählte Zielpunkt zu sehen ist, oder ihn dorthin ziehen</translation>
     </message>
     <message>
-        <source>Arrow: drag from tail to tip, then type · ends can be moved</source>
+        <source>Arrow: drag from tail to tip, then type a label · ends can be moved</source>
         <translation>Pfeil: vom Ende zur Spitze ziehen, dann schreiben · Enden lassen sich verschieben</translation>
     </message>
     <message>
-        <source>Text: click where it starts, then type · texts can be moved</source>
+        <source>Text: click where it should start, then type · texts can be moved</source>
         <translation>Text: Anfang anklicken, dann schreiben · Texte lassen sich verschieben</translation>
     </message>
     <message>
@@ -12291,8 +12291,8 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>Markierung entfernen</translation>
     </message>
     <message>
-        <source>Named points on the vessels and the distance between their projection and where they appear in the image; arrows and texts for exported images.</source>
-        <translation>Benannte Punkte auf den Gefäßen und der Abstand ihrer Projektion von der Stelle, an der sie im Bild zu sehen sind; Pfeile und Texte für exportierte Bilder.</translation>
+        <source>Named points on the vessels, with the distance between their projection and their position in the image; arrows and text annotations for exported images.</source>
+        <translation>Benannte Punkte auf den Gefäßen, mit dem Abstand ihrer Projektion von ihrer Position im Bild; Pfeile und Textanmerkungen für exportierte Bilder.</translation>
     </message>
 </context>
 <context>
@@ -12310,7 +12310,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>Text</translation>
     </message>
     <message>
-        <source>On frame %1 of this view, in every exported image of it.</source>
+        <source>On frame %1 of this view and in every image exported from it.</source>
         <translation>Auf Bild %1 dieser Ansicht, in jedem exportierten Bild davon.</translation>
     </message>
     <message>
@@ -12336,11 +12336,11 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
 <context>
     <name>angiopose::ui::PathTool</name>
     <message>
-        <source>One vessel: click its end · Esc starts over</source>
+        <source>One vessel: click its end point · Esc starts over</source>
         <translation>Ein Gefäß: Ende anklicken · Esc beginnt von vorn</translation>
     </message>
     <message>
-        <source>One vessel: click its start, then its end</source>
+        <source>One vessel: click its start point, then its end point</source>
         <translation>Ein Gefäß: Anfang anklicken, dann Ende</translation>
     </message>
 </context>
@@ -12359,8 +12359,8 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>Öffnen Sie zuerst einen Scan oder ein Labelbild.</translation>
     </message>
     <message>
-        <source>A registration is running. Stop it to edit.</source>
-        <translation>Eine Registrierung läuft. Zum Bearbeiten anhalten.</translation>
+        <source>A registration is running. Stop it before editing.</source>
+        <translation>Eine Registrierung läuft. Halten Sie sie vor dem Bearbeiten an.</translation>
     </message>
     <message>
         <source>Paint mask</source>
@@ -12371,8 +12371,8 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>Maske radieren</translation>
     </message>
     <message>
-        <source>No mask there.</source>
-        <translation>Dort ist keine Maske.</translation>
+        <source>There is no mask at this position.</source>
+        <translation>An dieser Stelle ist keine Maske.</translation>
     </message>
     <message>
         <source>Cut the mask</source>
@@ -12421,7 +12421,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
 <context>
     <name>angiopose::ui::MaskCutTool</name>
     <message>
-        <source>Scissors: draw around the region to remove · Shift keeps the inside</source>
+        <source>Scissors: draw around the region to remove · Shift keeps only the inside</source>
         <translation>Schere: zu entfernenden Bereich umfahren · Umschalt behält das Innere</translation>
     </message>
 </context>
@@ -12512,11 +12512,11 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>Maske wird erfasst…</translation>
     </message>
     <message>
-        <source>1 mask change is not in the vessels yet: trace the mask.</source>
+        <source>1 mask change is not yet reflected in the vessels: trace the mask.</source>
         <translation>1 Änderung der Maske ist noch nicht in den Gefäßen: Erfassen Sie die Maske.</translation>
     </message>
     <message>
-        <source>%1 mask changes are not in the vessels yet: trace the mask.</source>
+        <source>%1 mask changes are not yet reflected in the vessels: trace the mask.</source>
         <translation>%1 Änderungen der Maske sind noch nicht in den Gefäßen: Erfassen Sie die Maske.</translation>
     </message>
     <message>
@@ -12633,12 +12633,12 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>Gelesene Dateien: %1.</translation>
     </message>
     <message>
-        <source>The folder holds too many files to list: choose the folder of a single study.</source>
+        <source>The folder contains too many files to list. Choose the folder of a single study.</source>
         <translation>Der Ordner enthält zu viele Dateien für die Liste: Wählen Sie den Ordner einer einzelnen Studie.</translation>
     </message>
     <message>
-        <source>The DICOMDIR is unusable (%1): the files themselves were read.</source>
-        <translation>Das DICOMDIR ist unbrauchbar (%1): Die Dateien selbst wurden gelesen.</translation>
+        <source>The DICOMDIR is unusable (%1); the files were read directly.</source>
+        <translation>Das DICOMDIR ist unbrauchbar (%1); die Dateien wurden direkt gelesen.</translation>
     </message>
     <message>
         <source>Files listed in the DICOMDIR but missing: %1.</source>
@@ -12673,7 +12673,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
     </message>
     <message>
         <source>accession %1</source>
-        <translation>Auftragsnr. %1</translation>
+        <translation>Anforderungsnr. %1</translation>
     </message>
     <message>
         <source>Study without date or description</source>
@@ -12696,14 +12696,14 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>Im DICOMDIR aufgeführte, aber fehlende Dateien: %1.</translation>
     </message>
     <message>
-        <source>Not all files have been read yet, so the part of the series is still unknown.</source>
+        <source>Not all files have been read yet, so it is not yet known which part of the series this is.</source>
         <translation>Noch wurden nicht alle Dateien gelesen; welcher Teil der Serie dies ist, steht daher noch nicht fest.</translation>
     </message>
 </context>
 <context>
     <name>angiopose::ui::RecentList</name>
     <message>
-        <source>No recent case matches in name or folder.</source>
+        <source>No recent case matches this name or folder.</source>
         <translation>Kein letzter Fall stimmt in Name oder Ordner überein.</translation>
     </message>
     <message>
@@ -12762,7 +12762,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>Stopp</translation>
     </message>
     <message>
-        <source>Read them too</source>
+        <source>Also read them</source>
         <translation>Auch lesen</translation>
     </message>
     <message>
@@ -12810,7 +12810,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>Ansichten: %1</translation>
     </message>
     <message>
-        <source>Select the scan with the vessels and the runs, or double-click one.</source>
+        <source>Select the scan with the vessels and the runs, or double-click an entry.</source>
         <translation>Wählen Sie den Scan mit den Gefäßen und die Serien aus, oder doppelklicken Sie auf eine Zeile.</translation>
     </message>
 </context>
@@ -12900,12 +12900,12 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>Bilder %1 bis %2</translation>
     </message>
     <message>
-        <source>pose of this frame for all</source>
+        <source>pose of this frame for all frames</source>
         <translation>Lage dieses Bildes für alle</translation>
     </message>
     <message>
-        <source>each with its tracked pose</source>
-        <translation>jedes mit seiner verfolgten Lage</translation>
+        <source>tracked pose of each frame</source>
+        <translation>verfolgte Lage jedes Bildes</translation>
     </message>
 </context>
 <context>
@@ -12947,11 +12947,11 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
     </message>
     <message>
         <source>Residual colors with scale</source>
-        <translation>Abweichungsfarben mit Skala</translation>
+        <translation>Residuenfarben mit Skala</translation>
     </message>
     <message>
         <source>Patient identity in the frames</source>
-        <translation>Patientenidentität in den Bildern</translation>
+        <translation>Patientendaten in den Bildern</translation>
     </message>
     <message>
         <source>English labels</source>
@@ -12974,7 +12974,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>GIF, für Webseiten; läuft in Endlosschleife</translation>
     </message>
     <message>
-        <source>Each frame is labeled “Not for clinical use” with the source of its pose and whether the pose is reliable.</source>
+        <source>Each frame is labeled “Not for clinical use” and shows the origin of its pose and whether the pose is reliable.</source>
         <translation>Jedes Bild trägt den Hinweis „Nicht für den klinischen Einsatz“, die Herkunft der Lage und ob sie verlässlich ist.</translation>
     </message>
     <message>
@@ -13022,18 +13022,18 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
     </message>
     <message>
         <source>Patient identity in the report</source>
-        <translation>Patientenidentität im Bericht</translation>
+        <translation>Patientendaten im Bericht</translation>
     </message>
     <message>
         <source>Export report</source>
         <translation>Bericht exportieren</translation>
     </message>
     <message>
-        <source>Leave off before sharing: the report is then anonymous.</source>
+        <source>Leave this off before sharing; the report is then anonymous.</source>
         <translation>Vor der Weitergabe ausgeschaltet lassen: Der Bericht ist dann anonym.</translation>
     </message>
     <message>
-        <source>Templates are HTML pages with your letterhead and logo. Save a copy of the built-in template and edit it; instructions are inside.</source>
+        <source>Templates are HTML pages with your letterhead and logo. Save a copy of the built-in template and edit it; it contains instructions.</source>
         <translation>Vorlagen sind HTML-Seiten mit Ihrem Briefkopf und Logo. Speichern Sie eine Kopie der eingebauten Vorlage und bearbeiten Sie sie; die Anleitung steht darin.</translation>
     </message>
     <message>
@@ -13101,7 +13101,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
     </message>
     <message>
         <source>Patient identity in images and report</source>
-        <translation>Patientenidentität in Bildern und Bericht</translation>
+        <translation>Patientendaten in Bildern und Bericht</translation>
     </message>
     <message>
         <source>Export…</source>
@@ -13112,12 +13112,12 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>DICOM-Objekte exportieren</translation>
     </message>
     <message>
-        <source>A Spatial Registration holds only a rigid matrix. The perspective camera is written to camera.json next to it.</source>
-        <translation>Eine Spatial Registration enthält nur eine starre Matrix. Die perspektivische Kamera wird daneben in camera.json geschrieben.</translation>
+        <source>A Spatial Registration contains only a rigid matrix. The perspective camera is written to camera.json in the same folder.</source>
+        <translation>Eine Spatial Registration enthält nur eine starre Matrix. Die perspektivische Kamera wird in camera.json im selben Ordner geschrieben.</translation>
     </message>
     <message>
         <source>DICOM headers contain the patient&apos;s identity even if the images do not show it. Each object is a new instance in the study of its image.</source>
-        <translation>DICOM-Kopfdaten enthalten die Patientenidentität, auch wenn die Bilder sie nicht zeigen. Jedes Objekt ist eine neue Instanz in der Studie seines Bildes.</translation>
+        <translation>DICOM-Header enthalten die Patientendaten, auch wenn die Bilder sie nicht zeigen. Jedes Objekt ist eine neue Instanz in der Studie seines Bildes.</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -13132,7 +13132,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>An PACS senden</translation>
     </message>
     <message>
-        <source>A Spatial Registration holds only a rigid matrix. The perspective camera is stored in its private elements. The file camera.json is not sent.</source>
+        <source>A Spatial Registration contains only a rigid matrix. The perspective camera is stored in private elements. The file camera.json is not sent.</source>
         <translation>Eine Spatial Registration enthält nur eine starre Matrix. Die perspektivische Kamera steht in ihren privaten Elementen. Die Datei camera.json wird nicht gesendet.</translation>
     </message>
 </context>
@@ -13175,11 +13175,11 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
     </message>
     <message>
         <source>Packing…</source>
-        <translation>Packe…</translation>
+        <translation>Wird gepackt…</translation>
     </message>
     <message>
         <source>Packing: %1 %</source>
-        <translation>Packe: %1 %</translation>
+        <translation>Wird gepackt: %1 %</translation>
     </message>
 </context>
 <context>
@@ -13209,8 +13209,8 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>Pseudonym</translation>
     </message>
     <message>
-        <source>One archive with the case, its inputs and its results. De-identified: without names, IDs, dates, private elements and notes; UIDs are replaced. Branch names are kept. Review every image before sharing.</source>
-        <translation>Ein Archiv mit dem Fall, seinen Eingaben und Ergebnissen. De-identifiziert: ohne Namen, IDs, Datumsangaben, private Elemente und Notizen; UIDs werden ersetzt. Astnamen bleiben erhalten. Prüfen Sie vor der Weitergabe jedes Bild.</translation>
+        <source>One archive with the case, its inputs and its results. De-identification removes names, IDs, dates, private elements and notes, and replaces UIDs. Branch names are kept. Review every image before sharing.</source>
+        <translation>Ein Archiv mit dem Fall, seinen Eingaben und Ergebnissen. Die De-Identifizierung entfernt Namen, IDs, Datumsangaben, private Elemente und Notizen und ersetzt UIDs. Astnamen bleiben erhalten. Prüfen Sie vor der Weitergabe jedes Bild.</translation>
     </message>
     <message>
         <source>Pack…</source>
@@ -13236,7 +13236,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>Zwischenspeicher unter die aktuelle Größe verkleinern?</translation>
     </message>
     <message>
-        <source>The cache holds %1. The least recently used objects are deleted until %2 remain.</source>
+        <source>The cache contains %1. The least recently used objects are deleted until %2 remain.</source>
         <translation>Der Zwischenspeicher enthält %1. Die am längsten unbenutzten Objekte werden gelöscht, bis %2 übrig sind.</translation>
     </message>
     <message>
@@ -13252,8 +13252,8 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>Zwischenspeicher leeren?</translation>
     </message>
     <message>
-        <source>All retrieved objects are deleted. Cases whose images are in the cache ask for them when opened. “Share case as ZIP” keeps case and images together.</source>
-        <translation>Alle abgerufenen Objekte werden gelöscht. Fälle, deren Bilder im Zwischenspeicher liegen, fragen beim Öffnen danach. „Fall als ZIP weitergeben“ hält Fall und Bilder zusammen.</translation>
+        <source>All retrieved objects are deleted. When you open a case whose images were in the cache, AngioPose asks for their location. “Share case as ZIP” keeps case and images together.</source>
+        <translation>Alle abgerufenen Objekte werden gelöscht. Beim Öffnen eines Falls, dessen Bilder im Zwischenspeicher lagen, fragt AngioPose nach ihrem Ort. „Fall als ZIP weitergeben“ hält Fall und Bilder zusammen.</translation>
     </message>
     <message>
         <source>Empty</source>
@@ -13313,11 +13313,11 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>%1 wird durchsucht…</translation>
     </message>
     <message>
-        <source>%1 has no matching study. Broaden the search: a shorter name, more days, any modality.</source>
+        <source>%1 has no matching study. Broaden the search: use a shorter name, more days or any modality.</source>
         <translation>%1 enthält keine passende Studie. Erweitern Sie die Suche: kürzerer Name, mehr Tage, beliebige Modalität.</translation>
     </message>
     <message>
-        <source>Search to list the studies on %1.</source>
+        <source>Search to list the studies in %1.</source>
         <translation>Suchen Sie, um die Studien auf %1 aufzulisten.</translation>
     </message>
     <message>
@@ -13344,8 +13344,8 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>%1 aus der Liste entfernen?</translation>
     </message>
     <message>
-        <source>The PACS itself and the objects retrieved from it are kept.</source>
-        <translation>Das PACS selbst und die daraus abgerufenen Objekte bleiben erhalten.</translation>
+        <source>The PACS itself and the objects retrieved from it are not affected.</source>
+        <translation>Das PACS selbst und die daraus abgerufenen Objekte sind nicht betroffen.</translation>
     </message>
     <message>
         <source>Remove</source>
@@ -13406,8 +13406,8 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>%1 hat alle Objekte erhalten: %2 (%3).</translation>
     </message>
     <message>
-        <source>%1 of %2 objects arrived.</source>
-        <translation>%1 von %2 Objekten sind angekommen.</translation>
+        <source>%1 of %2 objects were delivered.</source>
+        <translation>%1 von %2 Objekten wurden zugestellt.</translation>
     </message>
     <message>
         <source>Stopped.</source>
@@ -13464,7 +13464,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>Aus den empfangenen Objekten auswählen</translation>
     </message>
     <message>
-        <source>Retrieves the selected studies and series; then choose the vessels and the views</source>
+        <source>Retrieves the selected studies and series, from which you then choose the vessels and views</source>
         <translation>Ruft die gewählten Studien und Serien ab; wählen Sie danach Gefäße und Ansichten</translation>
     </message>
     <message>
@@ -13592,11 +13592,11 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>CA-Zertifikate (PEM)</translation>
     </message>
     <message>
-        <source>Own certificate (PEM)</source>
+        <source>Local certificate (PEM)</source>
         <translation>Eigenes Zertifikat (PEM)</translation>
     </message>
     <message>
-        <source>Private key of the own certificate (PEM)</source>
+        <source>Private key of the local certificate (PEM)</source>
         <translation>Privater Schlüssel des eigenen Zertifikats (PEM)</translation>
     </message>
     <message>
@@ -13620,7 +13620,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>PACS bearbeiten</translation>
     </message>
     <message>
-        <source>Ask your PACS administrator for these values, and have the calling AE title registered there.</source>
+        <source>Ask your PACS administrator for these values, and have the calling AE title registered in the PACS.</source>
         <translation>Erfragen Sie diese Angaben bei Ihrer PACS-Administration, und lassen Sie den rufenden AE-Titel dort eintragen.</translation>
     </message>
     <message>
@@ -13640,7 +13640,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>Host</translation>
     </message>
     <message>
-        <source>Host name or IP address; empty if only DICOMweb is used</source>
+        <source>Host name or IP address; leave empty if only DICOMweb is used</source>
         <translation>Hostname oder IP-Adresse; leer, wenn nur DICOMweb benutzt wird</translation>
     </message>
     <message>
@@ -13664,7 +13664,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>Rufender AE-Titel</translation>
     </message>
     <message>
-        <source>AE title by which the PACS knows this program</source>
+        <source>AE title under which the PACS knows this program</source>
         <translation>AE-Titel, unter dem das PACS dieses Programm kennt</translation>
     </message>
     <message>
@@ -13672,16 +13672,16 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>CA-Zertifikate</translation>
     </message>
     <message>
-        <source>PEM file; empty: CAs trusted by the system</source>
+        <source>PEM file; if empty, the CAs trusted by the system are used</source>
         <translation>PEM-Datei; leer: vom System als vertrauenswürdig eingestufte CAs</translation>
     </message>
     <message>
-        <source>Own certificate</source>
+        <source>Local certificate</source>
         <translation>Eigenes Zertifikat</translation>
     </message>
     <message>
-        <source>PEM file; empty: none</source>
-        <translation>PEM-Datei; leer: keines</translation>
+        <source>PEM file (optional)</source>
+        <translation>PEM-Datei (optional)</translation>
     </message>
     <message>
         <source>Private key</source>
@@ -13696,7 +13696,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>DICOMweb-Adresse</translation>
     </message>
     <message>
-        <source>Used if no host is given</source>
+        <source>Used if no host is specified</source>
         <translation>Wird benutzt, wenn kein Host angegeben ist</translation>
     </message>
     <message>
@@ -13712,15 +13712,15 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>Port für C-MOVE</translation>
     </message>
     <message>
-        <source>Only if the PACS does not support C-GET: it sends to this local port. 0: not used</source>
-        <translation>Nur wenn das PACS kein C-GET unterstützt: Es sendet an diesen lokalen Port. 0: unbenutzt</translation>
+        <source>Local port to which the PACS sends images if it does not support C-GET. 0: not used</source>
+        <translation>Lokaler Port, an den das PACS sendet, wenn es kein C-GET unterstützt. 0: unbenutzt</translation>
     </message>
     <message>
         <source>Response timeout</source>
         <translation>Antwort-Timeout</translation>
     </message>
     <message>
-        <source>After this time the PACS counts as unreachable</source>
+        <source>After this time, the PACS is considered unreachable</source>
         <translation>Nach dieser Zeit gilt das PACS als nicht erreichbar</translation>
     </message>
     <message>
@@ -13758,7 +13758,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>Anzeigen</translation>
     </message>
     <message>
-        <source>Accepts objects that modalities and PACS push to this computer, until turned off or the window is closed</source>
+        <source>Accepts objects that modalities and PACS send to this computer, until it is turned off or the window is closed</source>
         <translation>Nimmt Objekte an, die Modalitäten und PACS an diesen Rechner senden, bis zum Ausschalten oder Schließen des Fensters</translation>
     </message>
     <message>
@@ -13786,8 +13786,8 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>Sicherheit…</translation>
     </message>
     <message>
-        <source>Sets who may connect to this port, and encryption (TLS)</source>
-        <translation>Legt fest, wer sich mit diesem Port verbinden darf, und die Verschlüsselung (TLS)</translation>
+        <source>Sets which applications may connect to this port, and encryption (TLS)</source>
+        <translation>Legt fest, welche Anwendungen sich mit diesem Port verbinden dürfen, und die Verschlüsselung (TLS)</translation>
     </message>
 </context>
 <context>
@@ -13797,7 +13797,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>Meier, oder *mei*</translation>
     </message>
     <message>
-        <source>Start of the name; * and ? are wildcards</source>
+        <source>Beginning of the name; * and ? are wildcards</source>
         <translation>Anfang des Namens; * und ? sind Platzhalter</translation>
     </message>
     <message>
@@ -13809,11 +13809,11 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>2024-01-31</translation>
     </message>
     <message>
-        <source>Studies from this date on; empty: no limit</source>
+        <source>Studies on or after this date; leave empty for no limit</source>
         <translation>Studien ab diesem Datum; leer: unbegrenzt</translation>
     </message>
     <message>
-        <source>Studies up to this date; empty: until today</source>
+        <source>Studies on or before this date; leave empty for today</source>
         <translation>Studien bis zu diesem Datum; leer: bis heute</translation>
     </message>
     <message>
@@ -13868,7 +13868,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>An PACS senden</translation>
     </message>
     <message>
-        <source>The objects are created once. Sending again after an error sends the same objects, so none is stored twice.</source>
+        <source>The objects are created once. Sending again after an error transfers the same objects, so none is stored twice.</source>
         <translation>Die Objekte werden einmal erzeugt. Erneutes Senden nach einem Fehler sendet dieselben Objekte, sodass keines doppelt gespeichert wird.</translation>
     </message>
     <message>
@@ -13876,8 +13876,8 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>Kein PACS konfiguriert. Fügen Sie eines hinzu (Host, Port und AE-Titel nennt Ihnen Ihre PACS-Administration).</translation>
     </message>
     <message>
-        <source>The objects are sent to %1 when you press Send.</source>
-        <translation>Die Objekte werden an %1 gesendet, wenn Sie Senden drücken.</translation>
+        <source>The objects are sent to %1 when you click “Send”.</source>
+        <translation>Die Objekte werden an %1 gesendet, wenn Sie auf „Senden“ klicken.</translation>
     </message>
 </context>
 <context>
@@ -13891,7 +13891,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>Fortschritt</translation>
     </message>
     <message>
-        <source>Stops; complete objects are kept</source>
+        <source>Stops; completely transferred objects are kept</source>
         <translation>Hält an; vollständige Objekte bleiben erhalten</translation>
     </message>
 </context>
@@ -13930,23 +13930,23 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>De-identifizierte Dateien: %1, in %2.</translation>
     </message>
     <message>
-        <source>%1 files were de-identified, %2 were not, for the reasons below. The output is in %3.</source>
+        <source>%1 files were de-identified; %2 were not, for the reasons below. The output is in %3.</source>
         <translation>%1 Dateien wurden de-identifiziert, %2 nicht; die Gründe stehen unten. Die Ausgabe liegt in %3.</translation>
     </message>
 </context>
 <context>
     <name>angiopose::app::PrivacyController</name>
     <message>
-        <source>No list or thumbnails of recent cases, no names in the title bar, no remembered folders.</source>
-        <translation>Keine Liste und keine Vorschaubilder letzter Fälle, keine Namen in der Titelleiste, keine gemerkten Ordner.</translation>
+        <source>No list or thumbnails of recent cases, no names in the title bar, no stored folders.</source>
+        <translation>Keine Liste und keine Vorschaubilder letzter Fälle, keine Namen in der Titelleiste, keine gespeicherten Ordner.</translation>
     </message>
     <message>
-        <source>Turn private mode on?</source>
+        <source>Turn on private mode?</source>
         <translation>Privaten Modus einschalten?</translation>
     </message>
     <message>
-        <source>The list of recent cases, including pinned ones, their thumbnails, and the folders and names stored so far are deleted permanently. Nothing of this kind is stored until private mode is turned off. Automatic copies of unsaved work are still made, and are deleted when a case is closed.</source>
-        <translation>Die Liste der letzten Fälle, auch der angehefteten, ihre Vorschaubilder und die bisher gespeicherten Ordner und Namen werden endgültig gelöscht. Nichts dergleichen wird gespeichert, bis der private Modus ausgeschaltet wird. Automatische Kopien ungespeicherter Arbeit werden weiter angelegt und beim Schließen eines Falls gelöscht.</translation>
+        <source>The list of recent cases (including pinned ones), their thumbnails, and all stored folders and names are deleted permanently. Nothing of this kind is stored until private mode is turned off. Unsaved work is still autosaved; the copies are deleted when the case is closed.</source>
+        <translation>Die Liste der letzten Fälle (auch der angehefteten), ihre Vorschaubilder und alle gespeicherten Ordner und Namen werden endgültig gelöscht. Nichts dergleichen wird gespeichert, bis der private Modus ausgeschaltet wird. Ungespeicherte Arbeit wird weiterhin automatisch gesichert; die Kopien werden beim Schließen des Falls gelöscht.</translation>
     </message>
     <message>
         <source>Turn on</source>
@@ -13960,7 +13960,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
 <context>
     <name>angiopose::app::AuditController</name>
     <message>
-        <source>Logs one line for each file opened, saved or exported: time, user, and SHA-256 of the files.</source>
+        <source>Writes one line for each file opened, saved or exported: time, user, and SHA-256 of the file.</source>
         <translation>Protokolliert eine Zeile je geöffneter, gespeicherter oder exportierter Datei: Zeit, Benutzer und SHA-256 der Dateien.</translation>
     </message>
     <message>
@@ -13998,7 +13998,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>Ausblenden</translation>
     </message>
     <message>
-        <source>AngioPose crashed last time. A report of where in the program it happened, without case data, is in %1.</source>
+        <source>AngioPose crashed last time. A report with the crash location in the program, but without case data, is in %1.</source>
         <translation>AngioPose ist zuletzt abgestürzt. Ein Bericht über die Stelle im Programm, ohne Falldaten, liegt in %1.</translation>
     </message>
 </context>
@@ -14009,7 +14009,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>Supportpaket speichern</translation>
     </message>
     <message>
-        <source>The archive contains only these texts: no images, no vessels. Known names, numbers, dates and paths of this session&apos;s cases and of this computer were removed. Review the texts before sharing.</source>
+        <source>The archive contains only these texts; no images or vessels. Known names, numbers, dates and paths of this session&apos;s cases and of this computer were removed. Review the texts before sharing.</source>
         <translation>Das Archiv enthält nur diese Texte: keine Bilder, keine Gefäße. Bekannte Namen, Nummern, Datumsangaben und Pfade der Fälle dieser Sitzung und dieses Computers wurden entfernt. Prüfen Sie die Texte vor der Weitergabe.</translation>
     </message>
     <message>
@@ -14052,7 +14052,7 @@ Unten: Strecke, um die ein Schritt die Gefäße bewegte, quadratisches Mittel ü
         <translation>Dateien de-identifizieren</translation>
     </message>
     <message>
-        <source>DICOM images and objects, PNG, JPEG and TIFF are rewritten without names, IDs, dates, private elements and texts; UIDs are replaced. Other files are skipped and listed. Review every image before sharing.</source>
+        <source>DICOM images and objects, PNG, JPEG and TIFF files are rewritten without names, IDs, dates, private elements and texts; UIDs are replaced. Other files are skipped and listed. Review every image before sharing.</source>
         <translation>DICOM-Bilder und -Objekte, PNG, JPEG und TIFF werden neu geschrieben, ohne Namen, IDs, Datumsangaben, private Elemente und Texte; UIDs werden ersetzt. Andere Dateien werden übersprungen und aufgelistet. Prüfen Sie vor der Weitergabe jedes Bild.</translation>
     </message>
     <message>

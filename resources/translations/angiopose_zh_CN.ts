@@ -71,7 +71,7 @@
 <context>
     <name>angiopose::app::BlindTrialController</name>
     <message>
-        <source>A blind trial needs vessels, an angiogram and an initial pose, and no registration may be running.</source>
+        <source>A blind trial requires vessels, an angiogram and an initial pose. No registration may be running.</source>
         <translation>盲法试验需要血管、造影图像和初始位姿，且不能有正在进行的配准。</translation>
     </message>
     <message>
@@ -118,7 +118,7 @@
         <translation>恢复 %1</translation>
     </message>
     <message>
-        <source>No branch lies completely in view. Zoom out or pan the image.</source>
+        <source>No branch is completely visible. Zoom out or pan the image.</source>
         <translation>没有分支完全位于视野内。请缩小或平移图像。</translation>
     </message>
     <message>
@@ -136,7 +136,7 @@
 <context>
     <name>angiopose::app::CaseController</name>
     <message>
-        <source>A registration is running. Stop it to edit.</source>
+        <source>A registration is running. Stop it before editing.</source>
         <translation>配准正在进行。请先停止再编辑。</translation>
     </message>
     <message>
@@ -183,7 +183,7 @@
         <translation>配准帧</translation>
     </message>
     <message>
-        <source>frame %1; image and values are from frame %2</source>
+        <source>frame %1; image and values from frame %2</source>
         <translation>第 %1 帧；图像与数值来自第 %2 帧</translation>
     </message>
     <message>
@@ -215,8 +215,8 @@
         <translation>几何</translation>
     </message>
     <message>
-        <source>Pose: camera from patient, mm</source>
-        <translation>位姿：患者坐标到相机坐标，mm</translation>
+        <source>Pose (patient to camera), mm</source>
+        <translation>位姿（患者到相机），mm</translation>
     </message>
     <message>
         <source>Vessels</source>
@@ -366,15 +366,15 @@
         <translation>不保存就关闭？</translation>
     </message>
     <message>
-        <source>“%1” has no vessels yet, so there is no case to save. Work done here will be lost.</source>
-        <translation>“%1”尚无血管，因此没有可保存的病例。已做的工作将丢失。</translation>
+        <source>“%1” has no vessels yet, so there is no case to save. Unsaved work will be lost.</source>
+        <translation>“%1”尚无血管，因此没有可保存的病例。未保存的工作将丢失。</translation>
     </message>
 </context>
 <context>
     <name>angiopose::app::CurveController</name>
     <message>
-        <source>At least one curve must remain; otherwise there is nothing to register to.</source>
-        <translation>至少须保留一条曲线，否则没有可供配准的目标。</translation>
+        <source>At least one curve must remain as the registration target.</source>
+        <translation>至少须保留一条曲线作为配准目标。</translation>
     </message>
     <message>
         <source>Keep suspect curve</source>
@@ -389,7 +389,7 @@
         <translation>重新提取此帧？</translation>
     </message>
     <message>
-        <source>Its edited or imported curves are replaced. Undo restores them.</source>
+        <source>Its edited or imported curves will be replaced. Undo restores them.</source>
         <translation>编辑过或导入的曲线将被替换。可用“撤销”恢复。</translation>
     </message>
     <message>
@@ -401,20 +401,20 @@
         <translation>保留曲线</translation>
     </message>
     <message>
-        <source>If only a wire is visible, use the method “Wire or catheter”, which uses every curve.</source>
+        <source>If only a guidewire is visible, use the method “Guidewire or catheter”, which uses every curve.</source>
         <translation>若只能看到导丝，请使用方法“导丝或导管”，它会使用所有曲线。</translation>
     </message>
     <message>
-        <source>Mark curve as catheter or wire</source>
-        <translation>将曲线标为导管或导丝</translation>
+        <source>Mark curve as device</source>
+        <translation>将曲线标为器械</translation>
     </message>
     <message>
         <source>Mark curve as vessel</source>
         <translation>将曲线标为血管</translation>
     </message>
     <message>
-        <source>Register by catheter or wire</source>
-        <translation>按导管或导丝配准</translation>
+        <source>Track device</source>
+        <translation>跟踪器械</translation>
     </message>
 </context>
 <context>
@@ -537,7 +537,7 @@
     </message>
 </context>
 <context>
-    <name>angiopose::app::FollowController</name>
+    <name>angiopose::app::TrackingController</name>
     <message>
         <source>Tracking the vessels through the run: %1 %</source>
         <translation>正在序列中跟踪血管：%1 %</translation>
@@ -560,7 +560,7 @@
     </message>
     <message>
         <source>Tracking the vessels through the run…</source>
-        <translation>正在序列中跟踪血管……</translation>
+        <translation>正在序列中跟踪血管…</translation>
     </message>
     <message>
         <source>Track vessels through the run</source>
@@ -579,11 +579,11 @@
         <translation>心跳：周期 %1 s，峰峰值 %2 mm</translation>
     </message>
     <message>
-        <source>Tracked through %1 frames: scroll or play them</source>
+        <source>Tracked through %1 frames: scroll through or play them</source>
         <translation>已跟踪 %1 帧：可滚动或播放</translation>
     </message>
     <message>
-        <source>Tracked through %1 frames; %2 of them do not show the vessels well enough</source>
+        <source>Tracked through %1 frames; in %2 of them, the vessels are not visible enough</source>
         <translation>已跟踪 %1 帧；其中 %2 帧血管显示不够清楚</translation>
     </message>
     <message>
@@ -619,7 +619,7 @@
     <message>
         <source>Registers a 3-D vessel tree to a 2-D angiogram without correspondences.
 
-Not for clinical use: AngioPose is a research program, not a medical device.
+Not for clinical use: AngioPose is research software, not a medical device.
 
 Apache License 2.0. Built on Qt, VTK, ITK, OpenCV, NLopt, Eigen and nanoflann.</source>
         <translation>无需对应点即可将三维血管树配准到二维造影图像。
@@ -637,7 +637,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>从这里开始</translation>
     </message>
     <message>
-        <source>Drop a case, or vessels and an angiogram, anywhere in the window. “Open the sample case” needs no data of your own.</source>
+        <source>Drop a case, or vessels and an angiogram, anywhere in the window. “Open the sample case” requires no data of your own.</source>
         <translation>将病例，或血管与造影图像，拖到窗口任意处。“打开示例病例”无需自己的数据。</translation>
     </message>
     <message>
@@ -645,23 +645,23 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>得到结果的步骤</translation>
     </message>
     <message>
-        <source>Each step shows a check mark, or its tooltip names what is missing. Click the steps in any order.</source>
-        <translation>每一步显示对勾，或在提示中说明缺少什么。可按任意顺序单击。</translation>
+        <source>Each step shows a check mark when complete; otherwise, its tooltip lists what is missing. The steps can be clicked in any order.</source>
+        <translation>每个已完成的步骤显示对勾；否则其提示会列出缺少的内容。可按任意顺序单击各步骤。</translation>
     </message>
     <message>
         <source>The vessel tree</source>
         <translation>血管树</translation>
     </message>
     <message>
-        <source>Its branches with their length and distance to the image. A adds a branch to the auxiliary subset, X excludes it.</source>
-        <translation>各分支的长度及到图像的距离。A 将分支加入辅助子集，X 将其排除。</translation>
+        <source>Lists the branches with their lengths and distances to the image. A adds a branch to the auxiliary branches, X excludes it.</source>
+        <translation>列出各分支的长度及到图像的距离。A 将分支加入辅助分支，X 将其排除。</translation>
     </message>
     <message>
         <source>The angiogram</source>
         <translation>造影图像</translation>
     </message>
     <message>
-        <source>The projected tree overlays it, colored by distance. Wheel: scroll frames. N: move the tree with arrows or mouse. H: hide it.</source>
+        <source>The projected tree is overlaid on it, colored by distance. Wheel: scroll through frames. N: move the tree with arrow keys or mouse. H: hide it.</source>
         <translation>投影血管树叠加其上，按距离着色。滚轮：换帧。N：用方向键或鼠标移动血管树。H：隐藏。</translation>
     </message>
     <message>
@@ -669,7 +669,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>配准</translation>
     </message>
     <message>
-        <source>R finds the pose. Stop keeps the best pose so far; Ctrl+Z restores the previous one.</source>
+        <source>R finds the pose. Stop keeps the best pose found so far; Ctrl+Z restores the previous one.</source>
         <translation>R 求位姿。停止会保留目前最佳位姿，Ctrl+Z 恢复原位姿。</translation>
     </message>
     <message>
@@ -677,8 +677,8 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>结果可靠吗？</translation>
     </message>
     <message>
-        <source>Distances in mm, and notes on what the image cannot determine. Shift+F1 shows good and bad fits.</source>
-        <translation>以毫米表示的距离，以及图像无法确定之处的说明。Shift+F1 显示好与坏的配准。</translation>
+        <source>Distances in mm, and notes on what this image cannot determine. Shift+F1 shows examples of good and bad fits.</source>
+        <translation>以毫米表示的距离，以及此图像无法确定之处的说明。Shift+F1 显示好与坏的配准示例。</translation>
     </message>
     <message>
         <source>Getting help</source>
@@ -790,7 +790,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
 </context>
 <context>
-    <name>angiopose::app::JudgementController</name>
+    <name>angiopose::app::EvaluationController</name>
     <message>
         <source>nothing to assess yet</source>
         <translation>尚无可评估内容</translation>
@@ -811,7 +811,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>在 %1 上</translation>
     </message>
     <message>
-        <source>point off the vessels</source>
+        <source>point outside the vessels</source>
         <translation>血管外的点</translation>
     </message>
     <message>
@@ -819,7 +819,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>少于四对：点对未能确定的位姿分量保持不变。</translation>
     </message>
     <message>
-        <source>Residual of the pairs: %1 px. For click errors of 2 px: rotation ±%2°, depth ±%3 mm.</source>
+        <source>Residual of the pairs: %1 px. With click errors of 2 px: rotation ±%2°, depth ±%3 mm.</source>
         <translation>点对残差：%1 px。点击误差为 2 px 时：旋转 ±%2°，深度 ±%3 mm。</translation>
     </message>
     <message>
@@ -851,7 +851,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
 </context>
 <context>
-    <name>angiopose::app::LookController</name>
+    <name>angiopose::app::OverlayStyleController</name>
     <message>
         <source>Depth cueing</source>
         <translation>深度提示</translation>
@@ -877,7 +877,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>卷帘：叠加图止于鼠标指针处</translation>
     </message>
     <message>
-        <source>Lens: only the angiogram under the mouse pointer</source>
+        <source>Lens: shows only the angiogram under the mouse pointer</source>
         <translation>透镜：鼠标指针处只显示造影图像</translation>
     </message>
     <message>
@@ -938,8 +938,8 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>该位姿属于 %1 × %2 px 的图像，而造影图像为 %3 × %4。请打开属于此图像的位姿。</translation>
     </message>
     <message>
-        <source>The camera of the pose is mirrored relative to the angiogram: one is viewed from the detector, the other from the source. Mirror the image, or set this in the geometry.</source>
-        <translation>位姿的相机与造影图像互为镜像：一个从探测器看，另一个从射线源看。请镜像图像，或在几何参数中设置。</translation>
+        <source>The camera of the pose is mirrored relative to the angiogram: one is viewed from the detector, the other from the source. Mirror the image, or change the viewing side in the geometry.</source>
+        <translation>位姿的相机与造影图像互为镜像：一个从探测器看，另一个从射线源看。请镜像图像，或在几何参数中更改观察侧。</translation>
     </message>
     <message>
         <source>The pose was registered with different vessels.</source>
@@ -950,15 +950,15 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>该位姿是在另一幅造影图像中配准的。</translation>
     </message>
     <message>
-        <source>A pose belongs to a case. Open vessels and an angiogram first, then the pose.</source>
-        <translation>位姿属于病例。请先打开血管和造影图像，再打开位姿。</translation>
+        <source>A pose can be opened only in a case. Open vessels and an angiogram first, then the pose.</source>
+        <translation>位姿只能在病例中打开。请先打开血管和造影图像，再打开位姿。</translation>
     </message>
     <message>
-        <source>At this pose, the vessels lie behind the X-ray source. The pose may belong to another patient, or map camera to patient: in that case, invert it.</source>
+        <source>At this pose, the vessels lie behind the X-ray source. The pose may belong to another patient, or it may map camera to patient; in the latter case, invert it.</source>
         <translation>按此位姿，血管位于射线源之后。该位姿可能属于其他患者，或是从相机到患者的变换：若是后者，请将其求逆。</translation>
     </message>
     <message>
-        <source>The camera of the pose is now in use. To revert, use the geometry panel.</source>
+        <source>The camera of the pose is now in use. You can revert this in the geometry panel.</source>
         <translation>现在使用位姿的相机。可在几何面板中撤回。</translation>
     </message>
     <message>
@@ -966,15 +966,15 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>打开位姿 %1</translation>
     </message>
     <message>
-        <source>Points belong to vessels. Open the vessels first, then the points.</source>
-        <translation>点属于血管。请先打开血管，再打开点。</translation>
+        <source>Points can be opened only together with vessels. Open the vessels first, then the points.</source>
+        <translation>点只能与血管一起打开。请先打开血管，再打开点。</translation>
     </message>
     <message>
         <source>Target points added: %1.</source>
         <translation>已添加目标点：%1 个。</translation>
     </message>
     <message>
-        <source>None of them lies near the vessels. They may belong to another patient or use other coordinates.</source>
+        <source>None of them is near the vessels. They may belong to another patient or use a different coordinate system.</source>
         <translation>没有一个靠近血管。它们可能属于其他患者，或使用其他坐标系。</translation>
     </message>
     <message>
@@ -991,7 +991,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
     <message>
         <source>Reading %1…</source>
-        <translation>正在读取 %1……</translation>
+        <translation>正在读取 %1…</translation>
     </message>
     <message>
         <source>A registration was started in the meantime. Open the file again after it has finished.</source>
@@ -1014,12 +1014,12 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>添加视图 %1</translation>
     </message>
     <message>
-        <source>View added: click it in the strip above the image to show it.</source>
+        <source>View added: to show it, click it in the strip above the image.</source>
         <translation>已添加视图：在图像上方的条中单击即可显示。</translation>
     </message>
     <message>
-        <source>Additional runs can become views once there are vessels. Open them again then.</source>
-        <translation>有血管之后，其余序列才能成为视图。届时请再次打开。</translation>
+        <source>Additional runs can be added as views once the case has vessels. Open them again then.</source>
+        <translation>病例有血管之后，才能将其余序列添加为视图。届时请再次打开。</translation>
     </message>
 </context>
 <context>
@@ -1029,8 +1029,8 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>使用哪个相机？</translation>
     </message>
     <message>
-        <source>“%1” contains a camera that differs from the camera of the case. A pose shows the vessels in the right place only with its own camera.</source>
-        <translation>“%1”所含相机与病例的相机不同。位姿只有配合其自身的相机，才能把血管显示在正确位置。</translation>
+        <source>“%1” contains a camera that differs from the camera of the case. The pose is valid only with the camera it was registered with.</source>
+        <translation>“%1”所含相机与病例的相机不同。位姿只有配合配准时所用的相机才有效。</translation>
     </message>
     <message>
         <source>Use pose and camera</source>
@@ -1045,8 +1045,8 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>患者不同？</translation>
     </message>
     <message>
-        <source>If you open “%1” anyway, every image and report of the case states this, and no registration of its images counts as reliable. Open it as the same patient if only the pseudonyms differ.</source>
-        <translation>如果仍然打开“%1”，该病例的每张图像和每份报告都会注明这一点，且其图像的任何配准都不视为可靠。如果只是假名不同，请作为同一患者打开。</translation>
+        <source>If you open “%1” anyway, every image and report of the case will carry a warning, and no registration of its images will count as reliable. If only the pseudonyms differ, open it as the same patient.</source>
+        <translation>如果仍然打开“%1”，该病例的每张图像和每份报告都会带有警告，且其图像的任何配准都不视为可靠。如果只是假名不同，请作为同一患者打开。</translation>
     </message>
     <message>
         <source>Do not open</source>
@@ -1098,7 +1098,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
     <message>
         <source>The vessels of the case come from a file. Show “%1” in slices with these vessels, or trace its vessels and replace the current ones?</source>
-        <translation>病例的血管来自文件。将“%1”与这些血管一起在断层中显示，还是提取其血管并替换当前血管？</translation>
+        <translation>病例的血管来自文件。将“%1”与这些血管一起在层面中显示，还是提取其血管并替换当前血管？</translation>
     </message>
     <message>
         <source>Show with the vessels</source>
@@ -1110,7 +1110,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
     <message>
         <source>Creating the sample case…</source>
-        <translation>正在生成示例病例……</translation>
+        <translation>正在生成示例病例…</translation>
     </message>
     <message>
         <source>Ready</source>
@@ -1149,8 +1149,8 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>宽 %1 m</translation>
     </message>
     <message>
-        <source>“%1” does not state the unit of its points. In millimeters, it would be unusually small or large for vessels. The case stores your choice.</source>
-        <translation>“%1”未说明点坐标的单位。若为毫米，则对血管而言异常小或大。病例会保存您的选择。</translation>
+        <source>“%1” does not specify the unit of its coordinates. If it were millimeters, the vessels would be unusually small or large. Your choice is stored in the case.</source>
+        <translation>“%1”未说明坐标的单位。若为毫米，则血管异常小或大。您的选择会保存在病例中。</translation>
     </message>
     <message>
         <source>%1: %2</source>
@@ -1165,27 +1165,27 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>放弃未保存的工作？</translation>
     </message>
     <message>
-        <source>“%1” has no vessels yet, so there is no case to save. Work done here will be lost.</source>
-        <translation>“%1”尚无血管，因此没有可保存的病例。已做的工作将丢失。</translation>
+        <source>“%1” has no vessels yet, so there is no case to save. Unsaved work will be lost.</source>
+        <translation>“%1”尚无血管，因此没有可保存的病例。未保存的工作将丢失。</translation>
     </message>
 </context>
 <context>
     <name>angiopose::app::OpenNotes</name>
     <message>
-        <source>The vessels do not lie in this scan: it may be a different scan or use different axes.</source>
-        <translation>血管不在此扫描内：可能是其他扫描，或坐标轴不同。</translation>
+        <source>The vessels lie outside this scan: it may be a different scan or use a different coordinate system.</source>
+        <translation>血管在此扫描之外：可能是其他扫描，或使用不同的坐标系。</translation>
     </message>
     <message>
-        <source>The scan has no traced vessels: place a seed or set the threshold in the slices (%1), then trace.</source>
-        <translation>扫描中尚未提取血管：请在断层（%1）中放置种子点或设置阈值，然后提取。</translation>
+        <source>No vessels have been traced in the scan yet. Place a seed or set the threshold in the slices (%1), then trace.</source>
+        <translation>扫描中尚未提取血管：请在层面（%1）中放置种子点或设置阈值，然后提取。</translation>
     </message>
     <message>
-        <source>One unit of the file is %1 mm, as you selected.</source>
-        <translation>按您的选择，文件的一个单位为 %1 mm。</translation>
+        <source>File unit: %1 mm, as selected.</source>
+        <translation>文件单位：%1 mm（按您的选择）。</translation>
     </message>
 </context>
 <context>
-    <name>angiopose::app::PictureController</name>
+    <name>angiopose::app::ScreenshotController</name>
     <message>
         <source>Screenshot copied to the clipboard</source>
         <translation>截图已复制到剪贴板</translation>
@@ -1238,11 +1238,11 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
     <message>
         <source>Export as SVG…</source>
-        <translation>导出为 SVG……</translation>
+        <translation>导出为 SVG…</translation>
     </message>
     <message>
         <source>Export as PNG…</source>
-        <translation>导出为 PNG……</translation>
+        <translation>导出为 PNG…</translation>
     </message>
     <message>
         <source>Export plot</source>
@@ -1264,8 +1264,8 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>移动血管</translation>
     </message>
     <message>
-        <source>There is no pose to nudge yet. Provide vessels, an angiogram and the geometry first.</source>
-        <translation>尚无可微调的位姿。请先提供血管、造影图像和几何参数。</translation>
+        <source>There is no pose to nudge yet. Open vessels and an angiogram and complete the geometry first.</source>
+        <translation>尚无可微调的位姿。请先打开血管和造影图像，并补全几何参数。</translation>
     </message>
     <message>
         <source>“%1” is locked.</source>
@@ -1295,7 +1295,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>微调模式已关闭</translation>
     </message>
     <message>
-        <source>Copied: camera-from-patient matrix, 4 × 4, mm</source>
+        <source>Copied: patient-to-camera matrix, 4 × 4, mm</source>
         <translation>已复制：患者到相机的 4 × 4 矩阵（mm）</translation>
     </message>
 </context>
@@ -1315,7 +1315,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
     <message>
         <source>Starting…</source>
-        <translation>正在开始……</translation>
+        <translation>正在开始…</translation>
     </message>
     <message>
         <source>%1: %2</source>
@@ -1372,7 +1372,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>配准（%1）</translation>
     </message>
     <message>
-        <source>Fit a blind trial manually.</source>
+        <source>In a blind trial, align the vessels manually.</source>
         <translation>盲法试验须手动配准。</translation>
     </message>
     <message>
@@ -1383,7 +1383,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
 <context>
     <name>angiopose::app::ReplayController</name>
     <message>
-        <source>Alternative path %1 of %2, probability %3 % · %4 accepts it</source>
+        <source>Alternative path %1 of %2, probability %3 % · %4 to accept</source>
         <translation>备选路径 %1 / %2，概率 %3 % · 按 %4 采用</translation>
     </message>
     <message>
@@ -1439,19 +1439,19 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>配准所得解</translation>
     </message>
     <message>
-        <source>Press J first to show the other solutions.</source>
-        <translation>请先按 J 显示其他解。</translation>
+        <source>Show the other solutions first (J).</source>
+        <translation>请先显示其他解（J）。</translation>
     </message>
     <message>
         <source>Accept solution %1</source>
         <translation>采用解 %1</translation>
     </message>
     <message>
-        <source>Other solution %1 of %2, score %3 · %4 accepts it</source>
+        <source>Other solution %1 of %2, score %3 · %4 to accept</source>
         <translation>其他解 %1 / %2，评分 %3 · 按 %4 采用</translation>
     </message>
     <message>
-        <source>From image noise alone, poses within ±%1 mm (2 σ, mostly %2) are indistinguishable</source>
+        <source>Due to image noise alone, poses within ±%1 mm (2 σ, mainly %2) are indistinguishable</source>
         <translation>仅因图像噪声，±%1 mm 内的位姿（2 σ，主要为%2）无法区分</translation>
     </message>
 </context>
@@ -1502,7 +1502,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
     <message>
         <source>Tracing the vessels of this frame…</source>
-        <translation>正在提取此帧的血管……</translation>
+        <translation>正在提取此帧的血管…</translation>
     </message>
     <message>
         <source>Could not start the registration</source>
@@ -1513,7 +1513,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>配准中：%1 · %2 % · %3 px</translation>
     </message>
     <message>
-        <source>Stopped, NOT RELIABLE: the best pose so far is kept; Undo restores the previous one</source>
+        <source>Stopped, NOT RELIABLE: best pose so far kept; Undo restores the previous pose</source>
         <translation>已停止，不可靠：保留目前最佳位姿，可撤销</translation>
     </message>
     <message>
@@ -1572,12 +1572,12 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>尚无造影图像</translation>
     </message>
     <message>
-        <source>A case needs vessels and an angiogram. Until there is an angiogram, save only the vessels, as centerlines. Opened together with any angiogram, they form a case.</source>
-        <translation>病例需要血管和造影图像。在有造影图像之前，可仅将血管存为中心线；与任一造影图像一起打开即构成病例。</translation>
+        <source>A case requires vessels and an angiogram. Without an angiogram, only the vessels can be saved, as centerlines. To create a case later, open them together with an angiogram.</source>
+        <translation>病例需要血管和造影图像。没有造影图像时，只能将血管存为中心线；以后与造影图像一起打开即可建立病例。</translation>
     </message>
     <message>
         <source>Save vessels…</source>
-        <translation>保存血管……</translation>
+        <translation>保存血管…</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -1601,7 +1601,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
     <message>
         <source>Save as…</source>
-        <translation>另存为……</translation>
+        <translation>另存为…</translation>
     </message>
     <message>
         <source>Overwrite</source>
@@ -1638,8 +1638,8 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>已写出 DICOM 对象：%1</translation>
     </message>
     <message>
-        <source>Could not start AngioPose again. Start it from the system menu.</source>
-        <translation>无法再次启动 AngioPose。请从系统菜单启动。</translation>
+        <source>Could not start another AngioPose process. Start it from the system menu.</source>
+        <translation>无法启动另一个 AngioPose 进程。请从系统菜单启动。</translation>
     </message>
     <message>
         <source>Could not open another window</source>
@@ -1650,7 +1650,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>不得用于临床</translation>
     </message>
     <message>
-        <source>AngioPose is a research program, not a medical device: do not use it for diagnosis, treatment or navigation. Results can be wrong; a single projection cannot fully determine depth.</source>
+        <source>AngioPose is research software, not a medical device: do not use it for diagnosis, treatment or navigation. Results can be wrong; a single projection cannot fully determine depth.</source>
         <translation>AngioPose 是研究软件，不是医疗器械：不得用于诊断、治疗或导航。结果可能有误；单一投影无法完全确定深度。</translation>
     </message>
     <message>
@@ -1679,7 +1679,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
     <message>
         <source>Saving…</source>
-        <translation>正在保存……</translation>
+        <translation>正在保存…</translation>
     </message>
     <message>
         <source>Saved</source>
@@ -1687,7 +1687,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
     <message>
         <source>Writing…</source>
-        <translation>正在写入……</translation>
+        <translation>正在写入…</translation>
     </message>
     <message>
         <source>Saved: %1</source>
@@ -1721,11 +1721,11 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
 <context>
     <name>angiopose::app::SideBySideController</name>
     <message>
-        <source>Other views are hidden during a blind trial: they would reveal the answer.</source>
-        <translation>盲法试验期间不显示其他视图：它们会泄露答案。</translation>
+        <source>Other views are hidden during a blind trial because they would reveal the true pose.</source>
+        <translation>盲法试验期间不显示其他视图，因为它们会泄露真实位姿。</translation>
     </message>
     <message>
-        <source>Open an angiogram first. Another view can then be shown beside it.</source>
+        <source>Open an angiogram first. Another view can then be shown next to it.</source>
         <translation>请先打开造影图像，然后才能并排显示另一视图。</translation>
     </message>
     <message>
@@ -1745,11 +1745,11 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>独立位姿</translation>
     </message>
     <message>
-        <source>The vessels move here together with the active view.</source>
-        <translation>此处的血管随当前视图一同移动。</translation>
+        <source>The vessels in this view move together with those in the active view.</source>
+        <translation>此视图中的血管随当前视图中的血管一同移动。</translation>
     </message>
     <message>
-        <source>The views are not registered jointly: moving the vessels in the active view does not move them here.</source>
+        <source>The views are not registered jointly: moving the vessels in the active view does not move them in this view.</source>
         <translation>各视图未联合配准：在当前视图中移动血管时，此处的血管保持不动。</translation>
     </message>
     <message>
@@ -1780,20 +1780,20 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>保存快照 %1</translation>
     </message>
     <message>
-        <source>Saved as “%1” · Y compares</source>
+        <source>Saved as “%1” · Y to compare</source>
         <translation>已保存为“%1” · Y 比较</translation>
     </message>
     <message>
-        <source>“%1”: median %2 mm · Esc returns</source>
+        <source>“%1”: median %2 mm · Esc to return</source>
         <translation>“%1”：中位数 %2 mm · Esc 返回</translation>
     </message>
     <message>
-        <source>“%1” · Esc returns</source>
+        <source>“%1” · Esc to return</source>
         <translation>“%1” · Esc 返回</translation>
     </message>
     <message>
-        <source>There is nothing to compare with yet: K saves a pose, and each registration (R) adds one.</source>
-        <translation>尚无可比较的位姿：K 保存位姿，每次配准（R）也会添加一个。</translation>
+        <source>There is nothing to compare with yet: press K to save a snapshot; each registration (R) also adds one.</source>
+        <translation>尚无可比较的内容：按 K 保存快照，每次配准（R）也会添加一个。</translation>
     </message>
     <message>
         <source>A: current pose</source>
@@ -1808,12 +1808,12 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>编辑快照</translation>
     </message>
     <message>
-        <source>Delete pose</source>
-        <translation>删除位姿</translation>
+        <source>Delete snapshot</source>
+        <translation>删除快照</translation>
     </message>
     <message>
-        <source>Delete %1 poses</source>
-        <translation>删除 %1 个位姿</translation>
+        <source>Delete %1 snapshots</source>
+        <translation>删除 %1 个快照</translation>
     </message>
 </context>
 <context>
@@ -1823,16 +1823,16 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>%1 %：%2</translation>
     </message>
     <message>
-        <source>%1 Press Return to accept it.</source>
+        <source>%1 Press Enter to accept it.</source>
         <translation>%1按回车采用。</translation>
     </message>
     <message>
-        <source>Branches %1: probability %2 %; %3 % of the wire follows them, %4 mm off their axes.</source>
-        <translation>分支 %1：概率 %2 %；%3 % 的导丝沿其走行，偏离轴线 %4 mm。</translation>
+        <source>Branches %1: probability %2 %; %3 % of the guidewire follows them, %4 mm from their centerlines.</source>
+        <translation>分支 %1：概率 %2 %；%3 % 的导丝沿其走行，偏离中心线 %4 mm。</translation>
     </message>
     <message>
-        <source>found</source>
-        <translation>所求</translation>
+        <source>result</source>
+        <translation>结果</translation>
     </message>
     <message>
         <source>Registered solution</source>
@@ -1843,7 +1843,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>%1 mm，%2°</translation>
     </message>
     <message>
-        <source>Other solution %1, score %2: differs from the registered one by %3 mm in plane, %4 mm in depth and %5° in rotation. Press Return to accept it.</source>
+        <source>Other solution %1, score %2: differs from the registered solution by %3 mm in plane, %4 mm in depth and %5° in rotation. Press Enter to accept it.</source>
         <translation>其他解 %1，评分 %2：与配准所得解相差平面内 %3 mm、深度 %4 mm、旋转 %5°。按回车采用。</translation>
     </message>
 </context>
@@ -1858,8 +1858,8 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>由角度得初始位姿，等中心在血管内</translation>
     </message>
     <message>
-        <source>Provide vessels, an angiogram and the geometry first.</source>
-        <translation>请先提供血管、造影图像和几何参数。</translation>
+        <source>Open vessels and an angiogram and complete the geometry first.</source>
+        <translation>请先打开血管和造影图像，并补全几何参数。</translation>
     </message>
     <message>
         <source>Manual initial pose</source>
@@ -1894,11 +1894,11 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
     <message>
         <source>tracing…</source>
-        <translation>提取中……</translation>
+        <translation>提取中…</translation>
     </message>
     <message>
-        <source>given centerline</source>
-        <translation>给定中心线</translation>
+        <source>imported centerline</source>
+        <translation>导入的中心线</translation>
     </message>
     <message>
         <source>frame %1</source>
@@ -1921,7 +1921,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>部分为假定</translation>
     </message>
     <message>
-        <source>Some values are assumed. Enter them if you know them.</source>
+        <source>Some values are assumed. Enter the actual values if you know them.</source>
         <translation>部分数值为假定值。如已知请输入。</translation>
     </message>
     <message>
@@ -1946,14 +1946,14 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
     <message>
         <source>running…</source>
-        <translation>进行中……</translation>
+        <translation>进行中…</translation>
     </message>
     <message>
         <source>moved manually</source>
         <translation>手动移动</translation>
     </message>
     <message>
-        <source>followed</source>
+        <source>tracked</source>
         <translation>已跟踪</translation>
     </message>
     <message>
@@ -1977,7 +1977,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>中位数 %1 mm</translation>
     </message>
     <message>
-        <source>written</source>
+        <source>exported</source>
         <translation>已导出</translation>
     </message>
     <message>
@@ -1985,23 +1985,23 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>打开 CT 血管造影、分割、表面或中心线。</translation>
     </message>
     <message>
-        <source>%1 pieces</source>
-        <translation>%1 段</translation>
+        <source>%1 components</source>
+        <translation>%1 个部分</translation>
     </message>
     <message>
-        <source>The vessel tree is in pieces. The note below the branch list explains how to join them.</source>
-        <translation>血管树不连续。分支列表下方说明如何连接。</translation>
+        <source>The vessel tree is not connected. The note below the branch list explains how to join its components.</source>
+        <translation>血管树不连通。分支列表下方说明如何连接各部分。</translation>
     </message>
     <message>
         <source>different patient?</source>
-        <translation>其他患者？</translation>
+        <translation>患者不同？</translation>
     </message>
     <message>
         <source>frame %1, edited</source>
         <translation>第 %1 帧，已编辑</translation>
     </message>
     <message>
-        <source>The header contains no pixel spacing: %1. Enter it, or press Enter in the field to confirm it.</source>
+        <source>The header contains no pixel spacing: %1. Enter it, or press Enter in the field to confirm the value.</source>
         <translation>文件头无像素间距：%1。请输入，或在框内按回车确认。</translation>
     </message>
     <message>
@@ -2013,8 +2013,8 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>未提取</translation>
     </message>
     <message>
-        <source>No vessels were traced in the scan. Place a seed or set the threshold next to the slices.</source>
-        <translation>扫描中未提取到血管。请在断层旁放置种子点或设置阈值。</translation>
+        <source>No vessels were traced in the scan. Place a seed or set the threshold in the panel next to the slices.</source>
+        <translation>扫描中未提取到血管。请在层面旁放置种子点或设置阈值。</translation>
     </message>
     <message>
         <source>NOT RELIABLE</source>
@@ -2040,7 +2040,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>全序列最小密度投影</translation>
     </message>
     <message>
-        <source>One frame at a time</source>
+        <source>Single frames</source>
         <translation>逐帧显示</translation>
     </message>
     <message>
@@ -2048,7 +2048,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>选择蒙片帧</translation>
     </message>
     <message>
-        <source>A registration is running. Stop it to edit.</source>
+        <source>A registration is running. Stop it before editing.</source>
         <translation>配准正在进行。请先停止再编辑。</translation>
     </message>
     <message>
@@ -2091,14 +2091,14 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <name>angiopose::app::TracingController</name>
     <message>
         <source>Tracing the vessels of the scan… %1 %</source>
-        <translation>正在提取扫描的血管…… %1 %</translation>
+        <translation>正在提取扫描的血管… %1 %</translation>
     </message>
     <message>
         <source>Stopped: the vessels are unchanged</source>
         <translation>已停止：血管未改变</translation>
     </message>
     <message>
-        <source>These vessels were not traced from an image: open a scan, a segmentation or a surface.</source>
+        <source>These vessels were not traced from an image. To trace vessels, open a scan, a segmentation or a surface.</source>
         <translation>这些血管并非由图像提取：请打开扫描、分割或表面。</translation>
     </message>
     <message>
@@ -2107,7 +2107,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
     <message>
         <source>Tracing the vessels of the scan…</source>
-        <translation>正在提取扫描的血管……</translation>
+        <translation>正在提取扫描的血管…</translation>
     </message>
     <message>
         <source>Trace vessels</source>
@@ -2126,7 +2126,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>就绪</translation>
     </message>
     <message>
-        <source>No label is selected: select the labels that are vessels.</source>
+        <source>No label is selected. Select the labels that contain vessels.</source>
         <translation>未选择标签：请选择属于血管的标签。</translation>
     </message>
 </context>
@@ -2137,8 +2137,8 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>请选择一个分支：在列表或视图中单击。</translation>
     </message>
     <message>
-        <source>%1 pieces, too far apart to be joined</source>
-        <translation>%1 段，相距过远，无法连接</translation>
+        <source>%1 components, too far apart to join</source>
+        <translation>%1 个部分，相距过远，无法连接</translation>
     </message>
     <message>
         <source>Place seed here</source>
@@ -2149,8 +2149,8 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>避开此点</translation>
     </message>
     <message>
-        <source>%1 pieces · gap %2 mm: %3 – %4</source>
-        <translation>%1 段 · 间隙 %2 mm：%3 – %4</translation>
+        <source>%1 components · gap %2 mm: %3 – %4</source>
+        <translation>%1 个部分 · 间隙 %2 mm：%3 – %4</translation>
     </message>
     <message>
         <source>Rotate vessels about this point</source>
@@ -2180,16 +2180,16 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>删除 %1 及其下级分支</translation>
     </message>
     <message>
-        <source>Click the cut position first, in a slice or on the branch in the 3-D view.</source>
-        <translation>请先在断层或三维视图的分支上单击切断位置。</translation>
+        <source>First click the position of the cut, in a slice or on the branch in the 3-D view.</source>
+        <translation>请先在层面或三维视图的分支上单击切断位置。</translation>
     </message>
     <message>
         <source>Cut %1</source>
         <translation>切断 %1</translation>
     </message>
     <message>
-        <source>Select the two branches to join: Ctrl adds the second one.</source>
-        <translation>请选择要连接的两个分支：按住 Ctrl 追加第二个。</translation>
+        <source>Select two branches to join (Ctrl+click adds the second).</source>
+        <translation>请选择要连接的两个分支（Ctrl+单击追加第二个）。</translation>
     </message>
     <message>
         <source>Join %1 and %2</source>
@@ -2216,8 +2216,8 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>显示所有分支</translation>
     </message>
     <message>
-        <source>No terminal branch is shorter or thinner than that.</source>
-        <translation>没有更短或更细的末端分支。</translation>
+        <source>No terminal branch is below these limits.</source>
+        <translation>没有低于这些限值的末端分支。</translation>
     </message>
     <message>
         <source>Prune 1 branch</source>
@@ -2244,14 +2244,14 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
     <message>
         <source>Name this view…</source>
-        <translation>为此视图命名……</translation>
+        <translation>为此视图命名…</translation>
     </message>
     <message>
         <source>Name this view</source>
         <translation>为此视图命名</translation>
     </message>
     <message>
-        <source>Name of the view %1 (empty: its angles)</source>
+        <source>Name of view %1 (leave empty to use its angles)</source>
         <translation>视图 %1 的名称（留空则显示角度）</translation>
     </message>
     <message>
@@ -2283,7 +2283,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>显示视图 %1</translation>
     </message>
     <message>
-        <source>No other view can be shown in its place.</source>
+        <source>No other view can be shown instead.</source>
         <translation>没有其他视图可替代显示。</translation>
     </message>
     <message>
@@ -2306,7 +2306,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>配准过程中的一步</translation>
     </message>
     <message>
-        <source>a pose within image noise</source>
+        <source>a pose within the image noise</source>
         <translation>图像噪声范围内的位姿</translation>
     </message>
     <message>
@@ -2341,11 +2341,11 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
 <context>
     <name>core</name>
     <message>
-        <source>1 is the most probable path, 2 the next, and so on.</source>
-        <translation>1 为最可能的路径，2 为其次，依此类推。</translation>
+        <source>Rank of the path by probability: 1 is the most probable path.</source>
+        <translation>路径按概率的序号：1 为最可能的路径。</translation>
     </message>
     <message>
-        <source>Adds the prior selected above to the attraction.</source>
+        <source>Adds the prior selected above to the attraction term.</source>
         <translation>在吸引项上加入上方所选先验。</translation>
     </message>
     <message>
@@ -2361,15 +2361,15 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>交替</translation>
     </message>
     <message>
-        <source>Annealed particles around the initial pose, or a walk over the out-of-plane angles.</source>
+        <source>Annealed particles around the initial pose, or a sweep over the out-of-plane angles.</source>
         <translation>围绕初始位姿的退火粒子，或遍历平面外角度。</translation>
     </message>
     <message>
-        <source>A different number uses another random sequence; the same number reproduces it.</source>
-        <translation>不同数值使用不同随机序列；相同数值可重现。</translation>
+        <source>Seed of the random numbers; the same seed reproduces the result.</source>
+        <translation>随机数种子；相同的种子可重现结果。</translation>
     </message>
     <message>
-        <source>Attracted by</source>
+        <source>Attracted to</source>
         <translation>吸引来源</translation>
     </message>
     <message>
@@ -2381,11 +2381,11 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>在匹配分支的序列中最佳优先搜索，每个序列给出一个位姿（参照 Zhu；重新实现，参数自定）。</translation>
     </message>
     <message>
-        <source>Image brightness under the vessels at their own width, evolution strategy (Jomier 2006; re-implementation, our parameters).</source>
-        <translation>按血管自身宽度取其下的图像亮度，进化策略（Jomier 2006；重新实现，参数自定）。</translation>
+        <source>Image intensity under the vessels at the scale of each vessel, optimized by an evolution strategy (Jomier 2006; re-implementation, our parameters).</source>
+        <translation>按各血管尺度取血管下的图像强度，用进化策略优化（Jomier 2006；重新实现，参数自定）。</translation>
     </message>
     <message>
-        <source>Auxiliary branches (nodes if none are selected), nodes, the widest branches up to a third of the length, or random points.</source>
+        <source>Auxiliary branches (nodes if none are selected), nodes, the widest branches (up to one third of the total length), or random points.</source>
         <translation>辅助分支（未选择时为节点）、节点、最粗且不超过总长三分之一的分支，或随机点。</translation>
     </message>
     <message>
@@ -2393,12 +2393,12 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>先粗搜索，再绕血管树质心做稳健的点到线精配准，并给出不确定度。</translation>
     </message>
     <message>
-        <source>Covariance matrix adaptation, or one parent and one child at a time.</source>
-        <translation>协方差矩阵自适应，或每次一父一子。</translation>
+        <source>Covariance matrix adaptation (CMA-ES), or a (1+1) evolution strategy.</source>
+        <translation>协方差矩阵自适应（CMA-ES），或 (1+1) 进化策略。</translation>
     </message>
     <message>
-        <source>Damped steps on the Huber loss with updated matches, or L-BFGS on the squared distances.</source>
-        <translation>对 Huber 损失做阻尼步并更新匹配，或对距离平方用 L-BFGS。</translation>
+        <source>Levenberg–Marquardt on the Huber loss with updated correspondences, or L-BFGS on the squared distances.</source>
+        <translation>对 Huber 损失用 Levenberg–Marquardt 并更新对应，或对距离平方用 L-BFGS。</translation>
     </message>
     <message>
         <source>Direction kernel</source>
@@ -2413,7 +2413,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>提取血管上的点间距。</translation>
     </message>
     <message>
-        <source>Spacing of the matched tree points; smaller values are slower.</source>
+        <source>Spacing of the tree points used for matching; smaller values are slower.</source>
         <translation>参与匹配的血管树点间距；越小越慢。</translation>
     </message>
     <message>
@@ -2421,8 +2421,8 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>最终阶段超过此距离的点权重很小；图像噪声会使其增大。</translation>
     </message>
     <message>
-        <source>Distance beyond which the pull of a point no longer grows.</source>
-        <translation>超过此距离后单点拉力不再增大。</translation>
+        <source>Distance beyond which the influence of a point no longer increases.</source>
+        <translation>超过此距离后单点影响不再增大。</translation>
     </message>
     <message>
         <source>Edge scale</source>
@@ -2434,14 +2434,14 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
     <message>
         <source>Max. evaluations</source>
-        <translation>最多评估次数</translation>
+        <translation>最大评估次数</translation>
     </message>
     <message>
         <source>Even spacing</source>
         <translation>等间距</translation>
     </message>
     <message>
-        <source>Factor by which the kernel narrows in each step after the first thirty.</source>
+        <source>Factor by which the kernel width is reduced in each step after the first thirty.</source>
         <translation>前三十步之后每步核收窄的倍数。</translation>
     </message>
     <message>
@@ -2453,28 +2453,28 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>初始核宽</translation>
     </message>
     <message>
-        <source>Initial reach</source>
+        <source>Initial range</source>
         <translation>初始范围</translation>
     </message>
     <message>
-        <source>Initial reach in the image</source>
+        <source>Initial image range</source>
         <translation>图像中初始范围</translation>
     </message>
     <message>
         <source>Max. flow steps</source>
-        <translation>最多流步数</translation>
+        <translation>最大流步数</translation>
     </message>
     <message>
-        <source>Gradient ascent of the mean kernel between tree and traced vessels, or of the image brightness (Aylward 2003; re-implementation, our parameters).</source>
-        <translation>对血管树与提取血管之间的平均核，或图像亮度做梯度上升（Aylward 2003；重新实现，参数自定）。</translation>
+        <source>Gradient ascent of the mean kernel value between tree and traced vessels, or of the image intensity (Aylward 2003; re-implementation, our parameters).</source>
+        <translation>对血管树与提取血管之间的平均核值，或图像强度做梯度上升（Aylward 2003；重新实现，参数自定）。</translation>
     </message>
     <message>
-        <source>Gradient flow of the inner product of tree and traced vessels as functions in the image (Ghaffari 2019; re-implementation, our parameters).</source>
+        <source>Gradient flow of the inner product of tree and traced vessels, represented as functions in the image (Ghaffari 2019; re-implementation, our parameters).</source>
         <translation>血管树与提取血管作为图像函数之内积的梯度流（Ghaffari 2019；重新实现，参数自定）。</translation>
     </message>
     <message>
-        <source>Maximum number of gradient steps at each of the three widths.</source>
-        <translation>三个宽度各自的最多梯度步数。</translation>
+        <source>Maximum number of gradient steps at each of the three kernel widths.</source>
+        <translation>三个核宽各自的最多梯度步数。</translation>
     </message>
     <message>
         <source>Required similarity of directions; smaller values are stricter.</source>
@@ -2513,12 +2513,12 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>辅助点为随机时的数量。</translation>
     </message>
     <message>
-        <source>Weighting of the pull toward the initial pose against the image.</source>
-        <translation>初始位姿约束相对于图像的权衡方式。</translation>
+        <source>Weighting of the initial-pose prior relative to the image.</source>
+        <translation>初始位姿先验相对于图像的权衡方式。</translation>
     </message>
     <message>
-        <source>Method for finding the nearest points: tree and grid are exact, the map is accurate to within three pixels.</source>
-        <translation>查找最近点的方法：树和网格为精确，距离图误差在三个像素内。</translation>
+        <source>Nearest-neighbor search: k-d tree and grid are exact; the distance map is accurate to within three pixels.</source>
+        <translation>最近邻搜索：k-d 树和网格为精确，距离图误差在三个像素内。</translation>
     </message>
     <message>
         <source>Huber distance</source>
@@ -2530,7 +2530,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
     <message>
         <source>Max. ICP iterations</source>
-        <translation>ICP 最多迭代</translation>
+        <translation>ICP 最大迭代次数</translation>
     </message>
     <message>
         <source>Image point spacing</source>
@@ -2542,14 +2542,14 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
     <message>
         <source>Max. iterations</source>
-        <translation>最多迭代</translation>
+        <translation>最大迭代次数</translation>
     </message>
     <message>
-        <source>Keeps the projected tree as wide as the traced vessels; lower it if many branches are missing from the image.</source>
-        <translation>使投影血管树与提取血管同宽；图像中缺失许多分支时请降低。</translation>
+        <source>Keeps the extent of the projected tree equal to that of the traced vessels; lower it if many branches are missing from the image.</source>
+        <translation>使投影血管树的范围与提取血管一致；图像中缺失许多分支时请降低。</translation>
     </message>
     <message>
-        <source>Keeps the projected tree from shrinking; lower it if many branches are missing from the image.</source>
+        <source>Prevents the projected tree from shrinking; lower it if many branches are missing from the image.</source>
         <translation>防止投影血管树收缩；图像中缺失许多分支时请降低。</translation>
     </message>
     <message>
@@ -2557,7 +2557,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>核衰减</translation>
     </message>
     <message>
-        <source>Initial kernel width: the largest distance, or its square as printed in the paper.</source>
+        <source>Initial kernel width: the largest distance, or its square, as printed in the paper.</source>
         <translation>初始核宽：最大距离，或如论文所示取其平方。</translation>
     </message>
     <message>
@@ -2573,28 +2573,28 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>最终核宽</translation>
     </message>
     <message>
-        <source>Last pose ±, depth</source>
-        <translation>上次位姿 ±，深度</translation>
+        <source>Last pose ± (depth)</source>
+        <translation>上次位姿 ±（深度）</translation>
     </message>
     <message>
-        <source>Last pose ±, rotation</source>
-        <translation>上次位姿 ±，旋转</translation>
+        <source>Last pose ± (rotation)</source>
+        <translation>上次位姿 ±（旋转）</translation>
     </message>
     <message>
-        <source>Last pose ±, shift</source>
-        <translation>上次位姿 ±，平移</translation>
+        <source>Last pose ± (shift)</source>
+        <translation>上次位姿 ±（平移）</translation>
     </message>
     <message>
         <source>Minimum Huber loss of the distances to the nearest traced vessel (Rivest-Hénault 2012; re-implementation, our parameters).</source>
         <translation>到最近提取血管距离的 Huber 损失最小（Rivest-Hénault 2012；重新实现，参数自定）。</translation>
     </message>
     <message>
-        <source>Least squares on branches matched by their graphs, followed by length-preserving vessel motion (Groher 2009; re-implementation, our parameters).</source>
-        <translation>按图匹配分支后的最小二乘，随后做保持长度的血管移动（Groher 2009；重新实现，参数自定）。</translation>
+        <source>Least squares on branches matched by graph matching, followed by length-preserving vessel motion (Groher 2009; re-implementation, our parameters).</source>
+        <translation>通过图匹配对应分支后的最小二乘，随后做保持长度的血管移动（Groher 2009；重新实现，参数自定）。</translation>
     </message>
     <message>
-        <source>Repeated least squares on nearest pairs, with OpenCV&apos;s SQPNP.</source>
-        <translation>用 OpenCV 的 SQPNP 对最近点对反复做最小二乘。</translation>
+        <source>Iterative closest points with OpenCV&apos;s SQPnP solver.</source>
+        <translation>使用 OpenCV SQPnP 求解器的迭代最近点。</translation>
     </message>
     <message>
         <source>Allow vessel motion</source>
@@ -2609,16 +2609,16 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>辅助点与全部点交替求解。</translation>
     </message>
     <message>
-        <source>Rounds of line searches along all six directions.</source>
+        <source>Number of line-search rounds along all six directions.</source>
         <translation>沿六个方向线搜索的轮数。</translation>
     </message>
     <message>
-        <source>Searches around the initial pose before the refinement.</source>
+        <source>Searches the neighborhood of the initial pose before the refinement.</source>
         <translation>精配准前先在初始位姿附近搜索。</translation>
     </message>
     <message>
-        <source>Many poses at once, resampled by likelihood, or a walk over the out-of-plane angles (after Tian 2022; re-implementation, our parameters).</source>
-        <translation>同时维持多个位姿并按似然重采样，或遍历平面外角度（参照 Tian 2022；重新实现，参数自定）。</translation>
+        <source>Particle filter resampled by likelihood, or a sweep over the out-of-plane angles (after Tian 2022; re-implementation, our parameters).</source>
+        <translation>按似然重采样的粒子滤波，或遍历平面外角度（参照 Tian 2022；重新实现，参数自定）。</translation>
     </message>
     <message>
         <source>Mask margin</source>
@@ -2637,7 +2637,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>分支匹配与位姿拟合的最多轮数。</translation>
     </message>
     <message>
-        <source>After the rigid fit, moves the branches onto their matches with lengths preserved and reports the displacement; the pose does not change.</source>
+        <source>After the rigid fit, moves the branches to their matches while preserving their lengths, and reports the displacement; the pose does not change.</source>
         <translation>刚性拟合后将分支保持长度移向其匹配血管并报告位移；位姿不变。</translation>
     </message>
     <message>
@@ -2645,7 +2645,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>交替搜索中的 NICP（Song、Ghaffari；重新实现，参数自定）。</translation>
     </message>
     <message>
-        <source>Narrows the kernel after five steps, or when no new point comes within its reach.</source>
+        <source>Narrows the kernel after five steps, or when no new point comes within its range.</source>
         <translation>五步后收窄核，或在不再有新点进入范围时收窄。</translation>
     </message>
     <message>
@@ -2661,7 +2661,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>偏离轴线 ±</translation>
     </message>
     <message>
-        <source>For images that show only a wire or catheter: finds its path through the tree, and the pose near the last full registration.</source>
+        <source>For images that show only a guidewire or catheter: finds its path through the tree, and the pose near the last full registration.</source>
         <translation>用于仅可见导丝或导管的图像：求其在血管树中的路径，以及上次完整配准附近的位姿。</translation>
     </message>
     <message>
@@ -2669,11 +2669,11 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>粒子数</translation>
     </message>
     <message>
-        <source>Pixels compared</source>
+        <source>Compared pixels</source>
         <translation>比较像素</translation>
     </message>
     <message>
-        <source>Points attract each other more strongly the more parallel the vessels are there.</source>
+        <source>Points attract each other more strongly where the vessels are more parallel.</source>
         <translation>血管走向越平行，点之间吸引越强。</translation>
     </message>
     <message>
@@ -2685,7 +2685,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>每轮由三个随机对应求得的位姿数。</translation>
     </message>
     <message>
-        <source>Number of poses kept per round.</source>
+        <source>Number of poses retained per round.</source>
         <translation>每轮保留的位姿数。</translation>
     </message>
     <message>
@@ -2725,19 +2725,19 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>图像与 CTA 或管状模型的 DRR 的秩相关，Nelder–Mead（Steininger 2012；重新实现，参数自定）。</translation>
     </message>
     <message>
-        <source>Initial reach of the attraction.</source>
+        <source>Initial range of the attraction.</source>
         <translation>初始吸引范围。</translation>
     </message>
     <message>
-        <source>Final reach of the attraction.</source>
+        <source>Final range of the attraction.</source>
         <translation>最终吸引范围。</translation>
     </message>
     <message>
-        <source>Root reach</source>
-        <translation>根的范围</translation>
+        <source>Max. node distance</source>
+        <translation>最大节点距离</translation>
     </message>
     <message>
-        <source>Rigid only, or followed by an affine stage whose rigid part is kept if it fits better.</source>
+        <source>Rigid only, or followed by an affine stage whose rigid component is kept if it fits better.</source>
         <translation>仅刚性，或之后加仿射阶段，其刚性部分更优时保留。</translation>
     </message>
     <message>
@@ -2750,7 +2750,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
     <message>
         <source>Max. rounds</source>
-        <translation>最多轮数</translation>
+        <translation>最大轮数</translation>
     </message>
     <message>
         <source>Search</source>
@@ -2793,7 +2793,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>展宽项</translation>
     </message>
     <message>
-        <source>Spaces the points evenly before matching; if off, uses the points unchanged.</source>
+        <source>Resamples the points at even spacing before matching; if off, the points are used unchanged.</source>
         <translation>匹配前将点等距化；关闭则使用原始点。</translation>
     </message>
     <message>
@@ -2817,11 +2817,11 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>初始位姿沿射线的标准差。</translation>
     </message>
     <message>
-        <source>Standard deviation of the initial pose angles; constrains what the image cannot determine.</source>
-        <translation>初始位姿角度的标准差；约束图像无法确定的量。</translation>
+        <source>Standard deviation of the initial pose angles; constrains the components that the image cannot determine.</source>
+        <translation>初始位姿角度的标准差；约束图像无法确定的分量。</translation>
     </message>
     <message>
-        <source>Standard deviation of the wire from the vessel axis, in addition to the play within the vessel width.</source>
+        <source>Standard deviation of the guidewire from the vessel axis, in addition to its free play within the lumen.</source>
         <translation>导丝偏离血管轴线的标准差，不含血管管径所允许的部分。</translation>
     </message>
     <message>
@@ -2829,12 +2829,12 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>初始深度 ±</translation>
     </message>
     <message>
-        <source>Steps along the flow, total over all widths.</source>
-        <translation>沿流的步数，各宽度合计。</translation>
+        <source>Maximum number of steps along the flow, summed over all kernel widths.</source>
+        <translation>沿流的最多步数，各核宽合计。</translation>
     </message>
     <message>
-        <source>Wire path</source>
-        <translation>导丝路径</translation>
+        <source>Path rank</source>
+        <translation>路径序号</translation>
     </message>
     <message>
         <source>Auxiliary branch weight</source>
@@ -2849,7 +2849,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>几何不确定度</translation>
     </message>
     <message>
-        <source>Uncertainty of focal length and principal point: typical for their origin, as given below, or none.</source>
+        <source>Uncertainty of focal length and principal point: typical for their source, as given below, or none.</source>
         <translation>焦距和主点的不确定度：按其来源的典型值、按下方给定值，或不考虑。</translation>
     </message>
     <message>
@@ -2857,7 +2857,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>焦距 ±</translation>
     </message>
     <message>
-        <source>Standard deviation of the focal length, if given.</source>
+        <source>Standard deviation of the focal length, if specified.</source>
         <translation>给定时焦距的标准差。</translation>
     </message>
     <message>
@@ -2865,7 +2865,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>主点 ±</translation>
     </message>
     <message>
-        <source>Standard deviation of each principal-point coordinate, if given.</source>
+        <source>Standard deviation of each principal-point coordinate, if specified.</source>
         <translation>给定时主点各坐标的标准差。</translation>
     </message>
     <message>
@@ -2877,20 +2877,20 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>当图像明显与焦距或主点不符时，采用图像所示的值并重新配准。</translation>
     </message>
     <message>
-        <source>Mirrored and rotated images</source>
-        <translation>镜像和旋转的图像</translation>
+        <source>Mirrored or rotated images</source>
+        <translation>镜像或旋转的图像</translation>
     </message>
     <message>
-        <source>If the fit has low confidence, reports whether the image looks mirrored or rotated.</source>
-        <translation>拟合置信度低时，报告图像是否像被镜像或旋转。</translation>
+        <source>If confidence is low, reports whether the image appears mirrored or rotated.</source>
+        <translation>置信度低时，报告图像是否像被镜像或旋转。</translation>
     </message>
     <message>
         <source>Deformation</source>
         <translation>形变</translation>
     </message>
     <message>
-        <source>Deforms the vessels onto the image after the rigid registration: never, if the fit suggests a deformation (angiopose, nothing locked), or always.</source>
-        <translation>刚性配准后将血管形变到图像上：从不、在拟合提示存在形变时（angiopose，且无锁定），或总是。</translation>
+        <source>Deforms the vessels to match the image after the rigid registration: never; automatically, if the fit suggests a deformation (method angiopose, nothing locked); or always.</source>
+        <translation>刚性配准后将血管形变到图像上：从不；在拟合提示存在形变时自动进行（方法 angiopose，且无锁定）；或总是。</translation>
     </message>
     <message>
         <source>Initial rotation ±</source>
@@ -2917,20 +2917,20 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>策略</translation>
     </message>
     <message>
-        <source>Strength of the pull toward the initial pose.</source>
-        <translation>向初始位姿拉力的强度。</translation>
+        <source>Weight of the initial-pose prior.</source>
+        <translation>初始位姿先验的权重。</translation>
     </message>
     <message>
         <source>Maximum number of refinement steps.</source>
         <translation>精配准的最多步数。</translation>
     </message>
     <message>
-        <source>The spread narrows by a quarter in each round.</source>
+        <source>The spread decreases by one quarter in each round.</source>
         <translation>每轮散布缩小四分之一。</translation>
     </message>
     <message>
-        <source>The traced vessels, or the image brightness at each vessel&apos;s own width.</source>
-        <translation>提取的血管，或按各血管自身宽度的图像亮度。</translation>
+        <source>The traced vessels, or the image intensity at the scale of each vessel.</source>
+        <translation>提取的血管，或按各血管尺度的图像强度。</translation>
     </message>
     <message>
         <source>Transformation</source>
@@ -2945,7 +2945,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>首先绕射线源旋转。</translation>
     </message>
     <message>
-        <source>Balanced rotation and translation, or unscaled radians and millimeters, which hardly translates.</source>
+        <source>Balances rotation and translation, or uses unscaled radians and millimeters, which yields hardly any translation.</source>
         <translation>旋转与平移平衡，或弧度与毫米不加缩放直接并用（几乎不平移）。</translation>
     </message>
     <message>
@@ -2953,11 +2953,11 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>血管壁与图像梯度匹配，Powell 法（Mitrović 2013；重新实现，参数自定）。</translation>
     </message>
     <message>
-        <source>Initial width of the mixture Gaussians.</source>
+        <source>Initial width of the Gaussians in the mixture.</source>
         <translation>高斯混合的初始宽度。</translation>
     </message>
     <message>
-        <source>Final width of the mixture Gaussians.</source>
+        <source>Final width of the Gaussians in the mixture.</source>
         <translation>高斯混合的最终宽度。</translation>
     </message>
     <message>
@@ -3183,7 +3183,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>C 臂角度</translation>
     </message>
     <message>
-        <source>Blue: visible at full length and free of overlap. Amber: foreshortened or overlapped.</source>
+        <source>Blue: visible at full length and without overlap. Amber: foreshortened or overlapped.</source>
         <translation>蓝色：全长可见且无重叠。琥珀色：缩短或有重叠。</translation>
     </message>
     <message>
@@ -3195,7 +3195,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>C 臂范围</translation>
     </message>
     <message>
-        <source>Now: %1</source>
+        <source>Current: %1</source>
         <translation>当前：%1</translation>
     </message>
     <message>
@@ -3239,7 +3239,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>相机像素存在偏斜（偏斜 %1）。请提供无偏斜的相机，或对图像重采样。</translation>
     </message>
     <message>
-        <source>K must contain only focal lengths and principal point: fx 0 cx, 0 fy cy, 0 0 1. Check whether it is transposed.</source>
+        <source>K must contain only focal lengths and principal point: fx 0 cx, 0 fy cy, 0 0 1. Check that it is not transposed.</source>
         <comment>projection.intrinsics</comment>
         <translation>K 只能包含焦距和主点：fx 0 cx, 0 fy cy, 0 0 1。请检查是否被转置。</translation>
     </message>
@@ -3254,17 +3254,17 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>文件中没有带位姿的相机。请提供 P (3 x 4)，或 K (3 x 3)、R (3 x 3 或 rvec) 和 t (3)。</translation>
     </message>
     <message>
-        <source>the file contains %1 numbers. P = K [R t] has 12 (three rows of four), a pose cameraFromPatient has 16.</source>
+        <source>the file contains %1 numbers. P = K [R t] requires 12 (three rows of four), a pose cameraFromPatient 16.</source>
         <comment>exchange.numbers</comment>
         <translation>文件中有 %1 个数。P = K [R t] 有 12 个（三行四列），位姿 cameraFromPatient 有 16 个。</translation>
     </message>
     <message>
-        <source>the camera has lens distortion (distortion coefficients). Undistort the image, then provide a camera without distortion.</source>
+        <source>the camera has lens distortion (distortion coefficients). Undistort the image, then specify a camera without distortion.</source>
         <comment>exchange.distorted</comment>
         <translation>相机含畸变（畸变系数）。请先校正图像畸变，再提供无畸变的相机。</translation>
     </message>
     <message>
-        <source>a pose in this format needs a camera. Provide a case, or a pose with a camera.</source>
+        <source>a pose in this format requires a camera. Specify a case, or a pose with a camera.</source>
         <comment>exchange.no-camera</comment>
         <translation>此格式的位姿需要相机。请提供病例，或带相机的位姿。</translation>
     </message>
@@ -3294,7 +3294,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>第 %1 行没有点 (id,x,y,z,…)。请重新导出这些点。</translation>
     </message>
     <message>
-        <source>its coordinate system is %1, not LPS or RAS. Export the points in patient coordinates.</source>
+        <source>the coordinate system is %1, not LPS or RAS. Export the points in patient coordinates.</source>
         <comment>fiducials.system</comment>
         <translation>其坐标系是 %1，不是 LPS 或 RAS。请以患者坐标导出这些点。</translation>
     </message>
@@ -3304,9 +3304,9 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>点可保存为 .fcsv 或 .mrk.json。请更改扩展名。</translation>
     </message>
     <message>
-        <source>%1 is a pose or contains points. Open the case it belongs to first, then open this file on its own.</source>
+        <source>%1 contains a pose or points. Open its case first, then open this file separately.</source>
         <comment>open.pose-alone</comment>
-        <translation>%1 是位姿或含有点。请先打开其所属病例，再单独打开此文件。</translation>
+        <translation>%1 含有位姿或点。请先打开其所属病例，再单独打开此文件。</translation>
     </message>
     <message>
         <source>The camera of the pose differs from the camera of the case. The vessels are drawn with the camera of the pose.</source>
@@ -3321,7 +3321,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>the case has no landmarks, target points or ostium rings. Add some in the window first.</source>
         <comment>convert.no-points</comment>
-        <translation>病例没有标志点、靶点或开口环。请先在窗口中添加。</translation>
+        <translation>病例没有标志点、目标点或开口环。请先在窗口中添加。</translation>
     </message>
     <message>
         <source>The pose is assumed to have the detector at negative z and no extrinsic matrix, as in xReg X-ray data. Use --camera if the image is mirrored.</source>
@@ -3344,7 +3344,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>烧录文字已遮盖（占图像面积的 %1 %）。请检查是否有残留。</translation>
     </message>
     <message>
-        <source>The header declares burned-in identity, but no text was found in the image. Review every frame.</source>
+        <source>The header declares burned-in patient information, but no text was detected in the image. Review every frame.</source>
         <comment>deidentify.letters-declared</comment>
         <translation>文件头声明图像中烧录有身份信息，但未检测到文字。请检查每一帧。</translation>
     </message>
@@ -3364,24 +3364,24 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>不含图像的文件已跳过：%1 / %2。</translation>
     </message>
     <message>
-        <source>its segments are stored in a form that cannot be saved again. Convert it to .nii.gz or .nrrd; these formats store no label names.</source>
+        <source>the segments use an encoding that cannot be written. Convert the file to .nii.gz or .nrrd; these formats store no label names.</source>
         <comment>deidentify.segmentation</comment>
-        <translation>其分割的存储形式无法重新保存。请转换为 .nii.gz 或 .nrrd；这些格式不保存标签名称。</translation>
+        <translation>其分割使用无法写出的编码。请将文件转换为 .nii.gz 或 .nrrd；这些格式不保存标签名称。</translation>
     </message>
     <message>
-        <source>its compressed 32-bit pixels cannot be saved again. Convert it to .nii.gz or .nrrd.</source>
+        <source>the compressed 32-bit pixels cannot be re-encoded. Convert the file to .nii.gz or .nrrd.</source>
         <comment>deidentify.pixels-too-wide</comment>
-        <translation>其 32 位压缩像素无法重新保存。请转换为 .nii.gz 或 .nrrd。</translation>
+        <translation>其 32 位压缩像素无法重新编码。请将文件转换为 .nii.gz 或 .nrrd。</translation>
     </message>
     <message>
-        <source>only PNG, JPEG, TIFF and DICOM images can be stripped of metadata. Save it as PNG.</source>
+        <source>only PNG, JPEG, TIFF and DICOM images can be stripped of metadata. Save the image as PNG.</source>
         <comment>deidentify.picture</comment>
         <translation>只有 PNG、JPEG、TIFF 和 DICOM 图像可以去除元数据。请另存为 PNG。</translation>
     </message>
     <message>
-        <source>the folder is not empty. Choose a new one, so nothing else is shared with the output.</source>
+        <source>the folder is not empty. Choose an empty folder so that no other files are shared with the output.</source>
         <comment>deidentify.output-not-empty</comment>
-        <translation>该文件夹不为空。请选择新文件夹，以免一并共享其他内容。</translation>
+        <translation>该文件夹不为空。请选择空文件夹，以免一并共享其他文件。</translation>
     </message>
     <message>
         <source>the folder contains no DICOM image. Choose the folder of one study.</source>
@@ -3389,7 +3389,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>文件夹中没有 DICOM 图像。请选择一次检查的文件夹。</translation>
     </message>
     <message>
-        <source>an input file of the case could not be read and is not in the ZIP archive: %1</source>
+        <source>an input file of the case could not be read and is missing from the ZIP archive: %1</source>
         <comment>pack.input-missing</comment>
         <translation>病例的一个输入文件无法读取，未放入 ZIP 压缩包：%1</translation>
     </message>
@@ -3404,14 +3404,14 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>无法写入 ZIP 压缩包（%1）。请选择其他文件夹，或释放磁盘空间。</translation>
     </message>
     <message>
-        <source>User-entered names, notes and texts were replaced by numbers: %1.</source>
+        <source>Names, notes and texts entered by users were replaced by numbers: %1.</source>
         <comment>pack.texts-cleared</comment>
         <translation>手工输入的名称、备注和文字已替换为编号：%1。</translation>
     </message>
     <message>
-        <source>the packed case does not match the original: %1 Nothing was written.</source>
+        <source>the ZIP archive does not match the original case: %1 Nothing was written.</source>
         <comment>pack.differs</comment>
-        <translation>打包的病例与原病例不一致：%1 未写出任何内容。</translation>
+        <translation>ZIP 压缩包与原病例不一致：%1 未写出任何内容。</translation>
     </message>
     <message>
         <source>Branch names are kept. Check that they contain anatomy only.</source>
@@ -3439,32 +3439,32 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>血管不同。</translation>
     </message>
     <message>
-        <source>a key needs at least 16 bytes. Create one: head -c 32 /dev/urandom &gt; key</source>
+        <source>a key must have at least 16 bytes. To create one: head -c 32 /dev/urandom &gt; key</source>
         <comment>deidentify.key-too-short</comment>
         <translation>密钥至少需要 16 字节。可这样生成：head -c 32 /dev/urandom &gt; key</translation>
     </message>
     <message>
-        <source>de-identification turns this input into a file with the extension %1, and a folder into a folder. Name OUT accordingly.</source>
+        <source>this input is de-identified into a file with the extension %1, and a folder into a folder. Name OUT accordingly.</source>
         <comment>deidentify.kind</comment>
         <translation>去标识化后，此输入成为扩展名为 %1 的文件，文件夹仍为文件夹。请相应命名 OUT。</translation>
     </message>
     <message>
-        <source>this TIFF cannot be saved again without loss (supported: gray, palette or RGB with 8 or 16 bits or float, in strips). Save it as PNG.</source>
+        <source>this TIFF cannot be rewritten losslessly (supported: grayscale, palette or RGB with 8 or 16 bits or float, in strips). Convert it to PNG.</source>
         <comment>deidentify.tiff</comment>
         <translation>该 TIFF 无法无损重新保存（支持条带式的灰度、调色板或 RGB，8 或 16 位或浮点）。请另存为 PNG。</translation>
     </message>
     <message>
-        <source>this is a document (PDF), and any page may show names. Generate it again from a de-identified case.</source>
+        <source>this is a PDF document; any page may contain names. Create it again from a de-identified case.</source>
         <comment>deidentify.pages</comment>
-        <translation>这是一份文档（PDF），任何页面都可能显示姓名。请由去标识化的病例重新生成。</translation>
+        <translation>这是 PDF 文档，任何页面都可能包含姓名。请由去标识化的病例重新生成。</translation>
     </message>
     <message>
-        <source>objects of this kind (class %1) contain data that cannot be de-identified reliably. Leave it out.</source>
+        <source>objects of this kind (class %1) contain data that cannot be de-identified reliably. Omit the object.</source>
         <comment>deidentify.object</comment>
         <translation>此类对象（类别 %1）含有无法可靠去标识化的数据。请将其略去。</translation>
     </message>
     <message>
-        <source>its class (%1) declares no image, but the file contains one, which would be lost. Export it again, or leave it out.</source>
+        <source>its SOP class (%1) has no image, but the file contains one, which would be lost. Export it again, or omit it.</source>
         <comment>deidentify.object-with-pixels</comment>
         <translation>其类别（%1）不含图像，但文件中含有图像，该图像会丢失。请重新导出，或将其略去。</translation>
     </message>
@@ -3479,7 +3479,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>备选路径：%1（%2）。</translation>
     </message>
     <message>
-        <source>No path through the vessel tree is likely: the best one has a probability of %1.</source>
+        <source>No path through the vessel tree is likely: the best path has a probability of %1.</source>
         <comment>wire.unlikely</comment>
         <translation>血管树中没有可能性高的路径：最佳路径的概率为 %1。</translation>
     </message>
@@ -3489,9 +3489,9 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>仅 %1 的导丝沿血管树走行。</translation>
     </message>
     <message>
-        <source>The traced centerlines do not form a single line: gaps make up %1 of it. Remove those that are not the guidewire.</source>
+        <source>The traced curves do not form a single line: gaps make up %1 of it. Remove the curves that do not belong to the guidewire.</source>
         <comment>wire.in-pieces</comment>
-        <translation>提取的中心线不构成单一线条：其中 %1 为间隙。请去除不属于导丝的中心线。</translation>
+        <translation>提取的曲线不构成单一线条：其中 %1 为间隙。请去除不属于导丝的曲线。</translation>
     </message>
     <message>
         <source>The guidewire matches no path of the vessel tree near the initial pose. Start from the last full registration, or allow a larger deviation.</source>
@@ -3499,17 +3499,17 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>在初始位姿附近，导丝与血管树的任何路径都不符。请从上次完整配准开始，或允许更大的偏差。</translation>
     </message>
     <message>
-        <source>The guidewire follows branches %1 with a probability of %2; it lies %3 off the centerlines.</source>
+        <source>The guidewire follows branches %1 with a probability of %2, at a distance of %3 from their centerlines.</source>
         <comment>wire.follows</comment>
         <translation>导丝以 %2 的概率走行于分支 %1；偏离中心线 %3。</translation>
     </message>
     <message>
-        <source>There are %1 likely paths: the most likely one is used instead of the requested one.</source>
+        <source>There are only %1 likely paths: the most likely one is used instead of the requested one.</source>
         <comment>wire.fewer-ways</comment>
-        <translation>可能的路径有 %1 条：使用最可能的一条，而非所请求的那条。</translation>
+        <translation>可能的路径只有 %1 条：使用最可能的一条，而非所请求的那条。</translation>
     </message>
     <message>
-        <source>images can be saved as .png or .svg, in the window also as .pdf. Choose one of these.</source>
+        <source>images can be saved as .png or .svg, and in the window also as .pdf. Choose one of these.</source>
         <comment>picture.kind</comment>
         <translation>图像可保存为 .png 或 .svg，在窗口中还可保存为 .pdf。请选择其一。</translation>
     </message>
@@ -3524,22 +3524,22 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>无法创建文件夹“%1”：%2。</translation>
     </message>
     <message>
-        <source>Unexpected failure: %1</source>
+        <source>Unexpected error: %1</source>
         <comment>run.unexpected-failure</comment>
         <translation>意外故障：%1</translation>
     </message>
     <message>
-        <source>there is no setting &apos;%1&apos;. The closest names are: %2.</source>
+        <source>unknown setting &apos;%1&apos;. Closest names: %2.</source>
         <comment>setting.unknown</comment>
         <translation>没有名为“%1”的设置。最接近的名称：%2。</translation>
     </message>
     <message>
-        <source>the setting %1 cannot be &apos;%2&apos;: %3</source>
+        <source>invalid value &apos;%2&apos; for the setting %1: %3</source>
         <comment>setting.value</comment>
         <translation>设置 %1 不能为“%2”：%3</translation>
     </message>
     <message>
-        <source>a batch needs a header row with the column case, or the columns vessels and angiogram, and one row per case.</source>
+        <source>a batch file needs a header row with the column case, or with the columns vessels and angiogram, and one row per case.</source>
         <comment>batch.header-missing</comment>
         <translation>批处理表需要表头行，含有 case 列，或 vessels 和 angiogram 两列，并且每个病例一行。</translation>
     </message>
@@ -3549,17 +3549,17 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>第 %1 行，%2 列：%3</translation>
     </message>
     <message>
-        <source>line %1 names both a case and inputs. Name either the case, or its vessels and its angiogram.</source>
+        <source>line %1 specifies both a case and inputs. Specify either the case or its vessels and angiogram.</source>
         <comment>batch.not-both</comment>
         <translation>第 %1 行既给出病例又给出输入。请只给出病例，或只给出其血管和造影图像。</translation>
     </message>
     <message>
-        <source>line %1 is incomplete. Name a case, or both vessels and an angiogram.</source>
+        <source>line %1 is incomplete. Specify a case, or both vessels and an angiogram.</source>
         <comment>batch.inputs-lack</comment>
         <translation>第 %1 行不完整。请给出病例，或同时给出血管和造影图像。</translation>
     </message>
     <message>
-        <source>line %1: the seeds &apos;%2&apos; are not points. Write x y z in mm (LPS), with &apos;;&apos; between points.</source>
+        <source>line %1: invalid seeds &apos;%2&apos;. Specify x y z in mm (LPS), with &apos;;&apos; between points.</source>
         <comment>batch.seeds-unclear</comment>
         <translation>第 %1 行：种子点“%2”不是点。请写成以毫米为单位的 x y z（LPS），点之间用“;”分隔。</translation>
     </message>
@@ -3569,9 +3569,9 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>工作进程意外结束（%1）。已丢弃其不完整的输出。</translation>
     </message>
     <message>
-        <source>the case took longer than %1 and was aborted. Raise the limit with --time-limit.</source>
+        <source>the case exceeded the time limit of %1 and was aborted. Raise the limit with --time-limit.</source>
         <comment>batch.out-of-time</comment>
-        <translation>该病例用时超过 %1，已中止。请用 --time-limit 提高时限。</translation>
+        <translation>该病例超过时限 %1，已中止。请用 --time-limit 提高时限。</translation>
     </message>
     <message>
         <source>the worker program %1 cannot be started.</source>
@@ -3579,22 +3579,22 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>无法启动工作程序 %1。</translation>
     </message>
     <message>
-        <source>the input contains %1 series. Name a file of one of them, or a case that names the series.</source>
+        <source>the input contains %1 series. Specify a file of one of them, or a case that specifies the series.</source>
         <comment>batch.several-series</comment>
         <translation>输入中含有 %1 个序列。请给出其中一个序列的文件，或指明序列的病例。</translation>
     </message>
     <message>
-        <source>the vessels measure %1 units across, which is unlikely to be millimeters. Name a case that gives the unit.</source>
+        <source>the vessels span %1 units, which are unlikely to be millimeters. Specify a case that defines the unit.</source>
         <comment>batch.unit-unclear</comment>
         <translation>血管跨度为 %1 个单位，不大可能是毫米。请给出注明单位的病例。</translation>
     </message>
     <message>
-        <source>no folder contains a result for this row. Run it with --resume.</source>
+        <source>no folder contains a result for this row. Process it with --resume.</source>
         <comment>batch.row-missing</comment>
         <translation>没有文件夹含有此行的结果。请用 --resume 运行。</translation>
     </message>
     <message>
-        <source>the results of %1 and %2 come from different settings or versions. Merge only results of the same settings and version.</source>
+        <source>the results of %1 and %2 were computed with different settings or versions. Merge only results with the same settings and version.</source>
         <comment>batch.merge-differs</comment>
         <translation>%1 与 %2 的结果来自不同的设置或版本。请只合并设置和版本相同的结果。</translation>
     </message>
@@ -3609,9 +3609,9 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>此病例尚未配准：血管按初始位姿绘制。请用 --save 配准，或使用 --pose 或 --from。</translation>
     </message>
     <message>
-        <source>at the initial pose: not registered</source>
+        <source>initial pose, not registered</source>
         <comment>pose.at-start</comment>
-        <translation>处于初始位姿：尚未配准</translation>
+        <translation>初始位姿，未配准</translation>
     </message>
     <message>
         <source>this is not a registration result. Provide a result.json or joint.json written by `register` or `batch`.</source>
@@ -3619,7 +3619,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>这不是配准结果。请提供由 `register` 或 `batch` 写出的 result.json 或 joint.json。</translation>
     </message>
     <message>
-        <source>the result does not record its inputs: an earlier version computed it, or its registration estimated the geometry. Register its case instead.</source>
+        <source>the result does not record its inputs: it was computed by an earlier version, or the geometry was estimated. Register its case instead.</source>
         <comment>result.without-case</comment>
         <translation>该结果未记录其输入：它由较早的版本计算，或其配准估计了几何参数。请改为配准其病例。</translation>
     </message>
@@ -3634,19 +3634,19 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>输入 %1 的内容在计算结果之后已改变。请用 --inputs 指定原文件所在文件夹。</translation>
     </message>
     <message>
-        <source>--shard needs the part and the number of parts, such as 2/4, not &apos;%1&apos;.</source>
+        <source>--shard expects a part and the number of parts, such as 2/4, not &apos;%1&apos;.</source>
         <comment>command.shard-unclear</comment>
         <translation>--shard 需要部分号和总份数，例如 2/4，而不是“%1”。</translation>
     </message>
     <message>
-        <source>There is no degree of freedom &apos;%1&apos; to lock. Use %2, or none.</source>
+        <source>There is no degree of freedom &apos;%1&apos;. Lock %2, or none.</source>
         <comment>command.no-such-freedom</comment>
         <translation>没有可锁定的自由度“%1”。可用：%2，或 none。</translation>
     </message>
     <message>
-        <source>its pose has no deformable registration. Register it where the vessels look deformed, or with the option deformable=always.</source>
+        <source>there is no deformable registration for this pose. Register a frame in which the vessels appear deformed, or use the option deformable=always.</source>
         <comment>command.no-bent-vessels</comment>
-        <translation>其位姿没有形变配准结果。请在血管看似变形处配准，或使用选项 deformable=always。</translation>
+        <translation>此位姿没有形变配准结果。请在血管看似变形的帧中配准，或使用选项 deformable=always。</translation>
     </message>
     <message>
         <source>the image of this view could not be read.</source>
@@ -3654,12 +3654,12 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>无法读取该视图的图像。</translation>
     </message>
     <message>
-        <source>The folders to merge contain results of &apos;%1&apos;, not of &apos;%2&apos;.</source>
+        <source>The folders to merge contain results of &apos;%1&apos; instead of &apos;%2&apos;.</source>
         <comment>command.merge-of-others</comment>
         <translation>要合并的文件夹中是“%1”的结果，而不是“%2”的。</translation>
     </message>
     <message>
-        <source>the file contains no centerlines yet. Trace them: angiopose-cli trace-vessel %1 --output %2.</source>
+        <source>the file contains no centerlines yet. Trace them with: angiopose-cli trace-vessel %1 --output %2.</source>
         <comment>convert.no-curves</comment>
         <translation>文件中还没有中心线。请先提取：angiopose-cli trace-vessel %1 --output %2。</translation>
     </message>
@@ -3674,7 +3674,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>不支持写入该扩展名。中心线：.vtp、.csv、.swc、.mrk.json；体数据：.nii、.nii.gz、.nrrd、.mha；表面：.stl；位姿：.json、.tfm、.h5；X 射线序列：.dcm。</translation>
     </message>
     <message>
-        <source>this is the input, which is never overwritten. Choose another name.</source>
+        <source>this is the input file, which is never overwritten. Choose another name.</source>
         <comment>convert.onto-input</comment>
         <translation>这是输入文件，不会被覆盖。请选择其他文件名。</translation>
     </message>
@@ -3684,7 +3684,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>不是标签图像，因此没有标签。请去掉 --label，或选择分割结果。</translation>
     </message>
     <message>
-        <source>the file already contains centerlines; no tracing is needed. `convert` changes their format.</source>
+        <source>the file already contains centerlines; no tracing is needed. Use `convert` to change the format.</source>
         <comment>trace.centrelines</comment>
         <translation>文件中已是中心线，无需提取。`convert` 可转换其格式。</translation>
     </message>
@@ -3719,7 +3719,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>内存不足。请关闭其他程序或使用较小的数据。</translation>
     </message>
     <message>
-        <source>A library reported an error: %1. Check the inputs.</source>
+        <source>A software library reported an error: %1. Check the inputs.</source>
         <comment>run.library-gave-up</comment>
         <translation>某个库报告错误：%1。请检查输入。</translation>
     </message>
@@ -3729,22 +3729,22 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>配准在开始前已停止。</translation>
     </message>
     <message>
-        <source>Nothing to show yet.</source>
+        <source>There is nothing to show yet.</source>
         <comment>run.not-shown</comment>
         <translation>还没有可显示的内容。</translation>
     </message>
     <message>
-        <source>The scan does not reach the vessels. Show the whole scan, or open the scan that contains the vessels.</source>
+        <source>The scan does not cover the vessels. Show the whole scan, or open the scan that contains them.</source>
         <comment>scan.beside-vessels</comment>
         <translation>扫描未覆盖血管。请显示整个扫描，或打开包含血管的扫描。</translation>
     </message>
     <message>
-        <source>An overlay needs a vessel tree and an angiogram. Open both first.</source>
+        <source>An overlay requires a vessel tree and an angiogram. Open both first.</source>
         <comment>picture.overlay-incomplete</comment>
         <translation>叠加图需要血管树和造影图像。请先打开两者。</translation>
     </message>
     <message>
-        <source>An image export needs a vessel tree and an angiogram. Open both first.</source>
+        <source>Exporting an image requires a vessel tree and an angiogram. Open both first.</source>
         <comment>picture.incomplete</comment>
         <translation>导出图像需要血管树和造影图像。请先打开两者。</translation>
     </message>
@@ -3771,7 +3771,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>no response within %1. Try again later, or increase the response timeout of this PACS; completely received objects are kept.</source>
         <comment>archive.no-answer</comment>
-        <translation>在 %1 内没有应答。请稍后再试，或延长该 PACS 的应答时限；已完整收到的对象予以保留。</translation>
+        <translation>在 %1 内没有应答。请稍后再试，或延长该 PACS 的响应超时；已完整收到的对象予以保留。</translation>
     </message>
     <message>
         <source>the connection was lost (%1). Try again; completely received objects are kept.</source>
@@ -3779,14 +3779,14 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>连接中断（%1）。请再试一次；已完整收到的对象予以保留。</translation>
     </message>
     <message>
-        <source>%2 does not know the AE title %1. Correct the AE title of this PACS in the PACS list.</source>
+        <source>%2 does not recognize the called AE title %1. Correct the AE title of this PACS in the PACS list.</source>
         <comment>archive.unknown-title</comment>
-        <translation>%2 上没有 AE 标题 %1。请在 PACS 列表中更正该 PACS 的 AE 标题。</translation>
+        <translation>%2 不识别被叫方 AE 标题 %1。请在 PACS 列表中更正该 PACS 的 AE 标题。</translation>
     </message>
     <message>
-        <source>the PACS does not accept our AE title %1. Have it registered there, or correct it in the PACS list.</source>
+        <source>the PACS does not recognize our calling AE title %1. Have it registered there, or correct it in the PACS list.</source>
         <comment>archive.title-not-allowed</comment>
-        <translation>PACS 不接受我方 AE 标题 %1。请在对方登记，或在 PACS 列表中更正。</translation>
+        <translation>PACS 不识别我方呼叫方 AE 标题 %1。请在对方登记，或在 PACS 列表中更正。</translation>
     </message>
     <message>
         <source>the association was rejected (%1). Ask the PACS administrator whether this computer may connect.</source>
@@ -3799,7 +3799,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>PACS 中止了关联。请查看其日志，或再试一次；已完整收到的对象予以保留。</translation>
     </message>
     <message>
-        <source>the PACS does not offer %1. Ask its administrator to allow it for our AE title %2.</source>
+        <source>the PACS does not offer %1. Ask its administrator to enable it for our AE title %2.</source>
         <comment>archive.no-service</comment>
         <translation>PACS 不提供 %1。请管理员为我方 AE 标题 %2 开放。</translation>
     </message>
@@ -3834,14 +3834,14 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>这不是 PACS 列表（%1）。请更正或删除该文件。</translation>
     </message>
     <message>
-        <source>there is no PACS %1 in %2; known: %3. Add it, or correct the name.</source>
+        <source>the PACS %1 is not listed in %2; available: %3. Add it, or correct the name.</source>
         <comment>archive.unknown</comment>
         <translation>%2 中没有 PACS %1；已知：%3。请添加，或更正名称。</translation>
     </message>
     <message>
-        <source>a PACS has no valid name (1 to 64 characters). Enter one.</source>
+        <source>a PACS has no valid name. Enter 1 to 64 characters.</source>
         <comment>archive.no-name</comment>
-        <translation>有 PACS 缺少有效名称（1 至 64 个字符）。请输入。</translation>
+        <translation>有 PACS 缺少有效名称。请输入 1 至 64 个字符。</translation>
     </message>
     <message>
         <source>the PACS has neither a host nor a DICOMweb address. Enter one.</source>
@@ -3849,17 +3849,17 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>该 PACS 既没有主机也没有 DICOMweb 地址。请输入其一。</translation>
     </message>
     <message>
-        <source>%1 is not a valid host. Enter a name or an address without port and spaces.</source>
+        <source>%1 is not a valid host. Enter a host name or IP address without port or spaces.</source>
         <comment>archive.bad-host</comment>
-        <translation>%1 不是有效的主机。请输入不含端口和空格的名称或地址。</translation>
+        <translation>%1 不是有效的主机。请输入不含端口和空格的主机名或 IP 地址。</translation>
     </message>
     <message>
-        <source>port %1 is not between 1 and 65535. Correct it.</source>
+        <source>port %1 is invalid. Enter a number from 1 to 65535.</source>
         <comment>archive.bad-port</comment>
-        <translation>端口 %1 不在 1 至 65535 之间。请更正。</translation>
+        <translation>端口 %1 无效。请输入 1 至 65535 之间的数。</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is not a valid AE title. Enter 1 to 16 letters, digits or symbols other than the backslash.</source>
+        <source>&quot;%1&quot; is not a valid AE title. Enter 1 to 16 letters, digits or symbols except the backslash.</source>
         <comment>archive.bad-title</comment>
         <translation>“%1”不是有效的 AE 标题。请输入 1 至 16 个字母、数字或除反斜杠外的符号。</translation>
     </message>
@@ -3869,17 +3869,17 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>%1 不是 DICOMweb 地址。请输入以 https:// 或 http:// 开头的地址。</translation>
     </message>
     <message>
-        <source>the response timeout must be 1 to 600 s. Correct it.</source>
+        <source>the response timeout is invalid. Enter 1 to 600 s.</source>
         <comment>archive.bad-time</comment>
-        <translation>应答时限必须在 1 至 600 秒之间。请更正。</translation>
+        <translation>响应超时无效。请输入 1 至 600 秒。</translation>
     </message>
     <message>
-        <source>a client certificate requires its key and vice versa; one is missing. Specify both files.</source>
+        <source>a client certificate and its private key are required together; one is missing. Specify both files.</source>
         <comment>archive.key-without-certificate</comment>
-        <translation>证书和密钥须成对提供，现缺其一。请指定两个文件。</translation>
+        <translation>客户端证书和私钥须成对提供，现缺其一。请指定两个文件。</translation>
     </message>
     <message>
-        <source>the PACS has only a DICOMweb address. Enter host and port too, or use DICOMweb.</source>
+        <source>the PACS has only a DICOMweb address. Enter a host and port as well, or use DICOMweb.</source>
         <comment>archive.no-dimse</comment>
         <translation>该 PACS 只有 DICOMweb 地址。请同时输入主机和端口，或使用 DICOMweb。</translation>
     </message>
@@ -3889,37 +3889,37 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>该 PACS 没有 DICOMweb 地址。请输入一个，或使用 DIMSE。</translation>
     </message>
     <message>
-        <source>names and images are sent to %1 without encryption. Use https:// or TLS on a shared network.</source>
+        <source>names and images are sent to %1 unencrypted. On a shared network, use TLS or https://.</source>
         <comment>archive.plain-text</comment>
         <translation>姓名和图像未加密地发往 %1。在共用网络上请使用 https:// 或 TLS。</translation>
     </message>
     <message>
-        <source>%1 is not a date. Write YYYY-MM-DD, or a range: 2024-01-01..2024-02-01.</source>
+        <source>%1 is not a date. Enter YYYY-MM-DD, or a range such as 2024-01-01..2024-02-01.</source>
         <comment>archive.bad-date</comment>
         <translation>%1 不是日期。请写成 YYYY-MM-DD，或日期范围：2024-01-01..2024-02-01。</translation>
     </message>
     <message>
-        <source>there are more than %1 matches; the rest is omitted. Narrow the query.</source>
+        <source>there are more than %1 matches; the rest are omitted. Narrow the query.</source>
         <comment>archive.many-matches</comment>
         <translation>匹配项多于 %1 个；其余略去。请缩小查询范围。</translation>
     </message>
     <message>
-        <source>the PACS has no data for %1. Query again.</source>
+        <source>the PACS has no data for %1. Repeat the query.</source>
         <comment>archive.nothing-there</comment>
         <translation>PACS 中没有 %1 的数据。请重新查询。</translation>
     </message>
     <message>
-        <source>%1 is not a UID. Copy it from the output of find.</source>
+        <source>%1 is not a UID. Copy it from the output of `find`.</source>
         <comment>archive.bad-uid</comment>
-        <translation>%1 不是 UID。请从 find 的输出中复制。</translation>
+        <translation>%1 不是 UID。请从 `find` 的输出中复制。</translation>
     </message>
     <message>
-        <source>%1 of %2 objects were received; the PACS did not send the others (%3). Retrieve again, or check its log.</source>
+        <source>%1 of %2 objects were received; the PACS did not send the others (%3). Retrieve them again, or check the PACS log.</source>
         <comment>archive.not-all-came</comment>
         <translation>%2 个对象中收到 %1 个，其余 PACS 没有发送（%3）。请再次获取，或查看其日志。</translation>
     </message>
     <message>
-        <source>the PACS does not offer C-GET, and C-MOVE needs a local port. Set the C-MOVE port, and have AE title, host and port registered at the PACS.</source>
+        <source>the PACS does not offer C-GET, and C-MOVE requires a local port. Set the C-MOVE port, and have AE title, host and port registered at the PACS.</source>
         <comment>archive.no-way-back</comment>
         <translation>PACS 不提供 C-GET，而 C-MOVE 需要本地端口。请设置 C-MOVE 端口，并在 PACS 登记 AE 标题、主机和端口。</translation>
     </message>
@@ -3929,7 +3929,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>无法监听端口 %1（%2）。请选择 1024 以上的其他端口。</translation>
     </message>
     <message>
-        <source>an object exceeds the limit of %1 and was discarded. Raise the limit if you need it (--max-object).</source>
+        <source>an object exceeds the limit of %1 and was discarded. If you need it, raise the limit (--max-object).</source>
         <comment>archive.object-too-large</comment>
         <translation>有对象超过上限 %1，已丢弃。如有需要请提高上限（--max-object）。</translation>
     </message>
@@ -3939,17 +3939,17 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>收到的一个对象不是可读的 DICOM，已丢弃。请查看 PACS 日志。</translation>
     </message>
     <message>
-        <source>a received object is not the announced one (%1) and was discarded. Check the PACS log.</source>
+        <source>a received object does not match the announced one (%1) and was discarded. Check the PACS log.</source>
         <comment>archive.object-foreign</comment>
         <translation>收到的一个对象与所通知的不符（%1），已丢弃。请查看 PACS 日志。</translation>
     </message>
     <message>
-        <source>a received object has the UID (%1) of a different local object; the local one is kept. Find out which is correct.</source>
+        <source>a received object has the same UID (%1) as a different local object; the local one is kept. Determine which one is correct.</source>
         <comment>archive.object-differs</comment>
         <translation>收到的对象与本地另一对象的 UID（%1）相同；保留本地对象。请查明哪个正确。</translation>
     </message>
     <message>
-        <source>the series does not fit into the cache of %1. Raise its limit, or clear it.</source>
+        <source>the series does not fit into the cache of %1. Raise the limit, or empty the cache.</source>
         <comment>archive.cache-too-small</comment>
         <translation>该序列放不进 %1 的缓存。请提高上限，或清空缓存。</translation>
     </message>
@@ -3959,14 +3959,14 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>无法创建或使用该文件夹（%1）。请选择其他文件夹，或释放磁盘空间。</translation>
     </message>
     <message>
-        <source>this is not a complete DICOM file with a transfer syntax and was not sent. Write it again, or choose another file.</source>
+        <source>this is not a complete DICOM file with a transfer syntax and was not sent. Export it again, or choose another file.</source>
         <comment>archive.not-sendable</comment>
         <translation>这不是带有传输语法的完整 DICOM 文件，未发送。请重新写出，或选择其他文件。</translation>
     </message>
     <message>
-        <source>the PACS does not accept this kind of object in its stored form (class %1, transfer syntax %2). Convert it, or ask the PACS administrator.</source>
+        <source>the PACS does not accept this SOP class in the stored transfer syntax (class %1, transfer syntax %2). Convert the object, or ask the PACS administrator.</source>
         <comment>archive.not-taken</comment>
-        <translation>PACS 不接受以所存形式发送的此类对象（类 %1，传输语法 %2）。请转换它，或询问 PACS 管理员。</translation>
+        <translation>PACS 不接受以所存传输语法发送的此 SOP 类（类 %1，传输语法 %2）。请转换该对象，或询问 PACS 管理员。</translation>
     </message>
     <message>
         <source>the PACS rejected the object with %1. Check its log, or ask its administrator.</source>
@@ -3989,17 +3989,17 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>应答大于 %1。请缩小查询范围。</translation>
     </message>
     <message>
-        <source>%1 (AE title %2) was rejected: it is not in the list of allowed callers.</source>
+        <source>%1 (AE title %2) was rejected: it is not in the list of allowed calling AE titles.</source>
         <comment>archive.title-turned-away</comment>
-        <translation>%1（AE 标题 %2）被拒绝：不在允许的呼叫方名单中。</translation>
+        <translation>%1（AE 标题 %2）被拒绝：不在允许的呼叫方 AE 标题列表中。</translation>
     </message>
     <message>
         <source>%1 (AE title %2) was rejected: its called AE title %3 is not ours. Correct it at the sender.</source>
         <comment>archive.called-otherwise</comment>
-        <translation>%1（AE 标题 %2）被拒绝：被叫 AE 标题 %3 不是我方的。请在发送方更正。</translation>
+        <translation>%1（AE 标题 %2）被拒绝：被叫方 AE 标题 %3 不是我方的。请在发送方更正。</translation>
     </message>
     <message>
-        <source>an incoming connection failed (%1). Check the sender: address, port, TLS.</source>
+        <source>an incoming connection failed (%1). Check address, port and TLS at the sender.</source>
         <comment>archive.call-failed</comment>
         <translation>一个传入连接失败（%1）。请检查发送方：地址、端口、TLS。</translation>
     </message>
@@ -4009,12 +4009,12 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>一个传入连接被拒绝：TLS 握手失败（%1）。请检查发送方证书、此处接受的证书，以及发送方是否使用 TLS。</translation>
     </message>
     <message>
-        <source>TLS on a listening port needs our own certificate and its key. Specify both files.</source>
+        <source>TLS on a listening port requires a local certificate and its private key. Specify both files.</source>
         <comment>archive.port-unsecured</comment>
-        <translation>监听端口上的 TLS 需要我方证书及其密钥。请指定两个文件。</translation>
+        <translation>监听端口上的 TLS 需要本地证书及其私钥。请指定两个文件。</translation>
     </message>
     <message>
-        <source>%1 does not exist. Check the name, or whether its drive is mounted.</source>
+        <source>%1 does not exist. Check the name and whether the drive is mounted.</source>
         <comment>open.missing</comment>
         <translation>%1 不存在。请检查名称或驱动器是否挂载。</translation>
     </message>
@@ -4059,7 +4059,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>%1 已移动，在 %2 找到。请保存病例以记录新路径。</translation>
     </message>
     <message>
-        <source>this is not an angiogram. Choose an XA image, or a case with one.</source>
+        <source>this is not an angiogram. Choose an XA image, or a case that contains one.</source>
         <comment>open.no-angiogram</comment>
         <translation>这不是血管造影。请选择 XA 图像，或含有血管造影的病例。</translation>
     </message>
@@ -4094,7 +4094,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>%1 · 中位数 %2</translation>
     </message>
     <message>
-        <source>%1 · median %2 · unreliable</source>
+        <source>%1 · median %2 · not reliable</source>
         <comment>picture.pose-not-trustworthy</comment>
         <translation>%1 · 中位数 %2 · 不可靠</translation>
     </message>
@@ -4104,14 +4104,14 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>位移，mm</translation>
     </message>
     <message>
-        <source>deformation from frame %1, not this one</source>
+        <source>deformation of frame %1, not of this frame</source>
         <comment>picture.bent-on-frame</comment>
         <translation>形变取自第 %1 帧，而非此帧</translation>
     </message>
     <message>
-        <source>deformation along the ray: unknown</source>
+        <source>deformation in depth: unknown</source>
         <comment>picture.bent-depth-untold</comment>
-        <translation>沿射线的形变：未知</translation>
+        <translation>深度方向的形变：未知</translation>
     </message>
     <message>
         <source>rigid: %1</source>
@@ -4119,7 +4119,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>刚性：%1</translation>
     </message>
     <message>
-        <source>vessels rigid; deformation available</source>
+        <source>vessels shown rigid; deformation available</source>
         <comment>picture.vessels-rigid</comment>
         <translation>血管为刚性；有形变结果</translation>
     </message>
@@ -4194,9 +4194,9 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>推算</translation>
     </message>
     <message>
-        <source>user</source>
+        <source>entered</source>
         <comment>origin.user</comment>
-        <translation>用户</translation>
+        <translation>手动输入</translation>
     </message>
     <message>
         <source>assumed</source>
@@ -4209,37 +4209,37 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>缺失</translation>
     </message>
     <message>
-        <source>The simulation&apos;s %1 must lie between %2 and %3, not %4.</source>
+        <source>The %1 of the simulation must be between %2 and %3, not %4.</source>
         <comment>simulation.out-of-range</comment>
         <translation>模拟的 %1 须在 %2 至 %3 之间，不能是 %4。</translation>
     </message>
     <message>
-        <source>Method &apos;%1&apos; has no option with the choice &apos;%2&apos;. Use option=value.</source>
+        <source>Method &apos;%1&apos; has no option with the value &apos;%2&apos;. Use option=value.</source>
         <comment>contest.no-such-choice</comment>
         <translation>方法“%1”没有可取“%2”的选项。请写成 option=value。</translation>
     </message>
     <message>
-        <source>Method &apos;%1&apos; has several options with the choice &apos;%2&apos;. Use option=value.</source>
+        <source>Method &apos;%1&apos; has several options with the value &apos;%2&apos;. Use option=value.</source>
         <comment>contest.choice-of-several</comment>
         <translation>方法“%1”有多个可取“%2”的选项。请写成 option=value。</translation>
     </message>
     <message>
-        <source>No method is specified. See the methods in: angiopose-cli evaluate --help</source>
+        <source>No method specified. For a list of methods, run: angiopose-cli evaluate --help</source>
         <comment>contest.no-method-named</comment>
         <translation>没有指定方法。可用方法见：angiopose-cli evaluate --help</translation>
     </message>
     <message>
-        <source>The experiment &apos;%1&apos; has no condition &apos;%2&apos;. See the conditions in: angiopose-cli evaluate --help</source>
+        <source>The experiment &apos;%1&apos; has no condition &apos;%2&apos;. For a list of conditions, run: angiopose-cli evaluate --help</source>
         <comment>experiment.no-such-condition</comment>
         <translation>实验“%1”没有条件“%2”。可用条件见：angiopose-cli evaluate --help</translation>
     </message>
     <message>
-        <source>The condition &apos;%1&apos; does not belong to &apos;%2&apos;. Merge results of this program version.</source>
+        <source>The condition &apos;%1&apos; does not belong to &apos;%2&apos;. Merge only results of this program version.</source>
         <comment>merge.foreign-condition</comment>
         <translation>条件“%1”不属于“%2”。请合并本程序版本的结果。</translation>
     </message>
     <message>
-        <source>Two parts differ in %1 of trial %2 of %3. Merge results of the same program version and settings.</source>
+        <source>Two parts differ in %1 of trial %2 of %3. Merge only results of the same program version and settings.</source>
         <comment>merge.parts-disagree</comment>
         <translation>两部分在 %3 的第 %2 次试验中关于 %1 不一致。请合并程序版本和设置相同的结果。</translation>
     </message>
@@ -4249,32 +4249,32 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>没有可合并的结果。</translation>
     </message>
     <message>
-        <source>Results of &apos;%1&apos;, seed %2, and of &apos;%3&apos;, seed %4, do not belong together. Merge parts of one experiment.</source>
+        <source>Results of &apos;%1&apos;, seed %2, and of &apos;%3&apos;, seed %4, do not belong together. Merge only parts of one experiment.</source>
         <comment>merge.runs-of-others</comment>
         <translation>“%1”（种子 %2）与“%3”（种子 %4）的结果不属于同一实验。请合并同一实验的各部分。</translation>
     </message>
     <message>
-        <source>The focal lengths fx and fy must be finite and not zero.</source>
+        <source>The focal lengths fx and fy must be finite and nonzero.</source>
         <comment>camera.focal-lengths</comment>
         <translation>焦距 fx 和 fy 必须有限且非零。</translation>
     </message>
     <message>
-        <source>The principal point cx, cy must be finite.</source>
+        <source>The principal point (cx, cy) must be finite.</source>
         <comment>camera.principal-point</comment>
         <translation>主点 cx、cy 必须有限。</translation>
     </message>
     <message>
-        <source>The camera needs the image size: width and height must be positive.</source>
+        <source>The image size of the camera is invalid: width and height must be positive.</source>
         <comment>camera.image-size</comment>
-        <translation>相机需要图像尺寸：宽和高必须为正。</translation>
+        <translation>相机的图像尺寸无效：宽和高必须为正。</translation>
     </message>
     <message>
-        <source>The camera is for images of %1 x %2 pixels, but the angiogram has %3 x %4. Use the camera that belongs to the angiogram.</source>
+        <source>The camera belongs to images of %1 x %2 pixels, but the angiogram has %3 x %4. Use the camera of this angiogram.</source>
         <comment>camera.other-image</comment>
         <translation>相机对应 %1 x %2 像素的图像，而造影图像为 %3 x %4。请使用该造影图像对应的相机。</translation>
     </message>
     <message>
-        <source>The image must be 1 to %1 px wide and high; choose another size.</source>
+        <source>Image width and height must be between 1 and %1 px. Choose another size.</source>
         <comment>picture.size</comment>
         <translation>图像的宽和高须为 1 至 %1 px；请选择其他尺寸。</translation>
     </message>
@@ -4299,39 +4299,39 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>探测器像素间距</translation>
     </message>
     <message>
-        <source>The gantry angles (LAO/RAO, CRA/CAU) are missing or not finite. Enter them in the C-arm geometry.</source>
+        <source>The gantry angles (LAO/RAO, CRA/CAU) are missing or invalid. Enter them in the C-arm geometry.</source>
         <comment>geometry.angles-missing</comment>
-        <translation>机架角度（LAO/RAO、CRA/CAU）缺失或非有限数。请在 C 形臂几何中输入。</translation>
+        <translation>机架角度（LAO/RAO、CRA/CAU）缺失或无效。请在 C 形臂几何中输入。</translation>
     </message>
     <message>
-        <source>The isocenter has a coordinate that is not a number (NaN or infinite). Enter its position in the patient in mm.</source>
+        <source>A coordinate of the isocenter is not a number (NaN or infinite). Enter its position in the patient in mm.</source>
         <comment>geometry.isocentre-not-finite</comment>
         <translation>等中心有非数值坐标（NaN 或无穷大）。请以 mm 给出其在患者中的位置。</translation>
     </message>
     <message>
-        <source>Source-to-detector distance (SID): enter it, typically 900 to 1200 mm.</source>
+        <source>Enter the source-to-detector distance (SID), typically 900 to 1200 mm.</source>
         <comment>geometry.ask-sid</comment>
-        <translation>源到探测器距离（SID）：请输入，通常 900 至 1200 mm。</translation>
+        <translation>请输入源到探测器距离（SID），通常 900 至 1200 mm。</translation>
     </message>
     <message>
-        <source>Source-to-isocenter distance (SOD): enter it, typically 700 to 800 mm.</source>
+        <source>Enter the source-to-isocenter distance (SOD), typically 700 to 800 mm.</source>
         <comment>geometry.ask-sod</comment>
-        <translation>源到等中心距离（SOD）：请输入，通常 700 至 800 mm。</translation>
+        <translation>请输入源到等中心距离（SOD），通常 700 至 800 mm。</translation>
     </message>
     <message>
-        <source>Detector pixel spacing: enter it, or the width of the field of view on the detector divided by the number of columns.</source>
+        <source>Enter the detector pixel spacing, or the width of the field of view at the detector divided by the number of columns.</source>
         <comment>geometry.ask-spacing</comment>
-        <translation>探测器像素间距：请输入，或用探测器上视野宽度除以列数。</translation>
+        <translation>请输入探测器像素间距，或探测器上视野宽度除以列数所得的值。</translation>
     </message>
     <message>
-        <source>LAO/RAO angle: enter it, or register from landmarks.</source>
+        <source>Enter the LAO/RAO angle, or register from landmarks.</source>
         <comment>geometry.ask-primary-angle</comment>
-        <translation>LAO/RAO 角：请输入，或按标志点配准。</translation>
+        <translation>请输入 LAO/RAO 角，或按标志点配准。</translation>
     </message>
     <message>
-        <source>CRA/CAU angle: enter it, or register from landmarks.</source>
+        <source>Enter the CRA/CAU angle, or register from landmarks.</source>
         <comment>geometry.ask-secondary-angle</comment>
-        <translation>CRA/CAU 角：请输入，或按标志点配准。</translation>
+        <translation>请输入 CRA/CAU 角，或按标志点配准。</translation>
     </message>
     <message>
         <source>A source-to-detector distance (SID) of %1 is implausible for a C-arm (500 to 2000 mm): check the unit.</source>
@@ -4339,17 +4339,17 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>源到探测器距离（SID）%1 对 C 形臂不合理（500 至 2000 mm）：请检查单位。</translation>
     </message>
     <message>
-        <source>SOD (%1) is not smaller than SID (%2): the isocenter would lie behind the detector. Correct one of them.</source>
+        <source>SOD (%1) is not smaller than SID (%2): the isocenter would lie behind the detector. Correct one of the two.</source>
         <comment>geometry.sod-beyond-sid</comment>
         <translation>SOD（%1）不小于 SID（%2）：等中心将位于探测器之后。请更正其一。</translation>
     </message>
     <message>
-        <source>SID is %1 times SOD; typical angiographic magnification is 1.0 to 2.5. Check both distances.</source>
+        <source>SID is %1 times SOD; the typical angiographic magnification is 1.0 to 2.5. Check both distances.</source>
         <comment>geometry.magnification-unusual</comment>
         <translation>SID 为 SOD 的 %1 倍；血管造影的放大率通常为 1.0 至 2.5。请检查两个距离。</translation>
     </message>
     <message>
-        <source>The header&apos;s magnification of %1 (0018,1114) does not equal SID/SOD = %2: one of the three values is outdated. Check SID and SOD.</source>
+        <source>The magnification of %1 in the header (0018,1114) does not match SID/SOD = %2: one of the three values is outdated. Check SID and SOD.</source>
         <comment>geometry.magnification-stale</comment>
         <translation>文件头中的放大倍数 %1 (0018,1114) 与 SID/SOD = %2 不符：三者之一已过时。请检查 SID 和 SOD。</translation>
     </message>
@@ -4359,12 +4359,12 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>探测器像素间距 %1 不在 0.05 至 2 mm 之间：请检查单位。</translation>
     </message>
     <message>
-        <source>The pixel height-to-width ratio is %1 by the pixel spacing but %2 by the pixel aspect ratio: check the pixel spacing.</source>
+        <source>The pixel height-to-width ratio is %1 according to the pixel spacing but %2 according to the pixel aspect ratio: check the pixel spacing.</source>
         <comment>geometry.aspect-differs</comment>
         <translation>像素高宽比按间距为 %1，按像素长宽比为 %2：请检查像素间距。</translation>
     </message>
     <message>
-        <source>By its pixel spacing, the image covers %1 x %2 of the detector</source>
+        <source>According to its pixel spacing, the image covers %1 x %2 of the detector</source>
         <comment>geometry.image-covers</comment>
         <translation>按像素间距图像覆盖探测器 %1 x %2</translation>
     </message>
@@ -4379,12 +4379,12 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>%1，而视野为 %2 x %3：图像可能经过缩放、裁剪或重采样。请检查像素间距。</translation>
     </message>
     <message>
-        <source>%1, more than the image intensifier of %2. Check the pixel spacing.</source>
+        <source>%1, which exceeds the image intensifier of %2. Check the pixel spacing.</source>
         <comment>geometry.extent-beyond-intensifier</comment>
         <translation>%1，超过 %2 的影像增强器。请检查像素间距。</translation>
     </message>
     <message>
-        <source>%1, more than its active area of %2 x %3. Check the pixel spacing.</source>
+        <source>%1, which exceeds its active area of %2 x %3. Check the pixel spacing.</source>
         <comment>geometry.extent-beyond-detector</comment>
         <translation>%1，超过其有效面积 %2 x %3。请检查像素间距。</translation>
     </message>
@@ -4394,7 +4394,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>校准像素间距 %1 乘以 SID/SOD 为 %2，而非探测器的 %3：校准或距离有误。</translation>
     </message>
     <message>
-        <source>Pixel Spacing (0028,0030) is %1 without a calibration, but the detector pixel spacing is %2: check which one applies.</source>
+        <source>Pixel Spacing (0028,0030) is %1 without calibration, but the detector pixel spacing is %2: check which one applies.</source>
         <comment>geometry.spacings-differ</comment>
         <translation>Pixel Spacing (0028,0030) 未校准为 %1，而探测器像素间距为 %2：请核对应采用哪个。</translation>
     </message>
@@ -4414,27 +4414,27 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>滚转超出 ±180°。请更正。</translation>
     </message>
     <message>
-        <source>The principal point (%1, %2) is outside the image, which is correct only for a cropped image.</source>
+        <source>The principal point (%1, %2) is outside the image, which is plausible only for a cropped image.</source>
         <comment>geometry.principal-point-outside</comment>
         <translation>主点（%1，%2）在图像之外：仅对裁剪过的图像正确。</translation>
     </message>
     <message>
-        <source>Two of the angiograms seem to be of different patients (%1 differs). Check that the correct ones are open.</source>
+        <source>Two of the angiograms appear to belong to different patients (%1 differs). Check that the correct files are open.</source>
         <comment>patient.of-runs-differs</comment>
         <translation>其中两个血管造影似乎来自不同患者（%1不同）。请检查是否正确。</translation>
     </message>
     <message>
-        <source>Two of the angiograms seem to be of different patients (%1 differ). Check that the correct ones are open.</source>
+        <source>Two of the angiograms appear to belong to different patients (%1 differ). Check that the correct files are open.</source>
         <comment>patient.of-runs-differs-in-several</comment>
         <translation>其中两个血管造影似乎来自不同患者（%1不同）。请检查是否正确。</translation>
     </message>
     <message>
-        <source>Two of the angiograms show opposite sides of the patient. Check that the correct ones are open.</source>
+        <source>Two of the angiograms show opposite sides of the patient. Check that the correct files are open.</source>
         <comment>patient.side-of-runs-differs</comment>
         <translation>其中两个血管造影显示患者相反的两侧。请检查是否正确。</translation>
     </message>
     <message>
-        <source>The registration rated this pose as unreliable.</source>
+        <source>The registration rated this pose as not reliable.</source>
         <comment>pose.run-distrusted</comment>
         <translation>配准将此位姿评为不可靠。</translation>
     </message>
@@ -4446,7 +4446,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>Two of the angiograms are from different examinations (accession number differs): the vessels may have moved in between.</source>
         <comment>patient.examination-of-runs-differs</comment>
-        <translation>两幅造影来自不同的检查（检查号不同）：其间血管可能已移动。</translation>
+        <translation>两幅造影图像来自不同的检查（检查号不同）：其间血管可能已移动。</translation>
     </message>
     <message>
         <source>Do these images belong together?</source>
@@ -4454,12 +4454,12 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>这些图像属于同一检查吗？</translation>
     </message>
     <message>
-        <source>Scan and angiogram seem to be of different patients (%1 differs). Check that both are correct.</source>
+        <source>Scan and angiogram appear to belong to different patients (%1 differs). Check that both are correct.</source>
         <comment>patient.differs</comment>
         <translation>扫描与血管造影似乎来自不同患者（%1不同）。请检查两者是否正确。</translation>
     </message>
     <message>
-        <source>Scan and angiogram seem to be of different patients (%1 differ). Check that both are correct.</source>
+        <source>Scan and angiogram appear to belong to different patients (%1 differ). Check that both are correct.</source>
         <comment>patient.differs-in-several</comment>
         <translation>扫描与血管造影似乎来自不同患者（%1不同）。请检查两者是否正确。</translation>
     </message>
@@ -4486,7 +4486,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>The scan shows the patient&apos;s %1 side, the angiogram the other side. Check that both are correct.</source>
         <comment>patient.side-differs</comment>
-        <translation>CT 为患者%1侧，造影为另一侧。请核对。</translation>
+        <translation>扫描为患者%1侧，造影图像为另一侧。请核对两者是否正确。</translation>
     </message>
     <message>
         <source>left</source>
@@ -4529,7 +4529,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>选项 %1 超出范围。请输入 %2 至 %3 之间的数。</translation>
     </message>
     <message>
-        <source>Option &apos;%1&apos; needs a value, not &apos;%2&apos;.</source>
+        <source>Option &apos;%1&apos; requires a value, not &apos;%2&apos;.</source>
         <comment>options.needs-value</comment>
         <translation>选项“%1”需要一个值，而不是“%2”。</translation>
     </message>
@@ -4544,17 +4544,17 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>选项“%1”须为整数，而不是 %2。</translation>
     </message>
     <message>
-        <source>Option &apos;%1&apos; must lie between %2 and %3, not %4.</source>
+        <source>Option &apos;%1&apos; must be between %2 and %3, not %4.</source>
         <comment>options.value-out-of-range</comment>
         <translation>选项“%1”须在 %2 与 %3 之间，而不是 %4。</translation>
     </message>
     <message>
-        <source>Option &apos;%1&apos; is unknown. See the options in: angiopose-cli register --help</source>
+        <source>Unknown option &apos;%1&apos;. For a list of options, run: angiopose-cli register --help</source>
         <comment>options.no-such-option</comment>
         <translation>选项“%1”未知。可用选项见：angiopose-cli register --help</translation>
     </message>
     <message>
-        <source>Branch %1 is selected as %2, but the vessel tree has no such branch. Select from its branches.</source>
+        <source>Branch %1 is selected as %2, but the vessel tree has no such branch. Select an existing branch.</source>
         <comment>input.chosen-branch-missing</comment>
         <translation>分支 %1 被选为%2，但血管树中没有该分支。请在现有分支中选择。</translation>
     </message>
@@ -4574,12 +4574,12 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>血管树的所有分支均已排除。请至少恢复一个。</translation>
     </message>
     <message>
-        <source>The image size does not match the camera. Use the camera that belongs to the image.</source>
+        <source>The image size does not match the camera. Use the camera of this image.</source>
         <comment>input.image-not-of-camera</comment>
         <translation>图像尺寸与相机不符。请使用该图像对应的相机。</translation>
     </message>
     <message>
-        <source>%1 points of the traced vessels were unordered: each was connected to its neighbors.</source>
+        <source>%1 points of the traced vessels were unordered and have been connected to their neighbors.</source>
         <comment>input.target-reordered</comment>
         <translation>提取血管的 %1 个点没有顺序：每个点已与其相邻点相连。</translation>
     </message>
@@ -4589,12 +4589,12 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>辅助分支：与提取血管距离的中位数 %1（拟合全部分支时为 %2）。位姿变化 %3、%4。</translation>
     </message>
     <message>
-        <source>With deformation allowed, the vessels move by %1 (RMS; maximum %2) toward the matched branches: the median distance becomes %3, compared with %4 at the rigid pose. The rigid pose is reported.</source>
+        <source>With deformation allowed, the vessels move by %1 (RMS; maximum %2) toward the matched branches, and the median distance becomes %3 instead of %4 at the rigid pose. The rigid pose is reported.</source>
         <comment>result.matched-branches-moved</comment>
         <translation>若允许形变，血管向匹配的分支移动 %1（RMS；最大 %2）：距离中位数变为 %3，刚性位姿时为 %4。所报告的是刚性位姿。</translation>
     </message>
     <message>
-        <source>The initial pose is not a rigid motion: its rotation must be orthonormal with determinant +1 and all numbers must be finite. Correct cameraFromPatient, or derive the initial pose from the angles.</source>
+        <source>The initial pose is not a rigid transform: its rotation must be orthonormal with determinant +1, and all values must be finite. Correct cameraFromPatient, or derive the initial pose from the angles.</source>
         <comment>input.start-pose-not-rigid</comment>
         <translation>初始位姿不是刚体变换：旋转须正交且行列式为 +1，所有数须有限。请更正 cameraFromPatient，或由角度推导初始位姿。</translation>
     </message>
@@ -4604,7 +4604,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>初始位姿使血管位于 X 射线源处或其后方，无法投影。请检查源到等中心距离和初始位姿的方向。</translation>
     </message>
     <message>
-        <source>The pose to evaluate is not a rigid motion: its rotation must be orthonormal with determinant +1 and all numbers must be finite.</source>
+        <source>The pose to evaluate is not a rigid transform: its rotation must be orthonormal with determinant +1, and all values must be finite.</source>
         <comment>input.judged-pose-not-rigid</comment>
         <translation>待评估位姿不是刚体变换：旋转须正交且行列式为 +1，所有数有限。</translation>
     </message>
@@ -4614,7 +4614,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>尚无标志点。请单击血管上的一点和图像中的同一点。</translation>
     </message>
     <message>
-        <source>Without gantry angles, a pose needs four landmarks; there are %1. Add landmarks, or enter the angles: then one is enough.</source>
+        <source>Without gantry angles, a pose requires four landmarks; there are %1. Add landmarks, or enter the angles; one landmark is then enough.</source>
         <comment>landmarks.too-few</comment>
         <translation>没有机架角度时，位姿需要四个标志点；现有 %1 个。请添加，或输入角度：此时一个即可。</translation>
     </message>
@@ -4624,12 +4624,12 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>有标志点的坐标不是有限数。请移除。</translation>
     </message>
     <message>
-        <source>The landmarks all lie at the same position. Choose some farther apart.</source>
+        <source>All landmarks are at the same position. Place them farther apart.</source>
         <comment>landmarks.in-one-place</comment>
         <translation>标志点都在同一位置。请选择相距较远的。</translation>
     </message>
     <message>
-        <source>The landmarks are collinear, so the rotation about their line is undetermined. Add one off that line.</source>
+        <source>The landmarks are collinear, so the rotation about their line is undetermined. Add a landmark off that line.</source>
         <comment>landmarks.on-one-line</comment>
         <translation>标志点共线，绕该线的旋转无法确定。请添加线外一点。</translation>
     </message>
@@ -4644,9 +4644,9 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>视图 %1：%2</translation>
     </message>
     <message>
-        <source>A joint registration needs at least two views.</source>
+        <source>A joint registration requires at least two views.</source>
         <comment>views.too-few</comment>
-        <translation>联合配准至少需要两个投影。</translation>
+        <translation>联合配准至少需要两个视图。</translation>
     </message>
     <message>
         <source>A joint registration cannot lock individual degrees of freedom. Unlock them first.</source>
@@ -4656,20 +4656,20 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>View %1 uses a different vessel tree or different branches than view %2. Use the same in all views.</source>
         <comment>views.other-tree</comment>
-        <translation>投影 %1 使用的血管树或分支与投影 %2 不同。请在所有投影中使用相同的。</translation>
+        <translation>视图 %1 使用的血管树或分支与视图 %2 不同。请在所有视图中使用相同的。</translation>
     </message>
     <message>
         <source>View %1 is inconsistent with the joint pose.</source>
         <comment>views.disagrees</comment>
-        <translation>投影 %1 与联合位姿不符。</translation>
+        <translation>视图 %1 与联合位姿不符。</translation>
     </message>
     <message>
-        <source>The geometry of view %1 differs strongly from its header: check angles and distances.</source>
+        <source>The geometry of view %1 differs substantially from its header. Check the angles and distances.</source>
         <comment>views.far-from-header</comment>
-        <translation>投影 %1 的几何与文件头相差很大：请检查角度和距离。</translation>
+        <translation>视图 %1 的几何参数与文件头相差很大。请检查角度和距离。</translation>
     </message>
     <message>
-        <source>There is only one frame: nothing to track. Open a run with several frames.</source>
+        <source>There is only one frame, so there is nothing to track. Open a run with several frames.</source>
         <comment>follow.one-frame</comment>
         <translation>只有一帧：无可跟踪。请打开多帧序列。</translation>
     </message>
@@ -4679,9 +4679,9 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>此帧的中心线来自文件，其他帧没有。请从病例中移除该中心线，以提取每一帧。</translation>
     </message>
     <message>
-        <source>The gantry rotates during this run: frames differ in view angle, not only in motion. Register the frames individually, or jointly as views.</source>
+        <source>The gantry rotates during this run: the frames differ in view angle, not only in motion. Register the frames individually, or jointly as views.</source>
         <comment>follow.gantry-turns</comment>
-        <translation>采集中机架旋转：各帧投照角度不同，而不仅是运动。请逐帧配准，或作为多个投影联合配准。</translation>
+        <translation>采集中机架旋转：各帧投照角度不同，而不仅是运动。请逐帧配准，或作为多个视图联合配准。</translation>
     </message>
     <message>
         <source>Only %1 of the vessel tree is inside the image.</source>
@@ -4689,12 +4689,12 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>血管树仅 %1 位于图像内。</translation>
     </message>
     <message>
-        <source>Only %1 of the vessel tree matches a traced vessel, and it explains %2 of the traced vessels.</source>
+        <source>Only %1 of the vessel tree matches a traced vessel, and the tree accounts for %2 of the traced vessels.</source>
         <comment>trust.little-agreement</comment>
         <translation>血管树仅 %1 与提取血管匹配，解释了提取血管的 %2。</translation>
     </message>
     <message>
-        <source>The vessel tree explains only %1 of the traced vessels. Check that it belongs to the image and that its unit is mm.</source>
+        <source>The vessel tree accounts for only %1 of the traced vessels. Check that it belongs to the image and that its unit is mm.</source>
         <comment>trust.little-explained</comment>
         <translation>血管树仅能解释 %1 的提取血管。请检查它是否属于该图像，且单位为 mm。</translation>
     </message>
@@ -4719,17 +4719,17 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>图像几乎无法确定血管树沿血管方向的位置。</translation>
     </message>
     <message>
-        <source>The pose is uncertain by about %1.</source>
+        <source>The pose uncertainty is about %1.</source>
         <comment>trust.pose-uncertain</comment>
         <translation>位姿不确定性约为 %1。</translation>
     </message>
     <message>
-        <source>Another pose explains the image almost as well: compare the alternatives.</source>
+        <source>Another pose fits the image almost as well: compare the other solutions.</source>
         <comment>trust.rival</comment>
         <translation>另一位姿几乎同样符合图像：请比较其他解。</translation>
     </message>
     <message>
-        <source>Similar fits are within 2 mm of the vessels in only %1 of cases.</source>
+        <source>Fits of this quality are within 2 mm of the vessels in only %1 of cases.</source>
         <comment>trust.often-fails</comment>
         <translation>与此相似的配准中，只有 %1 落在血管 2 mm 以内。</translation>
     </message>
@@ -4754,107 +4754,107 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>图像显示血管树的 %1，每个分支的可见部分均不足一半。位姿依据可见的节段。</translation>
     </message>
     <message>
-        <source>Only part of the vessel tree appears opacified, and it explains too little of the image to be certain.</source>
+        <source>Only part of the vessel tree appears opacified, and it accounts for too little of the image for a reliable result.</source>
         <comment>trust.filled-doubtful</comment>
         <translation>似乎只有部分血管树显影，其对图像的解释不足以确定位姿。</translation>
     </message>
     <message>
-        <source>Only one vessel path is visible. It fits at many positions, and a guidewire or catheter lies off the vessel axis: the guidewire method ranks the possible paths.</source>
+        <source>Only a single vessel path is visible. It fits at many positions, and a guidewire or catheter does not follow the vessel axis. The guidewire method ranks the possible paths.</source>
         <comment>trust.single-path</comment>
         <translation>只见一条血管路径。它与多处相符，而且导丝或导管偏离血管轴线：导丝方法会给出各可能路径的排序。</translation>
     </message>
     <message>
         <source>Depth cannot be determined from this single view: the distance from the source stays close to the initial pose.</source>
         <comment>trust.depth-unknown</comment>
-        <translation>此单一投影无法确定深度：到射线源的距离保持接近初始位姿。</translation>
+        <translation>此单一视图无法确定深度：到射线源的距离保持接近初始位姿。</translation>
     </message>
     <message>
         <source>Depth cannot be determined from this single view: the distance from the source differs by %1 from the initial pose and may be wrong. Lock the depth, or add a view.</source>
         <comment>trust.depth-moved</comment>
-        <translation>此单一投影无法确定深度：到射线源的距离偏离初始位姿 %1，可能有误。请锁定深度，或增加一个投影。</translation>
+        <translation>此单一视图无法确定深度：到射线源的距离偏离初始位姿 %1，可能有误。请锁定深度，或增加一个视图。</translation>
     </message>
     <message>
-        <source>The vessels fit clearly better with a focal length %1 longer. Check the source-to-detector distance (may be larger) and the pixel spacing (may be smaller). The option “Estimate the geometry” uses the values that fit the images.</source>
+        <source>The vessels fit clearly better with a focal length that is %1 longer. Check the source-to-detector distance (may be larger) and the pixel spacing (may be smaller). The option “Estimate geometry” uses the values that fit the images.</source>
         <comment>camera.focal-longer</comment>
         <translation>焦距增大 %1 时血管明显更吻合。请检查源到探测器距离（可能更大）和像素间距（可能更小）。选项“估计几何参数”会采用与图像相符的值。</translation>
     </message>
     <message>
-        <source>The vessels fit clearly better with a focal length %1 shorter. Check the source-to-detector distance (may be smaller) and the pixel spacing (may be larger). The option “Estimate the geometry” uses the values that fit the images.</source>
+        <source>The vessels fit clearly better with a focal length that is %1 shorter. Check the source-to-detector distance (may be smaller) and the pixel spacing (may be larger). The option “Estimate geometry” uses the values that fit the images.</source>
         <comment>camera.focal-shorter</comment>
         <translation>焦距减小 %1 时血管明显更吻合。请检查源到探测器距离（可能更小）和像素间距（可能更大）。选项“估计几何参数”会采用与图像相符的值。</translation>
     </message>
     <message>
-        <source>The images contradicted the geometry, which was estimated from them: the focal length is %1 of the given one, the principal point is shifted by (%2, %3) px.</source>
+        <source>The images contradicted the geometry, so it was estimated from them: the focal length is %1 of the specified value, and the principal point is shifted by (%2, %3) px.</source>
         <comment>camera.estimated</comment>
         <translation>图像与几何参数不符，已据图像重新估计：焦距为给定值的 %1，主点偏移 (%2, %3) px。</translation>
     </message>
     <message>
-        <source>The vessels fit clearly better with the principal point shifted by %1, to (%2, %3). Check it, and whether the image was cropped or shifted.</source>
+        <source>The vessels fit clearly better with the principal point shifted by %1, to (%2, %3). Check the principal point, and whether the image was cropped or shifted.</source>
         <comment>camera.principal-point-off</comment>
         <translation>主点偏移 %1、位于 (%2, %3) 时血管明显更吻合。请检查主点，以及图像是否被裁剪或平移。</translation>
     </message>
     <message>
-        <source>The image appears rotated 90° clockwise: rotated back, vessels and image agree by %1 instead of %2. Check the image export, or the roll.</source>
+        <source>The image appears rotated 90° clockwise: when rotated back, the agreement between vessels and image is %1 instead of %2. Check the image export, or the roll.</source>
         <comment>frame.turned-clockwise</comment>
         <translation>图像似乎顺时针旋转了 90°：转回后血管与图像的吻合度为 %1，而非 %2。请检查图像导出方式或滚转角。</translation>
     </message>
     <message>
-        <source>The image appears rotated 90° counterclockwise: rotated back, vessels and image agree by %1 instead of %2. Check the image export, or the roll.</source>
+        <source>The image appears rotated 90° counterclockwise: when rotated back, the agreement between vessels and image is %1 instead of %2. Check the image export, or the roll.</source>
         <comment>frame.turned-anticlockwise</comment>
         <translation>图像似乎逆时针旋转了 90°：转回后血管与图像的吻合度为 %1，而非 %2。请检查图像导出方式或滚转角。</translation>
     </message>
     <message>
-        <source>The image appears rotated 180°: rotated back, vessels and image agree by %1 instead of %2. Check the image export, the roll, and the patient position.</source>
+        <source>The image appears rotated 180°: when rotated back, the agreement between vessels and image is %1 instead of %2. Check the image export, the roll, and the patient position.</source>
         <comment>frame.upside-down</comment>
         <translation>图像似乎旋转了 180°：转回后血管与图像的吻合度为 %1，而非 %2。请检查图像导出方式、滚转角和患者体位。</translation>
     </message>
     <message>
-        <source>The image appears mirrored left to right: mirrored back, vessels and image agree by %1 instead of %2. Check the viewing side in the geometry.</source>
+        <source>The image appears mirrored left to right: when mirrored back, the agreement between vessels and image is %1 instead of %2. Check the viewing side in the geometry.</source>
         <comment>frame.mirrored-left-right</comment>
         <translation>图像似乎左右镜像：镜像还原后血管与图像的吻合度为 %1，而非 %2。请在几何中检查观察侧。</translation>
     </message>
     <message>
-        <source>The image appears mirrored top to bottom: mirrored back, vessels and image agree by %1 instead of %2. Check the image export.</source>
+        <source>The image appears mirrored top to bottom: when mirrored back, the agreement between vessels and image is %1 instead of %2. Check the image export.</source>
         <comment>frame.mirrored-up-down</comment>
         <translation>图像似乎上下镜像：镜像还原后血管与图像的吻合度为 %1，而非 %2。请检查图像导出方式。</translation>
     </message>
     <message>
-        <source>The image appears mirrored and rotated 90°: corrected, vessels and image agree by %1 instead of %2. Check the image export.</source>
+        <source>The image appears mirrored and rotated 90°: when corrected, the agreement between vessels and image is %1 instead of %2. Check the image export.</source>
         <comment>frame.mirrored-and-turned</comment>
         <translation>图像似乎既镜像又旋转了 90°：校正后血管与图像的吻合度为 %1，而非 %2。请检查图像导出方式。</translation>
     </message>
     <message>
-        <source>The patient position was %1, and the device seems to count its angles from the table: read this way, vessels and image agree by %2 instead of %3. Enter in the geometry: LAO/RAO %4, CRA/CAU %5, roll %6.</source>
+        <source>The patient position was %1, and the device seems to define its angles relative to the table: interpreted this way, the agreement between vessels and image is %2 instead of %3. Enter in the geometry: LAO/RAO %4, CRA/CAU %5, roll %6.</source>
         <comment>frame.counted-from-table</comment>
         <translation>患者体位为 %1，该设备似乎以检查床为基准计角：按此理解，血管与图像的吻合度为 %2，而非 %3。请在几何中输入：LAO/RAO %4，CRA/CAU %5，滚转 %6。</translation>
     </message>
     <message>
-        <source>The mirrored image fits the vessels about as well (agreement %1, currently %2): check the viewing side of the image.</source>
+        <source>The mirrored image fits the vessels about equally well (agreement %1, currently %2): check the viewing side of the image.</source>
         <comment>frame.mirror-rival</comment>
         <translation>镜像后的图像与血管几乎同样吻合（吻合度 %1，当前为 %2）：请检查图像的观察侧。</translation>
     </message>
     <message>
-        <source>The patient position is %1 (0018,5100), not head first supine. The angles are interpreted as the DICOM standard defines them: relative to the patient, head up in the image. If this device counts them from the table, the initial pose is rotated; a registration that fails tries this and reports the angles to enter.</source>
+        <source>The patient position is %1 (0018,5100), not head first supine. The angles are interpreted as the DICOM standard defines them: relative to the patient, with the head up in the image. If this device defines them relative to the table, the initial pose is rotated; if a registration fails, AngioPose tests this and reports the angles to enter.</source>
         <comment>dicom.patient-lies</comment>
         <translation>患者体位为 %1 (0018,5100)，而非头先进仰卧。角度按 DICOM 标准解释：以患者为基准，图像中头部朝上。若该设备以检查床为基准计角，初始位姿会被旋转；配准失败时会尝试这种解释，并报告应输入的角度。</translation>
     </message>
     <message>
         <source>The table moved during this run (%1). The motion is ignored: a pose is valid only for its own frame, and the frames are not views of the same position.</source>
         <comment>dicom.table-moved</comment>
-        <translation>采集过程中检查床发生移动（%1）。该移动不予考虑：位姿只对其所在帧有效，各帧并非同一位置的投影。</translation>
+        <translation>采集过程中检查床发生移动（%1）。该移动不予考虑：位姿只对其所在帧有效，各帧并非同一位置的视图。</translation>
     </message>
     <message>
-        <source>distance not given in the header</source>
+        <source>distance not specified in the header</source>
         <comment>dicom.table-moved-unknown</comment>
         <translation>文件头未说明移动距离</translation>
     </message>
     <message>
-        <source>Deformable registration needs at least one registered view.</source>
+        <source>Deformable registration requires at least one registered view.</source>
         <comment>bend.no-view</comment>
-        <translation>形变配准至少需要一个已配准的投影。</translation>
+        <translation>形变配准至少需要一个已配准的视图。</translation>
     </message>
     <message>
-        <source>The traced vessels are isolated points. Connect them to curves before deforming the tree.</source>
+        <source>The traced vessels are isolated points. Connect them into curves before deforming the tree.</source>
         <comment>bend.needs-curves</comment>
         <translation>提取的血管是孤立的点。形变配准之前请先将其连成曲线。</translation>
     </message>
@@ -4864,12 +4864,12 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>位姿先验和节点间距必须是正数。</translation>
     </message>
     <message>
-        <source>The vessels are deformed relative to the tree: the rigid overlay is off by %1 on average, most at branch %3 (%2).</source>
+        <source>The vessels are deformed relative to the tree: the rigid overlay deviates by %1 on average, most at branch %3 (%2).</source>
         <comment>bend.rigid-off</comment>
         <translation>血管相对于血管树发生形变：刚性叠加平均偏离 %1，在分支 %3 处最大（%2）。</translation>
     </message>
     <message>
-        <source>The vessels may be deformed relative to the tree, but the image is inconclusive: the rigid overlay would be off by %1 on average, most at branch %3 (%2).</source>
+        <source>The vessels may be deformed relative to the tree, but the image is inconclusive: the rigid overlay would deviate by %1 on average, most at branch %3 (%2).</source>
         <comment>bend.may-be-off</comment>
         <translation>血管可能相对于血管树发生形变，但图像不足以确定：刚性叠加平均将偏离 %1，在分支 %3 处最大（%2）。</translation>
     </message>
@@ -4879,9 +4879,9 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>形变配准在完成前被停止：保留刚性位姿。</translation>
     </message>
     <message>
-        <source>Deformable registrations from different starting points differ by %1: some branches may be matched to other vessels.</source>
+        <source>Deformable registrations from different initial values differ by %1: some branches may be matched to the wrong vessels.</source>
         <comment>bend.runs-differ</comment>
-        <translation>不同起始值的形变配准结果相差 %1：某些分支可能被匹配到其他血管。</translation>
+        <translation>不同起始值的形变配准结果相差 %1：某些分支可能被匹配到错误的血管。</translation>
     </message>
     <message>
         <source>Only %1 of the vessel tree was matched to vessels in the image.</source>
@@ -4889,19 +4889,19 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>只有 %1 的血管树在图像中找到了对应血管。</translation>
     </message>
     <message>
-        <source>The traced vessels still lie about %1 off the deformed tree: their motion is more local than the model can follow.</source>
+        <source>The traced vessels are still about %1 away from the deformed tree: their motion is more local than the model can represent.</source>
         <comment>bend.not-followed</comment>
         <translation>提取的血管与形变后的血管树仍相差约 %1：其运动比模型所能描述的更局部。</translation>
     </message>
     <message>
-        <source>The vessels toward the %1 (%2 of their length) are displaced by %3 from the rest, toward the %4.</source>
+        <source>The vessels toward the %1 (%2 of their length) are displaced by %3 relative to the rest, toward the %4.</source>
         <comment>bend.part-moved</comment>
         <translation>血管靠%1侧的部分（占其长度的 %2）相对其余部分偏移 %3，方向朝%4。</translation>
     </message>
     <message>
         <source>Motion of the vessels along the ray cannot be determined from one view.</source>
         <comment>bend.depth-unknown</comment>
-        <translation>单个投影无法确定血管沿射线方向的移动。</translation>
+        <translation>单个视图无法确定血管沿射线方向的移动。</translation>
     </message>
     <message>
         <source>front</source>
@@ -4934,12 +4934,12 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>此帧有非数值像素（NaN 或无穷大）。请选择其他帧，或重新导出图像。</translation>
     </message>
     <message>
-        <source>The angiogram frame has a single gray value: there is nothing to trace. Choose another frame or file.</source>
+        <source>The angiogram frame has only one gray value, so there is nothing to trace. Choose another frame or file.</source>
         <comment>frame.one-colour</comment>
         <translation>此帧只有单一灰度值：没有可提取的内容。请选择其他帧或文件。</translation>
     </message>
     <message>
-        <source>This is a text page, such as a dose report, not an angiogram. Choose the run it belongs to, or another frame.</source>
+        <source>This is a text page, such as a dose report, not an angiogram. Choose the corresponding run, or another frame.</source>
         <comment>frame.report-page</comment>
         <translation>这是文字页（如剂量报告），不是血管造影。请选择其所属的序列，或其他帧。</translation>
     </message>
@@ -4949,7 +4949,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>此处提取的结构在序列第一帧中已经可见：两帧之间没有对比剂到达。若该序列不含对比剂，则这些是导管、导丝和骨缘，而不是血管。</translation>
     </message>
     <message>
-        <source>Little in this frame looks like opacified vessels: the traced curves are short or faint, or may be catheters, guidewires and bone edges. Choose a frame with more contrast agent; if there is none, check the curves with Edit traced vessels.</source>
+        <source>Few structures in this frame resemble opacified vessels: the traced curves are short or faint, or may be catheters, guidewires and bone edges. Choose a frame with more contrast agent; if there is none, check the curves with “Edit traced vessels”.</source>
         <comment>frame.little-contrast</comment>
         <translation>此帧中几乎没有看起来像显影血管的结构：提取的曲线很短或很淡，或可能是导管、导丝和骨缘。请选择对比剂更多的帧；若没有，请用“编辑提取的血管”检查这些曲线。</translation>
     </message>
@@ -4959,22 +4959,22 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>此帧造影图像中未发现血管。请选择对比剂更多的帧、提高灵敏度，或检查血管是暗还是亮。</translation>
     </message>
     <message>
-        <source>The minimum vessel radius (%1) must be positive and at most the maximum vessel radius (%2).</source>
+        <source>The minimum vessel radius (%1) must be positive and not larger than the maximum vessel radius (%2).</source>
         <comment>trace.radii-unusable</comment>
         <translation>最小血管半径（%1）须为正，且不得大于最大血管半径（%2）。</translation>
     </message>
     <message>
-        <source>The tracing sensitivity must be above 0, not %1.</source>
+        <source>The tracing sensitivity must be greater than 0, not %1.</source>
         <comment>trace.sensitivity-unusable</comment>
         <translation>提取灵敏度须大于 0，不能是 %1。</translation>
     </message>
     <message>
-        <source>The vessel mask contains no vessel of at least %1. Draw longer vessels, or lower the minimum length.</source>
+        <source>The vessel mask contains no vessel with a length of at least %1. Draw longer vessels, or lower the minimum length.</source>
         <comment>frame.mask-without-vessels</comment>
         <translation>血管掩膜中没有至少 %1 的血管。请画更长的血管或降低最短长度。</translation>
     </message>
     <message>
-        <source>The run has one frame: there is nothing to subtract. Choose a run with frames before contrast arrival.</source>
+        <source>The run has only one frame, so nothing can be subtracted. Choose a run with frames before contrast arrival.</source>
         <comment>subtraction.one-frame</comment>
         <translation>该序列只有一帧：无法减影。请选择含对比剂到达前各帧的序列。</translation>
     </message>
@@ -4984,7 +4984,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>该序列各帧大小不同，无法减影。</translation>
     </message>
     <message>
-        <source>The run shows contrast agent from its first frame on, so no frame can serve as mask. Specify the mask frames, or trace without subtraction.</source>
+        <source>The run shows contrast agent from the first frame on, so no frame can serve as the mask. Specify the mask frames, or trace without subtraction.</source>
         <comment>subtraction.no-mask</comment>
         <translation>该序列从第一帧起即有对比剂，没有可作蒙片的帧。请指定蒙片帧，或不减影提取。</translation>
     </message>
@@ -5006,10 +5006,10 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>The volume has no valid voxel spacing. Enter the spacing in mm, or export the volume again.</source>
         <comment>volume.no-spacing</comment>
-        <translation>体数据没有有效的体素间距。请输入 mm 间距，或重新导出。</translation>
+        <translation>体数据没有有效的体素间距。请输入以 mm 为单位的间距，或重新导出。</translation>
     </message>
     <message>
-        <source>The volume has a single value: there is nothing to trace. Choose another series or file.</source>
+        <source>The volume has only one value, so there is nothing to trace. Choose another series or file.</source>
         <comment>volume.one-value</comment>
         <translation>体数据只有一个值：没有可提取的内容。请选择其他序列或文件。</translation>
     </message>
@@ -5029,14 +5029,14 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>体数据中没有类似血管的结构：没有足够长的分支。请降低阈值或最短分支长度。</translation>
     </message>
     <message>
-        <source>No opacified vessels were found: soft tissue has %1, and no uniform region shows vascular enhancement. Is this the arterial phase? Choose the CT angiogram, or set the threshold at which vessels begin.</source>
+        <source>No opacified vessels were found: soft tissue measures %1, and no uniform region shows vascular enhancement. Is this the arterial phase? Choose the CT angiogram, or set the lower threshold of the vessels.</source>
         <comment>tracing.no-contrast</comment>
-        <translation>未找到强化的血管：软组织为 %1，没有均匀区域显示血管强化。这是动脉期吗？请选择 CT 血管造影，或设定血管起始阈值。</translation>
+        <translation>未找到强化的血管：软组织为 %1，没有均匀区域显示血管强化。这是动脉期吗？请选择 CT 血管造影，或设定血管的下限阈值。</translation>
     </message>
     <message>
-        <source>No opacified vessels were found: apart from bone, the brightest region has %1 (soft tissue %2) and is not vessel-like. Is this the arterial phase? Choose the CT angiogram, or set the threshold at which vessels begin.</source>
+        <source>No opacified vessels were found: apart from bone, the brightest region measures %1 (soft tissue %2) and is not vessel-like. Is this the arterial phase? Choose the CT angiogram, or set the lower threshold of the vessels.</source>
         <comment>tracing.brightest-is-no-vessel</comment>
-        <translation>未找到强化的血管：除骨骼外最亮区域为 %1（软组织 %2），且形态不似血管。这是动脉期吗？请选择 CT 血管造影，或设定血管起始阈值。</translation>
+        <translation>未找到强化的血管：除骨骼外最亮区域为 %1（软组织 %2），且形态不似血管。这是动脉期吗？请选择 CT 血管造影，或设定血管的下限阈值。</translation>
     </message>
     <message>
         <source>There are points to avoid, but no seed. Place at least one seed in the vessels.</source>
@@ -5049,22 +5049,22 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>(%1, %2, %3)</translation>
     </message>
     <message>
-        <source>The seed %1 mm (LPS) is not inside a vessel. Place it inside one, or lower the threshold.</source>
+        <source>The seed %1 mm (LPS) is not inside a vessel. Place it inside a vessel, or lower the threshold.</source>
         <comment>tracing.seed-in-no-vessel</comment>
         <translation>种子点 %1 mm（LPS）不在血管内。请放入血管或降低阈值。</translation>
     </message>
     <message>
-        <source>The seed %1 mm (LPS) is not inside an enhanced vessel: the vessel %2 away was used.</source>
+        <source>The seed %1 mm (LPS) is not inside an enhanced vessel: the vessel at a distance of %2 was used.</source>
         <comment>tracing.seed-moved</comment>
         <translation>种子点 %1 mm（LPS）不在强化的血管内：已采用距其 %2 的血管。</translation>
     </message>
     <message>
-        <source>No seed was placed: the aorta (or main artery) was found automatically at %1 mm (LPS) and traced. If it is the wrong vessel, place a seed in another one.</source>
+        <source>No seed was placed: the aorta (or main artery) was found automatically at %1 mm (LPS) and traced. If it is the wrong vessel, place a seed in the correct one.</source>
         <comment>tracing.no-seed-found-vessel</comment>
-        <translation>未放置种子点：已自动找到并提取位于 %1 mm（LPS）的主动脉（或主要动脉）。如果不对，请在其他血管中放置种子点。</translation>
+        <translation>未放置种子点：已自动找到并提取位于 %1 mm（LPS）的主动脉（或主要动脉）。如果不对，请在正确的血管中放置种子点。</translation>
     </message>
     <message>
-        <source>No seed was placed, and no aorta or main artery was found: the largest component was traced. If it is not the vessels, place a seed in them.</source>
+        <source>No seed was placed, and no aorta or main artery was found: the largest component was traced. If these are not the desired vessels, place a seed in them.</source>
         <comment>tracing.no-seed-largest-piece</comment>
         <translation>未放置种子点，也未找到主动脉或主要动脉：已提取最大的连通部分。如果它不是所需血管，请在血管中放置种子点。</translation>
     </message>
@@ -5074,7 +5074,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>这是头部扫描，无法可靠识别动脉：静脉窦和静脉也可能强化。请在要提取的动脉中放置种子点，例如颈部或颅底处的颈动脉。</translation>
     </message>
     <message>
-        <source>The values of this scan are not Hounsfield units, and no large vessel can be identified reliably. Place a seed in a wide part of the artery to trace.</source>
+        <source>The values of this scan are not in Hounsfield units, and no large vessel can be identified reliably. Place a seed in a wide part of the artery to trace.</source>
         <comment>tracing.scan-needs-seed</comment>
         <translation>该扫描的数值不是 Hounsfield 单位，无法可靠识别大血管。请在要提取的动脉较宽处放置种子点。</translation>
     </message>
@@ -5094,7 +5094,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>中心线在两个体素以内与掩膜骨架的 %1 相符；其余大部分位于 %2 mm（LPS）。在管腔较宽或管壁粗糙处，中心线改为沿管腔中央走行。请检查该处是否缺少血管。</translation>
     </message>
     <message>
-        <source>The point %1 mm (LPS) is outside the scan. Choose one inside.</source>
+        <source>The point %1 mm (LPS) is outside the scan. Choose a point inside it.</source>
         <comment>tracing.path-end-outside-scan</comment>
         <translation>点 %1 mm (LPS) 在扫描之外。请选择扫描内的点。</translation>
     </message>
@@ -5114,12 +5114,12 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>两点之间未找到路径。请放得更近一些。</translation>
     </message>
     <message>
-        <source>For %1, the path does not run through a vessel-like structure. Check it, or place a point in between.</source>
+        <source>Over a length of %1, the path does not run through a vessel-like structure. Check it, or place a point in between.</source>
         <comment>tracing.path-outside</comment>
         <translation>路径有 %1 未经过血管样结构。请检查，或在中间放置一点。</translation>
     </message>
     <message>
-        <source>Tracing thin vessels requires seeds, and none is placed. Place one in each vessel, near its origin.</source>
+        <source>Tracing thin vessels requires seeds, but none is placed. Place one in each vessel, near its origin.</source>
         <comment>tracing.tubes-need-seed</comment>
         <translation>提取细血管需要种子点，但尚未放置。请在每条血管的起始处附近放置一个。</translation>
     </message>
@@ -5129,12 +5129,12 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>从种子点出发没有找到足够长的细血管。请将种子点放在血管中央，或取消仅提取细血管的限制。</translation>
     </message>
     <message>
-        <source>The search limit was reached: the vessels are cut off. Check for leakage into lung, liver or bone.</source>
+        <source>The search limit was reached: the vessels are truncated. Check for leakage into lung, liver or bone.</source>
         <comment>tracing.tubes-cut-short</comment>
         <translation>已达到搜索上限：血管被截断。请检查是否泄漏到肺、肝或骨骼。</translation>
     </message>
     <message>
-        <source>The vessels consist of %1 unconnected components, each with its own root: %2. Connect those that belong together, or select some by placing a seed in each.</source>
+        <source>The vessels consist of %1 unconnected components, each with its own root: %2. Connect those that belong together, or select components by placing a seed in each.</source>
         <comment>tracing.vessels-in-pieces</comment>
         <translation>血管由 %1 个互不相连的部分组成，每部分各有一个根：%2。请连接同属一体的部分，或在所需的各部分中放置种子点。</translation>
     </message>
@@ -5154,27 +5154,27 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>另有 %1 段共 %2</translation>
     </message>
     <message>
-        <source>A component not connected to the traced vessels was left out: %1 mm (LPS). Place a seed in it if it belongs to the tree.</source>
+        <source>A component that is not connected to the traced vessels was omitted: %1 mm (LPS). Place a seed in it if it belongs to the tree.</source>
         <comment>tracing.one-piece-left-out</comment>
         <translation>有一个与提取血管不相连的部分已略去：%1 mm（LPS）。若属于血管树，请在其中放置种子点。</translation>
     </message>
     <message>
-        <source>%1 components with %2 of the voxels are not connected to the traced vessels and were left out: %3. Place a seed in each that belongs to the tree.</source>
+        <source>%1 components with %2 of the voxels are not connected to the traced vessels and were omitted: %3. Place a seed in each that belongs to the tree.</source>
         <comment>tracing.pieces-left-out</comment>
         <translation>有 %1 个部分（占体素 %2）与提取血管不相连，已略去：%3。请在属于血管树的各部分中放置种子点。</translation>
     </message>
     <message>
-        <source>A component contains no branch of the minimum length and was left out: %1 mm (LPS). Lower the minimum branch length if it is a vessel.</source>
+        <source>A component contains no branch of the minimum length and was omitted: %1 mm (LPS). Lower the minimum branch length if it is a vessel.</source>
         <comment>tracing.one-piece-too-short</comment>
         <translation>有一个部分不含达到最短长度的分支，已略去：%1 mm（LPS）。若为血管，请减小最短分支长度。</translation>
     </message>
     <message>
-        <source>%1 components with %2 of the voxels contain no branch of the minimum length and were left out: %3. Lower the minimum branch length if they are vessels.</source>
+        <source>%1 components with %2 of the voxels contain no branch of the minimum length and were omitted: %3. Lower the minimum branch length if they are vessels.</source>
         <comment>tracing.pieces-too-short</comment>
         <translation>有 %1 个部分（占体素 %2）不含达到最短长度的分支，已略去：%3。若为血管，请减小最短分支长度。</translation>
     </message>
     <message>
-        <source>Gaps where a vessel clearly continues were closed: %1, of up to %2. Check there for vessels that do not belong together.</source>
+        <source>Gaps where a vessel clearly continues were closed: %1, up to %2 long. Check there for vessels that do not belong together.</source>
         <comment>tracing.gaps-closed</comment>
         <translation>已闭合血管明显延续的断口：%1 处，最长 %2。请检查该处血管是否同属一体。</translation>
     </message>
@@ -5189,22 +5189,22 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>%1 个环已在最窄处断开；请检查这些地方血管是否仅相互接触。</translation>
     </message>
     <message>
-        <source>Loops kept as requested: %1. Where a loop closes, one branch ends on another.</source>
+        <source>Loops kept as requested: %1. At the closure of a loop, one branch ends on another.</source>
         <comment>tracing.loops-kept</comment>
         <translation>按要求保留的环：%1 个。环闭合处，一条分支止于另一条。</translation>
     </message>
     <message>
-        <source>A part darker than the vessels was left out; it may be a vein or an organ. Place a seed in it if it belongs to the tree.</source>
+        <source>A region darker than the vessels was omitted; it may be a vein or an organ. Place a seed in it if it belongs to the tree.</source>
         <comment>tracing.one-dim-part-left-out</comment>
         <translation>一个比血管暗的部分已略去；它可能是静脉或器官。若属于血管树，请在其中放置种子点。</translation>
     </message>
     <message>
-        <source>%1 parts darker than the vessels were left out; they may be veins or organs. Place seeds in those that belong to the tree.</source>
+        <source>%1 regions darker than the vessels were omitted; they may be veins or organs. Place seeds in those that belong to the tree.</source>
         <comment>tracing.dim-parts-left-out</comment>
         <translation>%1 个比血管暗的部分已略去；它们可能是静脉或器官。请在属于血管树的部分中放置种子点。</translation>
     </message>
     <message>
-        <source>No voxel of the scan is as dark as air in Hounsfield units: if its values are not HU, bone cannot be separated reliably from vessels. Check the vessels for bone, or export the scan in Hounsfield units.</source>
+        <source>No voxel of the scan is as dark as air in Hounsfield units. If the values are not HU, bone cannot be separated reliably from vessels. Check the vessels for bone, or export the scan in Hounsfield units.</source>
         <comment>tracing.perhaps-no-hounsfield</comment>
         <translation>扫描中没有像 Hounsfield 单位下的空气那样暗的体素：如果其数值不是 HU，就无法可靠地区分骨骼和血管。请检查血管中是否混入骨骼，或以 Hounsfield 单位重新导出扫描。</translation>
     </message>
@@ -5234,9 +5234,9 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>血管树的分支 %1 长度为零：所有点重合。</translation>
     </message>
     <message>
-        <source>Branch %1 of the vessel tree does not have one radius per point.</source>
+        <source>The number of radii of branch %1 of the vessel tree does not match its number of points.</source>
         <comment>tree.branch-radii-missing</comment>
-        <translation>血管树的分支 %1 并非每点都有半径。</translation>
+        <translation>血管树分支 %1 的半径数与点数不符。</translation>
     </message>
     <message>
         <source>Branch %1 of the vessel tree has a radius that is negative or not a number. Correct it, or omit the radii of this branch.</source>
@@ -5249,7 +5249,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>血管树没有分支 %1。</translation>
     </message>
     <message>
-        <source>The range of %1 must be two angles within ±%2°, the lower one first.</source>
+        <source>The range of %1 must consist of two angles within ±%2°, the lower one first.</source>
         <comment>angles.range-odd</comment>
         <translation>%1 的范围须为 ±%2° 以内的两个角度，小的在前。</translation>
     </message>
@@ -5279,22 +5279,22 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>分支 %1 不与其他分支相连，因此没有起始处。请使用分支本身。</translation>
     </message>
     <message>
-        <source>All branches descend from branch %1: nothing would be left.</source>
+        <source>All branches descend from branch %1; no branches would remain.</source>
         <comment>edit.all-hang-on-branch</comment>
         <translation>所有分支都源自分支 %1：将一无所剩。</translation>
     </message>
     <message>
-        <source>All branches are shorter or thinner than the limits: nothing would be left. Lower the limits.</source>
+        <source>All branches are shorter or thinner than the limits; no branches would remain. Lower the limits.</source>
         <comment>edit.all-pruned</comment>
         <translation>所有分支都短于或细于限值：将一无所剩。请降低限值。</translation>
     </message>
     <message>
-        <source>Branch %1 cannot be cut this close to its end. Delete it, or cut farther from the end.</source>
+        <source>Branch %1 cannot be cut so close to its end. Delete the branch, or cut it farther from the end.</source>
         <comment>edit.cut-too-near-end</comment>
         <translation>分支 %1 不能在如此靠近末端处切断。请删除它，或在离末端更远处切断。</translation>
     </message>
     <message>
-        <source>The whole path runs inside vessels that are already traced: there is nothing to add.</source>
+        <source>The whole path runs inside vessels that are already traced, so there is nothing to add.</source>
         <comment>edit.branch-runs-inside</comment>
         <translation>整条路径都在已提取的血管内：没有可添加的部分。</translation>
     </message>
@@ -5319,17 +5319,17 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>表面没有三角面，或体素大小非正。请选择其他表面。</translation>
     </message>
     <message>
-        <source>The surface is flat and encloses no volume. Choose the wall of a vessel.</source>
+        <source>The surface is flat and encloses no volume. Choose the surface of a vessel wall.</source>
         <comment>surface.flat</comment>
         <translation>表面是平的，不包围任何体积。请选择血管壁。</translation>
     </message>
     <message>
-        <source>The voxel size is too small for a surface of this extent. Choose a larger one.</source>
+        <source>The voxel size is too small for a surface of this extent. Choose a larger voxel size.</source>
         <comment>surface.voxel-too-fine</comment>
         <translation>对于此范围的表面，体素过小。请选择更大的体素。</translation>
     </message>
     <message>
-        <source>The surface encloses nothing: it is too open, or thinner than a voxel. Close its holes, or choose a smaller voxel size.</source>
+        <source>The surface encloses no volume: it has large openings, or is thinner than a voxel. Close its holes, or choose a smaller voxel size.</source>
         <comment>surface.nothing-inside</comment>
         <translation>表面内部为空：开口过大，或比一个体素还薄。请封闭孔洞，或选择更小的体素。</translation>
     </message>
@@ -5374,9 +5374,9 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>取值类型错误。请参见公布的模式。</translation>
     </message>
     <message>
-        <source>%1 Correct it.</source>
+        <source>%1 Correct this value.</source>
         <comment>case.value-wrong</comment>
-        <translation>%1 请更正。</translation>
+        <translation>%1 请更正此值。</translation>
     </message>
     <message>
         <source>the file does not conform to the published schema. Compare it with a valid case.</source>
@@ -5399,17 +5399,17 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>仅有扫描不构成病例：病例文件需要已提取的血管和造影图像。保存前请先提取血管并打开造影图像；扫描文件本身不会改变。</translation>
     </message>
     <message>
-        <source>a case needs a vessel tree and an angiogram. Open both before saving.</source>
+        <source>a case requires a vessel tree and an angiogram. Open both before saving.</source>
         <comment>case.incomplete</comment>
         <translation>病例需要血管树和造影图像。保存前请打开两者。</translation>
     </message>
     <message>
-        <source>the pose is not a rigid motion of finite numbers. Reset the pose before saving.</source>
+        <source>the pose is not a rigid transform with finite values. Reset it before saving.</source>
         <comment>case.pose-not-rigid</comment>
-        <translation>位姿不是有限数的刚体变换。保存前请重置位姿。</translation>
+        <translation>该位姿不是数值有限的刚性变换。保存前请重置位姿。</translation>
     </message>
     <message>
-        <source>the camera belongs to an image of %1 x %2 pixels, but the angiogram has %3 x %4. Provide the camera of this image.</source>
+        <source>the camera belongs to an image of %1 x %2 pixels, but the angiogram has %3 x %4. Specify the camera of this image.</source>
         <comment>case.camera-of-other-image</comment>
         <translation>相机对应 %1 x %2 像素的图像，但造影图像为 %3 x %4。请提供此图像的相机。</translation>
     </message>
@@ -5419,7 +5419,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>maxVesselRadiusPx 小于 minVesselRadiusPx。请对调。</translation>
     </message>
     <message>
-        <source>the case names no vessel input. Specify the vessel file as centerline, segmentation, surface or volume.</source>
+        <source>the case contains no vessel input. Specify the vessel file as centerline, segmentation, surface or volume.</source>
         <comment>case.no-input</comment>
         <translation>病例未指定血管输入。请以 centerline、segmentation、surface 或 volume 指定血管文件。</translation>
     </message>
@@ -5454,22 +5454,22 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>缺少初始位姿，且无法由角度计算。%1</translation>
     </message>
     <message>
-        <source>the file has changed since the case was saved. Check that it is the correct one.</source>
+        <source>the file has changed since the case was saved. Check that it is the correct file.</source>
         <comment>case.file-changed</comment>
         <translation>文件在病例保存后已更改。请确认是否正确。</translation>
     </message>
     <message>
-        <source>its stored result was dropped because the vessels, the image or the traced curves have changed since. Register again.</source>
+        <source>the stored result was discarded because the vessels, the image or the traced curves have changed since. Register again.</source>
         <comment>case.result-stale</comment>
-        <translation>其保存的结果已舍弃，因为血管、图像或提取的曲线此后已改变。请重新配准。</translation>
+        <translation>保存的结果已舍弃，因为血管、图像或提取的曲线此后已改变。请重新配准。</translation>
     </message>
     <message>
-        <source>its stored result was dropped because the case file has changed since: %1. Register again.</source>
+        <source>the stored result was discarded because the case file has changed since: %1. Register again.</source>
         <comment>case.result-beside</comment>
-        <translation>其保存的结果已舍弃，因为病例文件此后有改动：%1。请重新配准。</translation>
+        <translation>保存的结果已舍弃，因为病例文件此后有改动：%1。请重新配准。</translation>
     </message>
     <message>
-        <source>the tracked poses were dropped because they do not match the run or the pose of the case. Track the vessels again.</source>
+        <source>the tracked poses were discarded because they do not match the run or the pose of the case. Track the vessels again.</source>
         <comment>case.followed-misfit</comment>
         <translation>跟踪得到的位姿已舍弃，因为它们与病例的序列或位姿不符。请重新跟踪血管。</translation>
     </message>
@@ -5479,7 +5479,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>已跟踪序列的血管按其位姿显示，但不含形变：%1 请重新跟踪。</translation>
     </message>
     <message>
-        <source>the case names no file with their deformations.</source>
+        <source>the case specifies no deformation file.</source>
         <comment>case.bends-unnamed</comment>
         <translation>病例未指明形变数据文件。</translation>
     </message>
@@ -5489,7 +5489,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>这不是形变数据文件。</translation>
     </message>
     <message>
-        <source>the deformations belong to other vessels or frames.</source>
+        <source>the deformations belong to different vessels or frames.</source>
         <comment>case.bends-of-others</comment>
         <translation>这些形变属于其他血管或帧。</translation>
     </message>
@@ -5549,9 +5549,9 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>初始位姿</translation>
     </message>
     <message>
-        <source>the locked axes</source>
+        <source>the locked degrees of freedom</source>
         <comment>part.locks</comment>
-        <translation>锁定的轴</translation>
+        <translation>锁定的自由度</translation>
     </message>
     <message>
         <source>the method</source>
@@ -5564,27 +5564,27 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>选项</translation>
     </message>
     <message>
-        <source>this DICOM image is not the one the case was created with.</source>
+        <source>this is not the DICOM image with which the case was created.</source>
         <comment>case.other-image</comment>
         <translation>这不是创建病例时所用的 DICOM 图像。</translation>
     </message>
     <message>
-        <source>%1 The case contains the edited vessels and opens without the file.</source>
+        <source>%1 The case contains the edited vessels and can be opened without the file.</source>
         <comment>case.opens-without</comment>
         <translation>%1 病例中包含编辑后的血管，无需该文件即可打开。</translation>
     </message>
     <message>
-        <source>the tree has no branch %1; the entry is ignored.</source>
+        <source>the tree has no branch %1; this entry is ignored.</source>
         <comment>case.branch-left-out</comment>
         <translation>血管树中没有分支 %1；该条目被忽略。</translation>
     </message>
     <message>
-        <source>Another view was left out: %1</source>
+        <source>Another view was omitted: %1</source>
         <comment>case.view-left-out</comment>
         <translation>另一个视图已略去：%1</translation>
     </message>
     <message>
-        <source>line %1: &apos;%2&apos; is not a valid folder name. Use one without &apos;/&apos;.</source>
+        <source>line %1: &apos;%2&apos; is not a valid folder name. Use a name without &apos;/&apos;.</source>
         <comment>batch.no-folder-name</comment>
         <translation>第 %1 行：“%2”不是有效的文件夹名。请使用不含“/”的名称。</translation>
     </message>
@@ -5609,9 +5609,9 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>第 %1 行第 %2 列不是数字。请选择由 `angiopose-cli evaluate` 写出的文件夹。</translation>
     </message>
     <message>
-        <source>the folder mixes experiments or seeds. Use a separate folder for each.</source>
+        <source>the folder contains results of different experiments or seeds. Use a separate folder for each.</source>
         <comment>runs.mixed</comment>
-        <translation>该文件夹混有不同的实验或种子。请分别使用单独的文件夹。</translation>
+        <translation>该文件夹含有不同实验或种子的结果。请分别使用单独的文件夹。</translation>
     </message>
     <message>
         <source>reading was stopped.</source>
@@ -5664,7 +5664,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>这是 Git LFS 指针而非文件本身。请在其仓库中运行 `git lfs pull`。</translation>
     </message>
     <message>
-        <source>a file cannot be saved here. Enter a file name in an existing folder.</source>
+        <source>the file cannot be saved here. Enter a file name in an existing folder.</source>
         <comment>file.no-place</comment>
         <translation>此处不能保存文件。请输入现有文件夹中的文件名。</translation>
     </message>
@@ -5674,27 +5674,27 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>单位须为正的毫米长度。</translation>
     </message>
     <message>
-        <source>the file declares more data than fits into memory. It is damaged; export it again.</source>
+        <source>the file declares more data than fit into memory. It is damaged; export it again.</source>
         <comment>file.larger-than-memory</comment>
         <translation>文件声明的数据超过内存。文件已损坏；请重新导出。</translation>
     </message>
     <message>
-        <source>the decoder %1 is missing or does not start. Reinstall AngioPose.</source>
+        <source>the decoder %1 is missing or cannot be started. Reinstall AngioPose.</source>
         <comment>file.decoder-missing</comment>
         <translation>解码程序 %1 不存在或无法启动。请重新安装 AngioPose。</translation>
     </message>
     <message>
-        <source>the decoder fails on its content. The file is damaged; export it again, or in another format.</source>
+        <source>the decoder could not process the file. The file is damaged; export it again, or in another format.</source>
         <comment>file.decoder-died</comment>
         <translation>解码程序无法处理其内容。文件已损坏；请重新导出，或导出为其他格式。</translation>
     </message>
     <message>
-        <source>decoding takes far longer than expected for its file size. The file is damaged; export it again.</source>
+        <source>decoding takes far longer than expected for the file size. The file is damaged; export it again.</source>
         <comment>file.decoder-too-long</comment>
         <translation>解码时间远超该文件大小的预期。文件已损坏；请重新导出。</translation>
     </message>
     <message>
-        <source>decoding takes far more memory than expected for its file size. The file is damaged; export it again.</source>
+        <source>decoding requires far more memory than expected for the file size. The file is damaged; export it again.</source>
         <comment>file.decoder-too-large</comment>
         <translation>解码所需内存远超该文件大小的预期。文件已损坏；请重新导出。</translation>
     </message>
@@ -5714,12 +5714,12 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>无法读完文件夹。请复制到本地磁盘。</translation>
     </message>
     <message>
-        <source>the folder contains more than 50000 files. Choose the folder of one study.</source>
+        <source>the folder contains more than 50,000 files. Choose the folder of one study.</source>
         <comment>folder.too-full</comment>
         <translation>文件夹中超过 50000 个文件。请选择单个检查的文件夹。</translation>
     </message>
     <message>
-        <source>its JSON is nested more than %1 levels deep. AngioPose does not write such files.</source>
+        <source>the JSON is nested more than %1 levels deep. AngioPose does not write such files.</source>
         <comment>json.too-deep</comment>
         <translation>JSON 嵌套超过 %1 层。AngioPose 不会写出这样的文件。</translation>
     </message>
@@ -5729,7 +5729,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>第 %1 行不是有效的 JSON。请更正文件，或恢复备份。</translation>
     </message>
     <message>
-        <source>the file contains a number too large for a double. Correct it.</source>
+        <source>the file contains a number that exceeds double precision. Correct it.</source>
         <comment>json.number-too-large</comment>
         <translation>文件中有超出双精度范围的数。请更正。</translation>
     </message>
@@ -5739,7 +5739,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>这不是文本表。请选择有表头的 CSV 文件。</translation>
     </message>
     <message>
-        <source>line %1 has %2 columns, but the first line has %3. Separate columns by commas and use . as decimal point.</source>
+        <source>line %1 has %2 columns, but the first line has %3. Separate columns by commas and use a period as the decimal point.</source>
         <comment>table.columns</comment>
         <translation>第 %1 行有 %2 列，首行有 %3 列。请以逗号分列，用 . 作小数点。</translation>
     </message>
@@ -5749,7 +5749,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>第 %1 行，%2 列：“%3”不是有限数。请更正或删除该行。</translation>
     </message>
     <message>
-        <source>line %1: the branch must be an integer. Correct the line.</source>
+        <source>line %1: the value in the column branch must be an integer. Correct the line.</source>
         <comment>table.branch-no-number</comment>
         <translation>第 %1 行：branch 必须为整数。请更正。</translation>
     </message>
@@ -5759,7 +5759,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>文件必须恰好含有一个 ITK 变换。请导出单个刚性变换。</translation>
     </message>
     <message>
-        <source>its transform &quot;%1&quot; is not rigid, or parameters are missing. Export a rigid transform (affine, Euler3D or VersorRigid3D).</source>
+        <source>the transform &quot;%1&quot; is not rigid, or parameters are missing. Export a rigid transform (affine, Euler3D or VersorRigid3D).</source>
         <comment>pose.not-rigid-transform</comment>
         <translation>变换“%1”非刚性，或缺少参数。请导出刚性变换（affine、Euler3D 或 VersorRigid3D）。</translation>
     </message>
@@ -5769,7 +5769,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>变换中心不是有限数。请重新导出变换。</translation>
     </message>
     <message>
-        <source>the file has no 4 x 4 matrix `cameraFromPatient`, at the top level or in `pose`. Add one.</source>
+        <source>the file contains no 4 x 4 matrix `cameraFromPatient`, at the top level or in `pose`. Add the matrix.</source>
         <comment>pose.no-matrix</comment>
         <translation>文件顶层或 `pose` 中没有 4 x 4 矩阵 `cameraFromPatient`。请补充。</translation>
     </message>
@@ -5784,7 +5784,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>cameraFromPatient 含有非有限数。</translation>
     </message>
     <message>
-        <source>the last row of cameraFromPatient must be 0 0 0 1. Check whether the matrix is transposed.</source>
+        <source>the last row of cameraFromPatient must be 0 0 0 1. Check that the matrix is not transposed.</source>
         <comment>pose.last-row</comment>
         <translation>cameraFromPatient 末行须为 0 0 0 1。请检查矩阵是否被转置。</translation>
     </message>
@@ -5794,7 +5794,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>cameraFromPatient 为镜像（行列式小于 0）。镜像图像应以 fx 的符号表示，而非旋转。</translation>
     </message>
     <message>
-        <source>the upper left 3 x 3 block of cameraFromPatient is not a rotation (scale or shear). Provide a rigid pose in mm.</source>
+        <source>the upper left 3 x 3 block of cameraFromPatient is not a rotation (it contains scale or shear). Provide a rigid pose in mm.</source>
         <comment>pose.no-rotation</comment>
         <translation>cameraFromPatient 左上 3 x 3 块不是旋转（含缩放或剪切）。请提供以 mm 为单位的刚性位姿。</translation>
     </message>
@@ -5809,9 +5809,9 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>这不是位姿。请选择 .json 或 ITK 的 .tfm、.mat、.h5 文件。</translation>
     </message>
     <message>
-        <source>the pose is not a rigid motion of finite numbers. Reset it before saving.</source>
+        <source>the pose is not a rigid transform with finite values. Reset it before saving.</source>
         <comment>pose.not-saved</comment>
-        <translation>位姿不是有限数的刚体变换。保存前请重置。</translation>
+        <translation>该位姿不是数值有限的刚性变换。保存前请重置。</translation>
     </message>
     <message>
         <source>poses can be saved as .json, .tfm or .h5. Change the extension.</source>
@@ -5819,9 +5819,9 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>位姿可保存为 .json、.tfm 或 .h5。请更改扩展名。</translation>
     </message>
     <message>
-        <source>this is not a log of observer trials. Choose another name.</source>
+        <source>this is not a blind trial log. Choose another name.</source>
         <comment>observer-log.not-one</comment>
-        <translation>这不是观察者试验记录。请选择其他文件名。</translation>
+        <translation>这不是盲法试验记录。请选择其他文件名。</translation>
     </message>
     <message>
         <source>a gzip archive</source>
@@ -5944,12 +5944,12 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>忽略图像透明度。</translation>
     </message>
     <message>
-        <source>A plain image has no C-arm geometry: enter it in the geometry of the case.</source>
+        <source>A non-DICOM image contains no C-arm geometry. Enter it in the geometry of the case.</source>
         <comment>image.no-geometry</comment>
-        <translation>普通图像没有 C 形臂几何：请在病例的几何中输入。</translation>
+        <translation>非 DICOM 图像不含 C 形臂几何。请在病例的几何中输入。</translation>
     </message>
     <message>
-        <source>The image is a two-level mask: its vessels are used as drawn.</source>
+        <source>The image is a binary mask: its vessels are used as drawn.</source>
         <comment>image.is-mask</comment>
         <translation>该图像是二值掩膜：血管按所画的样子采用。</translation>
     </message>
@@ -5974,12 +5974,12 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>图像损坏或截断。请重新复制或导出。</translation>
     </message>
     <message>
-        <source>the image is damaged or in an unsupported format. Export it in gray or RGB with 8 or 16 bits, without tiles.</source>
+        <source>the image is damaged or in an unsupported format. Export it as untiled grayscale or RGB with 8 or 16 bits.</source>
         <comment>image.unusual</comment>
         <translation>图像已损坏或格式不受支持。请以 8 或 16 位灰度或 RGB、不分块导出。</translation>
     </message>
     <message>
-        <source>the image has fewer than 8 pixels on a side, or more than AngioPose supports. Export the angiogram at its original size.</source>
+        <source>the image has fewer than 8 pixels per side, or more than AngioPose supports. Export the angiogram at its original size.</source>
         <comment>image.size</comment>
         <translation>图像边长少于 8 像素，或超出 AngioPose 的上限。请按原尺寸导出造影图像。</translation>
     </message>
@@ -6009,12 +6009,12 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>这是%1，不是二维中心线。请选择 CSV 表或 PNG 掩膜。</translation>
     </message>
     <message>
-        <source>this is not a two-level mask. Draw the vessels white on black.</source>
+        <source>this is not a binary mask. Draw the vessels in white on black.</source>
         <comment>centreline.no-mask</comment>
         <translation>这不是二值掩膜。请以黑底白色画血管。</translation>
     </message>
     <message>
-        <source>the header row has no columns x and y. The first line must name the columns: x,y and, if available, branch,radius (px).</source>
+        <source>the header row has no columns x and y. The first line must specify the columns: x,y and, if available, branch,radius (px).</source>
         <comment>centreline.no-columns</comment>
         <translation>表头缺少 x 和 y 列。首行须为列名：x,y，以及 branch,radius（px，如有）。</translation>
     </message>
@@ -6029,7 +6029,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>超过一百万个点。请重采样中心线。</translation>
     </message>
     <message>
-        <source>line %1 is far outside any image. Coordinates are in pixels.</source>
+        <source>line %1 is far outside any image. Coordinates must be in pixels.</source>
         <comment>centreline.outside</comment>
         <translation>第 %1 行远超出任何图像的范围。坐标单位为像素。</translation>
     </message>
@@ -6039,12 +6039,12 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>这不是 DICOM 文件。请选择扫描。</translation>
     </message>
     <message>
-        <source>its deflate-compressed content is damaged or truncated. Copy or export it again.</source>
+        <source>the deflate-compressed content is damaged or truncated. Copy or export the file again.</source>
         <comment>dicom.deflate-damaged</comment>
         <translation>其 deflate 压缩内容损坏或截断。请重新复制或导出。</translation>
     </message>
     <message>
-        <source>it contains no readable DICOM element. The file is damaged; copy or export it again.</source>
+        <source>the file contains no readable DICOM element. It is damaged; copy or export it again.</source>
         <comment>dicom.no-element</comment>
         <translation>无法读取任何 DICOM 元素。文件损坏；请重新复制或导出。</translation>
     </message>
@@ -6054,14 +6054,14 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>元素 %1 声明 %2 字节，但仅剩 %3</translation>
     </message>
     <message>
-        <source>the sequence %1 has no end</source>
+        <source>the sequence %1 is not terminated</source>
         <comment>dicom.sequence-without-end</comment>
-        <translation>序列 %1 没有结尾</translation>
+        <translation>序列 %1 未终止</translation>
     </message>
     <message>
-        <source>it ends within an element</source>
+        <source>the file ends within an element</source>
         <comment>dicom.ends-within</comment>
-        <translation>在某个元素中间结束</translation>
+        <translation>文件在某个元素中间结束</translation>
     </message>
     <message>
         <source>The end of the file is damaged (%1); the image is complete.</source>
@@ -6069,7 +6069,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>文件末尾损坏（%1）；图像完整。</translation>
     </message>
     <message>
-        <source>%1 is damaged before its pixels: %2. Copy or export it again.</source>
+        <source>%1 is damaged before the pixel data: %2. Copy or export it again.</source>
         <comment>dicom.damaged-before-pixels</comment>
         <translation>%1 在像素之前损坏：%2。请重新复制或导出。</translation>
     </message>
@@ -6089,47 +6089,47 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>此 DICOM 文件（%1）</translation>
     </message>
     <message>
-        <source>its header has contradictory values for the bits per pixel. The header is damaged; export the run again.</source>
+        <source>the header has contradictory values for the bits per pixel. It is damaged; export the run again.</source>
         <comment>dicom.bits-contradict</comment>
         <translation>文件头中的每像素位数相互矛盾。文件头损坏；请重新导出。</translation>
     </message>
     <message>
-        <source>it is stored in palette colors. Export the angiogram in grayscale.</source>
+        <source>the image is stored in palette color. Export the angiogram in grayscale.</source>
         <comment>dicom.palette-colours</comment>
         <translation>以调色板颜色存储。请以灰度导出造影图像。</translation>
     </message>
     <message>
-        <source>its pixels (%1, %2 samples) are neither gray nor color. Export the angiogram in grayscale.</source>
+        <source>the pixels (%1, %2 samples) are neither grayscale nor color. Export the angiogram in grayscale.</source>
         <comment>dicom.not-grey</comment>
         <translation>像素（%1，%2 个采样）既非灰度也非彩色。请以灰度导出。</translation>
     </message>
     <message>
-        <source>its pixels have %1 bits. Export the angiogram with 8 or 16 bits.</source>
+        <source>the pixels have %1 bits. Export the angiogram with 8 or 16 bits.</source>
         <comment>dicom.pixel-bits</comment>
         <translation>像素为 %1 位。请以 8 或 16 位导出。</translation>
     </message>
     <message>
-        <source>its header gives no image size. The file is damaged; export the run again.</source>
+        <source>the header contains no image size. The file is damaged; export the run again.</source>
         <comment>dicom.no-image-size</comment>
         <translation>文件头无图像尺寸。文件损坏；请重新导出。</translation>
     </message>
     <message>
-        <source>it declares %1 frames of %2 x %3 pixels, more than AngioPose supports. Export fewer frames.</source>
+        <source>the file declares %1 frames of %2 x %3 pixels, more than AngioPose supports. Export fewer frames.</source>
         <comment>dicom.too-many-frames</comment>
         <translation>声明 %1 帧、每帧 %2 x %3 像素，超出 AngioPose 的上限。请导出较少的帧。</translation>
     </message>
     <message>
-        <source>its pixel data are truncated: %1 of %2 bytes are present. Copy or export it again.</source>
+        <source>the pixel data are truncated: %1 of %2 bytes are present. Copy or export the file again.</source>
         <comment>dicom.pixels-cut-short</comment>
         <translation>像素数据被截断：%2 字节中仅有 %1。请重新复制或导出。</translation>
     </message>
     <message>
-        <source>its compressed pixel data are truncated. Copy or export it again.</source>
+        <source>the compressed pixel data are truncated. Copy or export the file again.</source>
         <comment>dicom.packed-pixels-cut-short</comment>
         <translation>压缩像素数据被截断。请重新复制或导出。</translation>
     </message>
     <message>
-        <source>only %1 of its %2 frames are present. Copy or export it again.</source>
+        <source>only %1 of %2 frames are present. Copy or export the file again.</source>
         <comment>dicom.frames-missing</comment>
         <translation>%2 帧中仅有 %1 帧。请重新复制或导出。</translation>
     </message>
@@ -6139,22 +6139,22 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>第 %1 帧无法解码（传输语法 %2）：损坏、截断或压缩方式不受支持。请重新导出，尽量不压缩。</translation>
     </message>
     <message>
-        <source>Frames %1 of %2 cannot be decoded and are shown empty; the others can be read. Export the run again if you need them.</source>
+        <source>Frames %1 of %2 cannot be decoded and are shown blank; the others can be read. Export the run again if you need them.</source>
         <comment>dicom.frames-lost</comment>
         <translation>共 %2 帧，其中第 %1 帧无法解码，显示为空白；其余各帧可读。如需要这些帧，请重新导出。</translation>
     </message>
     <message>
-        <source>Frames %1 of %2 are partly damaged and shown as far as they could be decoded. Compare them with another viewer before you use them.</source>
+        <source>Frames %1 of %2 are partly damaged and are shown as far as they could be decoded. Compare them with another viewer before using them.</source>
         <comment>dicom.frames-flawed</comment>
         <translation>共 %2 帧，其中第 %1 帧部分损坏，仅显示能够解码的部分。使用前请与其他阅片软件对照。</translation>
     </message>
     <message>
-        <source>The image is partly damaged and shown as far as it could be decoded. Compare it with another viewer before you use it.</source>
+        <source>The image is partly damaged and is shown as far as it could be decoded. Compare it with another viewer before using it.</source>
         <comment>image.flawed</comment>
         <translation>图像部分损坏，仅显示能够解码的部分。使用前请与其他阅片软件对照。</translation>
     </message>
     <message>
-        <source>it has only %1 x %2 pixels. Choose the angiogram at full size.</source>
+        <source>the image has only %1 x %2 pixels. Choose the full-size angiogram.</source>
         <comment>dicom.thumbnail</comment>
         <translation>仅 %1 x %2 像素。请选择原尺寸造影图像。</translation>
     </message>
@@ -6214,7 +6214,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>文件头无成像器像素间距（0018,1164）：请在几何中输入。影像增强器为 %1，提示最大为 %2。</translation>
     </message>
     <message>
-        <source>The header contains only isocenter angles (0018,9463), whose signs are ambiguous: enter LAO/RAO and CRA/CAU in the geometry.</source>
+        <source>The header contains only isocenter angles (0018,9463), whose signs are ambiguous. Enter LAO/RAO and CRA/CAU in the geometry.</source>
         <comment>dicom.angles-of-isocentre</comment>
         <translation>文件头仅有等中心角度（0018,9463），符号不确定：请在几何中输入 LAO/RAO 和 CRA/CAU。</translation>
     </message>
@@ -6229,7 +6229,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>根据 %1 认为图像为镜像。请核对左右。</translation>
     </message>
     <message>
-        <source>The C-arm moved during this run, but the header contains %1 for its %2 frames: the angles of the first frame are used. Check them for the frame you use.</source>
+        <source>The C-arm moved during this run, but the header contains %1 for its %2 frames: the angles of the first frame are used. Check them for the selected frame.</source>
         <comment>dicom.gantry-moved</comment>
         <translation>采集中 C 形臂有移动，但文件头为 %2 帧只给出 %1：角度取自第一帧。请针对所用帧核对。</translation>
     </message>
@@ -6244,7 +6244,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>%1</translation>
     </message>
     <message>
-        <source>The traced structure is hardly longer than it is wide: check that it is a vessel.</source>
+        <source>The traced structure is hardly longer than wide: check that it is a vessel.</source>
         <comment>vessels.compact</comment>
         <translation>提取的结构长度几乎不大于宽度：请检查是否为血管。</translation>
     </message>
@@ -6269,12 +6269,12 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>文件中没有三角面。请选择血管表面。</translation>
     </message>
     <message>
-        <source>all its triangles have zero area. Choose the surface of a vessel.</source>
+        <source>all triangles have zero area. Choose the surface of a vessel.</source>
         <comment>surface.no-area</comment>
         <translation>所有三角面的面积均为零。请选择血管表面。</translation>
     </message>
     <message>
-        <source>it has more triangles than AngioPose supports. Decimate the surface.</source>
+        <source>the surface has more triangles than AngioPose supports. Decimate it.</source>
         <comment>surface.too-large</comment>
         <translation>三角面数量超出 AngioPose 的上限。请简化表面。</translation>
     </message>
@@ -6289,7 +6289,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>三角面引用了不存在的点。文件损坏；请重新导出。</translation>
     </message>
     <message>
-        <source>its triangles are damaged or truncated. Copy or export it again.</source>
+        <source>the triangles are damaged or truncated. Copy or export the file again.</source>
         <comment>surface.cut-short</comment>
         <translation>三角面损坏或截断。请重新复制或导出。</translation>
     </message>
@@ -6299,7 +6299,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>表面可保存为 .stl。请更改扩展名。</translation>
     </message>
     <message>
-        <source>The surface is not closed (%1 open and %2 non-manifold edges): its inside is determined by majority vote. Check the result, or close the holes.</source>
+        <source>The surface is not closed (%1 open and %2 non-manifold edges): its interior is determined by majority vote. Check the result, or close the holes.</source>
         <comment>surface.open</comment>
         <translation>表面未闭合（%1 条开放边、%2 条非流形边）：内部按多数判定。请检查结果，或封闭孔洞。</translation>
     </message>
@@ -6329,17 +6329,17 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>第 %1 行不是有效的点。文件损坏；请重新导出。</translation>
     </message>
     <message>
-        <source>its PLY header is damaged or truncated. Export it again.</source>
+        <source>the PLY header is damaged or truncated. Export the file again.</source>
         <comment>surface.ply-header-damaged</comment>
         <translation>PLY 文件头损坏或截断。请重新导出。</translation>
     </message>
     <message>
-        <source>its PLY header is damaged: the element &quot;%1&quot; has no properties. Export it again.</source>
+        <source>the PLY header is damaged: the element &quot;%1&quot; has no properties. Export the file again.</source>
         <comment>surface.ply-element-empty</comment>
         <translation>PLY 文件头损坏：元素“%1”没有属性。请重新导出。</translation>
     </message>
     <message>
-        <source>its PLY data are damaged or truncated, or a face has more than 255 vertices. Export it again, as triangles.</source>
+        <source>the PLY data are damaged or truncated, or a face has more than 255 vertices. Export the file again, as triangles.</source>
         <comment>surface.ply-data-damaged</comment>
         <translation>其 PLY 数据已损坏或截断，或某个面超过 255 个顶点。请重新导出为三角形。</translation>
     </message>
@@ -6354,9 +6354,9 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>不支持的中心线格式。请选择中心线文件：.vtp、.vtk、.vtu、.csv、.swc 或 .mrk.json。</translation>
     </message>
     <message>
-        <source>it does not start like a VTK file. Export the centerlines again.</source>
+        <source>the file does not start with a VTK header. Export the centerlines again.</source>
         <comment>tree.no-vtk-beginning</comment>
-        <translation>开头不像 VTK 文件。请重新导出中心线。</translation>
+        <translation>文件开头不是 VTK 文件头。请重新导出中心线。</translation>
     </message>
     <message>
         <source>vessel trees can be saved as .vtp, .csv, .swc or .mrk.json. Change the extension.</source>
@@ -6364,12 +6364,12 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>血管树可保存为 .vtp、.csv、.swc 或 .mrk.json。请更改扩展名。</translation>
     </message>
     <message>
-        <source>it has %1 points; a centerline tree has at most %2. Resample the centerlines.</source>
+        <source>the file has %1 points; a centerline tree may have at most %2. Resample the centerlines.</source>
         <comment>tree.too-many-points</comment>
         <translation>有 %1 个点；中心线树最多 %2 个。请重采样中心线。</translation>
     </message>
     <message>
-        <source>it has %1 separate lines; a centerline tree has at most %2. Keep only the vessels of interest.</source>
+        <source>the file has %1 separate lines; a centerline tree may have at most %2. Keep only the vessels of interest.</source>
         <comment>tree.too-many-lines</comment>
         <translation>有 %1 条独立线；中心线树最多 %2 条。请只保留感兴趣的血管。</translation>
     </message>
@@ -6379,7 +6379,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>文件中没有线。请选择含血管中心线的文件。</translation>
     </message>
     <message>
-        <source>the file contains a surface, not centerlines. Extract the centerlines first (e.g. with VMTK or Slicer) and open those.</source>
+        <source>the file contains a surface, not centerlines. Extract the centerlines first (e.g., with VMTK or 3D Slicer) and open those.</source>
         <comment>tree.is-surface</comment>
         <translation>文件含表面而非中心线。请先提取中心线（如用 VMTK 或 Slicer），再打开。</translation>
     </message>
@@ -6389,17 +6389,17 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>线引用了不存在的点。文件损坏；请重新导出。</translation>
     </message>
     <message>
-        <source>its lines pass through the same points too often. The file is damaged; export it again.</source>
+        <source>the lines pass through the same points too often. The file is damaged; export it again.</source>
         <comment>tree.points-repeated</comment>
         <translation>线过多经过相同的点。文件损坏；请重新导出。</translation>
     </message>
     <message>
-        <source>none of its lines has two distinct points. Choose a file with vessel centerlines.</source>
+        <source>no line has two distinct points. Choose a file with vessel centerlines.</source>
         <comment>tree.no-length</comment>
         <translation>没有一条线含两个不同的点。请选择含血管中心线的文件。</translation>
     </message>
     <message>
-        <source>the third line of a legacy VTK file must be ASCII or BINARY. Export it again.</source>
+        <source>the third line of a legacy VTK file must be ASCII or BINARY. Export the file again.</source>
         <comment>tree.vtk-third-line</comment>
         <translation>旧版 VTK 文件第三行须为 ASCII 或 BINARY。请重新导出。</translation>
     </message>
@@ -6414,32 +6414,32 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>文件含 %1，而非 POLYDATA 或 UNSTRUCTURED_GRID。请将中心线导出为折线。</translation>
     </message>
     <message>
-        <source>the section &quot;%1&quot; is damaged or truncated. Export it again.</source>
+        <source>the section &quot;%1&quot; is damaged or truncated. Export the file again.</source>
         <comment>tree.vtk-section-damaged</comment>
         <translation>“%1”部分损坏或截断。请重新导出。</translation>
     </message>
     <message>
-        <source>its VTK XML data are damaged or truncated. Export it again.</source>
+        <source>the VTK XML data are damaged or truncated. Export the file again.</source>
         <comment>tree.vtk-xml-damaged</comment>
         <translation>其中的 VTK XML 数据损坏或截断。请重新导出。</translation>
     </message>
     <message>
-        <source>it is neither VTK XML PolyData nor UnstructuredGrid. Export the centerlines as .vtp.</source>
+        <source>the file contains neither VTK XML PolyData nor UnstructuredGrid. Export the centerlines as .vtp.</source>
         <comment>tree.vtk-xml-other</comment>
         <translation>不是 VTK XML PolyData 或 UnstructuredGrid。请导出为 .vtp。</translation>
     </message>
     <message>
-        <source>it declares %1, which is impossible. The file is damaged; export it again.</source>
+        <source>the file declares %1, which is impossible. It is damaged; export it again.</source>
         <comment>tree.vtk-xml-impossible-count</comment>
         <translation>其声明为 %1，这不可能。文件损坏；请重新导出。</translation>
     </message>
     <message>
-        <source>this is not a Slicer markups file with curves. Export the centerlines as .mrk.json curves, .vtp, .vtk, .csv or .swc.</source>
+        <source>this is not a 3D Slicer markups file with curves. Export the centerlines as .mrk.json curves, .vtp, .vtk, .csv or .swc.</source>
         <comment>tree.markups-none</comment>
         <translation>不是含曲线的 Slicer markups 文件。请将中心线导出为 .mrk.json 曲线、.vtp、.vtk、.csv 或 .swc。</translation>
     </message>
     <message>
-        <source>line %1 does not have the form `id type x y z radius parent`. Correct the line, or export it again.</source>
+        <source>line %1 does not have the form `id type x y z radius parent`. Correct the line, or export the file again.</source>
         <comment>tree.swc-line</comment>
         <translation>第 %1 行不符合 `id type x y z radius parent` 格式。请更正或重新导出。</translation>
     </message>
@@ -6454,17 +6454,17 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>第 %1 行的父节点 %2 不存在。请导出整棵树。</translation>
     </message>
     <message>
-        <source>the first line must name the columns: x,y,z and, if available, radius,branch.</source>
+        <source>the first line must specify the columns: x,y,z and, if available, radius,branch.</source>
         <comment>tree.table-no-header</comment>
         <translation>首行须为列名：x,y,z，以及 radius,branch（如有）。</translation>
     </message>
     <message>
-        <source>the header row has no columns x, y and z. Name them (mm, patient LPS).</source>
+        <source>the header row has no columns x, y and z. Name the columns accordingly (mm, patient LPS).</source>
         <comment>tree.table-no-columns</comment>
         <translation>表头缺少 x、y、z 列。请命名（mm，患者 LPS）。</translation>
     </message>
     <message>
-        <source>it looks like a list of graph nodes (column id) without an order along the vessels. Add a branch column, or export the centerlines themselves.</source>
+        <source>the file appears to be a list of graph nodes (column id) without an order along the vessels. Add a branch column, or export the centerlines themselves.</source>
         <comment>tree.table-is-graph</comment>
         <translation>像是图节点列表（id 列），没有沿血管的顺序。请添加 branch 列，或导出中心线本身。</translation>
     </message>
@@ -6494,7 +6494,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>此文件夹中没有序列可组成体数据。请选择其他文件夹。</translation>
     </message>
     <message>
-        <source>it contains %1 volumes (%2). Choose one by its series ID; `info` lists them.</source>
+        <source>the input contains %1 volumes (%2). Choose one by its series ID; `info` lists them.</source>
         <comment>series.several</comment>
         <translation>含 %1 个体数据（%2）。请按序列 ID 选择；`info` 可列出。</translation>
     </message>
@@ -6514,22 +6514,22 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>这是单个层面而非体数据。请复制该序列全部层面，或选择其他序列。</translation>
     </message>
     <message>
-        <source>its images contain no pixel size, so they do not form a volume. Choose another series.</source>
+        <source>the images contain no pixel size, so they do not form a volume. Choose another series.</source>
         <comment>series.no-pixel-size</comment>
         <translation>图像不含像素大小，无法组成体数据。请选择其他序列。</translation>
     </message>
     <message>
-        <source>its images contain no position in the patient, so they do not form a volume. Choose another series.</source>
+        <source>the images contain no position in the patient, so they do not form a volume. Choose another series.</source>
         <comment>series.no-place</comment>
         <translation>图像不含在患者中的位置，无法组成体数据。请选择其他序列。</translation>
     </message>
     <message>
-        <source>its slices lie side by side instead of stacked. Choose another series.</source>
+        <source>the slices lie side by side instead of being stacked. Choose another series.</source>
         <comment>series.beside-each-other</comment>
         <translation>层面并排而非堆叠。请选择其他序列。</translation>
     </message>
     <message>
-        <source>its slice spacing is too uneven to form a volume (%1 slices over %2). Copy all slices of the series, or choose another series.</source>
+        <source>the slice spacing is too uneven to form a volume (%1 slices over %2). Copy all slices of the series, or choose another series.</source>
         <comment>series.too-uneven</comment>
         <translation>层间距过于不均，无法组成体数据（%2 内 %1 层）。请复制该序列全部层面，或选择其他序列。</translation>
     </message>
@@ -6539,27 +6539,27 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>这是彩色图像。请选择灰度扫描本身。</translation>
     </message>
     <message>
-        <source>its image size does not match the header. Export it again.</source>
+        <source>the image size does not match the header. Export the series again.</source>
         <comment>series.slice-size</comment>
         <translation>图像尺寸与文件头不符。请重新导出。</translation>
     </message>
     <message>
-        <source>The slices are unevenly spaced (%1 to %2): resampled to %3.</source>
+        <source>The slices are unevenly spaced (%1 to %2) and were resampled to %3.</source>
         <comment>series.uneven-slices</comment>
         <translation>层间距不均（%1 至 %2）：已重采样为 %3。</translation>
     </message>
     <message>
-        <source>The slices are not stacked perpendicularly (%1 off, as with a tilted gantry): they were shifted in plane to their true position.</source>
+        <source>The slices are not stacked perpendicularly (deviation of %1, as with a tilted gantry): they were shifted in plane to their true position.</source>
         <comment>series.slanted</comment>
         <translation>层面未垂直堆叠（偏 %1，如机架倾斜）：已在层面内平移到实际位置。</translation>
     </message>
     <message>
-        <source>1 of %1 slices is missing (%2): interpolated between its neighbors. Copy the series again if possible.</source>
+        <source>1 of %1 slices is missing (%2) and was interpolated from its neighbors. Copy the series again if possible.</source>
         <comment>series.slice-missing</comment>
         <translation>%1 层中缺 1 层（%2）：已由相邻层插补。如可能请重新复制该序列。</translation>
     </message>
     <message>
-        <source>%1 of %2 slices are missing (%3): interpolated between their neighbors. Copy the series again if possible.</source>
+        <source>%1 of %2 slices are missing (%3) and were interpolated from their neighbors. Copy the series again if possible.</source>
         <comment>series.slices-missing</comment>
         <translation>%2 层中缺 %1 层（%3）：已由相邻层插补。如可能请重新复制该序列。</translation>
     </message>
@@ -6574,12 +6574,12 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>第 %1 层之后等处</translation>
     </message>
     <message>
-        <source>%1 of %2 slices have the same position as another one; the first acquired of each is used.</source>
+        <source>%1 of %2 slices have the same position as another slice; only the first acquired slice at each position is used.</source>
         <comment>series.overlap</comment>
         <translation>%2 层中 %1 层位置重复；采用最先采集的层面。</translation>
     </message>
     <message>
-        <source>%1 files of the series are duplicates.</source>
+        <source>%1 files of the series are duplicates and are ignored.</source>
         <comment>series.files-twice</comment>
         <translation>该序列 %1 个文件重复。</translation>
     </message>
@@ -6589,7 +6589,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>该序列有 %1 个文件末尾损坏。</translation>
     </message>
     <message>
-        <source>The series mixes images of %1 sizes or orientations; each is listed separately.</source>
+        <source>The series contains images of %1 different sizes or orientations; each is listed separately.</source>
         <comment>series.mixed</comment>
         <translation>该序列混有 %1 种尺寸或方位的图像；已分别列出。</translation>
     </message>
@@ -6599,7 +6599,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>第 %1 部分，共 %2</translation>
     </message>
     <message>
-        <source>The slices are stored with different scaling or as floating point. %1</source>
+        <source>The slices are stored with different rescale factors or as floating point. %1</source>
         <comment>series.scales</comment>
         <translation>层面以不同的缩放系数或浮点存储。%1</translation>
     </message>
@@ -6619,182 +6619,182 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>文件含 %1，而非图像。请选择扫描。</translation>
     </message>
     <message>
-        <source>it declares %1, more than AngioPose supports. Crop the scan to the vessels.</source>
+        <source>the file declares %1, more than AngioPose supports. Crop the scan to the vessels.</source>
         <comment>volume.declares</comment>
         <translation>声明 %1，超出 AngioPose 的上限。请将扫描裁剪到血管范围。</translation>
     </message>
     <message>
-        <source>the volume is larger than this computer&apos;s memory. Crop the scan to the vessels.</source>
+        <source>the volume exceeds the memory of this computer. Crop the scan to the vessels.</source>
         <comment>volume.larger-than-memory</comment>
         <translation>体数据超过本机内存。请裁剪到血管范围。</translation>
     </message>
     <message>
-        <source>it has %1: a single slice is not a volume. Choose the whole scan.</source>
+        <source>the file has %1: a single slice is not a volume. Choose the whole scan.</source>
         <comment>volume.single-slice</comment>
         <translation>有 %1：单层不是体数据。请选择完整扫描。</translation>
     </message>
     <message>
-        <source>it is %1-dimensional, but a volume has three dimensions. Choose the whole scan.</source>
+        <source>the file is %1-dimensional, but a volume has three dimensions. Choose the whole scan.</source>
         <comment>volume.not-three-dimensional</comment>
         <translation>为 %1 维，而体数据为三维。请选择完整扫描。</translation>
     </message>
     <message>
-        <source>it has %1 dimensions (4-D or more). Save the volume you need as a separate file and open that.</source>
+        <source>the file has %1 dimensions (4-D or more). Save the volume you need as a separate file and open that.</source>
         <comment>volume.dimensions</comment>
         <translation>有 %1 维（四维或以上）。请单独保存所需体数据再打开。</translation>
     </message>
     <message>
-        <source>it contains %1 volumes or values per voxel (4-D). Extract the one you need and open that.</source>
+        <source>the file contains %1 volumes or values per voxel (4-D). Extract the volume you need and open that.</source>
         <comment>volume.several-4d</comment>
         <translation>含 %1 个体数据或每体素多值（四维）。请提取所需的再打开。</translation>
     </message>
     <message>
-        <source>it contains %1 volumes, layers or values per voxel (4-D). Save the one you need as a separate file and open that.</source>
+        <source>the file contains %1 volumes, layers or values per voxel (4-D). Save the volume you need as a separate file and open that.</source>
         <comment>volume.several-layers</comment>
         <translation>含 %1 个体数据、层或每体素多值（四维）。请单独保存所需的再打开。</translation>
     </message>
     <message>
-        <source>it has %1 values per voxel. Choose the grayscale scan itself.</source>
+        <source>the file has %1 values per voxel. Choose the grayscale scan itself.</source>
         <comment>volume.channels</comment>
         <translation>每体素有 %1 个值。请选择灰度扫描本身。</translation>
     </message>
     <message>
-        <source>its first axis has %1 entries, so it is a color image, not a volume. Choose the scan.</source>
+        <source>the first axis has %1 entries, so the file is a color image, not a volume. Choose the scan.</source>
         <comment>volume.colour-axis</comment>
         <translation>第一轴有 %1 项，因此是彩色图像而非体数据。请选择扫描。</translation>
     </message>
     <message>
-        <source>its voxels are colors. Choose the grayscale scan itself.</source>
+        <source>the voxels are colors. Choose the grayscale scan itself.</source>
         <comment>volume.colours</comment>
         <translation>体素为彩色。请选择灰度扫描本身。</translation>
     </message>
     <message>
-        <source>its header declares %1. The file is damaged; export it again.</source>
+        <source>the header declares %1. The file is damaged; export it again.</source>
         <comment>volume.header-gives</comment>
         <translation>文件头声明为 %1。文件损坏；请重新导出。</translation>
     </message>
     <message>
-        <source>its header contains no usable voxel size or position. Export the volume again.</source>
+        <source>the header contains no usable voxel size or position. Export the volume again.</source>
         <comment>volume.no-place</comment>
         <translation>文件头无可用的体素大小或位置。请重新导出。</translation>
     </message>
     <message>
-        <source>its header is damaged: it declares %1 dimensions. Export it again.</source>
+        <source>the header is damaged: it declares %1 dimensions. Export the file again.</source>
         <comment>volume.header-dimensions</comment>
         <translation>文件头损坏：标注 %1 维。请重新导出。</translation>
     </message>
     <message>
-        <source>its header is damaged: the voxel data offset is invalid. Export it again.</source>
+        <source>the header is damaged: the voxel data offset is invalid. Export the file again.</source>
         <comment>volume.impossible-start</comment>
         <translation>文件头损坏：体素数据偏移量无效。请重新导出。</translation>
     </message>
     <message>
-        <source>its axes are %1 apart instead of 90°. Resample the volume to orthogonal axes.</source>
+        <source>the axes are at %1 to each other instead of 90°. Resample the volume to orthogonal axes.</source>
         <comment>volume.skewed</comment>
         <translation>各轴夹角为 %1 而非 90°。请重采样到正交轴。</translation>
     </message>
     <message>
-        <source>its header cannot be read (%1). Export it again.</source>
+        <source>the header cannot be read (%1). Export the file again.</source>
         <comment>volume.header-not-read</comment>
         <translation>文件头无法读取（%1）。请重新导出。</translation>
     </message>
     <message>
-        <source>its %1 header cannot be read. Export it again.</source>
+        <source>the %1 header cannot be read. Export the file again.</source>
         <comment>volume.format-header-not-read</comment>
         <translation>其 %1 文件头无法读取。请重新导出。</translation>
     </message>
     <message>
-        <source>its HeaderSize is invalid. Correct the header.</source>
+        <source>the HeaderSize is invalid. Correct the header.</source>
         <comment>volume.header-size</comment>
         <translation>HeaderSize 无效。请更正文件头。</translation>
     </message>
     <message>
-        <source>its header does not specify the voxel data file (ElementDataFile). Export it again.</source>
+        <source>the header does not specify the voxel data file (ElementDataFile). Export the volume again.</source>
         <comment>volume.no-data-file</comment>
         <translation>文件头未指明体素数据文件（ElementDataFile）。请重新导出。</translation>
     </message>
     <message>
-        <source>its line skip or byte skip is invalid. Correct the header.</source>
+        <source>the line skip or byte skip is invalid. Correct the header.</source>
         <comment>volume.skips</comment>
         <translation>line skip 或 byte skip 无效。请更正文件头。</translation>
     </message>
     <message>
-        <source>its header skips lines in a separate data file. Save header and voxels as one file.</source>
+        <source>the header skips lines in a separate data file. Save header and voxels as one file.</source>
         <comment>volume.skips-lines-elsewhere</comment>
         <translation>文件头要求在另一数据文件中跳过若干行。请将文件头与体素保存为一个文件。</translation>
     </message>
     <message>
-        <source>its voxels are split over several files. Save it as one file.</source>
+        <source>the voxels are split over several files. Save the volume as one file.</source>
         <comment>volume.several-files</comment>
         <translation>体素分散在多个文件中。请保存为一个文件。</translation>
     </message>
     <message>
-        <source>the voxel type &quot;%1&quot; is not supported. Save it as 16-bit or float.</source>
+        <source>the voxel type &quot;%1&quot; is not supported. Save the volume as 16-bit or float.</source>
         <comment>volume.voxel-type</comment>
         <translation>不支持体素类型“%1”。请保存为 16 位或浮点。</translation>
     </message>
     <message>
-        <source>the voxel type (NIfTI datatype %1) is not supported. Save it as 16-bit or float.</source>
+        <source>the voxel type (NIfTI datatype %1) is not supported. Save the volume as 16-bit or float.</source>
         <comment>volume.nifti-type</comment>
         <translation>不支持该体素类型（NIfTI 类型 %1）。请保存为 16 位或浮点。</translation>
     </message>
     <message>
-        <source>its voxel type is not supported. Save it as 16-bit or float.</source>
+        <source>the voxel type is not supported. Save the volume as 16-bit or float.</source>
         <comment>volume.other-voxel-type</comment>
         <translation>不支持其体素类型。请保存为 16 位或浮点。</translation>
     </message>
     <message>
-        <source>its voxels are compressed with bzip2. Save it with gzip or raw encoding.</source>
+        <source>the voxels are compressed with bzip2. Save the volume with gzip or raw encoding.</source>
         <comment>volume.bzip2</comment>
         <translation>体素以 bzip2 压缩。请用 gzip 或 raw 编码保存。</translation>
     </message>
     <message>
-        <source>its voxels are stored as text (%1). Save it with gzip or raw encoding.</source>
+        <source>the voxels are stored as text (%1). Save the volume with gzip or raw encoding.</source>
         <comment>volume.text-encoding</comment>
         <translation>体素以文本存储（%1）。请用 gzip 或 raw 编码保存。</translation>
     </message>
     <message>
-        <source>its voxels are stored as text. Save it with binary data.</source>
+        <source>the voxels are stored as text. Save the volume in binary form.</source>
         <comment>volume.text</comment>
         <translation>体素以文本存储。请以二进制保存。</translation>
     </message>
     <message>
-        <source>its voxel data are truncated, or their compression is damaged. Copy or export it again.</source>
+        <source>the voxel data are truncated, or their compression is damaged. Copy or export the volume again.</source>
         <comment>volume.packing-damaged</comment>
         <translation>体素数据被截断，或压缩损坏。请重新复制或导出。</translation>
     </message>
     <message>
-        <source>its voxel data are truncated or damaged. Copy or export it again.</source>
+        <source>the voxel data are truncated or damaged. Copy or export the volume again.</source>
         <comment>volume.voxels-damaged</comment>
         <translation>体素数据被截断或损坏。请重新复制或导出。</translation>
     </message>
     <message>
-        <source>its voxel data are truncated. Copy or export it again.</source>
+        <source>the voxel data are truncated. Copy or export the volume again.</source>
         <comment>volume.cut-short</comment>
         <translation>体素数据被截断。请重新复制或导出。</translation>
     </message>
     <message>
-        <source>its voxel data are truncated: %1 of %2 bytes are present. Copy or export it again.</source>
+        <source>the voxel data are truncated: %1 of %2 bytes are present. Copy or export the volume again.</source>
         <comment>volume.cut-short-by</comment>
         <translation>体素数据被截断：%2 字节中仅有 %1。请重新复制或导出。</translation>
     </message>
     <message>
-        <source>its voxel data file %1 is missing. Copy both files together.</source>
+        <source>the voxel data file %1 is missing. Copy both files together.</source>
         <comment>volume.voxels-not-there</comment>
         <translation>体素数据文件 %1 不存在。请将两个文件一起复制。</translation>
     </message>
     <message>
-        <source>the file with its voxels cannot be read (%1).</source>
+        <source>the voxel data file cannot be read (%1).</source>
         <comment>volume.voxel-file-not-read</comment>
         <translation>无法读取体素文件（%1）。</translation>
     </message>
     <message>
-        <source>its voxel data start with the header of another volume. Open that file itself, or set the number of bytes to skip: -1 if the voxels are at the end.</source>
+        <source>the voxel data start with the header of another volume. Open that file itself, or set the number of bytes to skip: -1 if the voxels are at the end.</source>
         <comment>volume.voxels-are-header</comment>
         <translation>其体素数据以另一个体数据的文件头开始。请直接打开该文件，或指定要跳过的字节数：体素位于末尾时为 -1。</translation>
     </message>
     <message>
-        <source>none of its voxels is a number. Export the volume again.</source>
+        <source>no voxel contains a valid number. Export the volume again.</source>
         <comment>volume.no-numbers</comment>
         <translation>没有体素是数字。请重新导出。</translation>
     </message>
@@ -6804,7 +6804,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>%1 个体素不是数字；设为最低值。</translation>
     </message>
     <message>
-        <source>The %1 voxels are rounded to 16 bit, in steps of %2.</source>
+        <source>The %1 voxels are rounded to 16 bits, in steps of %2.</source>
         <comment>volume.rounded</comment>
         <translation>%1 体素舍入为 16 位，步长 %2。</translation>
     </message>
@@ -6824,12 +6824,12 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>文件头无体素大小：假定为 1 x 1 x 1 mm。</translation>
     </message>
     <message>
-        <source>The voxel size is given as 1 x 1 x 1 mm: check that it was not lost in a conversion.</source>
+        <source>The voxel size is specified as 1 x 1 x 1 mm: check that it was not lost in a conversion.</source>
         <comment>volume.size-of-one</comment>
         <translation>体素大小为 1 x 1 x 1 mm：请确认未在转换中丢失。</translation>
     </message>
     <message>
-        <source>NIfTI supports at most 32767 voxels along an axis. Save as .nrrd or .mha.</source>
+        <source>NIfTI supports at most 32767 voxels along an axis. Save the volume as .nrrd or .mha.</source>
         <comment>volume.nifti-too-long</comment>
         <translation>NIfTI 每轴最多 32767 个体素。请保存为 .nrrd 或 .mha。</translation>
     </message>
@@ -6854,29 +6854,29 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>该 DICOM 文件不是分割结果。请选择标签图像。</translation>
     </message>
     <message>
-        <source>it contains a single slice, not a volume. Choose the complete segmentation.</source>
+        <source>the file contains only a single slice, not a volume. Choose the complete segmentation.</source>
         <comment>labels.one-plane</comment>
         <translation>它只含一个层面，不是体数据。请选择完整的分割。</translation>
     </message>
     <message>
-        <source>it contains the value %1, which is not a label: labels are integers from 0. Choose a label image.</source>
+        <source>the file contains the value %1, which is not a label: labels are non-negative integers. Choose a label image.</source>
         <comment>labels.no-whole-number</comment>
-        <translation>它含有数值 %1，不是标签：标签为从 0 起的整数。请选择标签图像。</translation>
+        <translation>文件含有数值 %1，不是标签：标签为非负整数。请选择标签图像。</translation>
     </message>
     <message>
-        <source>it contains no labeled voxels: every voxel is background. Choose another segmentation.</source>
+        <source>the file contains no labeled voxels: every voxel is background. Choose another segmentation.</source>
         <comment>labels.nothing-marked</comment>
         <translation>其中没有标记的体素：所有体素均为背景。请选择其他分割。</translation>
     </message>
     <message>
-        <source>it has no label %1. Available labels: %2. Choose one of these.</source>
+        <source>there is no label %1. Available labels: %2. Choose one of these.</source>
         <comment>labels.no-such-number</comment>
-        <translation>它没有标签 %1。可用标签：%2。请从中选择。</translation>
+        <translation>没有标签 %1。可用标签：%2。请从中选择。</translation>
     </message>
     <message>
-        <source>it has no label &quot;%1&quot;. Available labels: %2. Choose one of these.</source>
+        <source>there is no label &quot;%1&quot;. Available labels: %2. Choose one of these.</source>
         <comment>labels.no-such-name</comment>
-        <translation>它没有标签“%1”。可用标签：%2。请从中选择。</translation>
+        <translation>没有标签“%1”。可用标签：%2。请从中选择。</translation>
     </message>
     <message>
         <source>none</source>
@@ -6899,7 +6899,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>该体数据含有标签；血管直接取自这些标签。</translation>
     </message>
     <message>
-        <source>A length at the vessels requires their depth. Open the vessels, or measure at the detector or in pixels.</source>
+        <source>Measuring lengths at the vessels requires their depth. Open the vessels, or measure at the detector or in pixels.</source>
         <comment>measure.needs-vessels</comment>
         <translation>测量血管处的长度需要血管的深度。请打开血管，或在探测器处测量，或以像素测量。</translation>
     </message>
@@ -6914,7 +6914,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>探测器的像素间距未知。请在“几何”中输入，或以像素测量。</translation>
     </message>
     <message>
-        <source>This type of measurement needs at least %1 points; this one has %2. Draw it again.</source>
+        <source>This type of measurement requires at least %1 points; this one has %2. Draw it again.</source>
         <comment>measure.points</comment>
         <translation>此类测量至少需要 %1 个点；此处只有 %2 个。请重新绘制。</translation>
     </message>
@@ -6979,12 +6979,12 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>假定像素为正方形。</translation>
     </message>
     <message>
-        <source>The geometry behind this scale is assumed, not measured; its relative error carries over to this value.</source>
+        <source>The geometry used for this scale is assumed, not measured; its relative error carries over to this value.</source>
         <comment>measure.scale-assumed</comment>
         <translation>此比例尺所依据的几何为假定值，并非实测；其相对误差会传递到该数值。</translation>
     </message>
     <message>
-        <source>The geometry behind this scale was entered manually.</source>
+        <source>The geometry used for this scale was entered manually.</source>
         <comment>measure.scale-typed</comment>
         <translation>此比例尺所依据的几何为手动输入。</translation>
     </message>
@@ -6994,7 +6994,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>此位姿并非由配准得到；血管深度未经验证。</translation>
     </message>
     <message>
-        <source>The registration behind this pose is not reliable, and neither is the depth of the vessels.</source>
+        <source>The registration of this pose is not reliable, and neither is the depth of the vessels.</source>
         <comment>measure.pose-doubtful</comment>
         <translation>此位姿所依据的配准不可靠，血管深度亦不可靠。</translation>
     </message>
@@ -7004,7 +7004,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>深度不确定度：±%1（1-σ），即长度的 ±%2。</translation>
     </message>
     <message>
-        <source>this type of measurement needs at least %1 points, not %2. Add points or remove the measurement.</source>
+        <source>this type of measurement requires at least %1 points, not %2. Add points or remove the measurement.</source>
         <comment>case.measurement-points</comment>
         <translation>此类测量至少需要 %1 个点，而非 %2 个。请补充点或移除该测量。</translation>
     </message>
@@ -7044,7 +7044,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>在此帧中未标记。请选择“在图像中标记目标点”，然后点击该点。</translation>
     </message>
     <message>
-        <source>Marked in frame %1, but the pose belongs to frame %2. Go to the marked frame, or mark the point in this one.</source>
+        <source>Marked in frame %1, but the pose belongs to frame %2. Go to the marked frame, or mark the point in the current one.</source>
         <comment>check.other-frame</comment>
         <translation>在第 %1 帧中标记，但位姿属于第 %2 帧。请转到已标记的帧，或在本帧中标记该点。</translation>
     </message>
@@ -7054,14 +7054,14 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>在此位姿下该点位于 X 射线源后方。请修正位姿。</translation>
     </message>
     <message>
-        <source>In the image plane at the depth of the point (%1 from the source): %2, %3. A pixel measures %4 there, which limits the accuracy of a click.</source>
+        <source>In the image plane at the depth of the point (%1 from the source): %2, %3. A pixel measures %4 there, which limits the click accuracy.</source>
         <comment>check.image-error</comment>
         <translation>在该点深度的图像平面内（距射线源 %1）：%2，%3。该处一个像素为 %4，这限制了点击的精度。</translation>
     </message>
     <message>
-        <source>The covariance of the pose predicts %1 there (1-σ).</source>
+        <source>The pose covariance predicts %1 at this point (1-σ).</source>
         <comment>check.claimed</comment>
-        <translation>由位姿协方差预测该处为 %1（1-σ）。</translation>
+        <translation>由位姿协方差预测该点处为 %1（1-σ）。</translation>
     </message>
     <message>
         <source>This pose does not come from a registration; no error is predicted.</source>
@@ -7074,29 +7074,29 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>血管变形后：%1。</translation>
     </message>
     <message>
-        <source>In space, where the rays of views %1 intersect (angle %2): %3. The rays miss each other by %4.</source>
+        <source>In 3-D, at the intersection of the rays of views %1 (angle %2): %3. Distance between the rays: %4.</source>
         <comment>check.space-error</comment>
-        <translation>在空间中，视图 %1 的射线相交处（夹角 %2）：%3。射线彼此错开 %4。</translation>
+        <translation>在三维空间中，视图 %1 的射线相交处（夹角 %2）：%3。射线间距：%4。</translation>
     </message>
     <message>
-        <source>A 3-D error requires the point to be marked in two views; so far it is marked in at most one.</source>
+        <source>A 3-D error requires the point to be marked in two views; it is currently marked in at most one.</source>
         <comment>check.needs-two-views</comment>
         <translation>三维误差要求在两个视图中标记该点；目前至多在一个视图中标记。</translation>
     </message>
     <message>
-        <source>The views see the point from almost the same direction (%1 between the rays), so its depth cannot be determined.</source>
+        <source>The views show the point from almost the same direction (%1 between the rays), so its depth cannot be determined.</source>
         <comment>check.rays-alike</comment>
         <translation>各视图几乎从同一方向观察该点（射线夹角 %1），无法确定其深度。</translation>
     </message>
     <message>
-        <source>%1 off</source>
+        <source>error %1</source>
         <comment>check.label</comment>
-        <translation>偏差 %1</translation>
+        <translation>误差 %1</translation>
     </message>
     <message>
-        <source>%1 off, %2 predicted</source>
+        <source>error %1, predicted %2</source>
         <comment>check.label-claimed</comment>
-        <translation>偏差 %1，预测 %2</translation>
+        <translation>误差 %1，预测 %2</translation>
     </message>
     <message>
         <source>⌀ %1</source>
@@ -7104,7 +7104,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>⌀ %1</translation>
     </message>
     <message>
-        <source>This branch has no radius here, so a ring would have no size. Add a target point instead.</source>
+        <source>This branch has no radius here, so the size of a ring is undefined. Add a target point instead.</source>
         <comment>check.ring-needs-radius</comment>
         <translation>该分支在此处没有半径，环将没有大小。请改为添加目标点。</translation>
     </message>
@@ -7124,12 +7124,12 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>两个标记的编号均为 %1。请为每个指定唯一编号。</translation>
     </message>
     <message>
-        <source>a ring needs a radius greater than 0 and a direction. Add them or remove the ring.</source>
+        <source>a ring requires a radius greater than 0 and a direction. Add them or remove the ring.</source>
         <comment>case.ring-open</comment>
         <translation>环需要大于 0 的半径和方向。请补充，或移除该环。</translation>
     </message>
     <message>
-        <source>an arrow needs two points, a text one. Correct the points or remove the annotation.</source>
+        <source>an arrow requires two points, a text annotation one. Correct the points or remove the annotation.</source>
         <comment>case.annotation-points</comment>
         <translation>箭头需要两个点，文字需要一个点。请修正这些点，或移除该标注。</translation>
     </message>
@@ -7149,57 +7149,57 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>层面内的角度；若有一边离开该平面，三维角度会不同。</translation>
     </message>
     <message>
-        <source>it is a report, not an image.</source>
+        <source>this is a report, not an image.</source>
         <comment>study.report</comment>
         <translation>这是报告，不是图像。</translation>
     </message>
     <message>
-        <source>it only defines how other images are displayed.</source>
+        <source>this only defines how other images are displayed.</source>
         <comment>study.presentation</comment>
         <translation>它只规定其他图像如何显示。</translation>
     </message>
     <message>
-        <source>it contains no image (%1).</source>
+        <source>this contains no image (%1).</source>
         <comment>study.no-image</comment>
         <translation>其中没有图像（%1）。</translation>
     </message>
     <message>
-        <source>it is a scout (localizer), neither a volume nor an angiogram.</source>
+        <source>this is a scout (localizer), neither a volume nor an angiogram.</source>
         <comment>study.scout</comment>
         <translation>这是定位像，既非体数据也非血管造影。</translation>
     </message>
     <message>
-        <source>its frames are compressed as video, which is not supported. Export it in another format.</source>
+        <source>the frames are compressed as video, which is not supported. Export them in another format.</source>
         <comment>study.video</comment>
         <translation>其帧以视频方式压缩，不受支持。请以其他格式导出。</translation>
     </message>
     <message>
-        <source>vessels are not traced in images of modality %1.</source>
+        <source>AngioPose does not trace vessels in images of modality %1.</source>
         <comment>study.modality</comment>
-        <translation>不在 %1 模态的图像中提取血管。</translation>
+        <translation>AngioPose 不在 %1 模态的图像中提取血管。</translation>
     </message>
     <message>
-        <source>the DICOMDIR lists it, but its files are missing.</source>
+        <source>listed in the DICOMDIR, but the files are missing.</source>
         <comment>study.missing</comment>
-        <translation>DICOMDIR 列出了它，但其文件缺失。</translation>
+        <translation>DICOMDIR 中已列出，但文件缺失。</translation>
     </message>
     <message>
-        <source>it contains no list of files</source>
+        <source>it contains no file list</source>
         <comment>directory.no-records</comment>
         <translation>其中没有文件列表</translation>
     </message>
     <message>
-        <source>its records are not linked consistently</source>
+        <source>the records are not linked consistently</source>
         <comment>directory.torn</comment>
         <translation>其记录之间的链接不一致</translation>
     </message>
     <message>
-        <source>it is cut off in the middle of a record</source>
+        <source>it ends in the middle of a record</source>
         <comment>directory.unfinished</comment>
         <translation>它在记录中间被截断</translation>
     </message>
     <message>
-        <source>movies can be written as .mp4 or .gif. Choose one of these.</source>
+        <source>movies can be saved as .mp4 or .gif. Choose one of these.</source>
         <comment>movie.kind</comment>
         <translation>影片可写为 .mp4 或 .gif 格式。请选择其一。</translation>
     </message>
@@ -7214,7 +7214,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>MP4 不支持 %1 × %2 像素的帧：上限为 9,437,184 像素（4096 × 2304），每边 8688。请选择更小的尺寸或 GIF。</translation>
     </message>
     <message>
-        <source>a GIF of %1 × %2 pixels is too large: the limit is %3 per side. Choose a smaller size.</source>
+        <source>a GIF of %1 × %2 pixels is too large: the limit is %3 pixels per side. Choose a smaller size.</source>
         <comment>movie.gif-too-large</comment>
         <translation>%1 × %2 像素的 GIF 过大：每边上限为 %3。请选择更小的尺寸。</translation>
     </message>
@@ -7244,7 +7244,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>无法读取报告模板 %1：模板必须是不超过 1 MB 的 UTF-8 文本。请选择其他模板或内置模板。</translation>
     </message>
     <message>
-        <source>The report template lacks %1. Without it, a report could omit information that must be read with the result. Add it.</source>
+        <source>The report template does not contain %1. Without it, a report could omit information that must be read together with the result. Add it.</source>
         <comment>report.template-lacks</comment>
         <translation>报告模板缺少 %1。没有它，报告可能遗漏必须与结果一并阅读的信息。请补上。</translation>
     </message>
@@ -7279,7 +7279,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>显示状态必须引用一幅 DICOM 图像，而此血管造影无法被引用。请以 DICOM 打开，或不导出显示状态。</translation>
     </message>
     <message>
-        <source>no vessels lie on the image. Move them there first, or leave out the presentation state.</source>
+        <source>no vessels lie within the image. Move them into it first, or leave out the presentation state.</source>
         <comment>object.no-lines</comment>
         <translation>图像上没有血管。请先将血管移到图像上，或不导出显示状态。</translation>
     </message>
@@ -7299,17 +7299,17 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>既没有测量，也没有配准结果。请先完成其中之一，或不导出测量。</translation>
     </message>
     <message>
-        <source>this DICOM file contains no registration between two frames of reference. Choose a spatial registration.</source>
+        <source>this DICOM file contains no registration between two frames of reference. Choose a Spatial Registration object.</source>
         <comment>pose.no-registration</comment>
         <translation>此 DICOM 文件不含两个参考坐标系之间的配准。请选择空间配准。</translation>
     </message>
     <message>
-        <source>a segmentation needs the scan or mask that the vessels come from. Open it first, or leave out the segmentation.</source>
+        <source>a segmentation requires the scan or mask from which the vessels were traced. Open it first, or leave out the segmentation.</source>
         <comment>dicom-export.no-scan</comment>
         <translation>分割需要血管所来自的扫描或掩膜。请先打开，或不导出分割。</translation>
     </message>
     <message>
-        <source>the program angiopose, which writes the reports, is missing at &apos;%1&apos;. Install it next to angiopose-cli, or build the target angiopose.</source>
+        <source>the program angiopose, which creates the reports, is missing at &apos;%1&apos;. Install it next to angiopose-cli, or build the target angiopose.</source>
         <comment>report.program-missing</comment>
         <translation>“%1”处没有写出报告的程序 angiopose。请将其安装在 angiopose-cli 旁，或构建目标 angiopose。</translation>
     </message>
@@ -7329,7 +7329,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>已停止；未写出报告。</translation>
     </message>
     <message>
-        <source>a report is created by angiopose-cli report or in the window. Pass its PDF with --report, or leave it out.</source>
+        <source>reports are created by angiopose-cli report or in the window. Pass the PDF with --report, or leave out the report.</source>
         <comment>dicom-export.no-report</comment>
         <translation>报告由 angiopose-cli report 或在窗口中生成。请用 --report 给出其 PDF，或不导出。</translation>
     </message>
@@ -7339,17 +7339,17 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>未导出：%1：%2</translation>
     </message>
     <message>
-        <source>The angiogram is not a DICOM image: its objects start a new study without a patient.</source>
+        <source>The angiogram is not a DICOM image: the exported objects form a new study without a patient.</source>
         <comment>dicom-export.new-study</comment>
-        <translation>此血管造影不是 DICOM 图像：其对象自成一个新检查，不含患者。</translation>
+        <translation>此血管造影不是 DICOM 图像：导出的对象自成一个新检查，不含患者。</translation>
     </message>
     <message>
-        <source>The scan is not a DICOM series: its segmentation references no series and has its own frame of reference.</source>
+        <source>The scan is not a DICOM series: the segmentation references no series and has its own frame of reference.</source>
         <comment>dicom-export.no-scan-study</comment>
         <translation>此扫描不是 DICOM 序列：其分割不引用任何序列，并有自己的参考坐标系。</translation>
     </message>
     <message>
-        <source>A spatial registration holds only a rigid matrix. It cannot store the perspective camera, which an overlay requires. The camera is stored in its private elements and in the accompanying camera.json.</source>
+        <source>A Spatial Registration contains only a rigid matrix. It cannot store the perspective camera, which an overlay requires. The camera is stored in private elements and in the accompanying camera.json.</source>
         <comment>dicom-export.rigid-only</comment>
         <translation>空间配准只含一个刚性矩阵，无法保存叠加显示所需的透视相机。相机保存在其私有元素和随附的 camera.json 中。</translation>
     </message>
@@ -7359,7 +7359,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>显示状态显示的是存储的未减影图像：其灰度值与此处所示不同。</translation>
     </message>
     <message>
-        <source>this case can be exported as none of these objects. Open vessels and an angiogram first.</source>
+        <source>none of these objects can be created from this case. Open vessels and an angiogram first.</source>
         <comment>dicom-export.nothing</comment>
         <translation>此病例无法导出为任何一种对象。请先打开血管和血管造影。</translation>
     </message>
@@ -7374,7 +7374,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>已停止；未写出任何内容。</translation>
     </message>
     <message>
-        <source>Vessels of a registered 3-D tree overlaid on the image, with the chosen window and size</source>
+        <source>Vessels of a registered 3-D tree overlaid on the image, with the selected window and size</source>
         <comment>dicom-export.derivation</comment>
         <translation>在图像上叠加已配准三维血管树的血管，采用所选窗宽窗位和大小</translation>
     </message>
@@ -7419,42 +7419,42 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>前视图，旋转 %1</translation>
     </message>
     <message>
-        <source>it cannot be written: it would exceed the file size limit of the system (ulimit -f) or of the drive. Raise the limit or choose another folder.</source>
+        <source>the file cannot be written: it would exceed the file size limit of the system (ulimit -f) or of the drive. Raise the limit, or choose another folder.</source>
         <comment>file.beyond-limit</comment>
         <translation>无法写入：将超过系统（ulimit -f）或驱动器的文件大小上限。请提高上限，或选择另一个文件夹。</translation>
     </message>
     <message>
-        <source>it was changed elsewhere since it was opened here. Save it under another name, or reopen it.</source>
+        <source>the case was changed elsewhere after it was opened here. Save it under another name, or reopen it.</source>
         <comment>case.changed-elsewhere</comment>
-        <translation>自在此处打开以来，它已在别处被更改。请以其他名称保存，或重新打开。</translation>
+        <translation>病例在此处打开后，已在别处被更改。请以其他名称保存，或重新打开。</translation>
     </message>
     <message>
-        <source>it is also open elsewhere (process %1 on %2). Save it under another name, or close it there.</source>
+        <source>the case is also open elsewhere (process %1 on %2). Save it under another name, or close it there.</source>
         <comment>case.open-elsewhere</comment>
-        <translation>它也在别处打开（%2 上的进程 %1）。请以其他名称保存，或在那里将其关闭。</translation>
+        <translation>病例也在别处打开（%2 上的进程 %1）。请以其他名称保存，或在那里将其关闭。</translation>
     </message>
     <message>
-        <source>it lists no cases. Start with a header row with the column case and one of the columns reference and pairs; add one row per case.</source>
+        <source>the table lists no cases. Start with a header row that contains the column case and one of the columns reference and pairs; add one row per case.</source>
         <comment>own.no-header</comment>
         <translation>未列出任何病例。请以表头行开始，包含 case 列以及 reference 或 pairs 列之一；每个病例一行。</translation>
     </message>
     <message>
-        <source>line %1 names no case. Enter the path of a case file in the column case.</source>
+        <source>line %1 specifies no case. Enter the path of a case file in the column case.</source>
         <comment>own.no-case</comment>
         <translation>第 %1 行没有指定病例。请在 case 列填写病例文件的路径。</translation>
     </message>
     <message>
-        <source>line %1 has no ground truth. Give a pose in the column reference, or a table of point pairs in the column pairs.</source>
+        <source>line %1 has no ground truth. Specify a pose in the column reference, or a table of point pairs in the column pairs.</source>
         <comment>own.no-truth</comment>
         <translation>第 %1 行没有真值。请在 reference 列给出位姿，或在 pairs 列给出点对表。</translation>
     </message>
     <message>
-        <source>line %1 gives the true vessel positions in the column bent. This requires a pose in the column reference and excludes landmarks, which would also have to be deformed.</source>
+        <source>line %1 specifies the true vessel positions in the column bent. This requires a pose in the column reference and excludes landmarks, which would also have to be deformed.</source>
         <comment>own.bent-alone</comment>
         <translation>第 %1 行在 bent 列给出了血管的真实位置。这需要 reference 列中的位姿，且不能同时使用标志点，因为标志点也必须随之变形。</translation>
     </message>
     <message>
-        <source>its branches or their numbers of points differ from those of the case&apos;s vessels. Deformed vessels are evaluated point by point: move the points of the case&apos;s own vessel file.</source>
+        <source>the branches, or their numbers of points, differ from those of the case&apos;s vessels. Deformed vessels are evaluated point by point: move the points of the case&apos;s own vessel file.</source>
         <comment>own.bent-other</comment>
         <translation>其分支或各分支的点数与病例血管不一致。变形的血管逐点评估：请移动病例自身血管文件中的点。</translation>
     </message>
@@ -7464,22 +7464,22 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>第 %1 行：&apos;%2&apos; 不是有效的条件名称，因为文件以其命名。请使用字母、数字、点、连字符和下划线。</translation>
     </message>
     <message>
-        <source>a column is named pose. without a name after the dot. Add the name of the method or person that found these poses.</source>
+        <source>a column is named &apos;pose.&apos; without a name after the dot. Add the name of the method or person that determined these poses.</source>
         <comment>own.pose-without-name</comment>
         <translation>有一列名为 pose. 但点后没有名称。请补充求得这些位姿的方法或人员的名称。</translation>
     </message>
     <message>
-        <source>column %1 is missing. Landmarks need x, y, z (mm, LPS); point pairs also need u and v (px).</source>
+        <source>column %1 is missing. Landmarks require x, y, z (mm, LPS); point pairs also require u and v (px).</source>
         <comment>own.point-column-missing</comment>
         <translation>缺少列 %1。标志点需要 x、y、z（mm，LPS），点对还需要 u 和 v（px）。</translation>
     </message>
     <message>
-        <source>it contains no points.</source>
+        <source>the table contains no points.</source>
         <comment>own.no-points</comment>
-        <translation>其中没有点。</translation>
+        <translation>表中没有点。</translation>
     </message>
     <message>
-        <source>column %1 is missing: this is not a log of blind trials, or an earlier version that did not store the centroid wrote it. Registration &gt; Blind observer trial writes such logs.</source>
+        <source>column %1 is missing: this is not a blind trial log, or it was written by an earlier version that did not store the centroid. Such logs are created by Registration &gt; Blind observer trial.</source>
         <comment>observers.column-missing</comment>
         <translation>缺少列 %1：这不是盲法试验日志，或由未保存质心的早期版本写出。此类日志由 配准 &gt; 观察者盲法试验 写出。</translation>
     </message>
@@ -7494,7 +7494,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>&apos;%1&apos; 不是 %2 的有效键。有效的键：%3。</translation>
     </message>
     <message>
-        <source>%1 lacks &apos;%2&apos;.</source>
+        <source>%1 has no &apos;%2&apos;.</source>
         <comment>study.missing-key</comment>
         <translation>%1 缺少 &apos;%2&apos;。</translation>
     </message>
@@ -7504,27 +7504,27 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>%2 的 &apos;%1&apos; 的值无效：%3。</translation>
     </message>
     <message>
-        <source>it is not a study file. Start it with &quot;format&quot;: &quot;angiopose-study&quot;, &quot;version&quot;: 1.</source>
+        <source>this is not a study file. The file must begin with &quot;format&quot;: &quot;angiopose-study&quot;, &quot;version&quot;: 1.</source>
         <comment>study.no-study</comment>
-        <translation>这不是研究文件。请以 &quot;format&quot;: &quot;angiopose-study&quot;, &quot;version&quot;: 1 开头。</translation>
+        <translation>这不是研究文件。文件须以 &quot;format&quot;: &quot;angiopose-study&quot;, &quot;version&quot;: 1 开头。</translation>
     </message>
     <message>
-        <source>two settings are named &apos;%1&apos;. Give each a unique name: folders are named after it.</source>
+        <source>two settings are named &apos;%1&apos;. Give each a unique name, which is also used as its folder name.</source>
         <comment>study.name-twice</comment>
         <translation>有两个设置都名为 &apos;%1&apos;。请为每个设置取唯一的名称：文件夹以其命名。</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; of %2 must lie between %3 and %4.</source>
+        <source>&apos;%1&apos; of %2 must be between %3 and %4.</source>
         <comment>study.out-of-range</comment>
         <translation>%2 的 &apos;%1&apos; 必须在 %3 与 %4 之间。</translation>
     </message>
     <message>
-        <source>`evaluate own` needs a table of cases with their reference data: angiopose-cli evaluate own CASES.csv --output FOLDER.</source>
+        <source>`evaluate own` requires a table of cases with reference data: angiopose-cli evaluate own CASES.csv --output FOLDER.</source>
         <comment>evaluate.no-manifest</comment>
         <translation>`evaluate own` 需要一张含参考数据的病例表：angiopose-cli evaluate own CASES.csv --output FOLDER。</translation>
     </message>
     <message>
-        <source>`evaluate observers` needs a log of blind trials: angiopose-cli evaluate observers TRIALS.csv --output FOLDER.</source>
+        <source>`evaluate observers` requires a blind trial log: angiopose-cli evaluate observers TRIALS.csv --output FOLDER.</source>
         <comment>evaluate.no-log</comment>
         <translation>`evaluate observers` 需要盲法试验日志：angiopose-cli evaluate observers TRIALS.csv --output FOLDER。</translation>
     </message>
@@ -7534,7 +7534,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>实验 &apos;%1&apos; 自行生成试验。请去掉 &apos;%2&apos;，或写 `evaluate own %2`。</translation>
     </message>
     <message>
-        <source>`simulate` needs --seed for one case or --study for many.</source>
+        <source>`simulate` requires --seed for one case or --study for many.</source>
         <comment>simulate.what</comment>
         <translation>`simulate` 需要 --seed（单个病例）或 --study（多个病例）。</translation>
     </message>
@@ -7544,22 +7544,22 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>%1 个体素远超其余体素的范围（%2 至 %3）；已截断到该范围。</translation>
     </message>
     <message>
-        <source>the output was not written completely: the drive or pipe behind the standard output is full or closed. Free up space, or redirect the output.</source>
+        <source>the output was not written completely: the drive or pipe used for standard output is full or closed. Free up space, or redirect the output.</source>
         <comment>run.output-not-written</comment>
         <translation>输出未完整写出：标准输出所连的驱动器或管道已满或已关闭。请腾出空间，或重定向输出。</translation>
     </message>
     <message>
-        <source>the audit log cannot be written (%1), so actions are not recorded in it. Free up space, or allow writing to it.</source>
+        <source>the audit log cannot be written (%1), so actions are not recorded in it. Free up space, or grant write permission.</source>
         <comment>audit.not-written</comment>
         <translation>无法写入审计日志（%1），因此操作未被记录。请腾出空间，或允许写入该日志。</translation>
     </message>
     <message>
-        <source>The header does not give the table position: the image of this view determines the vessel position, and only the rotation comes from the angles.</source>
+        <source>The header contains no table position: the image of this view determines the vessel position, and only the rotation comes from the angles.</source>
         <comment>geometry.table-unknown</comment>
         <translation>文件头未给出检查床位置：血管在此视图中的位置由其图像确定，只有旋转取自角度。</translation>
     </message>
     <message>
-        <source>Only (0018,1111) gives a distance, and it differs between the views (%1, %2), so it is not the isocenter distance. The shift between the views is not used; enter the source-to-isocenter distance (SOD) of both views.</source>
+        <source>The only distance in the headers is (0018,1111), and it differs between the views (%1, %2), so it is not the isocenter distance. The shift between the views is not used; enter the source-to-isocenter distance (SOD) of both views.</source>
         <comment>geometry.isocenter-unknown</comment>
         <translation>只有 (0018,1111) 给出距离，且在各视图间不同（%1、%2），因此不是等中心距离。不使用视图间的位移；请为两个视图输入射线源到等中心的距离 (SOD)。</translation>
     </message>
@@ -7569,7 +7569,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>检查床在其中一次采集期间移动：视图间的位移按未知处理（50 mm）。</translation>
     </message>
     <message>
-        <source>Almost all lines traced here stay still throughout the run, like shutter edges, leads and bones: the frame shows no contrast agent to track.</source>
+        <source>Almost all lines traced here remain stationary throughout the run, as shutter edges, leads and bones do: the frame shows no contrast agent to track.</source>
         <comment>follow.stands-still</comment>
         <translation>此帧提取到的线条几乎都在整个序列中静止不动，如遮光器边缘、导线和骨骼：没有可跟踪的对比剂。</translation>
     </message>
@@ -7584,7 +7584,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>蒙片帧 %1 不存在（从 1 开始计数）。序列有第 1 到 %2 帧。</translation>
     </message>
     <message>
-        <source>A wide vessel that was not traced runs beside the traced ones for %1, at %2: possibly the false lumen of a dissection. Place a seed in each lumen to trace both.</source>
+        <source>A wide vessel that was not traced runs next to the traced vessels over %1, at %2: possibly the false lumen of a dissection. Place a seed in each lumen to trace both.</source>
         <comment>tracing.other-lumen-beside</comment>
         <translation>一条未提取的粗血管与已提取血管并行 %1，位于 %2：可能是夹层的假腔。请在每个腔内放置种子点以提取两者。</translation>
     </message>
@@ -7604,17 +7604,17 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>第 %1 页为 %2 x %3 像素，第一页为 %4 x %5。请导出同一序列中大小一致的各帧。</translation>
     </message>
     <message>
-        <source>it has %1 pages. Export the mask as a single image.</source>
+        <source>the file has %1 pages. Export the mask as a single image.</source>
         <comment>centreline.mask-pages</comment>
         <translation>它有 %1 页。请将掩膜导出为单幅图像。</translation>
     </message>
     <message>
-        <source>The header declares %1 frames, the file contains %2; those in the file are loaded. Copy or export the file again if some are missing.</source>
+        <source>The header declares %1 frames, but the file contains %2; the frames in the file were loaded. Copy or export the file again if frames are missing.</source>
         <comment>dicom.frames-other</comment>
         <translation>文件头声明 %1 帧，文件中有 %2 帧；已载入文件中的帧。如有缺失，请重新复制或导出。</translation>
     </message>
     <message>
-        <source>The header gives contradictory times between frames: Frame Time %1, Frame Time Vector %2. %3 is used.</source>
+        <source>The header contains contradictory frame intervals: Frame Time %1, Frame Time Vector %2. %3 is used.</source>
         <comment>dicom.frame-times</comment>
         <translation>文件头中的帧间隔互相矛盾：Frame Time %1，Frame Time Vector %2。采用 %3。</translation>
     </message>
@@ -7629,7 +7629,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>文件头中的 %1 遮光器 (0018,1600) 遮住了整幅图像（%2），已忽略。请检查遮光器边缘是否被当作血管提取。</translation>
     </message>
     <message>
-        <source>The image is assumed to be rotated clockwise by %1, according to %2. Check where head and left are.</source>
+        <source>The image is assumed to be rotated clockwise by %1, based on %2. Check the head and left directions.</source>
         <comment>dicom.image-turned</comment>
         <translation>根据%2，图像按顺时针旋转 %1 处理。请检查头侧和左侧的位置。</translation>
     </message>
@@ -7639,52 +7639,52 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>Patient Orientation (0020,0020) 为 %1，在这些角度下不可能出现。请检查角度，以及图像是否被镜像或旋转。</translation>
     </message>
     <message>
-        <source>The header places the object %1 and the isocenter %2 from the source: the vessels start at the object distance, and the gantry rotates about the isocenter.</source>
+        <source>According to the header, the object is %1 and the isocenter %2 from the source: the vessels are initially placed at the object distance, and the gantry rotates about the isocenter.</source>
         <comment>dicom.object-off-isocenter</comment>
         <translation>文件头中物体距射线源 %1，等中心距射线源 %2：血管从物体距离处开始配准，C 形臂绕等中心旋转。</translation>
     </message>
     <message>
-        <source>The file states its unit (&quot;%1&quot;): one unit is read as %2. Give the unit if that is wrong.</source>
+        <source>The file specifies its unit (&quot;%1&quot;): one unit is read as %2. Specify the unit if this is wrong.</source>
         <comment>vessels.unit-stated</comment>
         <translation>文件注明了单位（“%1”）：一个单位按 %2 读取。如有误，请指定单位。</translation>
     </message>
     <message>
-        <source>The file states its unit (&quot;%1&quot;, which is %2), but one unit is read as %3, as requested. Check the size.</source>
+        <source>The file specifies its unit (&quot;%1&quot;, which is %2), but one unit is read as %3, as requested. Check the size.</source>
         <comment>vessels.unit-overruled</comment>
         <translation>文件注明了单位（“%1”，即 %2），但按要求一个单位按 %3 读取。请检查大小。</translation>
     </message>
     <message>
-        <source>The file states two units (&quot;%1&quot; and &quot;%2&quot;). Check the size, and give the unit if it is wrong.</source>
+        <source>The file specifies two units (&quot;%1&quot; and &quot;%2&quot;). Check the size, and specify the unit if it is wrong.</source>
         <comment>vessels.units-contradict</comment>
         <translation>文件注明了两种单位（“%1”和“%2”）。请检查大小，如有误请指定单位。</translation>
     </message>
     <message>
-        <source>its axes are %1, not LPS or RAS. Export it in patient coordinates (LPS).</source>
+        <source>the axes are %1, not LPS or RAS. Export the file in patient coordinates (LPS).</source>
         <comment>vessels.axes-other</comment>
         <translation>其坐标轴为 %1，既不是 LPS 也不是 RAS。请以患者坐标（LPS）导出。</translation>
     </message>
     <message>
-        <source>Lines whose first points were at their end and have been moved to the beginning: %1. Check the vessels.</source>
+        <source>Lines whose first points were stored at the end and have been moved to the beginning: %1. Check the vessels.</source>
         <comment>tree.turned-round</comment>
         <translation>起始点位于末尾、已移回开头的线：%1。请检查血管。</translation>
     </message>
     <message>
-        <source>The lines jump %1 times, by up to %2, far beyond their typical point spacing; they were cut there. Check the order of the points.</source>
+        <source>The lines contain %1 jumps of up to %2, far beyond their typical point spacing, and were split there. Check the order of the points.</source>
         <comment>tree.leaps</comment>
         <translation>线条跳跃 %1 次，最大 %2，远超典型点距；已在该处断开。请检查点的顺序。</translation>
     </message>
     <message>
-        <source>%1 points of the curves are not placed and were skipped.</source>
+        <source>%1 curve points have no position and were skipped.</source>
         <comment>tree.markups-not-placed</comment>
-        <translation>曲线中有 %1 个点未放置，已跳过。</translation>
+        <translation>曲线中有 %1 个点没有位置，已跳过。</translation>
     </message>
     <message>
-        <source>its header declares %1 triangles, but the file holds %2. Copy or export it again.</source>
+        <source>the header declares %1 triangles, but the file contains %2. Copy or export the file again.</source>
         <comment>surface.stl-too-few</comment>
         <translation>文件头声明 %1 个三角形，但文件中只有 %2 个。请重新复制或导出。</translation>
     </message>
     <message>
-        <source>The header declares %1 triangles, but the file has room for %2; data after the declared triangles was not read. Check that nothing is missing.</source>
+        <source>The header declares %1 triangles, but the file size corresponds to %2; the data after the declared triangles were not read. Check that nothing is missing.</source>
         <comment>surface.stl-too-many</comment>
         <translation>文件头声明 %1 个三角形，但文件大小可容纳 %2 个；声明之后的数据未读取。请检查是否有缺失。</translation>
     </message>
@@ -7694,12 +7694,12 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>文本在 %1 个三角形后结束且没有“endsolid”，可能被截断。请检查是否有缺失。</translation>
     </message>
     <message>
-        <source>its coordinates are in &quot;%1&quot;, which is not a known unit of length. Export them in mm.</source>
+        <source>the coordinates are in &quot;%1&quot;, which is not a known unit of length. Export them in mm.</source>
         <comment>tree.markups-unit</comment>
         <translation>其坐标单位为“%1”，不是已知的长度单位。请以 mm 导出。</translation>
     </message>
     <message>
-        <source>The header gives contradictory slice spacings: %1 (Spacing Between Slices), %2 from the slice positions. The positions are used.</source>
+        <source>The header contains contradictory slice spacings: %1 (Spacing Between Slices) and %2 (slice positions). The positions are used.</source>
         <comment>series.step</comment>
         <translation>文件头中的层间距互相矛盾：%1（Spacing Between Slices），而按层面位置为 %2。采用位置。</translation>
     </message>
@@ -7709,7 +7709,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>第 %1 部分，共 %2 部分（采集 %3）</translation>
     </message>
     <message>
-        <source>%1 of %2 images of the series share a SOP Instance UID although they differ; all of them are read. Export the series again before you archive it.</source>
+        <source>%1 of %2 images of the series share a SOP Instance UID although they differ; all of them are read. Export the series again before archiving it.</source>
         <comment>series.same-uid</comment>
         <translation>该序列 %2 幅图像中有 %1 幅共用 SOP Instance UID，但内容不同；全部读取。归档前请重新导出该序列。</translation>
     </message>
@@ -7719,27 +7719,27 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>%1 个患者或检查共用该序列的 UID；已分别列出。</translation>
     </message>
     <message>
-        <source>The header gives lengths in &quot;%1&quot;, which is not a known unit: millimeters are assumed. Check the voxel size.</source>
+        <source>The header specifies lengths in &quot;%1&quot;, which is not a known unit: millimeters are assumed. Check the voxel size.</source>
         <comment>volume.unit-unknown</comment>
         <translation>文件头的长度单位“%1”未知：按毫米处理。请检查体素大小。</translation>
     </message>
     <message>
-        <source>Its qform and sform transforms differ by up to %1; the qform, in scanner coordinates, is used.</source>
+        <source>The qform and sform transforms differ by up to %1; the qform, in scanner coordinates, is used.</source>
         <comment>volume.nifti-qform-used</comment>
         <translation>其 qform 与 sform 变换相差最多 %1；采用扫描仪坐标的 qform。</translation>
     </message>
     <message>
-        <source>Its qform and sform transforms differ by up to %1; the sform is used.</source>
+        <source>The qform and sform transforms differ by up to %1; the sform is used.</source>
         <comment>volume.nifti-sform-used</comment>
         <translation>其 qform 与 sform 变换相差最多 %1；采用 sform。</translation>
     </message>
     <message>
-        <source>The header gives contradictory voxel sizes: %1 (pixdim), %2 from its transform. The transform is used. Check which is correct.</source>
+        <source>The header contains contradictory voxel sizes: %1 (pixdim) and %2 (transform). The transform is used. Check which is correct.</source>
         <comment>volume.nifti-sizes</comment>
         <translation>文件头中的体素大小互相矛盾：%1（pixdim），而按变换为 %2。采用变换中的值。请确认哪个正确。</translation>
     </message>
     <message>
-        <source>The header gives contradictory voxel types: %1 bits (bitpix), but %2 bits by its datatype (%3), which is used.</source>
+        <source>The header contains contradictory voxel types: %1 bits (bitpix), but %2 bits according to the datatype (%3), which is used.</source>
         <comment>volume.nifti-bits</comment>
         <translation>文件头中的体素类型互相矛盾：%1 位（bitpix），而按数据类型（%3）为 %2 位；采用数据类型。</translation>
     </message>
@@ -7764,12 +7764,12 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>不可靠</translation>
     </message>
     <message>
-        <source>These distances cover only the %1 of the tree judged opacified. Whole tree: median %2, 95th percentile %3.</source>
+        <source>These distances cover only the %1 of the tree classified as opacified. Whole tree: median %2, 95th percentile %3.</source>
         <comment>fit.over-opacified</comment>
         <translation>这些距离仅针对判为显影的 %1 血管树。整棵树：中位数 %2，第 95 百分位数 %3。</translation>
     </message>
     <message>
-        <source>Excluded branches: %1 (medians). With them: median %2, 95th percentile %3.</source>
+        <source>Excluded branches: %1 (medians). Including them: median %2, 95th percentile %3.</source>
         <comment>fit.without-excluded</comment>
         <translation>排除的分支：%1（中位数）。包括它们：中位数 %2，第 95 百分位数 %3。</translation>
     </message>
@@ -7779,7 +7779,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>辅助分支：%1（中位数）。</translation>
     </message>
     <message>
-        <source>at this pose, all vessels lie at or behind the X-ray source and cannot be projected. Check the pose and its direction (camera from patient).</source>
+        <source>at this pose, all vessels lie at or behind the X-ray source and cannot be projected. Check the pose and its direction (patient to camera).</source>
         <comment>pose.all-behind-source</comment>
         <translation>此位姿下所有血管位于 X 射线源处或其后，无法投影。请检查位姿及其方向（由患者到相机）。</translation>
     </message>
@@ -7818,11 +7818,11 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>未知的渲染器“%1”。请使用 auto、vtk 或 painter。</translation>
     </message>
     <message>
-        <source>No display is available for the window. Use angiopose-cli, which does the same work without a display.</source>
-        <translation>没有可供窗口使用的显示器。请使用 angiopose-cli，它无需显示器即可完成同样的工作。</translation>
+        <source>No display is available for the window. Use angiopose-cli, which provides the same functions without a display.</source>
+        <translation>没有可供窗口使用的显示器。请使用 angiopose-cli，它无需显示器即可提供相同功能。</translation>
     </message>
     <message>
-        <source>Write the report of a case (.pdf or .html) and exit; needs no display.</source>
+        <source>Write the report of a case (.pdf or .html) and exit; requires no display.</source>
         <translation>写出病例的报告（.pdf 或 .html）后退出；不需要显示器。</translation>
     </message>
     <message>
@@ -7842,7 +7842,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>与 --report 一起：包含患者身份信息，默认不包含。</translation>
     </message>
     <message>
-        <source>With --report: language to use instead of the window&apos;s.</source>
+        <source>With --report: language to use instead of the language of the window.</source>
         <translation>与 --report 一起：报告的语言，代替窗口的语言。</translation>
     </message>
     <message>
@@ -7858,7 +7858,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>报告以 .pdf 或 .html 写出，而非“%1”。</translation>
     </message>
     <message>
-        <source>A report needs exactly one case: angiopose --report FILE CASE</source>
+        <source>A report requires exactly one case: angiopose --report FILE CASE</source>
         <translation>一份报告需要恰好一个病例：angiopose --report FILE CASE</translation>
     </message>
 </context>
@@ -7896,11 +7896,11 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>自动</translation>
     </message>
     <message>
-        <source>Choose the frames before the contrast agent arrives</source>
+        <source>Chooses the frames before contrast arrival</source>
         <translation>选择对比剂到达前的帧</translation>
     </message>
     <message>
-        <source>Compute the shift of each frame</source>
+        <source>Computes the shift of each frame</source>
         <translation>计算每帧的位移</translation>
     </message>
     <message>
@@ -7912,7 +7912,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>默认值</translation>
     </message>
     <message>
-        <source>Restore the default tracing settings</source>
+        <source>Restores the default tracing settings</source>
         <translation>恢复默认的提取设置</translation>
     </message>
     <message>
@@ -7924,7 +7924,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>显示原始帧</translation>
     </message>
     <message>
-        <source>One frame at a time</source>
+        <source>Single frames</source>
         <translation>逐帧显示</translation>
     </message>
     <message>
@@ -7932,7 +7932,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>自动选择蒙片帧</translation>
     </message>
     <message>
-        <source>Find the mask shift</source>
+        <source>Compute mask shift</source>
         <translation>求蒙片位移</translation>
     </message>
     <message>
@@ -8032,7 +8032,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>灵敏度</translation>
     </message>
     <message>
-        <source>Above 1, fainter vessels are traced as well</source>
+        <source>Values above 1 also trace fainter vessels</source>
         <translation>大于 1 时也提取较淡的血管</translation>
     </message>
     <message>
@@ -8072,7 +8072,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>用方向键或鼠标移动蒙片</translation>
     </message>
     <message>
-        <source>Removes structures that the mask frames also show, such as bones and organs</source>
+        <source>Removes structures that also appear in the mask frames, such as bones and organs</source>
         <translation>去除蒙片帧中同样可见的结构，如骨骼和器官</translation>
     </message>
     <message>
@@ -8092,16 +8092,16 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>窗宽</translation>
     </message>
     <message>
-        <source>Window W: number of gray values between black and white</source>
-        <translation>窗宽 W：黑与白之间的灰度值个数</translation>
+        <source>Window (W): range of gray values between black and white</source>
+        <translation>窗宽（W）：黑与白之间的灰度值范围</translation>
     </message>
     <message>
         <source>Level</source>
         <translation>窗位</translation>
     </message>
     <message>
-        <source>Level L: gray value at the center of the window</source>
-        <translation>窗位 L：窗中央的灰度值</translation>
+        <source>Level (L): gray value at the center of the window</source>
+        <translation>窗位（L）：窗中央的灰度值</translation>
     </message>
     <message>
         <source>window, level</source>
@@ -8115,7 +8115,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>叠加投影血管树的血管造影</translation>
     </message>
     <message>
-        <source>Mirrored image, unmirrored by the view</source>
+        <source>Mirrored image, mirrored back in this view</source>
         <translation>镜像图像，视图已还原</translation>
     </message>
     <message>
@@ -8146,7 +8146,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>改用 %1</translation>
     </message>
     <message>
-        <source>This method alternates between the auxiliary branches and the whole tree.</source>
+        <source>This method alternates between the auxiliary branches and the whole vessel tree.</source>
         <translation>该方法在辅助分支与整棵血管树之间交替。</translation>
     </message>
     <message>
@@ -8202,7 +8202,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>最佳约束分支</translation>
     </message>
     <message>
-        <source>± is the standard deviation expected for traced vessels with typical noise.</source>
+        <source>±: standard deviation expected for traced vessels with typical noise.</source>
         <translation>± 为典型噪声下所提取血管的预期标准差。</translation>
     </message>
     <message>
@@ -8285,7 +8285,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>观察者盲法试验</translation>
     </message>
     <message>
-        <source>The vessels start at a random pose around the current one. Until you choose Done, all numbers, residual colors and earlier poses are hidden. Time and final pose are logged; the case is unchanged.</source>
+        <source>The vessels start at a random pose around the current one. Until you choose “Done”, all numbers, residual colors and earlier poses are hidden. Time and final pose are logged; the case is unchanged.</source>
         <translation>血管从当前位姿附近的随机位姿开始。在选择“完成”之前，隐藏所有数值、残差颜色和先前位姿。时间和最终位姿写入日志；病例不变。</translation>
     </message>
     <message>
@@ -8305,7 +8305,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>取消</translation>
     </message>
     <message>
-        <source>Log of the trials</source>
+        <source>Trial log</source>
         <translation>试验日志</translation>
     </message>
     <message>
@@ -8347,7 +8347,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>%1 mm</translation>
     </message>
     <message>
-        <source>out</source>
+        <source>excl.</source>
         <translation>排除</translation>
     </message>
     <message>
@@ -8366,8 +8366,8 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>%1，长 %2 mm</translation>
     </message>
     <message>
-        <source>in the auxiliary set</source>
-        <translation>属于辅助集</translation>
+        <source>auxiliary branch</source>
+        <translation>辅助分支</translation>
     </message>
     <message>
         <source>excluded</source>
@@ -8461,7 +8461,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>尚无血管。请打开 CT、血管掩膜或中心线。</translation>
     </message>
     <message>
-        <source>Bridges the gap; undo reverts it.</source>
+        <source>Bridges the gap; can be undone.</source>
         <translation>桥接间隙；可撤销。</translation>
     </message>
     <message>
@@ -8553,7 +8553,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     </message>
     <message>
         <source>Save as…</source>
-        <translation>另存为……</translation>
+        <translation>另存为…</translation>
     </message>
     <message>
         <source>Export overlay…</source>
@@ -9207,10 +9207,10 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>血管每步的位移</translation>
     </message>
     <message>
-        <source>Top: half of the vessel points lie closer than this to the traced vessels.
-Bottom: distance that a step moved the vessels, root mean square over all points; the bottom line is zero.</source>
-        <translation>上：一半血管点到所提取血管的距离小于此值。
-下：每一步使血管移动的距离，所有点的均方根；最底线为零。</translation>
+        <source>Top: median distance of the vessel points to the traced vessels.
+Bottom: displacement of the vessels in each step (root mean square over all points); the lowest line is zero.</source>
+        <translation>上：血管点到所提取血管的中位距离。
+下：每一步血管的位移（所有点的均方根）；最底线为零。</translation>
     </message>
 </context>
 <context>
@@ -9220,7 +9220,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
         <translation>三维</translation>
     </message>
     <message>
-        <source>Show all slices enlarged</source>
+        <source>Enlarge all slices</source>
         <translation>放大显示所有层面</translation>
     </message>
     <message>
@@ -9271,7 +9271,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
         <translation>切断</translation>
     </message>
     <message>
-        <source>Click where a curve should be split</source>
+        <source>Click where to split a curve</source>
         <translation>单击要断开曲线的位置</translation>
     </message>
     <message>
@@ -9295,7 +9295,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
         <translation>重新提取</translation>
     </message>
     <message>
-        <source>Discard the edits of this frame and trace it automatically; undo restores them</source>
+        <source>Discard the edits of this frame and trace it automatically; can be undone</source>
         <translation>放弃此帧的编辑并自动提取；可撤销</translation>
     </message>
     <message>
@@ -9315,7 +9315,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
         <translation>导管</translation>
     </message>
     <message>
-        <source>Click a catheter or guidewire to mark it as a device: it is not a vessel, but can be tracked</source>
+        <source>Click a catheter or guidewire to mark it as a device: it does not count as a vessel, but can be tracked</source>
         <translation>单击导管或导丝将其标记为器械：它不是血管，但可以跟踪</translation>
     </message>
     <message>
@@ -9323,7 +9323,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
         <translation>跟踪器械</translation>
     </message>
     <message>
-        <source>Find the path through the tree that the catheter or guidewire takes (method Wire or catheter)</source>
+        <source>Find the path of the catheter or guidewire through the tree (method “Guidewire or catheter”)</source>
         <translation>求导管或导丝在血管树中的路径（方法：导丝或导管）</translation>
     </message>
     <message>
@@ -9334,7 +9334,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
 <context>
     <name>angiopose::ui::EditCurvesTool</name>
     <message>
-        <source>Mark as not a vessel</source>
+        <source>Mark as non-vessel</source>
         <translation>标为非血管</translation>
     </message>
     <message>
@@ -9346,11 +9346,11 @@ Bottom: distance that a step moved the vessels, root mean square over all points
         <translation>擦除：涂抹曲线，[ ] 笔刷大小，Esc 结束</translation>
     </message>
     <message>
-        <source>Draw: click along the vessel, Enter ends, Backspace removes a point, Shift straight</source>
+        <source>Draw: click along the vessel, Enter ends, Backspace removes a point, Shift draws straight lines</source>
         <translation>绘制：沿血管单击，回车结束，退格删除一点，Shift 直线</translation>
     </message>
     <message>
-        <source>Cut: click where a curve should be split, Esc ends</source>
+        <source>Cut: click where to split a curve, Esc ends</source>
         <translation>切断：单击要断开曲线的位置，Esc 结束</translation>
     </message>
     <message>
@@ -9390,7 +9390,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
         <translation>可能是导管：A 血管，W 导管或导丝，Delete 排除，S 下一条</translation>
     </message>
     <message>
-        <source>Catheter or guidewire: click a curve to mark it as a device or to unmark it, Esc ends</source>
+        <source>Catheter or guidewire: click a curve to mark or unmark it as a device, Esc ends</source>
         <translation>导管或导丝：单击曲线将其标记为器械或取消标记，Esc 结束</translation>
     </message>
 </context>
@@ -9445,7 +9445,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
         <translation>%1 × %2 px，%3 × %4 cm</translation>
     </message>
     <message>
-        <source>The image is labeled “Not for clinical use”; inputs, method and pose are stored in its metadata. (16-bit: metadata only)</source>
+        <source>The image is labeled “Not for clinical use”; inputs, method and pose are stored in its metadata (16-bit: metadata only).</source>
         <translation>图像上标注“不得用于临床”；输入、方法与位姿保存在元数据中。（16 位：仅元数据）</translation>
     </message>
     <message>
@@ -9516,12 +9516,12 @@ Bottom: distance that a step moved the vessels, root mean square over all points
         <translation>R 波</translation>
     </message>
     <message>
-        <source>Drag the ends to play part of the run; double-click for all of it</source>
+        <source>Drag the ends to play part of the run; double-click to play the whole run</source>
         <translation>拖动两端以播放序列的一部分；双击播放全部</translation>
     </message>
     <message>
         <source>Opacification of the frames</source>
-        <translation>各帧充盈度</translation>
+        <translation>各帧显影程度</translation>
     </message>
     <message>
         <source>Frame %1</source>
@@ -9532,16 +9532,16 @@ Bottom: distance that a step moved the vessels, root mean square over all points
         <translation>%1 s</translation>
     </message>
     <message>
-        <source>peak opacification frame</source>
-        <translation>峰值充盈帧</translation>
+        <source>peak-opacification frame</source>
+        <translation>峰值显影帧</translation>
     </message>
     <message>
         <source>mask</source>
         <translation>蒙片</translation>
     </message>
     <message>
-        <source>Shift+drag marks mask frames; double-click shows the curve</source>
-        <translation>Shift+拖动标记蒙片帧；双击显示曲线</translation>
+        <source>Shift+drag marks mask frames; double-click shows the opacification curve</source>
+        <translation>Shift+拖动标记蒙片帧；双击显示显影曲线</translation>
     </message>
 </context>
 <context>
@@ -9619,8 +9619,8 @@ Bottom: distance that a step moved the vessels, root mean square over all points
         <translation>改用距离和像素间距</translation>
     </message>
     <message>
-        <source>SID 1000 mm, SOD 750 mm, pixel 0.3 mm, angles 0°: fills in missing values only.</source>
-        <translation>SID 1000 mm、SOD 750 mm、像素 0.3 mm、角度 0°：仅用于缺失项。</translation>
+        <source>SID 1000 mm, SOD 750 mm, pixel spacing 0.3 mm, angles 0°: fills in missing values only.</source>
+        <translation>SID 1000 mm、SOD 750 mm、像素间距 0.3 mm、角度 0°：仅用于缺失项。</translation>
     </message>
     <message>
         <source>Camera from the case file: f %1 px, principal point %2, %3 px, %4.</source>
@@ -9667,7 +9667,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
         <translation>图像的观察侧</translation>
     </message>
     <message>
-        <source>Angiograms are shown as seen from the detector. A mirrored export swaps left and right: the projection is mirrored with the image, the vessels never are.</source>
+        <source>Angiograms are shown as seen from the detector. A mirrored export swaps left and right: the projection is then mirrored together with the image; the vessels are never mirrored.</source>
         <translation>血管造影按从探测器看的方向显示。镜像导出会左右互换：投影随图像镜像，血管绝不镜像。</translation>
     </message>
     <message>
@@ -9683,7 +9683,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
         <translation>%1 个标签</translation>
     </message>
     <message>
-        <source>The header gives no pixel spacing; this value is derived. Press Enter in the field to confirm it, or enter another value.</source>
+        <source>The header contains no pixel spacing; this value is derived. Press Enter in the field to confirm it, or enter another value.</source>
         <translation>文件头无像素间距；此值为推算。请在框内按回车确认，或输入其他值。</translation>
     </message>
     <message>
@@ -9691,11 +9691,11 @@ Bottom: distance that a step moved the vessels, root mean square over all points
         <translation>图像按镜像处理（%1）。请核对左右。</translation>
     </message>
     <message>
-        <source>The gantry rotates during this run: by %1° LAO/RAO and %2° CRA/CAU from the first frame to this one.</source>
+        <source>The gantry rotates during this run: by %1° in LAO/RAO and %2° in CRA/CAU from the first frame to this one.</source>
         <translation>采集中机架旋转：从第一帧到此帧 LAO/RAO %1°、CRA/CAU %2°。</translation>
     </message>
     <message>
-        <source>Pixel spacing on the detector. Enter confirms a derived value.</source>
+        <source>Pixel spacing at the detector. Press Enter to confirm a derived value.</source>
         <translation>探测器上的像素间距。回车确认推算值。</translation>
     </message>
     <message>
@@ -9703,7 +9703,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
         <translation>探测器宽度</translation>
     </message>
     <message>
-        <source>Width of the image on the detector; determines the pixel spacing</source>
+        <source>Width of the image at the detector; determines the pixel spacing</source>
         <translation>图像在探测器上的宽度；由此得出像素间距</translation>
     </message>
     <message>
@@ -9719,7 +9719,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
         <translation>中心 x</translation>
     </message>
     <message>
-        <source>Column where the central ray meets the detector; 0 is the center of the first column</source>
+        <source>Column in which the central ray meets the detector; 0 is the center of the first column</source>
         <translation>中心射线在探测器上所在的列；0 为第一列中心</translation>
     </message>
     <message>
@@ -9727,7 +9727,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
         <translation>中心 y</translation>
     </message>
     <message>
-        <source>Row where the central ray meets the detector; 0 is the center of the first row</source>
+        <source>Row in which the central ray meets the detector; 0 is the center of the first row</source>
         <translation>中心射线在探测器上所在的行；0 为第一行中心</translation>
     </message>
     <message>
@@ -9774,7 +9774,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
         <translation>不良：投照角度错误</translation>
     </message>
     <message>
-        <source>Lines run along the middle of their vessels, blue throughout, including the side branches.</source>
+        <source>The lines run along the center of the vessels and are blue throughout, including the side branches.</source>
         <translation>线条沿血管中央走行，全程蓝色，侧支亦然。</translation>
     </message>
     <message>
@@ -9782,19 +9782,19 @@ Bottom: distance that a step moved the vessels, root mean square over all points
         <translation>仅此帧无对比剂处为琥珀色；显影的血管均为蓝色。</translation>
     </message>
     <message>
-        <source>Small deviations to both sides, from heartbeat and breathing. No rigid pose fits better.</source>
+        <source>Small deviations to both sides due to heartbeat and breathing; no rigid pose fits better.</source>
         <translation>两侧均有小偏差，由心跳与呼吸引起。没有更吻合的刚性位姿。</translation>
     </message>
     <message>
-        <source>All lines are off to the same side. Register again, or nudge with the arrow keys.</source>
+        <source>All lines are shifted to the same side. Register again, or nudge with the arrow keys.</source>
         <translation>所有线条偏向同一侧。请重新配准，或用方向键微调。</translation>
     </message>
     <message>
-        <source>Fits in the middle and deviates more and more toward the edges: rotated in the image plane.</source>
+        <source>Fits in the center but deviates increasingly toward the edges: rotated in the image plane.</source>
         <translation>中间吻合而向外偏差渐大：在图像平面内旋转。</translation>
     </message>
     <message>
-        <source>The trunk fits, but side branches point elsewhere: LAO/RAO or CRA/CAU is wrong.</source>
+        <source>The trunk fits, but the side branches run in other directions: LAO/RAO or CRA/CAU is wrong.</source>
         <translation>主干吻合而侧支指向别处：LAO/RAO 或 CRA/CAU 有误。</translation>
     </message>
     <message>
@@ -9802,7 +9802,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
         <translation>配准好坏示例</translation>
     </message>
     <message>
-        <source>Simulated vessels. Blue: on a vessel. Amber: 2 mm off or more.</source>
+        <source>Simulated vessels. Blue: on a vessel. Amber: off by 2 mm or more.</source>
         <translation>模拟血管。蓝色：位于血管上。琥珀色：偏差 2 mm 或以上。</translation>
     </message>
     <message>
@@ -10002,11 +10002,11 @@ Bottom: distance that a step moved the vessels, root mean square over all points
         <translation>在三维视图上</translation>
     </message>
     <message>
-        <source>in 3-D or a slice, then in the image: sets one pair</source>
+        <source>in 3-D or in a slice, then in the image: sets one pair</source>
         <translation>先在三维或层面中，再在图像中单击：设置一对</translation>
     </message>
     <message>
-        <source>move a vessel node to its position, or move a cross</source>
+        <source>drag a vessel node to its position, or move a landmark cross</source>
         <translation>将血管节点拖到其位置，或移动十字</translation>
     </message>
     <message>
@@ -10014,7 +10014,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
         <translation>回车</translation>
     </message>
     <message>
-        <source>register the vessels from the pairs</source>
+        <source>register the vessels from the landmark pairs</source>
         <translation>按点对配准血管</translation>
     </message>
     <message>
@@ -10046,7 +10046,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
         <translation>D</translation>
     </message>
     <message>
-        <source>draw: Enter ends, Backspace removes a point, Shift straight</source>
+        <source>draw: Enter ends, Backspace removes a point, Shift draws straight lines</source>
         <translation>绘制：回车结束，退格删除一点，Shift 直线</translation>
     </message>
     <message>
@@ -10070,7 +10070,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
         <translation>✓ ✗</translation>
     </message>
     <message>
-        <source>dashed curves may be a catheter: keep or exclude</source>
+        <source>dashed curves may be catheters: keep or exclude them</source>
         <translation>虚线可能为导管：保留或排除</translation>
     </message>
     <message>
@@ -10122,7 +10122,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
         <translation>在层面上</translation>
     </message>
     <message>
-        <source>show this view only, or restore</source>
+        <source>show only this view, or restore</source>
         <translation>仅显示此视图，或恢复</translation>
     </message>
     <message>
@@ -10195,7 +10195,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
     </message>
     <message>
         <source>adds a target point or ring to the vessels, here, in 3-D or in a slice</source>
-        <translation>在血管上添加目标点或环（此处、三维或断层）</translation>
+        <translation>在血管上添加目标点或环（此处、三维或层面）</translation>
     </message>
     <message>
         <source>draws an arrow or moves an existing mark</source>
@@ -10296,7 +10296,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
         <translation>全不选</translation>
     </message>
     <message>
-        <source>Clears all labels in the list</source>
+        <source>Deselects all labels in the list</source>
         <translation>取消选择列表中的所有标签</translation>
     </message>
     <message>
@@ -10304,7 +10304,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
         <translation>血管</translation>
     </message>
     <message>
-        <source>Selects the labels whose names denote vessels</source>
+        <source>Selects the labels whose names indicate vessels</source>
         <translation>选择名称表示血管的标签</translation>
     </message>
     <message>
@@ -10321,7 +10321,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
     </message>
     <message>
         <source>Reading the labels…</source>
-        <translation>正在读取标签……</translation>
+        <translation>正在读取标签…</translation>
     </message>
     <message>
         <source>%1 of %2 selected, %3</source>
@@ -10347,7 +10347,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
         <translation>标志点及其残差</translation>
     </message>
     <message>
-        <source>Computes the initial pose from the pairs (Enter while clicking). Undo restores the previous one.</source>
+        <source>Computes the initial pose from the pairs (or press Enter while picking). Undo restores the previous pose.</source>
         <translation>由点对计算初始位姿（点选时按回车）。可撤销以恢复原位姿。</translation>
     </message>
     <message>
@@ -10372,7 +10372,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
     </message>
     <message>
         <source>Click a point on the vessels in 3-D (or a slice), then the same point in the image.</source>
-        <translation>先在三维（或断层）中单击血管上一点，再在图像中单击同一点。</translation>
+        <translation>先在三维（或层面）中单击血管上一点，再在图像中单击同一点。</translation>
     </message>
     <message>
         <source>%1: click pairs, then compute</source>
@@ -10409,15 +10409,15 @@ Bottom: distance that a step moved the vessels, root mean square over all points
     </message>
     <message>
         <source>AngioPose: 3-D and slices</source>
-        <translation>AngioPose：三维和断层</translation>
+        <translation>AngioPose：三维和层面</translation>
     </message>
     <message>
         <source>AngioPose: slices</source>
-        <translation>AngioPose：断层</translation>
+        <translation>AngioPose：层面</translation>
     </message>
     <message>
         <source>Branches, 3-D and slices</source>
-        <translation>分支、三维和断层</translation>
+        <translation>分支、三维和层面</translation>
     </message>
     <message>
         <source>Pose, registration, result</source>
@@ -10457,16 +10457,16 @@ Bottom: distance that a step moved the vessels, root mean square over all points
         <translation>未找到输入文件</translation>
     </message>
     <message>
-        <source>“%1” refers to files that are no longer in their place. A search next to the case and among recent cases did not find them. The case itself is undamaged.</source>
-        <translation>“%1”引用的文件已不在原处。在病例旁及最近病例中均未找到。病例本身完好。</translation>
+        <source>“%1” refers to files that have been moved or deleted. They were not found next to the case or in the folders of recent cases. The case itself is intact.</source>
+        <translation>“%1”引用的文件已移动或删除。在病例旁及最近病例中均未找到。病例本身完好。</translation>
     </message>
     <message>
-        <source>was in %1</source>
+        <source>formerly in %1</source>
         <translation>原在 %1</translation>
     </message>
     <message>
         <source>Locate…</source>
-        <translation>查找……</translation>
+        <translation>查找…</translation>
     </message>
     <message>
         <source>Locate %1</source>
@@ -10474,7 +10474,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
     </message>
     <message>
         <source>Search a folder…</source>
-        <translation>搜索文件夹……</translation>
+        <translation>搜索文件夹…</translation>
     </message>
     <message>
         <source>Searches the folder and its subfolders by name and content.</source>
@@ -10485,7 +10485,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
         <translation>取消</translation>
     </message>
     <message>
-        <source>now %1</source>
+        <source>now: %1</source>
         <translation>现为 %1</translation>
     </message>
     <message>
@@ -10497,7 +10497,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
         <translation>仍然打开</translation>
     </message>
     <message>
-        <source>Only a scan in addition to the vessels, or another view, is missing. Everything else opens.</source>
+        <source>Only an additional scan or another view is missing. Everything else can be opened.</source>
         <translation>仅缺少血管之外的扫描或另一视图，其余内容均可打开。</translation>
     </message>
 </context>
@@ -10542,14 +10542,14 @@ Bottom: distance that a step moved the vessels, root mean square over all points
         <translation>%1 · %2 s</translation>
     </message>
     <message>
-        <source>Only runs with several frames have a curve</source>
+        <source>The curve requires a run with several frames</source>
         <translation>只有多帧序列才有曲线</translation>
     </message>
 </context>
 <context>
     <name>angiopose::ui::PivotMark</name>
     <message>
-        <source>pivot</source>
+        <source>rotation center</source>
         <translation>旋转中心</translation>
     </message>
 </context>
@@ -10567,11 +10567,11 @@ Bottom: distance that a step moved the vessels, root mean square over all points
         <translation>加密（TLS）</translation>
     </message>
     <message>
-        <source>Own certificate (PEM)</source>
+        <source>Local certificate (PEM)</source>
         <translation>本机证书（PEM）</translation>
     </message>
     <message>
-        <source>Private key of the own certificate (PEM)</source>
+        <source>Private key of the local certificate (PEM)</source>
         <translation>本机证书的私钥（PEM）</translation>
     </message>
     <message>
@@ -10595,7 +10595,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
         <translation>允许的呼叫方 AE 标题</translation>
     </message>
     <message>
-        <source>Separated by commas; empty: any</source>
+        <source>Comma-separated; leave empty to allow any</source>
         <translation>以逗号分隔；留空：任意</translation>
     </message>
     <message>
@@ -10603,15 +10603,15 @@ Bottom: distance that a step moved the vessels, root mean square over all points
         <translation>允许的地址</translation>
     </message>
     <message>
-        <source>IP addresses separated by commas, such as 10.0.0.7; empty: any</source>
+        <source>Comma-separated IP addresses, such as 10.0.0.7; leave empty to allow any</source>
         <translation>以逗号分隔的 IP 地址，如 10.0.0.7；留空：任意</translation>
     </message>
     <message>
-        <source>Own certificate</source>
+        <source>Local certificate</source>
         <translation>本机证书</translation>
     </message>
     <message>
-        <source>PEM file shown to callers</source>
+        <source>PEM file presented to calling applications</source>
         <translation>向呼叫方出示的 PEM 文件</translation>
     </message>
     <message>
@@ -10627,7 +10627,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
         <translation>受信任的证书</translation>
     </message>
     <message>
-        <source>PEM file used to verify the certificates of calling applications; empty: certificates trusted by the system</source>
+        <source>PEM file used to verify the certificates of calling applications; if empty, the certificates trusted by the system are used</source>
         <translation>用于验证呼叫方证书的 PEM 文件；留空：系统信任的证书</translation>
     </message>
     <message>
@@ -10713,7 +10713,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
         <translation>锁定%1</translation>
     </message>
     <message>
-        <source>Locks this value: nudging, dragging, typing and Register leave it unchanged.</source>
+        <source>Locks this value: nudging, dragging, typing and registration do not change it.</source>
         <translation>锁定此值：微调、拖动、输入和配准均不改变它。</translation>
     </message>
     <message>
@@ -10721,7 +10721,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
         <translation>撤销可恢复位姿。</translation>
     </message>
     <message>
-        <source>nudging · arrow keys · %1 ends</source>
+        <source>nudging · arrow keys · %1 to exit</source>
         <translation>微调中 · 方向键 · %1 结束</translation>
     </message>
     <message>
@@ -10729,7 +10729,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
         <translation>%1：微调（Ctrl 精细，Shift 粗调）</translation>
     </message>
     <message>
-        <source>Rotations and shifts refer to the selected rotation center. %1 resets it to the centroid.</source>
+        <source>Rotations and translations refer to the selected rotation center. %1 resets it to the centroid.</source>
         <translation>旋转和平移均以所选旋转中心为准。%1 重置为质心。</translation>
     </message>
 </context>
@@ -10756,7 +10756,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
         <translation>恢复</translation>
     </message>
     <message>
-        <source>Moves the vessels to this pose; undo reverts it.</source>
+        <source>Moves the vessels to this pose; can be undone.</source>
         <translation>将血管移到此位姿；可撤销。</translation>
     </message>
     <message>
@@ -10772,7 +10772,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
         <translation>删除</translation>
     </message>
     <message>
-        <source>Deletes the snapshots; undo restores them.</source>
+        <source>Deletes the snapshots; can be undone.</source>
         <translation>删除快照；可撤销。</translation>
     </message>
     <message>
@@ -10824,7 +10824,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
         <translation>作者</translation>
     </message>
     <message>
-        <source>When</source>
+        <source>Date</source>
         <translation>时间</translation>
     </message>
     <message>
@@ -10833,7 +10833,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
     </message>
     <message>
         <source>Export CSV…</source>
-        <translation>导出 CSV……</translation>
+        <translation>导出 CSV…</translation>
     </message>
     <message>
         <source>Writes the table with the poses as matrices.</source>
@@ -10918,7 +10918,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
         <translation>恢复未保存的工作吗？</translation>
     </message>
     <message>
-        <source>AngioPose ended unexpectedly. These cases had unsaved changes. Recover opens the copy and leaves the saved case unchanged.</source>
+        <source>AngioPose ended unexpectedly. These cases had unsaved changes. “Recover” opens the copy and leaves the saved case unchanged.</source>
         <translation>AngioPose 意外退出。这些病例有未保存的更改。恢复会打开副本，已保存的病例不变。</translation>
     </message>
     <message>
@@ -10977,7 +10977,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
         <translation>关于此方法</translation>
     </message>
     <message>
-        <source>Shows the cost this method minimizes, when it fails, and its source.</source>
+        <source>Explains the cost that this method minimizes, when it fails, and its source.</source>
         <translation>显示此方法最小化的目标函数、失效情形及出处。</translation>
     </message>
     <message>
@@ -10998,14 +10998,14 @@ Bottom: distance that a step moved the vessels, root mean square over all points
     </message>
     <message>
         <source>Registering…</source>
-        <translation>配准中……</translation>
+        <translation>配准中…</translation>
     </message>
     <message>
-        <source>Register keeps the locked degree of freedom fixed.</source>
+        <source>Registration keeps the locked degree of freedom fixed.</source>
         <translation>配准时保持锁定的自由度不变。</translation>
     </message>
     <message>
-        <source>Register keeps the %1 locked degrees of freedom fixed.</source>
+        <source>Registration keeps the %1 locked degrees of freedom fixed.</source>
         <translation>配准时保持 %1 个锁定的自由度不变。</translation>
     </message>
     <message>
@@ -11017,8 +11017,8 @@ Bottom: distance that a step moved the vessels, root mean square over all points
         <translation>求使血管与造影图像对齐的位姿。</translation>
     </message>
     <message>
-        <source>Uses one pose for all views: moving the vessels manually moves them in every view, and Register fits all views with AngioPose&apos;s own method, because depth in one view is a shift in another. If off, only the shown view is used.</source>
-        <translation>所有视图共用一个位姿：手动移动时各视图中的血管一起移动，配准时用 AngioPose 自己的方法同时拟合所有视图，因为一个视图中的深度就是另一个视图中的平移。不勾选时只使用显示的视图。</translation>
+        <source>Uses one pose for all views: moving the vessels manually moves them in every view, and registration fits all views with the AngioPose method, because depth in one view is translation in another. If off, only the displayed view is used.</source>
+        <translation>所有视图共用一个位姿：手动移动时各视图中的血管一起移动，配准时用 AngioPose 方法同时拟合所有视图，因为一个视图中的深度就是另一个视图中的平移。不勾选时只使用显示的视图。</translation>
     </message>
 </context>
 <context>
@@ -11028,7 +11028,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
         <translation>%1 · 来自较早的配准</translation>
     </message>
     <message>
-        <source>Inputs changed since this registration. Press R to update.</source>
+        <source>The inputs have changed since this registration. Press R to update.</source>
         <translation>此次配准后输入已改变。按 R 重新配准。</translation>
     </message>
     <message>
@@ -11080,7 +11080,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
         <translation>覆盖率</translation>
     </message>
     <message>
-        <source>Share of the traced vessel length within 3 px of the tree.</source>
+        <source>Share of the traced vessel length that lies within 3 px of the tree.</source>
         <translation>距血管树 3 px 以内的已提取血管长度所占比例。</translation>
     </message>
     <message>
@@ -11132,7 +11132,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
         <translation>手动移动，未配准</translation>
     </message>
     <message>
-        <source>Inputs changed since this registration</source>
+        <source>Inputs have changed since this registration</source>
         <translation>此次配准后输入已改变</translation>
     </message>
     <message>
@@ -11233,7 +11233,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
         <translation>哪个序列？</translation>
     </message>
     <message numerus="yes">
-        <source>%1 holds %n series.</source>
+        <source>%1 contains %n series.</source>
         <translation>
             <numerusform>%1 含 %n 个序列。</numerusform>
         </translation>
@@ -11336,7 +11336,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
     </message>
     <message>
         <source>Compare…</source>
-        <translation>比较……</translation>
+        <translation>比较…</translation>
     </message>
     <message>
         <source>Snapshots</source>
@@ -11495,15 +11495,15 @@ Bottom: distance that a step moved the vessels, root mean square over all points
     </message>
     <message>
         <source>Click vessels in a slice. Only vessels connected to a seed are traced.</source>
-        <translation>在断层上单击血管。只提取与种子点相连的血管。</translation>
+        <translation>在层面上单击血管。只提取与种子点相连的血管。</translation>
     </message>
     <message>
         <source>Avoid</source>
         <translation>避开</translation>
     </message>
     <message>
-        <source>Click heart, veins or bone in a slice. Regions reached from there through wider passages are excluded.</source>
-        <translation>在断层上单击心脏、静脉或骨骼。从该处经较宽通路可达的区域将被排除。</translation>
+        <source>Click the heart, veins or bone in a slice. Regions reached from there through wider passages are excluded.</source>
+        <translation>在层面上单击心脏、静脉或骨骼。从该处经较宽通路可达的区域将被排除。</translation>
     </message>
     <message>
         <source>Remove</source>
@@ -11541,18 +11541,18 @@ Bottom: distance that a step moved the vessels, root mean square over all points
         <translation>阈值</translation>
     </message>
     <message>
-        <source>Voxels above this intensity of the scan count as vessel.</source>
+        <source>Voxels above this scan intensity are treated as vessel.</source>
         <translation>扫描中高于此强度的体素视为血管。</translation>
     </message>
 </context>
 <context>
     <name>angiopose::ui::TracingPanel</name>
     <message>
-        <source>Thin vessels only (needs seeds)</source>
+        <source>Thin vessels only (requires seeds)</source>
         <translation>仅细血管（需要种子点）</translation>
     </message>
     <message>
-        <source>For coronary arteries next to opacified chambers or hepatic arteries next to the portal vein: tracing stops at structures wider than 1 cm. Needs seeds.</source>
+        <source>For coronary arteries next to opacified chambers or hepatic arteries next to the portal vein: tracing stops at structures wider than 1 cm. Requires seeds.</source>
         <translation>用于显影心腔旁的冠状动脉或门静脉旁的肝动脉：遇到宽于 1 cm 的结构即停止提取。需要种子点。</translation>
     </message>
     <message>
@@ -11593,10 +11593,10 @@ Bottom: distance that a step moved the vessels, root mean square over all points
     </message>
     <message>
         <source>Components</source>
-        <translation>连通域</translation>
+        <translation>连通部分</translation>
     </message>
     <message>
-        <source>Used without seeds. Default: in a mask all components; in a scan the one of the aorta or main artery. All: in a scan the components of every great vessel.</source>
+        <source>Applies without seeds. Default: in a mask, all components; in a scan, the component of the aorta or main artery. All: in a scan, the components of all great vessels.</source>
         <translation>无种子点时使用。默认：掩膜取所有连通域；扫描取主动脉或主干动脉所在连通域。全部：扫描取每条大血管所在连通域。</translation>
     </message>
     <message>
@@ -11612,7 +11612,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
         <translation>最大</translation>
     </message>
     <message>
-        <source>Keeps vessels that form a loop closed; otherwise each loop is cut at its narrowest point.</source>
+        <source>Keeps vessel loops closed; otherwise, each loop is cut at its narrowest point.</source>
         <translation>保持成环的血管闭合；否则在每个环的最窄处断开。</translation>
     </message>
     <message>
@@ -11621,14 +11621,14 @@ Bottom: distance that a step moved the vessels, root mean square over all points
     </message>
     <message>
         <source>Tracing…</source>
-        <translation>提取中……</translation>
+        <translation>提取中…</translation>
     </message>
     <message>
         <source>Click in a slice to place a point; Esc ends.</source>
-        <translation>在断层上单击以放置点；Esc 结束。</translation>
+        <translation>在层面上单击以放置点；Esc 结束。</translation>
     </message>
     <message>
-        <source>The traced vessels replace the current tree; undo restores it.</source>
+        <source>The traced vessels replace the current tree; can be undone.</source>
         <translation>提取的血管将替换当前血管树；可撤销。</translation>
     </message>
     <message>
@@ -11641,7 +11641,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
     </message>
     <message>
         <source>Shows the untraced vessel in the slices.</source>
-        <translation>在断层中显示未提取的血管。</translation>
+        <translation>在层面中显示未提取的血管。</translation>
     </message>
     <message>
         <source>Places a seed in this vessel and one in the traced vessel next to it.</source>
@@ -11652,7 +11652,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
     <name>angiopose::ui::TreeView</name>
     <message>
         <source>No vessels yet: drop them here, open them (%1), or trace a scan in its slices (%2).</source>
-        <translation>尚无血管：拖放到此处，打开（%1），或在扫描断层中提取（%2）。</translation>
+        <translation>尚无血管：拖放到此处，打开（%1），或在扫描层面中提取（%2）。</translation>
     </message>
     <message>
         <source>3-D view of vessel tree, X-ray source and detector</source>
@@ -11674,7 +11674,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
         <translation>完成</translation>
     </message>
     <message>
-        <source>Blind trial of %1: align the vessels with the image. Values reappear when you are done.</source>
+        <source>Blind trial of %1: align the vessels with the image. Values are shown again when you are done.</source>
         <translation>%1 的盲法试验：将血管与图像对齐。完成后重新显示数值。</translation>
     </message>
     <message>
@@ -11715,7 +11715,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
         <translation>十字线</translation>
     </message>
     <message>
-        <source>Shows the point under the pointer as an epipolar line in the other views and as a point on the vessels</source>
+        <source>Shows the point under the mouse pointer as an epipolar line in the other views and as a point on the vessels</source>
         <translation>将指针所指之处在其他视图中显示为极线，在血管上显示为点</translation>
     </message>
     <message>
@@ -11734,7 +11734,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
 <context>
     <name>angiopose::ui::VtkView</name>
     <message>
-        <source>The 3-D view needs OpenGL 3.2, which this display does not support. Everything else works. Try LIBGL_ALWAYS_SOFTWARE=1, or install libgl1-mesa-dri.</source>
+        <source>The 3-D view requires OpenGL 3.2, which this display does not support. Everything else works. Try LIBGL_ALWAYS_SOFTWARE=1, or install libgl1-mesa-dri.</source>
         <translation>三维视图需要 OpenGL 3.2，此显示环境不支持。其他功能正常。可尝试 LIBGL_ALWAYS_SOFTWARE=1，或安装 libgl1-mesa-dri。</translation>
     </message>
 </context>
@@ -11796,7 +11796,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
     </message>
     <message>
         <source>Opens the slices in a separate window and brings them back (F9)</source>
-        <translation>在独立窗口中打开断层，或将其移回（F9）</translation>
+        <translation>在独立窗口中打开层面，或将其移回（F9）</translation>
     </message>
     <message>
         <source>W %1 L %2 HU</source>
@@ -11807,8 +11807,8 @@ Bottom: distance that a step moved the vessels, root mean square over all points
         <translation>自动</translation>
     </message>
     <message>
-        <source>Set from the values of this scan; right-drag in a slice to adjust it manually.</source>
-        <translation>取自此扫描的数值；在断层上右键拖动可手动调整。</translation>
+        <source>Set automatically from the values of this scan; right-drag in a slice to adjust it manually.</source>
+        <translation>取自此扫描的数值；在层面上右键拖动可手动调整。</translation>
     </message>
 </context>
 <context>
@@ -11927,14 +11927,14 @@ Bottom: distance that a step moved the vessels, root mean square over all points
     </message>
     <message>
         <source>Table…</source>
-        <translation>表格……</translation>
+        <translation>表格…</translation>
     </message>
     <message>
         <source>Measurement basis</source>
         <translation>测量基准</translation>
     </message>
     <message>
-        <source>Measures lengths at the depth of the vessels, on the detector, or in pixels.</source>
+        <source>Measures lengths at the depth of the vessels, at the detector, or in pixels.</source>
         <translation>在血管深度处、探测器上或以像素测量长度。</translation>
     </message>
     <message>
@@ -11942,7 +11942,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
         <translation>移除所选测量（Delete）</translation>
     </message>
     <message>
-        <source>Writes all measurements with their basis as a CSV table.</source>
+        <source>Writes all measurements and their basis as a CSV table.</source>
         <translation>将所有测量及其依据写为 CSV 表格。</translation>
     </message>
     <message>
@@ -11983,7 +11983,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
     </message>
     <message>
         <source>Measurements in image and slices</source>
-        <translation>图像和断层中的测量</translation>
+        <translation>图像和层面中的测量</translation>
     </message>
     <message>
         <source>%1 measured</source>
@@ -12008,7 +12008,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
 <context>
     <name>angiopose::app::ProfileController</name>
     <message>
-        <source>Select one branch, in the list or in a view.</source>
+        <source>Select a branch in the list or in a view.</source>
         <translation>请在列表或视图中选择一个分支。</translation>
     </message>
     <message>
@@ -12040,11 +12040,11 @@ Bottom: distance that a step moved the vessels, root mean square over all points
     </message>
     <message>
         <source>All branches…</source>
-        <translation>所有分支……</translation>
+        <translation>所有分支…</translation>
     </message>
     <message>
         <source>Profile…</source>
-        <translation>剖面……</translation>
+        <translation>剖面…</translation>
     </message>
     <message>
         <source>Writes length, diameters, stenosis and curvature of all branches as a CSV table.</source>
@@ -12091,7 +12091,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
         <translation>半径 %1 mm</translation>
     </message>
     <message>
-        <source>Diameters are twice the radii of the tree; the narrowest point is relative to the rest of the branch.</source>
+        <source>Diameters are twice the radii of the tree; the narrowest point is determined relative to the rest of the branch.</source>
         <translation>直径为血管树半径的两倍；最窄处相对于该分支其余部分。</translation>
     </message>
 </context>
@@ -12133,7 +12133,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
         <translation>播放</translation>
     </message>
     <message>
-        <source>Stops at the frame shown. Esc returns to the frame before playback.</source>
+        <source>Stops at the current frame. Esc returns to the frame shown before playback.</source>
         <translation>停在当前显示的帧。Esc 返回播放前的帧。</translation>
     </message>
     <message>
@@ -12157,7 +12157,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
         <translation>%1 · %2 帧/秒</translation>
     </message>
     <message>
-        <source>The header gives no frame rate: 1× assumes %1 frames per second</source>
+        <source>The header contains no frame rate: 1× assumes %1 frames per second</source>
         <translation>文件头未给出帧率：1× 按每秒 %1 帧</translation>
     </message>
     <message>
@@ -12197,14 +12197,14 @@ Bottom: distance that a step moved the vessels, root mean square over all points
     </message>
     <message>
         <source>Table…</source>
-        <translation>表格……</translation>
+        <translation>表格…</translation>
     </message>
     <message>
         <source>Removes the selected marks (Delete)</source>
         <translation>移除所选标记（Delete）</translation>
     </message>
     <message>
-        <source>Writes all target points and rings with their errors as a CSV table.</source>
+        <source>Writes all target points and rings and their errors as a CSV table.</source>
         <translation>将所有目标点和环及其误差写为 CSV 表格。</translation>
     </message>
     <message>
@@ -12216,22 +12216,22 @@ Bottom: distance that a step moved the vessels, root mean square over all points
     <name>angiopose::ui::MarkTool</name>
     <message>
         <source>Target point: click the vessels, here, in 3-D or in a slice · points can be moved</source>
-        <translation>目标点：单击血管（此处、三维或断层） · 点可移动</translation>
+        <translation>目标点：单击血管（此处、三维或层面） · 点可移动</translation>
     </message>
     <message>
         <source>Ostium ring: click the vessels, here, in 3-D or in a slice · rings can be moved</source>
-        <translation>开口环：单击血管（此处、三维或断层） · 环可移动</translation>
+        <translation>开口环：单击血管（此处、三维或层面） · 环可移动</translation>
     </message>
     <message>
         <source>Mark in image: click where the selected target point appears, or drag it there</source>
         <translation>在图像中标记：单击所选目标点在图像中的位置，或将其拖到该处</translation>
     </message>
     <message>
-        <source>Arrow: drag from tail to tip, then type · ends can be moved</source>
+        <source>Arrow: drag from tail to tip, then type a label · ends can be moved</source>
         <translation>箭头：从尾端拖到尖端，然后输入 · 端点可移动</translation>
     </message>
     <message>
-        <source>Text: click where it starts, then type · texts can be moved</source>
+        <source>Text: click where it should start, then type · texts can be moved</source>
         <translation>文字：单击起点，然后输入 · 文字可移动</translation>
     </message>
     <message>
@@ -12290,8 +12290,8 @@ Bottom: distance that a step moved the vessels, root mean square over all points
         <translation>移除标记</translation>
     </message>
     <message>
-        <source>Named points on the vessels and the distance between their projection and where they appear in the image; arrows and texts for exported images.</source>
-        <translation>血管上的命名点，及其投影与图像中所见位置的距离；用于导出图像的箭头和文字。</translation>
+        <source>Named points on the vessels, with the distance between their projection and their position in the image; arrows and text annotations for exported images.</source>
+        <translation>血管上的命名点，及其投影与图像中位置的距离；用于导出图像的箭头和文字标注。</translation>
     </message>
 </context>
 <context>
@@ -12309,7 +12309,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
         <translation>文字</translation>
     </message>
     <message>
-        <source>On frame %1 of this view, in every exported image of it.</source>
+        <source>On frame %1 of this view and in every image exported from it.</source>
         <translation>位于此视图的第 %1 帧，出现在其每张导出图像中。</translation>
     </message>
     <message>
@@ -12335,11 +12335,11 @@ Bottom: distance that a step moved the vessels, root mean square over all points
 <context>
     <name>angiopose::ui::PathTool</name>
     <message>
-        <source>One vessel: click its end · Esc starts over</source>
+        <source>One vessel: click its end point · Esc starts over</source>
         <translation>一条血管：单击其终点 · Esc 重新开始</translation>
     </message>
     <message>
-        <source>One vessel: click its start, then its end</source>
+        <source>One vessel: click its start point, then its end point</source>
         <translation>一条血管：单击其起点，再单击终点</translation>
     </message>
 </context>
@@ -12351,15 +12351,15 @@ Bottom: distance that a step moved the vessels, root mean square over all points
     </message>
     <message>
         <source>Tracing the mask… %1 %</source>
-        <translation>正在提取掩膜…… %1 %</translation>
+        <translation>正在提取掩膜… %1 %</translation>
     </message>
     <message>
         <source>Open a scan or a label image first.</source>
         <translation>请先打开扫描或标签图像。</translation>
     </message>
     <message>
-        <source>A registration is running. Stop it to edit.</source>
-        <translation>配准正在运行。请停止后再编辑。</translation>
+        <source>A registration is running. Stop it before editing.</source>
+        <translation>配准正在进行。请先停止再编辑。</translation>
     </message>
     <message>
         <source>Paint mask</source>
@@ -12370,7 +12370,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
         <translation>擦除掩膜</translation>
     </message>
     <message>
-        <source>No mask there.</source>
+        <source>There is no mask at this position.</source>
         <translation>该处没有掩膜。</translation>
     </message>
     <message>
@@ -12379,7 +12379,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
     </message>
     <message>
         <source>Tracing the mask…</source>
-        <translation>正在提取掩膜……</translation>
+        <translation>正在提取掩膜…</translation>
     </message>
     <message>
         <source>Ready</source>
@@ -12420,7 +12420,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
 <context>
     <name>angiopose::ui::MaskCutTool</name>
     <message>
-        <source>Scissors: draw around the region to remove · Shift keeps the inside</source>
+        <source>Scissors: draw around the region to remove · Shift keeps only the inside</source>
         <translation>剪刀：圈出要去除的区域 · Shift 保留圈内部分</translation>
     </message>
 </context>
@@ -12452,7 +12452,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
     </message>
     <message>
         <source>Save mask…</source>
-        <translation>保存掩膜……</translation>
+        <translation>保存掩膜…</translation>
     </message>
     <message>
         <source>Lumen mask</source>
@@ -12480,11 +12480,11 @@ Bottom: distance that a step moved the vessels, root mean square over all points
     </message>
     <message>
         <source>Mask over the slices</source>
-        <translation>断层上的掩膜</translation>
+        <translation>层面上的掩膜</translation>
     </message>
     <message>
         <source>Sets the opacity of the mask over the slices.</source>
-        <translation>设置掩膜在断层上的不透明度。</translation>
+        <translation>设置掩膜在层面上的不透明度。</translation>
     </message>
     <message>
         <source>Opacity</source>
@@ -12508,14 +12508,14 @@ Bottom: distance that a step moved the vessels, root mean square over all points
     </message>
     <message>
         <source>Tracing the mask…</source>
-        <translation>正在提取掩膜……</translation>
+        <translation>正在提取掩膜…</translation>
     </message>
     <message>
-        <source>1 mask change is not in the vessels yet: trace the mask.</source>
+        <source>1 mask change is not yet reflected in the vessels: trace the mask.</source>
         <translation>掩膜有 1 处更改尚未反映到血管：请提取掩膜。</translation>
     </message>
     <message>
-        <source>%1 mask changes are not in the vessels yet: trace the mask.</source>
+        <source>%1 mask changes are not yet reflected in the vessels: trace the mask.</source>
         <translation>掩膜有 %1 处更改尚未反映到血管：请提取掩膜。</translation>
     </message>
     <message>
@@ -12621,7 +12621,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
     </message>
     <message>
         <source>Searching %1…</source>
-        <translation>正在搜索 %1……</translation>
+        <translation>正在搜索 %1…</translation>
     </message>
     <message>
         <source>Stopped after %1 of %2 files.</source>
@@ -12632,11 +12632,11 @@ Bottom: distance that a step moved the vessels, root mean square over all points
         <translation>已读取 %1 个文件。</translation>
     </message>
     <message>
-        <source>The folder holds too many files to list: choose the folder of a single study.</source>
+        <source>The folder contains too many files to list. Choose the folder of a single study.</source>
         <translation>文件夹内文件过多，无法全部列出：请选择单个检查的文件夹。</translation>
     </message>
     <message>
-        <source>The DICOMDIR is unusable (%1): the files themselves were read.</source>
+        <source>The DICOMDIR is unusable (%1); the files were read directly.</source>
         <translation>DICOMDIR 无法使用（%1）：已直接读取文件。</translation>
     </message>
     <message>
@@ -12695,14 +12695,14 @@ Bottom: distance that a step moved the vessels, root mean square over all points
         <translation>DICOMDIR 中列出但缺失的文件：%1。</translation>
     </message>
     <message>
-        <source>Not all files have been read yet, so the part of the series is still unknown.</source>
+        <source>Not all files have been read yet, so it is not yet known which part of the series this is.</source>
         <translation>尚未读取所有文件，因此还不知道这是序列的哪一部分。</translation>
     </message>
 </context>
 <context>
     <name>angiopose::ui::RecentList</name>
     <message>
-        <source>No recent case matches in name or folder.</source>
+        <source>No recent case matches this name or folder.</source>
         <translation>没有名称或文件夹相符的最近病例。</translation>
     </message>
     <message>
@@ -12761,7 +12761,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
         <translation>停止</translation>
     </message>
     <message>
-        <source>Read them too</source>
+        <source>Also read them</source>
         <translation>一并读取</translation>
     </message>
     <message>
@@ -12809,7 +12809,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
         <translation>视图：%1</translation>
     </message>
     <message>
-        <source>Select the scan with the vessels and the runs, or double-click one.</source>
+        <source>Select the scan with the vessels and the runs, or double-click an entry.</source>
         <translation>请勾选含血管的扫描和造影序列，或双击其中一项。</translation>
     </message>
 </context>
@@ -12888,7 +12888,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
     </message>
     <message>
         <source>Writing the movie…</source>
-        <translation>正在写影片……</translation>
+        <translation>正在写影片…</translation>
     </message>
     <message>
         <source>Frames %1 to %2, back and forth</source>
@@ -12899,11 +12899,11 @@ Bottom: distance that a step moved the vessels, root mean square over all points
         <translation>第 %1 至 %2 帧</translation>
     </message>
     <message>
-        <source>pose of this frame for all</source>
+        <source>pose of this frame for all frames</source>
         <translation>全部使用当前帧的位姿</translation>
     </message>
     <message>
-        <source>each with its tracked pose</source>
+        <source>tracked pose of each frame</source>
         <translation>每帧使用其跟踪位姿</translation>
     </message>
 </context>
@@ -12973,7 +12973,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
         <translation>GIF，用于网页；自动循环播放</translation>
     </message>
     <message>
-        <source>Each frame is labeled “Not for clinical use” with the source of its pose and whether the pose is reliable.</source>
+        <source>Each frame is labeled “Not for clinical use” and shows the origin of its pose and whether the pose is reliable.</source>
         <translation>每帧都标注“不得用于临床”、所示位姿的来源及其是否可靠。</translation>
     </message>
     <message>
@@ -13028,11 +13028,11 @@ Bottom: distance that a step moved the vessels, root mean square over all points
         <translation>导出报告</translation>
     </message>
     <message>
-        <source>Leave off before sharing: the report is then anonymous.</source>
+        <source>Leave this off before sharing; the report is then anonymous.</source>
         <translation>分享前请保持关闭：报告即为匿名。</translation>
     </message>
     <message>
-        <source>Templates are HTML pages with your letterhead and logo. Save a copy of the built-in template and edit it; instructions are inside.</source>
+        <source>Templates are HTML pages with your letterhead and logo. Save a copy of the built-in template and edit it; it contains instructions.</source>
         <translation>模板是带有您的信头和标志的 HTML 页面。请保存内置模板的副本并进行编辑；说明在其中。</translation>
     </message>
     <message>
@@ -13049,7 +13049,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
     </message>
     <message>
         <source>Save a copy…</source>
-        <translation>保存副本……</translation>
+        <translation>保存副本…</translation>
     </message>
     <message>
         <source>Saves the built-in template for editing</source>
@@ -13111,8 +13111,8 @@ Bottom: distance that a step moved the vessels, root mean square over all points
         <translation>导出 DICOM 对象</translation>
     </message>
     <message>
-        <source>A Spatial Registration holds only a rigid matrix. The perspective camera is written to camera.json next to it.</source>
-        <translation>空间配准（Spatial Registration）只能包含刚性矩阵。透视相机写入其旁的 camera.json。</translation>
+        <source>A Spatial Registration contains only a rigid matrix. The perspective camera is written to camera.json in the same folder.</source>
+        <translation>空间配准（Spatial Registration）只能包含刚性矩阵。透视相机写入同一文件夹的 camera.json。</translation>
     </message>
     <message>
         <source>DICOM headers contain the patient&apos;s identity even if the images do not show it. Each object is a new instance in the study of its image.</source>
@@ -13124,14 +13124,14 @@ Bottom: distance that a step moved the vessels, root mean square over all points
     </message>
     <message>
         <source>Choose PACS…</source>
-        <translation>选择 PACS……</translation>
+        <translation>选择 PACS…</translation>
     </message>
     <message>
         <source>Send to PACS</source>
         <translation>发送到 PACS</translation>
     </message>
     <message>
-        <source>A Spatial Registration holds only a rigid matrix. The perspective camera is stored in its private elements. The file camera.json is not sent.</source>
+        <source>A Spatial Registration contains only a rigid matrix. The perspective camera is stored in private elements. The file camera.json is not sent.</source>
         <translation>空间配准（Spatial Registration）只能包含刚性矩阵。透视相机存放在其私有元素中。文件 camera.json 不会发送。</translation>
     </message>
 </context>
@@ -13162,7 +13162,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
     </message>
     <message>
         <source>ZIP archives (*.zip)</source>
-        <translation>ZIP 归档 (*.zip)</translation>
+        <translation>ZIP 压缩包 (*.zip)</translation>
     </message>
     <message>
         <source>A case is already being packed. Wait for it to finish, or stop it.</source>
@@ -13174,7 +13174,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
     </message>
     <message>
         <source>Packing…</source>
-        <translation>正在打包……</translation>
+        <translation>正在打包…</translation>
     </message>
     <message>
         <source>Packing: %1 %</source>
@@ -13208,12 +13208,12 @@ Bottom: distance that a step moved the vessels, root mean square over all points
         <translation>假名</translation>
     </message>
     <message>
-        <source>One archive with the case, its inputs and its results. De-identified: without names, IDs, dates, private elements and notes; UIDs are replaced. Branch names are kept. Review every image before sharing.</source>
-        <translation>一个归档，包含病例、其输入和结果。去标识后：不含姓名、编号、日期、私有元素和备注；UID 被替换。分支名称保留。分享前请检查每幅图像。</translation>
+        <source>One archive with the case, its inputs and its results. De-identification removes names, IDs, dates, private elements and notes, and replaces UIDs. Branch names are kept. Review every image before sharing.</source>
+        <translation>一个压缩包，包含病例、其输入和结果。去标识会删除姓名、编号、日期、私有元素和备注，并替换 UID。分支名称保留。分享前请检查每幅图像。</translation>
     </message>
     <message>
         <source>Pack…</source>
-        <translation>打包……</translation>
+        <translation>打包…</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -13235,7 +13235,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
         <translation>将缓存缩小到当前大小以下？</translation>
     </message>
     <message>
-        <source>The cache holds %1. The least recently used objects are deleted until %2 remain.</source>
+        <source>The cache contains %1. The least recently used objects are deleted until %2 remain.</source>
         <translation>缓存现有 %1。将删除最久未用的对象，直到剩余 %2。</translation>
     </message>
     <message>
@@ -13251,7 +13251,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
         <translation>清空缓存？</translation>
     </message>
     <message>
-        <source>All retrieved objects are deleted. Cases whose images are in the cache ask for them when opened. “Share case as ZIP” keeps case and images together.</source>
+        <source>All retrieved objects are deleted. When you open a case whose images were in the cache, AngioPose asks for their location. “Share case as ZIP” keeps case and images together.</source>
         <translation>所有已获取的对象都将删除。图像存放在缓存中的病例在打开时会询问图像位置。“将病例分享为 ZIP”可将病例与图像保存在一起。</translation>
     </message>
     <message>
@@ -13260,7 +13260,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
     </message>
     <message>
         <source>Emptying the cache…</source>
-        <translation>正在清空缓存……</translation>
+        <translation>正在清空缓存…</translation>
     </message>
 </context>
 <context>
@@ -13286,7 +13286,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
     </message>
     <message>
         <source>Contacting %1…</source>
-        <translation>正在连接 %1……</translation>
+        <translation>正在连接 %1…</translation>
     </message>
     <message>
         <source>%1 responded and accepted the connection.</source>
@@ -13309,14 +13309,14 @@ Bottom: distance that a step moved the vessels, root mean square over all points
     </message>
     <message>
         <source>Searching %1…</source>
-        <translation>正在搜索 %1……</translation>
+        <translation>正在搜索 %1…</translation>
     </message>
     <message>
-        <source>%1 has no matching study. Broaden the search: a shorter name, more days, any modality.</source>
+        <source>%1 has no matching study. Broaden the search: use a shorter name, more days or any modality.</source>
         <translation>%1 中没有符合条件的检查。请放宽条件：更短的姓名、更多天数、任意模态。</translation>
     </message>
     <message>
-        <source>Search to list the studies on %1.</source>
+        <source>Search to list the studies in %1.</source>
         <translation>请搜索以列出 %1 中的检查。</translation>
     </message>
     <message>
@@ -13343,7 +13343,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
         <translation>从列表中移除 %1？</translation>
     </message>
     <message>
-        <source>The PACS itself and the objects retrieved from it are kept.</source>
+        <source>The PACS itself and the objects retrieved from it are not affected.</source>
         <translation>PACS 本身及已从中获取的对象均保留。</translation>
     </message>
     <message>
@@ -13359,11 +13359,11 @@ Bottom: distance that a step moved the vessels, root mean square over all points
     <name>angiopose::app::ArchiveRetrieval</name>
     <message>
         <source>Contacting %1…</source>
-        <translation>正在连接 %1……</translation>
+        <translation>正在连接 %1…</translation>
     </message>
     <message>
         <source>Stopping…</source>
-        <translation>正在停止……</translation>
+        <translation>正在停止…</translation>
     </message>
     <message>
         <source>Stopped.</source>
@@ -13390,11 +13390,11 @@ Bottom: distance that a step moved the vessels, root mean square over all points
     <name>angiopose::app::ArchiveSender</name>
     <message>
         <source>Stopping…</source>
-        <translation>正在停止……</translation>
+        <translation>正在停止…</translation>
     </message>
     <message>
         <source>Creating the objects…</source>
-        <translation>正在生成对象……</translation>
+        <translation>正在生成对象…</translation>
     </message>
     <message>
         <source>Sent: %1 of %2 objects, %3</source>
@@ -13405,7 +13405,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
         <translation>%1 已收到全部对象：%2（%3）。</translation>
     </message>
     <message>
-        <source>%1 of %2 objects arrived.</source>
+        <source>%1 of %2 objects were delivered.</source>
         <translation>%2 个对象中已到达 %1 个。</translation>
     </message>
     <message>
@@ -13463,7 +13463,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
         <translation>从已收到的对象中选择</translation>
     </message>
     <message>
-        <source>Retrieves the selected studies and series; then choose the vessels and the views</source>
+        <source>Retrieves the selected studies and series, from which you then choose the vessels and views</source>
         <translation>获取所选检查和序列；然后选择血管和视图</translation>
     </message>
     <message>
@@ -13475,7 +13475,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
     <name>angiopose::ui::CacheLine</name>
     <message>
         <source>Empty…</source>
-        <translation>清空……</translation>
+        <translation>清空…</translation>
     </message>
     <message>
         <source>Maximum cache size</source>
@@ -13530,7 +13530,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
     </message>
     <message>
         <source>Searching…</source>
-        <translation>正在查找……</translation>
+        <translation>正在查找…</translation>
     </message>
 </context>
 <context>
@@ -13541,15 +13541,15 @@ Bottom: distance that a step moved the vessels, root mean square over all points
     </message>
     <message>
         <source>Add…</source>
-        <translation>添加……</translation>
+        <translation>添加…</translation>
     </message>
     <message>
         <source>Edit…</source>
-        <translation>编辑……</translation>
+        <translation>编辑…</translation>
     </message>
     <message>
         <source>Remove…</source>
-        <translation>移除……</translation>
+        <translation>移除…</translation>
     </message>
     <message>
         <source>PACS</source>
@@ -13591,11 +13591,11 @@ Bottom: distance that a step moved the vessels, root mean square over all points
         <translation>CA 证书（PEM）</translation>
     </message>
     <message>
-        <source>Own certificate (PEM)</source>
+        <source>Local certificate (PEM)</source>
         <translation>本机证书（PEM）</translation>
     </message>
     <message>
-        <source>Private key of the own certificate (PEM)</source>
+        <source>Private key of the local certificate (PEM)</source>
         <translation>本机证书的私钥（PEM）</translation>
     </message>
     <message>
@@ -13619,7 +13619,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
         <translation>编辑 PACS</translation>
     </message>
     <message>
-        <source>Ask your PACS administrator for these values, and have the calling AE title registered there.</source>
+        <source>Ask your PACS administrator for these values, and have the calling AE title registered in the PACS.</source>
         <translation>请向 PACS 管理员询问这些信息，并让其登记本程序的呼叫方 AE 标题。</translation>
     </message>
     <message>
@@ -13639,7 +13639,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
         <translation>主机</translation>
     </message>
     <message>
-        <source>Host name or IP address; empty if only DICOMweb is used</source>
+        <source>Host name or IP address; leave empty if only DICOMweb is used</source>
         <translation>主机名或 IP 地址；仅用 DICOMweb 时留空</translation>
     </message>
     <message>
@@ -13663,7 +13663,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
         <translation>呼叫方 AE 标题</translation>
     </message>
     <message>
-        <source>AE title by which the PACS knows this program</source>
+        <source>AE title under which the PACS knows this program</source>
         <translation>PACS 识别本程序所用的 AE 标题</translation>
     </message>
     <message>
@@ -13671,16 +13671,16 @@ Bottom: distance that a step moved the vessels, root mean square over all points
         <translation>CA 证书</translation>
     </message>
     <message>
-        <source>PEM file; empty: CAs trusted by the system</source>
+        <source>PEM file; if empty, the CAs trusted by the system are used</source>
         <translation>PEM 文件；留空：系统信任的 CA</translation>
     </message>
     <message>
-        <source>Own certificate</source>
+        <source>Local certificate</source>
         <translation>本机证书</translation>
     </message>
     <message>
-        <source>PEM file; empty: none</source>
-        <translation>PEM 文件；留空：无</translation>
+        <source>PEM file (optional)</source>
+        <translation>PEM 文件（可选）</translation>
     </message>
     <message>
         <source>Private key</source>
@@ -13695,7 +13695,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
         <translation>DICOMweb 地址</translation>
     </message>
     <message>
-        <source>Used if no host is given</source>
+        <source>Used if no host is specified</source>
         <translation>未填写主机时使用</translation>
     </message>
     <message>
@@ -13711,15 +13711,15 @@ Bottom: distance that a step moved the vessels, root mean square over all points
         <translation>C-MOVE 端口</translation>
     </message>
     <message>
-        <source>Only if the PACS does not support C-GET: it sends to this local port. 0: not used</source>
-        <translation>仅当 PACS 不支持 C-GET 时：它发送到本机此端口。0：不使用</translation>
+        <source>Local port to which the PACS sends images if it does not support C-GET. 0: not used</source>
+        <translation>PACS 不支持 C-GET 时向其发送的本机端口。0：不使用</translation>
     </message>
     <message>
         <source>Response timeout</source>
         <translation>响应超时</translation>
     </message>
     <message>
-        <source>After this time the PACS counts as unreachable</source>
+        <source>After this time, the PACS is considered unreachable</source>
         <translation>超过此时间即视为 PACS 无法连接</translation>
     </message>
     <message>
@@ -13757,7 +13757,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
         <translation>查看对象</translation>
     </message>
     <message>
-        <source>Accepts objects that modalities and PACS push to this computer, until turned off or the window is closed</source>
+        <source>Accepts objects that modalities and PACS send to this computer, until it is turned off or the window is closed</source>
         <translation>接收设备和 PACS 推送到本机的对象，直到关闭此开关或窗口</translation>
     </message>
     <message>
@@ -13782,10 +13782,10 @@ Bottom: distance that a step moved the vessels, root mean square over all points
     </message>
     <message>
         <source>Security…</source>
-        <translation>安全……</translation>
+        <translation>安全…</translation>
     </message>
     <message>
-        <source>Sets who may connect to this port, and encryption (TLS)</source>
+        <source>Sets which applications may connect to this port, and encryption (TLS)</source>
         <translation>设置谁可连接此端口，以及加密（TLS）</translation>
     </message>
 </context>
@@ -13796,7 +13796,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
         <translation>Meier 或 *mei*</translation>
     </message>
     <message>
-        <source>Start of the name; * and ? are wildcards</source>
+        <source>Beginning of the name; * and ? are wildcards</source>
         <translation>姓名开头；* 和 ? 为通配符</translation>
     </message>
     <message>
@@ -13808,11 +13808,11 @@ Bottom: distance that a step moved the vessels, root mean square over all points
         <translation>2024-01-31</translation>
     </message>
     <message>
-        <source>Studies from this date on; empty: no limit</source>
+        <source>Studies on or after this date; leave empty for no limit</source>
         <translation>该日期及以后的检查；留空：不限</translation>
     </message>
     <message>
-        <source>Studies up to this date; empty: until today</source>
+        <source>Studies on or before this date; leave empty for today</source>
         <translation>该日期及以前的检查；留空：直到今天</translation>
     </message>
     <message>
@@ -13867,7 +13867,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
         <translation>发送到 PACS</translation>
     </message>
     <message>
-        <source>The objects are created once. Sending again after an error sends the same objects, so none is stored twice.</source>
+        <source>The objects are created once. Sending again after an error transfers the same objects, so none is stored twice.</source>
         <translation>对象只生成一次。出错后再次发送的是相同的对象，因此不会重复存储。</translation>
     </message>
     <message>
@@ -13875,8 +13875,8 @@ Bottom: distance that a step moved the vessels, root mean square over all points
         <translation>尚未配置 PACS。请添加一个（请向 PACS 管理员询问主机、端口和 AE 标题）。</translation>
     </message>
     <message>
-        <source>The objects are sent to %1 when you press Send.</source>
-        <translation>按“发送”后，对象将发送到 %1。</translation>
+        <source>The objects are sent to %1 when you click “Send”.</source>
+        <translation>单击“发送”后，对象将发送到 %1。</translation>
     </message>
 </context>
 <context>
@@ -13890,7 +13890,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
         <translation>进度</translation>
     </message>
     <message>
-        <source>Stops; complete objects are kept</source>
+        <source>Stops; completely transferred objects are kept</source>
         <translation>停止；完整的对象予以保留</translation>
     </message>
 </context>
@@ -13918,7 +13918,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
     </message>
     <message>
         <source>De-identifying…</source>
-        <translation>正在去标识……</translation>
+        <translation>正在去标识…</translation>
     </message>
     <message>
         <source>Ready</source>
@@ -13929,23 +13929,23 @@ Bottom: distance that a step moved the vessels, root mean square over all points
         <translation>已去标识的文件：%1 个，位于 %2。</translation>
     </message>
     <message>
-        <source>%1 files were de-identified, %2 were not, for the reasons below. The output is in %3.</source>
+        <source>%1 files were de-identified; %2 were not, for the reasons below. The output is in %3.</source>
         <translation>%1 个文件已去标识，%2 个未去标识，原因如下。输出位于 %3。</translation>
     </message>
 </context>
 <context>
     <name>angiopose::app::PrivacyController</name>
     <message>
-        <source>No list or thumbnails of recent cases, no names in the title bar, no remembered folders.</source>
+        <source>No list or thumbnails of recent cases, no names in the title bar, no stored folders.</source>
         <translation>不保留最近病例的列表和缩略图，标题栏中不显示姓名，不记住文件夹。</translation>
     </message>
     <message>
-        <source>Turn private mode on?</source>
+        <source>Turn on private mode?</source>
         <translation>开启隐私模式？</translation>
     </message>
     <message>
-        <source>The list of recent cases, including pinned ones, their thumbnails, and the folders and names stored so far are deleted permanently. Nothing of this kind is stored until private mode is turned off. Automatic copies of unsaved work are still made, and are deleted when a case is closed.</source>
-        <translation>最近病例列表（包括固定的病例）、其缩略图以及迄今存储的文件夹和姓名将被永久删除。在关闭隐私模式之前，不会存储任何此类内容。未保存工作的自动副本仍会生成，并在关闭病例时删除。</translation>
+        <source>The list of recent cases (including pinned ones), their thumbnails, and all stored folders and names are deleted permanently. Nothing of this kind is stored until private mode is turned off. Unsaved work is still autosaved; the copies are deleted when the case is closed.</source>
+        <translation>最近病例列表（包括固定的病例）、其缩略图以及所有存储的文件夹和姓名将被永久删除。在关闭隐私模式之前，不会存储任何此类内容。未保存的工作仍会自动保存；副本在关闭病例时删除。</translation>
     </message>
     <message>
         <source>Turn on</source>
@@ -13959,7 +13959,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
 <context>
     <name>angiopose::app::AuditController</name>
     <message>
-        <source>Logs one line for each file opened, saved or exported: time, user, and SHA-256 of the files.</source>
+        <source>Writes one line for each file opened, saved or exported: time, user, and SHA-256 of the file.</source>
         <translation>为每次打开、保存或导出记录一行：时间、用户以及文件的 SHA-256。</translation>
     </message>
     <message>
@@ -13983,7 +13983,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
     </message>
     <message>
         <source>ZIP archives (*.zip)</source>
-        <translation>ZIP 归档 (*.zip)</translation>
+        <translation>ZIP 压缩包 (*.zip)</translation>
     </message>
 </context>
 <context>
@@ -13997,7 +13997,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
         <translation>忽略</translation>
     </message>
     <message>
-        <source>AngioPose crashed last time. A report of where in the program it happened, without case data, is in %1.</source>
+        <source>AngioPose crashed last time. A report with the crash location in the program, but without case data, is in %1.</source>
         <translation>AngioPose 上次发生崩溃。程序中发生位置的报告（不含病例数据）位于 %1。</translation>
     </message>
 </context>
@@ -14008,7 +14008,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
         <translation>保存支持包</translation>
     </message>
     <message>
-        <source>The archive contains only these texts: no images, no vessels. Known names, numbers, dates and paths of this session&apos;s cases and of this computer were removed. Review the texts before sharing.</source>
+        <source>The archive contains only these texts; no images or vessels. Known names, numbers, dates and paths of this session&apos;s cases and of this computer were removed. Review the texts before sharing.</source>
         <translation>压缩包中只包含这些文本：没有图像，没有血管。本次会话的病例和本计算机的已知姓名、编号、日期和路径均已去除。分享前请检查这些文本。</translation>
     </message>
     <message>
@@ -14021,7 +14021,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
     </message>
     <message>
         <source>Save…</source>
-        <translation>保存……</translation>
+        <translation>保存…</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -14051,7 +14051,7 @@ Bottom: distance that a step moved the vessels, root mean square over all points
         <translation>文件去标识</translation>
     </message>
     <message>
-        <source>DICOM images and objects, PNG, JPEG and TIFF are rewritten without names, IDs, dates, private elements and texts; UIDs are replaced. Other files are skipped and listed. Review every image before sharing.</source>
+        <source>DICOM images and objects, PNG, JPEG and TIFF files are rewritten without names, IDs, dates, private elements and texts; UIDs are replaced. Other files are skipped and listed. Review every image before sharing.</source>
         <translation>DICOM 图像和对象、PNG、JPEG 和 TIFF 将重新写入，不含姓名、编号、日期、私有元素和文本；UID 会被替换。其他文件将被跳过并列出。分享前请检查每幅图像。</translation>
     </message>
     <message>
@@ -14064,11 +14064,11 @@ Bottom: distance that a step moved the vessels, root mean square over all points
     </message>
     <message>
         <source>Add files…</source>
-        <translation>添加文件……</translation>
+        <translation>添加文件…</translation>
     </message>
     <message>
         <source>Add folder…</source>
-        <translation>添加文件夹……</translation>
+        <translation>添加文件夹…</translation>
     </message>
     <message>
         <source>automatic</source>

@@ -66,7 +66,7 @@ class ArchiveWindow : public ::testing::Test {
 protected:
     static void SetUpTestSuite() { orthanc_ = std::make_unique<Orthanc>(); }
     static void TearDownTestSuite() { orthanc_.reset(); }
-    void TearDown() override { std::filesystem::remove(io::defaultNodeFile()); }
+    void TearDown() override { std::filesystem::remove(io::defaultArchiveSettingsFile()); }
 
     static io::ArchiveNode nodeAt(int port)
     {
@@ -83,13 +83,13 @@ protected:
         io::ArchiveSettings settings;
         settings.nodes = nodes;
         settings.cacheFolder = folder.file("cache");
-        ASSERT_TRUE(io::writeArchiveSettings(settings, io::defaultNodeFile()));
+        ASSERT_TRUE(io::writeArchiveSettings(settings, io::defaultArchiveSettingsFile()));
     }
 
     /// The archive dialog once it has read the list.
     ui::ArchiveDialog* opened()
     {
-        w.window.actions()[ui::Command::OpenArchive]->trigger();
+        w.window.actions()[ui::Command::QueryPacs]->trigger();
         const auto shown = w.dialogs("archiveDialog");
         auto* dialog = shown.isEmpty() ? nullptr : qobject_cast<ui::ArchiveDialog*>(shown.front());
         const QLabel* size = dialog ? dialog->findChild<QLabel*>(QStringLiteral("cacheSize")) : nullptr;
@@ -98,10 +98,10 @@ protected:
     }
 
     /// Waits until no transfer is running and returns the text that is shown then.
-    static QString words(ui::TransferLine& line)
+    static QString statusText(ui::TransferLine& line)
     {
         EXPECT_TRUE(QTest::qWaitFor([&line] { return !line.isBusy(); }, patienceMs)) << "still busy";
-        return line.words();
+        return line.statusText();
     }
 
     static void search(ui::ArchiveDialog& dialog, const QString& name)
@@ -111,7 +111,7 @@ protected:
         field->clear();
         QTest::keyClicks(field, name);
         QTest::keyClick(field, Qt::Key_Return);
-        words(dialog.line());
+        statusText(dialog.line());
     }
 
     /// Stores two runs of one study, of `frames` frames each, in the archive.
@@ -121,8 +121,8 @@ protected:
         for (const std::string series : {"2.25.4711.61", "2.25.4711.62"}) {
             files.push_back(folder.write(series + ".dcm", objectText(0, series, side, frames)));
         }
-        const auto report = io::sendToArchive(nodeAt(orthanc_->dicomPort()), io::ArchiveWay::Dimse, files);
-        ASSERT_TRUE(report.isWhole());
+        const auto report = io::sendToArchive(nodeAt(orthanc_->dicomPort()), io::ArchiveProtocol::Dimse, files);
+        ASSERT_TRUE(report.isComplete());
     }
 
     OpenWindow w;

@@ -9,7 +9,7 @@
 namespace angiopose::app {
 namespace {
 
-std::unique_ptr<QUndoCommand> showFrame(CaseDocument& document, int frame, int burst = separateEdit)
+std::unique_ptr<QUndoCommand> showFrame(CaseDocument& document, int frame, int burst = noMergeId)
 {
     const core::Case& current = document.current();
     return std::make_unique<ShowFrame>(

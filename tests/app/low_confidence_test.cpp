@@ -2,14 +2,14 @@
 #include "app/report/case_report.h"
 #include "app/run_controller.h"
 #include "app/step_states.h"
-#include "core/registration/judging/unfilled_branches.h"
-#include "core/workflow/pose_judgement.h"
+#include "core/registration/judging/unopacified_branches.h"
+#include "core/workflow/pose_evaluation.h"
 #include "core/workflow/register_case.h"
 #include "io/results/result_file.h"
 #include "tests/support/simulated_views.h"
 #include "ui/panels/result_panel.h"
 #include "ui/panels/result_sentences.h"
-#include "ui/scenes/vector_picture.h"
+#include "ui/scenes/vector_image.h"
 
 #include <gtest/gtest.h>
 #include <algorithm>
@@ -109,7 +109,7 @@ core::Case ofTwoPatients()
 std::vector<BadFit> badFits()
 {
     const core::WorkObserver stop = [](const core::WorkReport& report) {
-        return report.iteration ? core::Verdict::Stop : core::Verdict::Continue;
+        return report.iteration ? core::ObserverDecision::Stop : core::ObserverDecision::Continue;
     };
     std::vector<BadFit> fits;
     fits.push_back({"foreign tree", core::registerCase(ofForeignTree()).value()});
@@ -125,8 +125,8 @@ void expectDoubtInTheWindow(const core::Case& session)
 {
     const core::RegistrationResult& result = *session.shown().result;
     const auto states = stepStates(session, {});
-    EXPECT_EQ(states[static_cast<std::size_t>(ui::Step::Register)].mark, ui::StepMark::Look);
-    EXPECT_EQ(states[static_cast<std::size_t>(ui::Step::Review)].mark, ui::StepMark::Look);
+    EXPECT_EQ(states[static_cast<std::size_t>(ui::Step::Register)].mark, ui::StepMark::Attention);
+    EXPECT_EQ(states[static_cast<std::size_t>(ui::Step::Review)].mark, ui::StepMark::Attention);
     const ui::FitVerdict verdict = ui::verdictOf({result, ui::PoseSource::Run, {}, 0.0, 0.3, 1.0, 0.0, {}});
     EXPECT_EQ(verdict.tone, ui::VerdictTone::Bad);
     EXPECT_TRUE(verdict.words.startsWith(QStringLiteral("NOT RELIABLE")));
@@ -149,7 +149,7 @@ void expectDoubtInThePicture(const core::Case& session, const core::Centerline2d
 
 void expectDoubtInTheReport(const core::Case& session, const core::Centerline2d& target)
 {
-    const auto views = judgedViews(session, target, {});
+    const auto views = evaluateViews(session, target, {});
     ASSERT_TRUE(views) << views.error().message;
     const auto page = reportBytes({views.value(), {}, {}, {}}, ReportKind::Html);
     ASSERT_TRUE(page) << page.error().message;
@@ -163,7 +163,7 @@ void expectDoubtInWords(const core::RegisteredCase& found)
 {
     EXPECT_TRUE(RunController::finishedText(found.result()).contains(QStringLiteral("NOT RELIABLE")));
     ::testing::internal::CaptureStdout();
-    printRegistered(found, "out");
+    printSummary(found, "out");
     const std::string printed = ::testing::internal::GetCapturedStdout();
     EXPECT_TRUE(printed.starts_with("trustworthy    NO: NOT RELIABLE")) << printed;
     EXPECT_EQ(printed.find("yes"), std::string::npos) << printed;
@@ -193,7 +193,7 @@ TEST(LowConfidence, LooksSoWhereverAResultIsShown)
         expectDoubtInThePicture(session, fit.found.targets.front());
         expectDoubtInTheReport(session, fit.found.targets.front());
         const auto json =
-            nlohmann::json::parse(io::resultJson(fit.found, fit.found.places.front(), io::ResultNames::Kept));
+            nlohmann::json::parse(io::resultJson(fit.found, fit.found.places.front(), io::ResultTexts::Kept));
         EXPECT_FALSE(json["trustworthy"].get<bool>());
         EXPECT_FALSE(json["warnings"].empty());
     }
@@ -207,12 +207,12 @@ TEST(LowConfidence, NamesWhatItsDistancesAreAbout)
     const core::RegisteredCase found = core::registerCase(withTarget(values, part)).value();
     const core::RegistrationResult& result = found.result();
     ASSERT_FALSE(result.unopacified.empty());
-    const double share = core::judgedShare(result);
+    const double share = core::assessedShare(result);
     EXPECT_GT(share, 0.0);
     EXPECT_LT(share, 1.0);
     const auto basis = core::fitBasis(found.session, result, found.targets.front());
     ASSERT_TRUE(basis);
-    EXPECT_EQ(basis->judgedShare, share);
+    EXPECT_EQ(basis->assessedShare, share);
     EXPECT_GT(basis->wholeMedianMm, 3.0 * result.metrics.medianMm) << "most of the tree lies on no vessel";
 
     const QString words =

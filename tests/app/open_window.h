@@ -71,7 +71,7 @@ public:
 
     void waitForJudgement()
     {
-        EXPECT_TRUE(QTest::qWaitFor([this] { return controller.judgement() != nullptr; }, patienceMs));
+        EXPECT_TRUE(QTest::qWaitFor([this] { return controller.evaluation() != nullptr; }, patienceMs));
     }
 
     void waitForRun()

@@ -70,10 +70,10 @@ TEST(PlotExport, ShowsDistanceAndStepOfARunWithTheirUnits)
 TEST(LogLane, SpansWhatCanBeSeenAndNoMore)
 {
     const std::vector<double> still{2.0, 2.0}, deep{5.0, 0.0, 1e-9}, none{0.0, 0.0};
-    EXPECT_NEAR(ui::spanOf(still).top - ui::spanOf(still).bottom, 1.0, 1e-9);
-    EXPECT_GT(ui::spanOf(deep).top, std::log10(5.0));
-    EXPECT_NEAR(ui::spanOf(deep).top - ui::spanOf(deep).bottom, 4.0, 1e-9);
-    EXPECT_LT(ui::spanOf(none).bottom, ui::spanOf(none).top);
+    EXPECT_NEAR(ui::logRangeOf(still).top - ui::logRangeOf(still).bottom, 1.0, 1e-9);
+    EXPECT_GT(ui::logRangeOf(deep).top, std::log10(5.0));
+    EXPECT_NEAR(ui::logRangeOf(deep).top - ui::logRangeOf(deep).bottom, 4.0, 1e-9);
+    EXPECT_LT(ui::logRangeOf(none).bottom, ui::logRangeOf(none).top);
 }
 
 }   // namespace

@@ -20,12 +20,12 @@ TEST(PosePreview, ShowsTheDocumentsPoseUntilSomebodyShowsAnother)
     EXPECT_FALSE(preview.shown());
     EXPECT_EQ(&preview.pose(), &document.current().shown().cameraFromPatient);
 
-    preview.show(PreviewOf::Swing, atDepth(700.0), ResidualColors::Hidden);
-    EXPECT_EQ(preview.shown(), PreviewOf::Swing);
+    preview.show(PreviewSource::Swing, atDepth(700.0), ResidualColors::Hidden);
+    EXPECT_EQ(preview.shown(), PreviewSource::Swing);
     EXPECT_EQ(preview.pose().translation.z(), 700.0);
     EXPECT_EQ(preview.colors(), ResidualColors::Hidden);
 
-    preview.end(PreviewOf::Swing);
+    preview.end(PreviewSource::Swing);
     EXPECT_FALSE(preview.shown());
     EXPECT_EQ(&preview.pose(), &document.current().shown().cameraFromPatient);
     EXPECT_EQ(preview.colors(), ResidualColors::Kept);
@@ -35,11 +35,11 @@ TEST(PosePreview, NobodyEndsWhatAnotherShows)
 {
     const CaseDocument document;
     PosePreview preview(document);
-    preview.show(PreviewOf::Snapshot, atDepth(700.0), ResidualColors::Hidden);
-    preview.show(PreviewOf::Drag, atDepth(800.0), ResidualColors::Kept);
+    preview.show(PreviewSource::Snapshot, atDepth(700.0), ResidualColors::Hidden);
+    preview.show(PreviewSource::Drag, atDepth(800.0), ResidualColors::Kept);
     const QSignalSpy changed(&preview, &PosePreview::changed);
-    preview.end(PreviewOf::Snapshot);
-    EXPECT_EQ(preview.shown(), PreviewOf::Drag);
+    preview.end(PreviewSource::Snapshot);
+    EXPECT_EQ(preview.shown(), PreviewSource::Drag);
     EXPECT_EQ(preview.pose().translation.z(), 800.0);
     EXPECT_EQ(changed.count(), 0);
 }
@@ -48,18 +48,18 @@ TEST(PosePreview, TellsWhomAnotherTakesThePlaceOf)
 {
     const CaseDocument document;
     PosePreview preview(document);
-    std::vector<PreviewOf> gone;
-    QObject::connect(&preview, &PosePreview::gaveWay, [&](PreviewOf whose) {
+    std::vector<PreviewSource> gone;
+    QObject::connect(&preview, &PosePreview::replaced, [&](PreviewSource whose) {
         EXPECT_NE(preview.shown(), whose);
         gone.push_back(whose);
         preview.end(whose);   // as owners do when their preview is replaced
     });
-    preview.show(PreviewOf::Solution, atDepth(700.0), ResidualColors::Hidden);
-    preview.show(PreviewOf::Solution, atDepth(710.0), ResidualColors::Hidden);
+    preview.show(PreviewSource::Solution, atDepth(700.0), ResidualColors::Hidden);
+    preview.show(PreviewSource::Solution, atDepth(710.0), ResidualColors::Hidden);
     EXPECT_TRUE(gone.empty());
-    preview.show(PreviewOf::Run, atDepth(800.0), ResidualColors::Kept);
-    EXPECT_EQ(gone, std::vector{PreviewOf::Solution});
-    EXPECT_EQ(preview.shown(), PreviewOf::Run);
+    preview.show(PreviewSource::Run, atDepth(800.0), ResidualColors::Kept);
+    EXPECT_EQ(gone, std::vector{PreviewSource::Solution});
+    EXPECT_EQ(preview.shown(), PreviewSource::Run);
 }
 
 /// Two views, the second rotated by 90° and 20 mm closer.
@@ -79,21 +79,21 @@ TEST(PosePreview, TakesTheOtherViewsAlong)
     document.replace(twoPoses(), {});
     PosePreview preview(document);
     const core::RigidTransform own = document.current().views[1].cameraFromPatient;
-    EXPECT_EQ(preview.poseIn(1).matrix(), own.matrix());
+    EXPECT_EQ(preview.poseOfView(1).matrix(), own.matrix());
     core::RigidTransform moved = atDepth(700.0);
     moved.translation.x() = 6.0;
-    preview.show(PreviewOf::Drag, moved, ResidualColors::Kept);
-    EXPECT_EQ(preview.poseIn(0).matrix(), moved.matrix());
+    preview.show(PreviewSource::Drag, moved, ResidualColors::Kept);
+    EXPECT_EQ(preview.poseOfView(0).matrix(), moved.matrix());
     // 6 mm across the first view is 6 mm along the ray of the second
-    const Eigen::Vector3d way = preview.poseIn(1).translation - own.translation;
+    const Eigen::Vector3d way = preview.poseOfView(1).translation - own.translation;
     EXPECT_NEAR(std::abs(way.z()), 6.0, 1e-9);
     EXPECT_NEAR(way.head<2>().norm(), 0.0, 1e-9);
-    EXPECT_EQ(preview.poseIn(1).rotation, own.rotation);
+    EXPECT_EQ(preview.poseOfView(1).rotation, own.rotation);
 
-    preview.show(PreviewOf::Start, atDepth(720.0), ResidualColors::Hidden);
-    EXPECT_EQ(preview.poseIn(1).matrix(), atDepth(650.0).matrix()) << "each has its own start";
-    preview.show(PreviewOf::Frame, moved, ResidualColors::Hidden);
-    EXPECT_EQ(preview.poseIn(1).matrix(), own.matrix()) << "the heart moves in one run only";
+    preview.show(PreviewSource::Start, atDepth(720.0), ResidualColors::Hidden);
+    EXPECT_EQ(preview.poseOfView(1).matrix(), atDepth(650.0).matrix()) << "each has its own start";
+    preview.show(PreviewSource::Frame, moved, ResidualColors::Hidden);
+    EXPECT_EQ(preview.poseOfView(1).matrix(), own.matrix()) << "the heart moves in one run only";
 }
 
 TEST(PosePreview, LeavesViewsAloneThatDoNotMoveTogether)
@@ -105,8 +105,8 @@ TEST(PosePreview, LeavesViewsAloneThatDoNotMoveTogether)
     preview.setMovesAllViews(false);
     preview.setMovesAllViews(false);
     EXPECT_EQ(changed.count(), 1);
-    preview.show(PreviewOf::Drag, atDepth(720.0), ResidualColors::Kept);
-    EXPECT_EQ(preview.poseIn(1).matrix(), document.current().views[1].cameraFromPatient.matrix());
+    preview.show(PreviewSource::Drag, atDepth(720.0), ResidualColors::Kept);
+    EXPECT_EQ(preview.poseOfView(1).matrix(), document.current().views[1].cameraFromPatient.matrix());
 }
 
 }   // namespace

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/files/sample_case.h"
-#include "app/texts/overlay_picture.h"
+#include "app/texts/overlay_image.h"
 #include "io/case/case_file.h"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ protected:
     }
 
     core::Case sample;
-    app::OverlayPictureOptions options;
+    app::OverlayImageOptions options;
 };
 
 }   // namespace angiopose::test

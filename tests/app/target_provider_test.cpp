@@ -33,15 +33,15 @@ TEST(TargetProvider, RemembersTracesButKeepsNoRunAlive)
     auto first = caseWith(simulatedRun());
     const auto second = caseWith(simulatedRun());
     const std::weak_ptr<const core::Angiogram> firstRun = first.shown().angiogram;
-    provider.want(first);
+    provider.setCase(first);
     ASSERT_TRUE(isReady(provider));
     const SharedTrace traced = provider.trace();
-    provider.want(second);
+    provider.setCase(second);
     ASSERT_TRUE(isReady(provider));
 
-    provider.want(first);
+    provider.setCase(first);
     EXPECT_EQ(provider.trace(), traced);   // immediately
-    provider.want(second);
+    provider.setCase(second);
     first.shown().angiogram.reset();   // the case is closed
     EXPECT_TRUE(firstRun.expired());
 }
@@ -61,9 +61,9 @@ TEST(TargetProvider, KeepsCurvesGivenWhileAFrameIsTraced)
     const auto wanted = given(traced);
     bool isKnown = false;
     QObject::connect(&provider, &TargetProvider::changed, [&] { isKnown = !provider.isTracing(); });
-    provider.want(traced);
+    provider.setCase(traced);
     EXPECT_TRUE(provider.isTracing());
-    provider.want(wanted);
+    provider.setCase(wanted);
     ASSERT_TRUE(isReady(provider));
     EXPECT_EQ(provider.current(), wanted.shown().target.centerline);
     EXPECT_TRUE(isKnown) << "that nothing is traced any more";
@@ -73,14 +73,14 @@ TEST(TargetProvider, TellsWhenATraceEndsThatNobodyWantsAnyMore)
 {
     TargetProvider provider;
     auto session = caseWith(simulatedRun());
-    provider.want(session);
+    provider.setCase(session);
     ASSERT_TRUE(isReady(provider));
     bool isKnown = false;
     QObject::connect(&provider, &TargetProvider::changed, [&] { isKnown = !provider.isTracing(); });
     core::Case other = session;
     other.shown().frame = session.shown().frame == 0 ? 1 : 0;
-    provider.want(other);
-    provider.want(session);   // already traced, hence immediate
+    provider.setCase(other);
+    provider.setCase(session);   // already traced, hence immediate
     ASSERT_TRUE(isReady(provider));
     EXPECT_TRUE(isKnown);
 }

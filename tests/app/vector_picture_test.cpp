@@ -1,5 +1,5 @@
 #include "app/files/pdf_picture.h"
-#include "app/texts/picture_file.h"
+#include "app/texts/image_file.h"
 #include "tests/app/open_window.h"
 #include "tests/app/sample_picture.h"
 #include "tests/support/temporary_folder.h"
@@ -82,13 +82,16 @@ protected:
                       QImage::Format_RGB888)
             .copy();
     }
-    ui::VectorPicture vectors(const PictureFile& file) const
+    ui::VectorImage vectors(const ImageFileOptions& file) const
     {
-        auto drawn = pictureVectors(sample, {}, options, file);
+        auto drawn = imageVectors(sample, {}, options, file);
         EXPECT_TRUE(drawn);
         return std::move(drawn).value();
     }
-    std::string svg(const PictureFile& file = {}) const { return svgOf(vectors(file), factsOf(sample, file)); }
+    std::string svg(const ImageFileOptions& file = {}) const
+    {
+        return toSvgDocument(vectors(file), svgMetadata(sample, file));
+    }
 
     const test::TemporaryFolder folder;
 };
@@ -158,8 +161,8 @@ TEST_F(VectorPictures, SaysWhatPixelsSay)
 
 TEST_F(VectorPictures, APageHasTheSizeInPrintAndOneImage)
 {
-    const PictureFile file{PictureContent::Overlay, 300.0};
-    const QByteArray page = pdfOf(vectors(file), factsOf(sample, file));
+    const ImageFileOptions file{ImageFileContent::Overlay, 300.0};
+    const QByteArray page = toPdf(vectors(file), svgMetadata(sample, file));
     ASSERT_TRUE(page.startsWith("%PDF"));
     EXPECT_EQ(page.count("/Subtype /Image"), 1);
     EXPECT_GT(page.count("/FontDescriptor"), 0) << "texts are texts";
@@ -171,15 +174,15 @@ TEST_F(VectorPictures, APageHasTheSizeInPrintAndOneImage)
 TEST_F(VectorPictures, PixelsTellTheirSizeInPrint)
 {
     const std::string path = folder.file("printed.PNG");
-    ASSERT_TRUE(writePictureFile(sample, {}, options, {PictureContent::Overlay, 300.0}, path));
+    ASSERT_TRUE(writeImageFile(sample, {}, options, {ImageFileContent::Overlay, 300.0}, path));
     EXPECT_EQ(QImage(QString::fromStdString(path)).dotsPerMeterX(), 11811);
-    EXPECT_FALSE(writePictureFile(sample, {}, options, {}, folder.file("picture.gif")));
+    EXPECT_FALSE(writeImageFile(sample, {}, options, {}, folder.file("picture.gif")));
 }
 
 TEST_F(VectorPictures, TheImageAloneHasNoVessels)
 {
     const std::string path = folder.file("frame.png");
-    ASSERT_TRUE(writePictureFile(sample, {}, options, {PictureContent::Frame, 0.0}, path));
+    ASSERT_TRUE(writeImageFile(sample, {}, options, {ImageFileContent::Frame, 0.0}, path));
     const auto bare = colorOf(QImage(QString::fromStdString(path)));
     const auto drawn = colorOf(pixels());
     EXPECT_LT(*std::ranges::max_element(bare.pixels), 30.0F);
@@ -197,7 +200,7 @@ TEST_F(VectorPictures, GrayValuesOfSixteenBitAreTheStoredOnes)
     sample.shown().angiogram = run;
     sample.shown().frame = 1;
     const std::string path = folder.file("grey.png");
-    ASSERT_TRUE(writePictureFile(sample, {}, options, {PictureContent::Frame16, 0.0}, path));
+    ASSERT_TRUE(writeImageFile(sample, {}, options, {ImageFileContent::Frame16, 0.0}, path));
     const QImage read(QString::fromStdString(path));
     ASSERT_EQ(read.format(), QImage::Format_Grayscale16);
     const auto* row = reinterpret_cast<const quint16*>(read.constScanLine(3));

@@ -23,11 +23,11 @@ TEST_F(WindowArchive, FirstOneIsAddedByKeysEditedAndRemoved)
     QTest::keyClicks(host, QStringLiteral("10.0.0.7"));
     QTest::keyClick(host, Qt::Key_Return);
     EXPECT_TRUE(editors.front()->isVisible()) << "it has no name yet";
-    EXPECT_TRUE(editors.front()->line().words().contains(QStringLiteral("name"))) << "which is said";
+    EXPECT_TRUE(editors.front()->line().statusText().contains(QStringLiteral("name"))) << "which is said";
     QTest::keyClicks(editors.front()->findChild<QWidget*>(QStringLiteral("nodeName")), QStringLiteral("pacs"));
     QTest::keyClick(host, Qt::Key_Return);
     ASSERT_TRUE(QTest::qWaitFor([&] { return dialog->nodes().node() == QStringLiteral("pacs"); }, test::patienceMs));
-    const auto stored = io::readArchiveSettings(io::defaultNodeFile());
+    const auto stored = io::readArchiveSettings(io::defaultArchiveSettingsFile());
     ASSERT_TRUE(stored) << "where the command line finds it";
     ASSERT_EQ(stored.value().nodes.size(), 1u);
     EXPECT_EQ(stored.value().nodes.front().host, "10.0.0.7");
@@ -49,7 +49,7 @@ TEST_F(WindowArchive, DeadOneIsToldInTenSecondsWhileTheWindowLives)
     const test::Stopwatch watch;
     OpenWindow::clickButton(dialog, QStringLiteral("Test connection"));
     EXPECT_TRUE(dialog->line().isBusy());
-    const QString said = words(dialog->line());
+    const QString said = statusText(dialog->line());
     EXPECT_LT(watch.seconds(), 10.0);
     EXPECT_TRUE(said.contains(QStringLiteral("did not answer"))) << said.toStdString();
     EXPECT_TRUE(said.contains(QStringLiteral("Check"))) << "what to do";
@@ -67,7 +67,7 @@ TEST_F(WindowArchive, StopEndsTheAskingOfADeadOne)
     QTest::qWait(300);
     const test::Stopwatch watch;
     OpenWindow::clickButton(dialog, QStringLiteral("Stop"));
-    EXPECT_EQ(words(dialog->line()), QStringLiteral("Stopped."));
+    EXPECT_EQ(statusText(dialog->line()), QStringLiteral("Stopped."));
     EXPECT_LT(watch.seconds(), 3.0);
 }
 
@@ -91,7 +91,7 @@ TEST_F(WindowArchive, RealOneAnswers)
     ui::ArchiveDialog* dialog = opened();
     ASSERT_TRUE(dialog);
     OpenWindow::clickButton(dialog, QStringLiteral("Test connection"));
-    EXPECT_EQ(words(dialog->line()), QStringLiteral("pacs responded and accepted the connection."));
+    EXPECT_EQ(statusText(dialog->line()), QStringLiteral("pacs responded and accepted the connection."));
 }
 
 TEST_F(WindowArchive, WhatIsFoundIsRetrievedAndOffered)
@@ -158,17 +158,17 @@ TEST_F(WindowArchive, StoppedRetrievalKeepsWhatCameAndOffersIt)
     // The first object, of half a MB, arrives complete; the connection hangs during the second.
     const test::CuttingProxy line(orthanc_->dicomPort(), 800'000, test::CuttingProxy::AtEnd::Hang);
     io::ArchiveNode node = nodeAt(line.port());
-    node.answerSeconds = 60;
+    node.responseTimeoutSeconds = 60;
     know({node});
     ui::ArchiveDialog* dialog = opened();
     ASSERT_TRUE(dialog);
     search(*dialog, QStringLiteral("M"));   // QTest keys have no umlauts
     ASSERT_EQ(dialog->list().topLevelItemCount(), 1);
     OpenWindow::clickButton(dialog, QStringLiteral("Retrieve"));
-    const auto progress = [&] { return dialog->line().words().startsWith(QStringLiteral("1 of 2 objects")); };
-    EXPECT_TRUE(QTest::qWaitFor(progress, test::patienceMs)) << dialog->line().words().toStdString();
+    const auto progress = [&] { return dialog->line().statusText().startsWith(QStringLiteral("1 of 2 objects")); };
+    EXPECT_TRUE(QTest::qWaitFor(progress, test::patienceMs)) << dialog->line().statusText().toStdString();
     OpenWindow::clickButton(dialog, QStringLiteral("Stop"));
-    const QString said = words(dialog->line());
+    const QString said = statusText(dialog->line());
     EXPECT_TRUE(said.startsWith(QStringLiteral("Stopped. 1 of 2 objects were retrieved."))) << said.toStdString();
     for (const QPushButton* button : dialog->findChildren<QPushButton*>()) {
         EXPECT_TRUE(button->text() != QStringLiteral("Open retrieved") || button->isVisible());
@@ -184,7 +184,7 @@ TEST_F(WindowArchive, SearchIsRememberedButNotWhoWasLookedFor)
     dialog->fields().showSearch(
         {QStringLiteral("Meier"), QStringLiteral("4711"), QStringLiteral("31.1.2024"), {}, QStringLiteral("XA")});
     OpenWindow::clickButton(dialog, QStringLiteral("Search"));
-    EXPECT_TRUE(words(dialog->line()).contains(QStringLiteral("cannot be reached")));
+    EXPECT_TRUE(statusText(dialog->line()).contains(QStringLiteral("cannot be reached")));
     dialog->reject();
     QTest::qWait(0);
     dialog = opened();
@@ -198,7 +198,7 @@ TEST_F(WindowArchive, SearchIsRememberedButNotWhoWasLookedFor)
     }
     dialog->fields().showSearch({{}, {}, QStringLiteral("yesterday"), {}, {}});
     OpenWindow::clickButton(dialog, QStringLiteral("Search"));
-    EXPECT_TRUE(words(dialog->line()).contains(QStringLiteral("not a date")));
+    EXPECT_TRUE(statusText(dialog->line()).contains(QStringLiteral("not a date")));
 }
 
 TEST_F(WindowArchive, CacheIsLimitedAndEmptied)
@@ -214,7 +214,7 @@ TEST_F(WindowArchive, CacheIsLimitedAndEmptied)
     QTest::keyClicks(limit, QStringLiteral("5"));
     QTest::keyClick(limit, Qt::Key_Return);
     const auto isStored = [] {
-        const auto stored = io::readArchiveSettings(io::defaultNodeFile());
+        const auto stored = io::readArchiveSettings(io::defaultArchiveSettingsFile());
         return stored && stored.value().cacheBytes == 5'000'000'000;
     };
     EXPECT_TRUE(QTest::qWaitFor(isStored, test::patienceMs));
@@ -233,7 +233,7 @@ TEST_F(WindowArchive, CacheIsLimitedAndEmptied)
     EXPECT_TRUE(dropping->isVisible()) << "Return does not answer it at once";
     OpenWindow::clickButton(dropping, QStringLiteral("Cancel"));
     EXPECT_TRUE(QTest::qWaitFor([&] { return limit->text().startsWith(u'5'); }, test::patienceMs));
-    EXPECT_TRUE(isStored()) << test::readText(io::defaultNodeFile());
+    EXPECT_TRUE(isStored()) << test::readText(io::defaultArchiveSettingsFile());
     EXPECT_TRUE(std::filesystem::exists(folder.file("cache/1.2/1.2.4/1.2.4.5.dcm")));
     size = dialog->findChild<QLabel*>(QStringLiteral("cacheSize"));
     OpenWindow::clickButton(dialog, QStringLiteral("Empty…"));

@@ -105,14 +105,14 @@ TEST(WindowAuxiliary, ChoosesByGenerationAndRadius)
     w.openSample();
     AuxiliaryController& auxiliary = w.controller.poses().auxiliary();
     const auto& branches = w.current().vessels.tree->branches;
-    auxiliary.chooseWide(0.0);
+    auxiliary.selectByRadius(0.0);
     const std::size_t wide = w.current().vessels.auxiliaryBranchIds.size();
-    auxiliary.chooseWide(1e6);   // no branch is so wide: reports this and keeps the subset
+    auxiliary.selectByRadius(1e6);   // no branch is so wide: reports this and keeps the subset
     EXPECT_EQ(w.current().vessels.auxiliaryBranchIds.size(), wide);
     const auto firstGenerations =
         std::ranges::count_if(branches, [](const auto& branch) { return branch.generation == 0; });
     if (firstGenerations > 0) {
-        auxiliary.chooseGenerations(0);
+        auxiliary.selectGenerations(0);
         EXPECT_EQ(static_cast<std::ptrdiff_t>(w.current().vessels.auxiliaryBranchIds.size()), firstGenerations);
     }
 }

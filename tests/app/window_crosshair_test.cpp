@@ -17,8 +17,8 @@ SeenPlace seenPlace(BesideWindow& w)
 {
     for (const core::VesselBranch& branch : w.current().vessels.tree->branches) {
         for (const Eigen::Vector3d& point : branch.pointsInPatient) {
-            const auto here = w.image().placeOf(point);
-            const auto there = w.other().placeOf(point);
+            const auto here = w.image().positionOf(point);
+            const auto there = w.other().positionOf(point);
             const QRectF inside = QRectF(w.image().rect()).adjusted(60, 120, -60, -120);
             if (here && there && inside.contains(*here) && QRectF(w.other().rect()).contains(*there)) {
                 return {point, here->toPoint()};
@@ -75,8 +75,8 @@ TEST(WindowCrosshair, TheLineFollowsPosesAndGoesWithThePointerOrByKey)
     w.press(Qt::Key_PageUp, Qt::ShiftModifier);
     w.press(Qt::Key_Up, Qt::ShiftModifier);
     EXPECT_TRUE(QTest::qWaitFor([&] { return w.other().crosshair().linePx->beginPx != before; }, test::patienceMs));
-    const core::Sight first{w.image().camera(), w.image().cameraFromPatient()};
-    const core::Sight second{w.other().camera(), w.other().cameraFromPatient()};
+    const core::PosedCamera first{w.image().camera(), w.image().cameraFromPatient()};
+    const core::PosedCamera second{w.other().camera(), w.other().cameraFromPatient()};
     const auto expected = core::epipolarLine(first, w.image().imageFromWidget(place.at), second);
     ASSERT_TRUE(expected);
     EXPECT_LT((w.other().crosshair().linePx->beginPx - expected->beginPx).norm(), 1e-9);

@@ -73,7 +73,7 @@ TEST_F(WindowCurves, AClickLeavesACurveOutAsOneStep)
     EXPECT_EQ(w.current().shown().target.editedFrame, w.current().shown().frame);
     EXPECT_EQ(target()->curves.size(), traced.curves.size() - 1) << "what is registered to";
     EXPECT_EQ(w.history().count(), 1);
-    EXPECT_EQ(w.history().undoText(), QStringLiteral("Mark as not a vessel"));
+    EXPECT_EQ(w.history().undoText(), QStringLiteral("Mark as non-vessel"));
     w.press(Qt::Key_Z, Qt::ControlModifier);
     EXPECT_FALSE(w.current().shown().target.centerline);
     EXPECT_EQ(target()->pointCount(), traced.pointCount());
@@ -122,7 +122,7 @@ TEST_F(WindowCurves, DrawsBackWhatWasErased)
     const core::Curve2d curve = loneCurve();
     clickAt(middle(curve));
     ASSERT_EQ(w.history().count(), 1);
-    ASSERT_TRUE(QTest::qWaitFor([this] { return tool().hasGround(); }, test::patienceMs));
+    ASSERT_TRUE(QTest::qWaitFor([this] { return tool().hasGuide(); }, test::patienceMs));
     w.press(Qt::Key_D);
     const auto count = curve.pointsPx.size();
     clickAt(curve.pointsPx[count / 4]);
@@ -227,7 +227,7 @@ TEST_F(WindowCurves, SurviveSavingAndReopening)
 TEST_F(WindowCurves, AreNamedAlikeBeforeAndAfterSaving)
 {
     clickAt(middle(loneCurve()));
-    const core::InputFile unsaved = io::exportedFileOf(w.current().shown().target);
+    const core::InputFile unsaved = io::exportedFile(w.current().shown().target);
     EXPECT_TRUE(unsaved.path.empty());
     const test::TemporaryFolder folder;
     const QString path = QString::fromStdString(folder.file("case.angiopose"));
@@ -235,7 +235,7 @@ TEST_F(WindowCurves, AreNamedAlikeBeforeAndAfterSaving)
     w.controller.saving().saveTo(path, [&isSaved] { isSaved = true; });
     ASSERT_TRUE(QTest::qWaitFor([&isSaved] { return isSaved; }, test::patienceMs));
     w.drop({path});
-    EXPECT_EQ(io::exportedFileOf(w.current().shown().target), unsaved);
+    EXPECT_EQ(io::exportedFile(w.current().shown().target), unsaved);
     EXPECT_EQ(w.current().shown().target.file.sha256, unsaved.sha256);
 }
 
@@ -249,7 +249,7 @@ TEST_F(WindowCurves, ACatheterIsKeptApartFollowedAndSaved)
     ASSERT_EQ(apart->curves.size(), 1U);
     EXPECT_EQ(apart->curves.front().pointsPx, device.pointsPx);
     EXPECT_EQ(target()->curves.size(), traced.curves.size() - 1) << "what is registered to";
-    EXPECT_EQ(w.history().undoText(), QStringLiteral("Mark curve as catheter or wire"));
+    EXPECT_EQ(w.history().undoText(), QStringLiteral("Mark curve as device"));
 
     const test::TemporaryFolder folder;
     const QString path = QString::fromStdString(folder.file("case.angiopose"));
@@ -258,7 +258,7 @@ TEST_F(WindowCurves, ACatheterIsKeptApartFollowedAndSaved)
     ASSERT_TRUE(QTest::qWaitFor([&isSaved] { return isSaved; }, test::patienceMs));
     w.drop({path});
     ASSERT_TRUE(core::devicesOf(w.current().shown()));
-    EXPECT_EQ(core::idsOf(*core::devicesOf(w.current().shown())), std::vector<int>{device.id});
+    EXPECT_EQ(core::curveIds(*core::devicesOf(w.current().shown())), std::vector<int>{device.id});
     EXPECT_EQ(target()->curves.size(), traced.curves.size() - 1);
 
     w.press(Qt::Key_E);

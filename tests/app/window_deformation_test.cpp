@@ -70,12 +70,12 @@ TEST(WindowDeformed, DrawsTheDeformationThatFollowingFoundForAFrame)
         }
         core::roundMotion(motion);
     }
-    core::FollowedFrame itself;
+    core::TrackedRunFrame itself;
     itself.frame = w.current().shown().frame;
     itself.tracked.cameraFromPatient = w.current().shown().cameraFromPatient;
-    core::FollowedFrame next{itself.frame + 1, {pose, 0.9, false, true, {}}, {}, ofFrame, {}};
-    w.controller.document().push(std::make_unique<KeepFollowed>(
-        w.controller.document(), KeepFollowed::Values{core::followedFrom(itself.frame, {itself, next})},
+    core::TrackedRunFrame next{itself.frame + 1, {pose, 0.9, false, true, {}}, {}, ofFrame, {}};
+    w.controller.document().push(std::make_unique<SetTrackedPoses>(
+        w.controller.document(), SetTrackedPoses::Values{core::makeTrackedRun(itself.frame, {itself, next})},
         [] { return QStringLiteral("Follow"); }));
     EXPECT_TRUE(w.isDeformedDrawn()) << "the frame itself as it was";
     w.press(Qt::Key_Down);

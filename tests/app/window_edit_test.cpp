@@ -2,7 +2,7 @@
 #include "tests/app/open_window.h"
 #include "tests/support/matchers.h"
 #include "ui/panels/branch_delegate.h"
-#include "ui/panels/lock_dot.h"
+#include "ui/panels/lock_button.h"
 
 #include <QDir>
 #include <QListView>
@@ -113,7 +113,7 @@ TEST(WindowEdit, LocksByItsDotAsOneStepOfUndo)
 {
     OpenWindow w;
     w.openSample();
-    auto* dot = w.window.pose().findChildren<ui::LockDot*>()[2];
+    auto* dot = w.window.pose().findChildren<ui::LockButton*>()[2];
 
     QTest::mouseClick(dot, Qt::LeftButton);
     EXPECT_TRUE(core::isLocked(w.current().options.locks, ui::PoseAxis::AlongRay));

@@ -1,4 +1,4 @@
-#include "app/texts/overlay_picture.h"
+#include "app/texts/overlay_image.h"
 #include "app/words/view_words.h"
 #include "tests/app/open_window.h"
 #include "tests/support/test_data.h"
@@ -47,7 +47,7 @@ TEST(WindowFiles, JoinTheOpenCaseOneByOneAndCanBeUndone)
     w.drop({dataPath("coronary-phantom-xa/views-A/IM4.dcm")});
 
     ASSERT_TRUE(w.current().shown().angiogram);
-    EXPECT_TRUE(w.controller.registration().whyNotReady().isEmpty());
+    EXPECT_TRUE(w.controller.registration().notReadyReason().isEmpty());
     w.press(Qt::Key_Z, Qt::ControlModifier);
     EXPECT_FALSE(w.current().shown().angiogram);
     w.press(Qt::Key_Y, Qt::ControlModifier);
@@ -168,7 +168,7 @@ TEST(WindowFiles, WriteAnOverlayWithItsProvenance)
     const QString path = folder.filePath(QStringLiteral("overlay.png"));
 
     QSignalSpy exported(&w.controller.exporting(), &ExportController::exported);
-    w.controller.exporting().exportOverlay({600, ui::Choice::On, ui::Choice::Off}, path);
+    w.controller.exporting().exportOverlay({600, ui::Toggle::On, ui::Toggle::Off}, path);
     EXPECT_TRUE(exported.isEmpty());   // a worker exports
     ASSERT_TRUE(exported.wait(test::patienceMs));
 

@@ -34,7 +34,7 @@ void follow(OpenWindow& w)
     QApplication::processEvents();
 }
 
-const core::FollowedFrame& followed(OpenWindow& w, int frame)
+const core::TrackedRunFrame& followed(OpenWindow& w, int frame)
 {
     return w.controller.following().frames().at(static_cast<std::size_t>(frame));
 }
@@ -89,12 +89,12 @@ TEST(WindowFollow, PosesAreForgottenWhenTheVesselsAreMoved)
     OpenWindow w;
     openRegisteredRun(w);
     follow(w);
-    EXPECT_TRUE(w.window.actions()[ui::Command::ExportFollowed]->isEnabled());
+    EXPECT_TRUE(w.window.actions()[ui::Command::ExportTrackedPoses]->isEnabled());
     w.press(Qt::Key_N);
     w.press(Qt::Key_Right);
     EXPECT_TRUE(w.controller.following().frames().empty());
     EXPECT_FALSE(w.window.result().motion().isVisible());
-    EXPECT_FALSE(w.window.actions()[ui::Command::ExportFollowed]->isEnabled());
+    EXPECT_FALSE(w.window.actions()[ui::Command::ExportTrackedPoses]->isEnabled());
     const Eigen::Matrix4d nudged = w.current().shown().cameraFromPatient.matrix();
     w.press(Qt::Key_N);
     w.press(Qt::Key_Down);
@@ -127,10 +127,10 @@ TEST(WindowFollow, IsAStepOfUndo)
     w.controller.document().undo();
     EXPECT_TRUE(w.controller.following().frames().empty());
     EXPECT_FALSE(w.window.result().motion().isVisible());
-    EXPECT_FALSE(w.window.actions()[ui::Command::ExportFollowed]->isEnabled());
+    EXPECT_FALSE(w.window.actions()[ui::Command::ExportTrackedPoses]->isEnabled());
     w.controller.document().redo();
     EXPECT_EQ(w.current().shown().followed.frames, frames);
-    EXPECT_TRUE(w.window.actions()[ui::Command::ExportFollowed]->isEnabled());
+    EXPECT_TRUE(w.window.actions()[ui::Command::ExportTrackedPoses]->isEnabled());
 }
 
 TEST(WindowFollow, GoesWhereTheResultGoes)
@@ -167,7 +167,7 @@ TEST(WindowFollow, ReopensAsItWasLeft)
 {
     const QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("followed.angiopose"));
-    std::vector<core::FollowedFrame> kept;
+    std::vector<core::TrackedRunFrame> kept;
     {
         OpenWindow w;
         followSample(w);
@@ -183,7 +183,7 @@ TEST(WindowFollow, ReopensAsItWasLeft)
     EXPECT_FALSE(again.controller.document().isModified());
     ASSERT_EQ(again.controller.following().frames().size(), kept.size());
     EXPECT_TRUE(again.window.result().motion().isVisible());
-    EXPECT_TRUE(again.window.actions()[ui::Command::ExportFollowed]->isEnabled());
+    EXPECT_TRUE(again.window.actions()[ui::Command::ExportTrackedPoses]->isEnabled());
     const int first = again.current().shown().frame;
     again.press(Qt::Key_Down);
     ASSERT_EQ(again.current().shown().frame, first + 1);
@@ -195,7 +195,7 @@ TEST(WindowFollow, ReopensAsItWasLeft)
     again.press(Qt::Key_Up);
     again.window.actions()[ui::Command::Cine]->setChecked(true);
     EXPECT_TRUE(
-        QTest::qWaitFor([&] { return again.controller.preview().shown() == PreviewOf::Frame; }, test::patienceMs));
+        QTest::qWaitFor([&] { return again.controller.preview().shown() == PreviewSource::Frame; }, test::patienceMs));
 }
 
 TEST(WindowFollow, AForgottenPoseDoesNotStayOnScreen)
@@ -205,7 +205,8 @@ TEST(WindowFollow, AForgottenPoseDoesNotStayOnScreen)
     openRegisteredRun(w);
     follow(w);
     w.window.actions()[ui::Command::Cine]->setChecked(true);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return w.controller.preview().shown() == PreviewOf::Frame; }, test::patienceMs));
+    ASSERT_TRUE(
+        QTest::qWaitFor([&] { return w.controller.preview().shown() == PreviewSource::Frame; }, test::patienceMs));
     w.controller.branches().toggleExcluded({w.current().vessels.tree->branches.back().id});   // invalidates the frames
     EXPECT_TRUE(w.controller.following().frames().empty());
     EXPECT_FALSE(w.controller.preview().shown());
@@ -259,7 +260,7 @@ TEST(WindowFollow, OneFrameIsNothingToFollow)
     w.drop({path});
     ASSERT_TRUE(QTest::qWaitFor([&w] { return w.current().shown().angiogram != nullptr; }, test::patienceMs));
     ASSERT_EQ(w.current().shown().angiogram->frameCount(), 1);
-    EXPECT_FALSE(w.window.actions()[ui::Command::FollowFrames]->isEnabled());
+    EXPECT_FALSE(w.window.actions()[ui::Command::TrackVessels]->isEnabled());
 }
 
 }   // namespace

@@ -64,7 +64,7 @@ TEST(WindowGeometry, AsksForThePixelSpacingThatTheHeaderLacks)
     w.drop({QString::fromStdString(test::dataFile("coronary-phantom-xa/tree/Centerlines.vtk").string()),
             QString::fromStdString(test::dataFile("coronary-phantom-xa/views-A/IM3.dcm").string())});
     ui::NumberField* spacing =
-        fieldNamed(w, QStringLiteral("Pixel spacing on the detector. Enter confirms a derived value."));
+        fieldNamed(w, QStringLiteral("Pixel spacing at the detector. Press Enter to confirm a derived value."));
     ASSERT_TRUE(spacing);
     EXPECT_TRUE(spacing->property("asking").toBool());   // merely derived from the field of view
     EXPECT_EQ(w.current().shown().geometry.cArm.columnSpacingMm.origin, core::Origin::Derived);

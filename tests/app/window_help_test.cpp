@@ -133,7 +133,7 @@ TEST(WindowHelp, BadExamplesMissMoreThanGoodOnes)
     int bestBad = 1 << 30;
     for (const auto example : {ui::FitExample::Right, ui::FitExample::Deformed, ui::FitExample::Shifted,
                                ui::FitExample::Turned, ui::FitExample::Tilted}) {
-        const auto path = fitExamplePicture(example);
+        const auto path = fitExampleImage(example);
         ASSERT_TRUE(path) << path.error().message;
         const int missing = missingPixels(QImage(path.value()));
         if (example <= ui::FitExample::Deformed) {

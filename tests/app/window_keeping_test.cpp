@@ -127,9 +127,9 @@ TEST(WindowKeeping, FreesTheCaseWhenItIsClosed)
         OpenWindow w;
         w.openSample();
         save(w, QString::fromStdString(path));
-        EXPECT_TRUE(QTest::qWaitFor([&path] { return io::holderOf(path).has_value(); }, test::patienceMs));
+        EXPECT_TRUE(QTest::qWaitFor([&path] { return io::lockHolderOf(path).has_value(); }, test::patienceMs));
     }
-    EXPECT_FALSE(io::holderOf(path));
+    EXPECT_FALSE(io::lockHolderOf(path));
     EXPECT_FALSE(std::filesystem::exists(io::lockPathOf(path)));
 }
 
@@ -188,7 +188,7 @@ TEST(WindowKeeping, OffersRecoveryThoughAFileIsGiven)
         EXPECT_EQ(w.controller.document().path(), path);
     }
     settings::noticeAccepted.write(wasAccepted);
-    for (const Leftover& copy : Autosave::leftBehind()) {
+    for (const RecoveryCopy& copy : Autosave::recoveryCopies()) {
         Autosave::forget(copy);
     }
 }
@@ -218,7 +218,7 @@ TEST(WindowKeeping, AsksWhereTheCaseOfARecoveredCopyWasSavedSince)
     w.controller.saving().save();
     ASSERT_TRUE(questionOf(w));
     EXPECT_EQ(test::readText(path.toStdString()), later);
-    for (const Leftover& left : Autosave::leftBehind()) {
+    for (const RecoveryCopy& left : Autosave::recoveryCopies()) {
         Autosave::forget(left);
     }
 }

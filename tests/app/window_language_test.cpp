@@ -1,4 +1,4 @@
-#include "app/preferences/applied_choices.h"
+#include "app/preferences/apply_settings.h"
 #include "app/preferences/settings.h"
 #include "app/window_host.h"
 #include "tests/app/open_window.h"
@@ -6,7 +6,7 @@
 #include "ui/controls/number_field.h"
 #include "ui/panels/result_sentences.h"
 #include "ui/words/language.h"
-#include "ui/words/spoken.h"
+#include "ui/words/retranslation.h"
 
 #include <QClipboard>
 #include <QGuiApplication>
@@ -43,7 +43,7 @@ protected:
     CaseController& controller() { return host->controller(); }
     void waitForJudgement()
     {
-        ASSERT_TRUE(QTest::qWaitFor([&] { return controller().judgement() != nullptr; }, test::patienceMs));
+        ASSERT_TRUE(QTest::qWaitFor([&] { return controller().evaluation() != nullptr; }, test::patienceMs));
     }
     void choose(ui::Command language)
     {
@@ -136,7 +136,7 @@ TEST_F(WindowLanguage, SaysEverythingInTheOtherWords)
         ASSERT_EQ(ui::currentLanguage(), QLatin1String(code));
         WindowHost fresh;
         fresh.controller().open({controller().document().path()});
-        ASSERT_TRUE(QTest::qWaitFor([&] { return fresh.controller().judgement() != nullptr; }, test::patienceMs));
+        ASSERT_TRUE(QTest::qWaitFor([&] { return fresh.controller().evaluation() != nullptr; }, test::patienceMs));
         EXPECT_TRUE(
             QTest::qWaitFor([&] { return test::wordsOf(fresh.window()) == test::wordsOf(host->window()); }, 10000));
         const QStringList expected = test::wordsOf(fresh.window());
@@ -221,11 +221,11 @@ TEST_F(WindowLanguage, ButtonsNameTheKeyThatTheUserChose)
     const auto words = [this] { return host->window().registration().registerButton()->text(); };
     ASSERT_EQ(words(), QStringLiteral("Register  R"));
     QSettings().setValue(QStringLiteral("keys/register"), QStringLiteral("Ctrl+Alt+R"));
-    applyChosenKeys();
-    ui::speakAgain();
+    applyShortcutSettings();
+    ui::retranslate();
     EXPECT_TRUE(QTest::qWaitFor([&] { return words() == QStringLiteral("Register  Ctrl+Alt+R"); }, test::patienceMs));
     QSettings().remove(QStringLiteral("keys"));
-    applyChosenKeys();
+    applyShortcutSettings();
 }
 
 }   // namespace

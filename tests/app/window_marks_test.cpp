@@ -1,5 +1,5 @@
 #include "core/measuring/target_points.h"
-#include "core/vessel/place_on_tree.h"
+#include "core/vessel/tree_position.h"
 #include "io/case/case_file.h"
 #include "tests/app/open_window.h"
 #include "tests/support/temporary_folder.h"
@@ -44,7 +44,7 @@ protected:
         const auto& longest = *std::ranges::max_element(tree().branches, {}, &core::VesselBranch::lengthMm);
         return longest.pointsInPatient[longest.pointsInPatient.size() / 2];
     }
-    QPoint onScreen(const Eigen::Vector3d& point) { return view().placeOf(point)->toPoint(); }
+    QPoint onScreen(const Eigen::Vector3d& point) { return view().positionOf(point)->toPoint(); }
     const std::vector<core::VesselMark>& marks() { return w.current().vessels.marks; }
     QTreeWidget& list() { return *w.window.marks().findChild<QTreeWidget*>(); }
     void setPoint()
@@ -70,7 +70,7 @@ TEST_F(WindowMarks, ACheckPointIsSetOnTheVesselsListedAndUndone)
     ASSERT_EQ(marks().size(), 1U);
     EXPECT_EQ(w.history().count(), steps + 1);
     EXPECT_EQ(marks()[0].name, "Target point 1");
-    EXPECT_LT((*core::nearestOnTree(tree(), marks()[0].pointInPatient) - marks()[0].pointInPatient).norm(), 1e-9);
+    EXPECT_LT((*core::nearestPointOnTree(tree(), marks()[0].pointInPatient) - marks()[0].pointInPatient).norm(), 1e-9);
     const QPoint away = onScreen(marks()[0].pointInPatient) - onScreen(middle());
     EXPECT_LT(away.manhattanLength(), 4);
     ASSERT_EQ(list().topLevelItemCount(), 1);
@@ -97,14 +97,14 @@ TEST_F(WindowMarks, TheErrorIsThatOfAPoseMovedByHand)
     w.press(Qt::Key_S, Qt::ShiftModifier);
     const QPoint seen = onScreen(marks()[0].pointInPatient);
     click(seen);
-    ASSERT_EQ(w.current().shown().sightings.size(), 1U);
-    EXPECT_EQ(w.current().shown().sightings[0].markId, marks()[0].id);
-    EXPECT_LT(core::checkedPoints(w.current())[0].views[0].error.value().mm, 0.3) << "a click is a pixel";
+    ASSERT_EQ(w.current().shown().observations.size(), 1U);
+    EXPECT_EQ(w.current().shown().observations[0].markId, marks()[0].id);
+    EXPECT_LT(core::evaluateTargetPoints(w.current())[0].views[0].error.value().mm, 0.3) << "a click is a pixel";
 
     w.press(Qt::Key_Escape);
     w.press(Qt::Key_N);
     QTest::keyClick(&view(), Qt::Key_Right, Qt::ShiftModifier);   // 10 mm
-    const double mm = core::checkedPoints(w.current())[0].views[0].error.value().mm;
+    const double mm = core::evaluateTargetPoints(w.current())[0].views[0].error.value().mm;
     EXPECT_NEAR(mm, 10.0, 0.5);
     EXPECT_TRUE(list().topLevelItem(0)->text(1).contains(QStringLiteral("mm off")))
         << list().topLevelItem(0)->text(1).toStdString();
@@ -117,7 +117,7 @@ TEST_F(WindowMarks, RingsTakeTheirWidthFromTheBranch)
     click(onScreen(middle()));
     ASSERT_EQ(marks().size(), 1U);
     EXPECT_EQ(marks()[0].kind, VesselMarkKind::OstiumRing);
-    const auto place = *core::nearestPlace(tree(), marks()[0].pointInPatient);
+    const auto place = *core::nearestPosition(tree(), marks()[0].pointInPatient);
     EXPECT_NEAR(marks()[0].radiusMm, *core::radiusAt(tree(), place), 1e-9);
     EXPECT_GT(std::abs(marks()[0].normal.dot(core::directionAt(tree(), place))), 0.999);
     ASSERT_EQ(view().placedMarks().size(), 1U);
@@ -146,7 +146,7 @@ TEST_F(WindowMarks, MarksAreMovedRenamedAndRemovedInOneStep)
     EXPECT_LT((onScreen(marks()[0].pointInPatient) - onScreen(other)).manhattanLength(), 6);
     w.press(Qt::Key_S, Qt::ShiftModifier);
     click(at({100, 100}));
-    ASSERT_EQ(w.current().shown().sightings.size(), 1U);
+    ASSERT_EQ(w.current().shown().observations.size(), 1U);
 
     list().setFocus();
     list().setCurrentItem(list().topLevelItem(0));
@@ -161,10 +161,10 @@ TEST_F(WindowMarks, MarksAreMovedRenamedAndRemovedInOneStep)
 
     QTest::keyClick(&list(), Qt::Key_Delete);
     EXPECT_TRUE(marks().empty());
-    EXPECT_TRUE(w.current().shown().sightings.empty());
+    EXPECT_TRUE(w.current().shown().observations.empty());
     w.history().undo();
     EXPECT_EQ(marks()[0].name, "LAD fork");
-    EXPECT_EQ(w.current().shown().sightings.size(), 1U);
+    EXPECT_EQ(w.current().shown().observations.size(), 1U);
 }
 
 TEST_F(WindowMarks, ArrowsAndTextsAreDrawnWrittenAndUndone)
@@ -195,9 +195,9 @@ TEST_F(WindowMarks, ArrowsAndTextsAreDrawnWrittenAndUndone)
 TEST_F(WindowMarks, PicturesTablesAndTheCaseHaveThem)
 {
     const test::TemporaryFolder folder;
-    const auto exported = [&](const char* name, ui::PictureFormat format = ui::PictureFormat::Png) {
+    const auto exported = [&](const char* name, ui::ImageFileFormat format = ui::ImageFileFormat::Png) {
         const std::string path = folder.file(name);
-        ui::ExportChoice choice{1024, ui::Choice::Off, ui::Choice::Off};
+        ui::OverlayExportOptions choice{1024, ui::Toggle::Off, ui::Toggle::Off};
         choice.format = format;
         w.controller.exporting().exportOverlay(choice, QString::fromStdString(path));
         EXPECT_TRUE(QTest::qWaitFor([&path] { return !test::readText(path).empty(); }, test::patienceMs));
@@ -207,10 +207,11 @@ TEST_F(WindowMarks, PicturesTablesAndTheCaseHaveThem)
     setPoint();
     w.press(Qt::Key_Escape);
     EXPECT_NE(plain, QImage(QString::fromStdString(exported("marked.png"))));
-    EXPECT_NE(test::readText(exported("marked.svg", ui::PictureFormat::Svg)).find("Target point 1"), std::string::npos);
-    EXPECT_EQ(test::readText(exported("marked.pdf", ui::PictureFormat::Pdf)).rfind("%PDF", 0), 0U);
+    EXPECT_NE(test::readText(exported("marked.svg", ui::ImageFileFormat::Svg)).find("Target point 1"),
+              std::string::npos);
+    EXPECT_EQ(test::readText(exported("marked.pdf", ui::ImageFileFormat::Pdf)).rfind("%PDF", 0), 0U);
 
-    w.window.actions()[ui::Command::ExportCheckPoints]->trigger();
+    w.window.actions()[ui::Command::ExportTargetPoints]->trigger();
     w.saveAs(QString::fromStdString(folder.file("c.csv")));
     ASSERT_TRUE(QTest::qWaitFor([&] { return !test::readText(folder.file("c.csv")).empty(); }, test::patienceMs));
     EXPECT_NE(test::readText(folder.file("c.csv")).find("Target point 1"), std::string::npos);
@@ -236,13 +237,13 @@ TEST_F(WindowMarks, ATypedScaleMeasures)
     scale->selectAll();
     QTest::keyClicks(scale, QStringLiteral("0.25"));
     QTest::keyClick(scale, Qt::Key_Return);
-    EXPECT_EQ(w.current().shown().typedMmPerPx, 0.25);
+    EXPECT_EQ(w.current().shown().enteredMmPerPx, 0.25);
     dragFrom(at({100, 200}), at({300, 200}));
     ASSERT_EQ(w.current().shown().measurements.size(), 1U);
     EXPECT_EQ(w.current().shown().measurements[0].plane, core::MeasurementPlane::Typed);
     w.history().undo();
     w.history().undo();
-    EXPECT_FALSE(w.current().shown().typedMmPerPx);
+    EXPECT_FALSE(w.current().shown().enteredMmPerPx);
 }
 
 }   // namespace

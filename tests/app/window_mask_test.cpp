@@ -37,7 +37,7 @@ protected:
     void SetUp() override
     {
         ScanWindow::SetUp();
-        settings::isBrushBall.write(false);
+        settings::isBrush3d.write(false);
         settings::cutDepth.write(0);
         settings::brushRadiusMm.write(2.0);
         for (QCheckBox* box : panel().findChildren<QCheckBox*>()) {

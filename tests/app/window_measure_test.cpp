@@ -41,7 +41,7 @@ protected:
 
     const std::vector<core::ImageMeasurement>& measurements() { return w.current().shown().measurements; }
     QTreeWidget& list() { return *w.window.measure().findChild<QTreeWidget*>(); }
-    core::MeasuredImage measured(std::size_t place)
+    core::ImageMeasurementResult measured(std::size_t place)
     {
         return core::measureImage(measurements()[place], {w.current().shown(), w.current().vessels.tree.get()}).value();
     }
@@ -216,7 +216,7 @@ TEST_F(WindowMeasure, TheExportedPictureAndTableShowIt)
     const test::TemporaryFolder folder;
     const auto exported = [&](const char* name) {
         const QString path = QString::fromStdString(folder.file(name));
-        w.controller.exporting().exportOverlay({1024, ui::Choice::Off, ui::Choice::Off}, path);
+        w.controller.exporting().exportOverlay({1024, ui::Toggle::Off, ui::Toggle::Off}, path);
         EXPECT_TRUE(QTest::qWaitFor([&path] { return !QImage(path).isNull(); }, test::patienceMs));
         return QImage(path);
     };

@@ -2,7 +2,7 @@
 #include "ui/panels/header_bar.h"
 #include "ui/slices/window_bar.h"
 #include "ui/words/language.h"
-#include "ui/words/spoken.h"
+#include "ui/words/retranslation.h"
 
 #include <QAbstractButton>
 #include <QMenu>
@@ -38,14 +38,14 @@ TEST_F(WindowNarrow, NothingOfTheSlicesPageIsCutOffInAnyLanguage)
         w.window.resize(size);
         for (const QString& language : ui::languages()) {
             ui::applyLanguage(language);
-            ui::speakAgain();
+            ui::retranslate();
             const bool fits = QTest::qWaitFor([&page] { return cutOff(page).isEmpty(); });   // the layout takes time
             EXPECT_TRUE(fits) << size.width() << ' ' << language.toStdString() << ": "
                               << cutOff(page).join(QStringLiteral(", ")).toStdString();
         }
     }
     ui::applyLanguage(ui::languages().front());
-    ui::speakAgain();
+    ui::retranslate();
 }
 
 TEST(HeaderBar, MenusWithoutRoomHaveAVisibleButton)

@@ -21,7 +21,7 @@ protected:
     void SetUp() override
     {
         settings::noticeAccepted.write(false);
-        settings::tourSeen.write(false);
+        settings::isTourCompleted.write(false);
         settings::lastFolder.write(folder.path());
         w.controller.begin({});
     }
@@ -127,7 +127,7 @@ TEST_F(Newcomer, IsShownTheTourOnceAndOnlyOnce)
 {
     acceptNotice();
     EXPECT_TRUE(w.window.findChild<QWidget*>(QStringLiteral("tour")));
-    EXPECT_TRUE(settings::tourSeen.read());
+    EXPECT_TRUE(settings::isTourCompleted.read());
 }
 
 TEST_F(Newcomer, IsAskedForWhatAStepLacks)

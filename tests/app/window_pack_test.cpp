@@ -16,7 +16,7 @@ class WindowPack : public ::testing::Test {
 protected:
     QDialog* asked()
     {
-        w.window.actions()[ui::Command::PackCase]->trigger();
+        w.window.actions()[ui::Command::ShareCase]->trigger();
         const auto dialogs = w.dialogs("packDialog");
         return dialogs.size() == 1 ? dialogs.front() : nullptr;
     }

@@ -287,7 +287,7 @@ TEST(WindowPatient, WhatIsExportedSaysThatPatientsAreMixed)
     const QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("overlay.png"));
     QSignalSpy exported(&w.controller.exporting(), &ExportController::exported);
-    w.controller.exporting().exportOverlay({600, ui::Choice::Off, ui::Choice::Off}, path);
+    w.controller.exporting().exportOverlay({600, ui::Toggle::Off, ui::Toggle::Off}, path);
     ASSERT_TRUE(exported.wait(test::patienceMs));
     EXPECT_TRUE(QImage(path).text(QStringLiteral("Patient")).contains(QStringLiteral("different patients")));
 

@@ -23,7 +23,7 @@ Place farPlace(OpenWindow& w)
     Place place;
     double farthestMm = 0.0;
     for (const core::VesselNode& node : core::findNodes(*w.current().vessels.tree)) {
-        const auto at = w.window.angiogramView().placeOf(node.pointInPatient);
+        const auto at = w.window.angiogramView().positionOf(node.pointInPatient);
         const double mm = (node.pointInPatient - centroid).norm();
         if (at && w.window.angiogramView().rect().adjusted(30, 60, -30, -60).contains(at->toPoint()) &&
             mm > farthestMm) {

@@ -67,8 +67,8 @@ protected:
     {
         io::ArchiveNode node = nodeAt(port);
         node.title = "ANGIOPOSE";
-        node.ownTitle = caller;
-        node.answerSeconds = 5;
+        node.ownAeTitle = caller;
+        node.responseTimeoutSeconds = 5;
         return node;
     }
 
@@ -79,7 +79,7 @@ protected:
         const auto files = test::writeObjects(folder, series, 2);
         std::atomic<bool> isOver{false};
         std::thread peer([&] {
-            report = io::sendToArchive(node, io::ArchiveWay::Dimse, files);
+            report = io::sendToArchive(node, io::ArchiveProtocol::Dimse, files);
             isOver = true;
         });
         EXPECT_TRUE(QTest::qWaitFor([&] { return isOver.load(); }, test::patienceMs));
@@ -87,10 +87,10 @@ protected:
         return report;
     }
 
-    bool says(const char* words) const
+    bool says(const char* statusText) const
     {
         const auto* said = dialog->findChild<QLabel*>(QStringLiteral("receiveWords"));
-        const auto isSaid = [&] { return said->text().contains(QLatin1String(words)); };
+        const auto isSaid = [&] { return said->text().contains(QLatin1String(statusText)); };
         const bool found = QTest::qWaitFor(isSaid, test::patienceMs);
         EXPECT_TRUE(found) << said->text().toStdString();
         return found;
@@ -107,16 +107,17 @@ TEST_F(WindowPort, OnlyListedCallersAreTakenAndStrangersAreReported)
     type(*asked, "portTitles", "A TITLE OF MORE THAN 16");
     OpenWindow::clickButton(asked, QStringLiteral("Save"));
     EXPECT_TRUE(asked->isVisible());
-    EXPECT_TRUE(asked->line().words().contains(QStringLiteral("valid AE"))) << asked->line().words().toStdString();
+    EXPECT_TRUE(asked->line().statusText().contains(QStringLiteral("valid AE")))
+        << asked->line().statusText().toStdString();
     type(*asked, "portTitles", "MODALITY, CT 7");
     OpenWindow::clickButton(asked, QStringLiteral("Save"));
     EXPECT_FALSE(asked->isVisible());
     const test::AuditFile audit(folder);
     switchPort();
     EXPECT_FALSE(dialog->findChild<QPushButton*>(QStringLiteral("receiveSecurity"))->isEnabled()) << "it listens";
-    EXPECT_FALSE(sendTo(us("STRANGER"), "2.25.4711.81").isWhole());
+    EXPECT_FALSE(sendTo(us("STRANGER"), "2.25.4711.81").isComplete());
     says("(AE title STRANGER) was rejected");
-    EXPECT_TRUE(sendTo(us("CT 7"), "2.25.4711.82").isWhole());
+    EXPECT_TRUE(sendTo(us("CT 7"), "2.25.4711.82").isComplete());
     says("Objects received: 2");
     switchPort();
     EXPECT_TRUE(QTest::qWaitFor([&] { return audit.text().count(QStringLiteral("sha256")) == 2; }, test::patienceMs))
@@ -139,7 +140,7 @@ TEST_F(WindowPort, StrangeAddressesAreTurnedAway)
     type(*asked, "portHosts", "10.1.2.3");
     OpenWindow::clickButton(asked, QStringLiteral("Save"));
     switchPort();
-    EXPECT_FALSE(sendTo(us("MODALITY"), "2.25.4711.83").isWhole());
+    EXPECT_FALSE(sendTo(us("MODALITY"), "2.25.4711.83").isComplete());
     says("127.0.0.1 (AE title MODALITY) was rejected");
     switchPort();
 }
@@ -157,7 +158,8 @@ TEST_F(WindowPort, TlsTakesKnownCertificatesOnly)
     auto* tls = asked->findChild<QCheckBox*>(QStringLiteral("portTls"));
     QTest::mouseClick(tls, Qt::LeftButton, {}, {8, tls->height() / 2});
     OpenWindow::clickButton(asked, QStringLiteral("Save"));
-    EXPECT_TRUE(asked->line().words().contains(QStringLiteral("needs our own certificate"))) << "there is none yet";
+    EXPECT_TRUE(asked->line().statusText().contains(QStringLiteral("needs our own certificate")))
+        << "there is none yet";
     type(*asked, "portCertificate", ours->certificateFile);
     type(*asked, "portKey", ours->keyFile);
     type(*asked, "portTrusted", theirs->certificateFile);
@@ -166,18 +168,18 @@ TEST_F(WindowPort, TlsTakesKnownCertificatesOnly)
     switchPort();
 
     io::ArchiveNode node = us("MODALITY");
-    EXPECT_FALSE(sendTo(node, "2.25.4711.84").isWhole()) << "in the clear";
+    EXPECT_FALSE(sendTo(node, "2.25.4711.84").isComplete()) << "in the clear";
     says("the TLS handshake failed");
     node.isTls = true;
     node.caFile = ours->certificateFile;
     node.certificateFile = theirs->certificateFile;
     node.keyFile = theirs->keyFile;
     const io::TransferReport report = sendTo(node, "2.25.4711.85");
-    EXPECT_TRUE(report.isWhole()) << (report.end ? report.end->message.text() : std::string());
+    EXPECT_TRUE(report.isComplete()) << (report.end ? report.end->message.text() : std::string());
     says("Objects received: 2");
     node.certificateFile = stranger->certificateFile;
     node.keyFile = stranger->keyFile;
-    EXPECT_FALSE(sendTo(node, "2.25.4711.86").isWhole());
+    EXPECT_FALSE(sendTo(node, "2.25.4711.86").isComplete());
     switchPort();
 }
 
@@ -193,8 +195,8 @@ TEST_F(WindowPort, UselessCertificateIsNamed)
     OpenWindow::clickButton(asked, QStringLiteral("Save"));
     auto* onOff = dialog->findChild<QCheckBox*>(QStringLiteral("receiveSwitch"));
     QTest::mouseClick(onOff, Qt::LeftButton, {}, {8, onOff->height() / 2});
-    const auto isKnown = [&] { return dialog->line().words().contains(QStringLiteral("no.pem")); };
-    EXPECT_TRUE(QTest::qWaitFor(isKnown, test::patienceMs)) << dialog->line().words().toStdString();
+    const auto isKnown = [&] { return dialog->line().statusText().contains(QStringLiteral("no.pem")); };
+    EXPECT_TRUE(QTest::qWaitFor(isKnown, test::patienceMs)) << dialog->line().statusText().toStdString();
     EXPECT_FALSE(onOff->isChecked());
 }
 

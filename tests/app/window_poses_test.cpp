@@ -27,7 +27,7 @@ TEST(WindowPoses, KeepsThePoseWithItsNumbersAndUndoesThat)
 
     ASSERT_EQ(w.current().shown().snapshots.size(), 2u);
     const core::PoseSnapshot& kept = w.current().shown().snapshots[1];
-    EXPECT_EQ(kept.kind, core::SnapshotKind::Kept);
+    EXPECT_EQ(kept.kind, core::SnapshotKind::Saved);
     EXPECT_EQ(kept.method, "angiopose");
     EXPECT_EQ(test::distance(kept.cameraFromPatient, w.current().shown().cameraFromPatient), 0.0);
     ASSERT_TRUE(kept.metrics);
@@ -196,7 +196,7 @@ TEST(WindowPoses, AreWrittenInTheTonesOfTheThemeAfterItChanged)
 {
     OpenWindow w;
     w.openSample();
-    w.window.actions()[ui::Command::KeepPose]->trigger();
+    w.window.actions()[ui::Command::TakeSnapshot]->trigger();
     QTreeWidget* list = w.window.findChild<ui::SnapshotPanel*>()->list();
     ASSERT_GE(list->topLevelItemCount(), 1);
     const auto ink = [list] { return list->topLevelItem(0)->foreground(1).color(); };

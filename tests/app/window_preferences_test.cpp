@@ -33,12 +33,12 @@ struct OpenSheet {
         return nullptr;
     }
 
-    void listenFor(const char* effect) const
+    void startRecording(const char* effect) const
     {
         list->setFocus();
         list->setCurrentItem(lineOf(effect));
         QTest::keyClick(list, Qt::Key_Return);
-        EXPECT_TRUE(sheet->isListening());
+        EXPECT_TRUE(sheet->isRecording());
     }
 
     QString word() const { return sheet->findChildren<QLabel*>().last()->text(); }
@@ -62,7 +62,7 @@ TEST_F(WindowPreferences, AKeyIsChangedInTheSheetAndHoldsInTheNextWindow)
         OpenWindow w;
         const OpenSheet open(w);
         ASSERT_TRUE(open.list);
-        open.listenFor("Invert grayscale");
+        open.startRecording("Invert grayscale");
         QTest::keyClick(open.list, Qt::Key_F4);
         EXPECT_EQ(open.lineOf("Invert grayscale")->text(0), QStringLiteral("F4"));
         open.sheet->close();
@@ -80,9 +80,9 @@ TEST_F(WindowPreferences, AKeyOfAnotherCommandIsTakenOnlyWhenPressedTwice)
 {
     OpenWindow w;
     const OpenSheet open(w);
-    open.listenFor("Invert grayscale");
+    open.startRecording("Invert grayscale");
     QTest::keyClick(open.list, Qt::Key_N);
-    EXPECT_TRUE(open.sheet->isListening());
+    EXPECT_TRUE(open.sheet->isRecording());
     EXPECT_EQ(w.window.actions()[ui::Command::Nudge]->shortcut(), QKeySequence(Qt::Key_N));
     QTest::keyClick(open.list, Qt::Key_N);
     EXPECT_EQ(w.window.actions()[ui::Command::Invert]->shortcut(), QKeySequence(Qt::Key_N));
@@ -97,11 +97,11 @@ TEST_F(WindowPreferences, EscKeepsTheOldKeyAndKeysThatAreNeededAreRefused)
 {
     OpenWindow w;
     const OpenSheet open(w);
-    open.listenFor("Invert grayscale");
+    open.startRecording("Invert grayscale");
     QTest::keyClick(open.list, Qt::Key_H);
-    EXPECT_TRUE(open.sheet->isListening());
+    EXPECT_TRUE(open.sheet->isRecording());
     QTest::keyClick(open.list, Qt::Key_Escape);
-    EXPECT_FALSE(open.sheet->isListening());
+    EXPECT_FALSE(open.sheet->isRecording());
     EXPECT_TRUE(open.sheet->isVisible());
     EXPECT_EQ(w.window.actions()[ui::Command::Invert]->shortcut(), QKeySequence(Qt::Key_I));
 }
@@ -110,7 +110,7 @@ TEST_F(WindowPreferences, NoKeyMeansTwoThings)
 {
     OpenWindow w;
     std::map<QString, QString> owner;
-    for (const ui::KeyLine& line : w.window.actions().keySheet({})) {
+    for (const ui::ShortcutRow& line : w.window.actions().keySheet({})) {
         for (const QKeySequence& key : line.action ? line.action->shortcuts() : QList<QKeySequence>()) {
             const QString name = key.toString();
             EXPECT_TRUE(owner.emplace(name, line.effect).second)

@@ -37,7 +37,7 @@ protected:
         planted.title = "PLANTED title";
         w.controller.document().replace(planted, {});
         save(w);
-        forgetTraces();
+        clearStoredData();
     }
     ~WindowPrivacy() override { settings::privateMode.write(false); }
 
@@ -132,7 +132,7 @@ TEST_F(WindowPrivacy, ExportsAreNamedAfterNobody)
     EXPECT_TRUE(files->selectedFiles().front().endsWith(QStringLiteral("/case.pose.json")))
         << files->selectedFiles().front().toStdString();
     files->reject();
-    EXPECT_TRUE(outgoingCase(w.current()).title.empty());
+    EXPECT_TRUE(caseForExport(w.current()).title.empty());
 }
 
 TEST_F(WindowPrivacy, SupportBundleIsShownAndNamesNobody)

@@ -49,9 +49,9 @@ TEST(WindowRecent, ASavedCaseShowsItsPictureOnTheFirstPage)
         w.openSample();
         save(w, path);
     }
-    const QImage picture = casePicture(path);
+    const QImage picture = caseThumbnail(path);
     ASSERT_FALSE(picture.isNull());
-    EXPECT_EQ(picture.width(), casePictureWidthPx);
+    EXPECT_EQ(picture.width(), caseThumbnailWidthPx);
 
     OpenWindow w;
     const auto colorsOfTile = [&w] {
@@ -98,11 +98,11 @@ TEST(WindowRecent, APictureGoesWhenItsCaseLeavesTheList)
     w.openSample();
     const QString first = folder.filePath(QStringLiteral("first.angiopose"));
     save(w, first);
-    ASSERT_FALSE(casePicture(first).isNull());
+    ASSERT_FALSE(caseThumbnail(first).isNull());
     for (int i = 0; i < 30; ++i) {
         rememberCase(folder.filePath(QStringLiteral("%1.angiopose").arg(i)));
     }
-    EXPECT_TRUE(casePicture(first).isNull());
+    EXPECT_TRUE(caseThumbnail(first).isNull());
 }
 
 QWidget* childNamed(const OpenWindow& w, const QString& accessibleName)
@@ -228,7 +228,7 @@ TEST(WindowRecent, ADriveThatDoesNotAnswerKeepsNobodyWaiting)
         if (path.starts_with("/hanging")) {
             answered.wait();
         }
-        return CaseLook{CasePresence::Missing, {}};
+        return RecentCaseStatus{CasePresence::Missing, {}};
     };
     QElapsedTimer clock;
     clock.start();
@@ -280,8 +280,8 @@ TEST(WindowRecent, LettersInTheImageAreNotInThePicture)
         core::Case pictured = w.current();
         pictured.shown().angiogram = std::make_shared<const core::Angiogram>(std::move(written));
         const QString path = folder.filePath(name);
-        EXPECT_TRUE(storeCasePicture(pictured, path));
-        return casePicture(path).convertToFormat(QImage::Format_Grayscale8);
+        EXPECT_TRUE(storeCaseThumbnail(pictured, path));
+        return caseThumbnail(path).convertToFormat(QImage::Format_Grayscale8);
     };
     const QImage named = store(QStringLiteral("named"), QStringLiteral("DOE JOHN 1950"));
     const QImage nameless = store(QStringLiteral("nameless"), {});

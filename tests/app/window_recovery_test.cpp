@@ -36,7 +36,7 @@ public:
     }
     ~CrashedSessions()
     {
-        for (const Leftover& copy : Autosave::leftBehind()) {
+        for (const RecoveryCopy& copy : Autosave::recoveryCopies()) {
             Autosave::forget(copy);
         }
     }
@@ -129,7 +129,7 @@ TEST(WindowRecovery, OpensACaseWhoseInputsHaveMoved)
     auto wanted = w.current();
     wanted.vessels.file.path = tree.string();
     wanted.shown().imageFile.path = image.string();
-    w.controller.document().push(joinInputs(w.controller.document(), wanted, [] { return QStringLiteral("move"); }));
+    w.controller.document().push(addInputs(w.controller.document(), wanted, [] { return QStringLiteral("move"); }));
     bool isSaved = false;
     const QString path = QString::fromStdString((home / "moved.angiopose").string());
     w.controller.saving().saveTo(path, [&isSaved] { isSaved = true; });

@@ -1,6 +1,6 @@
 #include "app/preferences/settings.h"
 #include "app/report/report_template.h"
-#include "app/texts/overlay_picture.h"
+#include "app/texts/overlay_image.h"
 #include "core/case/registration_input.h"
 #include "tests/app/open_window.h"
 #include "tests/support/test_data.h"
@@ -29,12 +29,12 @@ protected:
         return qobject_cast<ui::ReportDialog*>(dialogs.front());
     }
 
-    QByteArray written(const char* name, ui::Choice identity = ui::Choice::Off)
+    QByteArray written(const char* name, ui::Toggle identity = ui::Toggle::Off)
     {
         ui::ReportDialog* dialog = asked();
         auto* box = dialog->findChild<QCheckBox*>();
         EXPECT_FALSE(box->isChecked()) << "off by default, every time";
-        if (identity == ui::Choice::On) {
+        if (identity == ui::Toggle::On) {
             QTest::mouseClick(box, Qt::LeftButton, {}, {8, box->height() / 2});
         }
         OpenWindow::clickButton(dialog, QStringLiteral("Export…"));
@@ -93,7 +93,7 @@ TEST_F(WindowReport, TellsTheFiguresOfTheFrameItShows)
     const QByteArray page = written("other.html");
     EXPECT_TRUE(page.contains(words(here.value().metrics.medianMm)));
     EXPECT_FALSE(page.contains(words(thereMm)));
-    EXPECT_TRUE(page.contains(QStringLiteral("frame %1; image and values are from frame %2")
+    EXPECT_TRUE(page.contains(QStringLiteral("frame %1; image and values from frame %2")
                                   .arg(foundIn + 1)
                                   .arg(w.current().shown().frame + 1)
                                   .toUtf8()));
@@ -151,7 +151,7 @@ TEST_F(WindowReport, NamesThePatientOnlyWhereThatIsWanted)
     const QByteArray hidden = written("hidden.html");
     EXPECT_FALSE(hidden.contains("fantom as"));
     EXPECT_TRUE(hidden.contains("identity hidden"));
-    EXPECT_TRUE(written("named.html", ui::Choice::On).contains("fantom as"));
+    EXPECT_TRUE(written("named.html", ui::Toggle::On).contains("fantom as"));
 }
 
 /// Fixture: reports from a user's own template, with a logo next to it.

@@ -17,7 +17,7 @@ TEST(WindowReview, ZoomsToTheWorstBranchAndSelectsIt)
     OpenWindow w;
     w.openSample();
     const double fitted = w.window.angiogramView().zoom();
-    const auto& branches = w.controller.judgement()->result.branches;
+    const auto& branches = w.controller.evaluation()->result.branches;
     const auto worst = std::ranges::max_element(branches, {}, &core::BranchResidual::medianPx);
 
     w.press(Qt::Key_W);
@@ -82,7 +82,7 @@ TEST(WindowReview, AReplayThatEndsASwingGoesOn)
     w.press(Qt::Key_P);
     EXPECT_FALSE(swing->isChecked());
     EXPECT_TRUE(replay->isChecked());
-    EXPECT_EQ(w.controller.preview().shown(), PreviewOf::Replay);
+    EXPECT_EQ(w.controller.preview().shown(), PreviewSource::Replay);
     EXPECT_TRUE(QTest::qWaitFor([replay] { return !replay->isChecked(); }, test::patienceMs));   // the replay ended
     EXPECT_FALSE(w.controller.preview().shown());
 }

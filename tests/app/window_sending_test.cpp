@@ -51,14 +51,15 @@ TEST_F(WindowSending, WhatIsPushedIsCountedAndOffered)
     io::ArchiveNode us = nodeAt(port);
     us.title = "ANGIOPOSE";
     io::TransferReport report;
-    std::thread peer(
-        [&] { report = io::sendToArchive(us, io::ArchiveWay::Dimse, test::writeObjects(folder, "2.25.4711.71", 3)); });
+    std::thread peer([&] {
+        report = io::sendToArchive(us, io::ArchiveProtocol::Dimse, test::writeObjects(folder, "2.25.4711.71", 3));
+    });
     const auto* said = dialog->findChild<QLabel*>(QStringLiteral("receiveWords"));
     EXPECT_TRUE(
         QTest::qWaitFor([&] { return said->text() == QStringLiteral("Objects received: 3"); }, test::patienceMs));
     peer.join();
-    EXPECT_TRUE(report.isWhole()) << (report.end ? report.end->message.text() : std::string())
-                                  << dialog->line().words().toStdString();
+    EXPECT_TRUE(report.isComplete()) << (report.end ? report.end->message.text() : std::string())
+                                     << dialog->line().statusText().toStdString();
     QTest::mouseClick(onOff, Qt::LeftButton, {}, {8, onOff->height() / 2});
     EXPECT_TRUE(QTest::qWaitFor([&] { return field->isEnabled(); }, test::patienceMs)) << "it is off";
 }
@@ -70,14 +71,14 @@ TEST_F(WindowSending, ObjectsArriveAndAfterAFaultTheSameOnesGoAgain)
     know({nodeAt(line.port())});
     ui::SendDialog* dialog = asked();
     ASSERT_TRUE(dialog);
-    EXPECT_TRUE(dialog->line().words().contains(QStringLiteral("sent to pacs")));
+    EXPECT_TRUE(dialog->line().statusText().contains(QStringLiteral("sent to pacs")));
     const Heartbeat beat;
     OpenWindow::clickButton(dialog, QStringLiteral("Send"));
-    const QString fault = words(dialog->line());
+    const QString fault = statusText(dialog->line());
     EXPECT_TRUE(fault.contains(QStringLiteral("objects arrived."))) << fault.toStdString();
     line.heal();
     OpenWindow::clickButton(dialog, QStringLiteral("Send"));
-    const QString said = words(dialog->line());
+    const QString said = statusText(dialog->line());
     EXPECT_TRUE(said.startsWith(QStringLiteral("pacs received all objects: 4"))) << said.toStdString();
     RecordProperty("longestGapMs", static_cast<int>(beat.longestMs()));
     OpenWindow::clickButton(dialog, QStringLiteral("Close"));

@@ -3,7 +3,7 @@
 
 #include "core/case/case_views.h"
 #include "core/case/registration_input.h"
-#include "core/workflow/pose_judgement.h"
+#include "core/workflow/pose_evaluation.h"
 #include "ui/places/side_by_side.h"
 
 #include <QListWidget>
@@ -122,7 +122,7 @@ TEST(WindowSideBySide, AnotherViewFollowsADragThatIsUnderWay)
     const core::RigidTransform dragged = w.controller.preview().pose();
     ASSERT_GT(test::distance(dragged, w.poseOf(0)), 0.5);
     EXPECT_EQ(w.image().cameraFromPatient().matrix(), dragged.matrix());
-    EXPECT_EQ(w.other().cameraFromPatient().matrix(), core::poseMovedAlong(w.current(), 1, dragged).matrix());
+    EXPECT_EQ(w.other().cameraFromPatient().matrix(), core::poseAfterMotion(w.current(), 1, dragged).matrix());
     EXPECT_GT(test::distance(w.other().cameraFromPatient(), before), 0.1);
     EXPECT_EQ(test::distance(w.poseOf(1), before), 0.0) << "the case waits for the end of the drag";
     w.press(Qt::Key_Escape);
@@ -163,7 +163,7 @@ TEST(WindowSideBySide, ColorsTellHowEachPoseAgreesWithItsOwnImage)
     const core::View& second = w.current().views[1];
     const auto expectedAt = [&](const core::RigidTransform& pose) {
         const auto input = core::registrationInputOf(second, w.current().vessels, *second.target.centerline);
-        return core::judgementOf(input.value(), pose).value().residualPx;
+        return core::evaluateWithResiduals(input.value(), pose).value().residualPx;
     };
     EXPECT_EQ(residuals(), expectedAt(second.cameraFromPatient));
     EXPECT_NE(residuals(), w.image().scene().content().residualPx);

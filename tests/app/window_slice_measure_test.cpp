@@ -125,7 +125,7 @@ TEST_F(WindowSliceMeasure, ReportAndTableHaveIt)
     const std::string table = io::measurementTable(w.current());
     EXPECT_NE(table.find("\n,,length,,"), std::string::npos) << table;
     EXPECT_NE(table.find(",mm,sagittal,,,,scan,"), std::string::npos) << table;
-    const auto rows = measuredRows(w.current());
+    const auto rows = measurementRows(w.current());
     ASSERT_EQ(rows.size(), 1U);
     EXPECT_TRUE(rows.front().second.contains(QStringLiteral("Sagittal, x ")));
 }

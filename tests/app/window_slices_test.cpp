@@ -28,7 +28,7 @@ protected:
     static void forget()
     {
         settings::scanIn3d.write(false);
-        settings::scanLook.write(0);
+        settings::scanPreset.write(0);
         settings::scanAtVessels.write(false);
     }
 

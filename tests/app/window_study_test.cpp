@@ -101,9 +101,9 @@ TEST(WindowStudy, TheNoticeOfTheFirstStartIsAnsweredFirst)
     const test::TemporaryFolder folder;
     test::writeDicomdir(folder.file(""), test::writeDisc(folder));
     const bool wasAccepted = settings::noticeAccepted.read();
-    const bool wasToured = settings::tourSeen.read();
+    const bool wasToured = settings::isTourCompleted.read();
     settings::noticeAccepted.write(false);
-    settings::tourSeen.write(false);
+    settings::isTourCompleted.write(false);
     OpenWindow w;
     w.controller.begin({QString::fromStdString(folder.file("DICOMDIR"))});
     ASSERT_EQ(w.dialogs("noticeDialog").size(), 1);
@@ -113,7 +113,7 @@ TEST(WindowStudy, TheNoticeOfTheFirstStartIsAnsweredFirst)
     EXPECT_TRUE(browserOf(w));
     EXPECT_FALSE(w.window.findChild<QWidget*>(QStringLiteral("tour"))) << "whose first word is the sample case";
     settings::noticeAccepted.write(wasAccepted);
-    settings::tourSeen.write(wasToured);
+    settings::isTourCompleted.write(wasToured);
 }
 
 TEST(WindowStudy, TheKeyboardAloneOpensACase)
@@ -289,7 +289,7 @@ TEST(WindowStudy, WhatLiesBesideADicomdirIsOfferedAndDamagedFilesAreNamed)
     EXPECT_TRUE(says(QStringLiteral("3 series")));
     EXPECT_TRUE(says(QStringLiteral("5 more files")));
 
-    OpenWindow::clickButton(browser, QStringLiteral("Read them too"));
+    OpenWindow::clickButton(browser, QStringLiteral("Also read them"));
 
     EXPECT_TRUE(QTest::qWaitFor([&] { return browser->list().seriesCount() == 4; }, test::patienceMs));
     EXPECT_TRUE(QTest::qWaitFor([&] { return !w.controller.isLoading(); }, test::patienceMs));

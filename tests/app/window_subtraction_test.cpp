@@ -131,7 +131,7 @@ TEST_F(WindowSubtraction, TheCompositeIsInEveryFrame)
     w.press(Qt::Key_C, Qt::ShiftModifier);
     ASSERT_TRUE(waitForRun());
     EXPECT_TRUE(w.current().shown().treatment.isComposite);
-    const auto whole = core::opacifiedComposite(stored->frames, stored->polarity);
+    const auto whole = core::peakOpacificationImage(stored->frames, stored->polarity);
     EXPECT_EQ(shownPicture().pixels, whole.pixels);
     w.press(Qt::Key_Home);
     EXPECT_EQ(shownPicture().pixels, whole.pixels);

@@ -59,9 +59,9 @@ TEST_F(WindowTracing, ShowsTheFalseLumenOfADissectionOnACardThatPlacesItsSeeds)
     };
     ASSERT_TRUE(button("Show") && button("Add seed"));
     EXPECT_FALSE(button("Show")->isVisibleTo(&w.window.tracing()));
-    w.controller.tracing().knowWarnings(
-        {core::messages::perhapsNoHounsfield(),
-         core::besideWarning(core::OtherLumen{.besideMm = 120.0, .placeInPatient = {3.0, 4.0, 25.0}})});
+    w.controller.tracing().setWarnings(
+        {core::messages::possiblyNotHounsfield(),
+         core::adjacentLumenWarning(core::AdjacentLumen{.adjacentMm = 120.0, .positionInPatient = {3.0, 4.0, 25.0}})});
     EXPECT_TRUE(button("Show")->isVisibleTo(&w.window.tracing()));
     QTest::mouseClick(button("Show"), Qt::LeftButton);
     EXPECT_LT((model().crosshair() - Eigen::Vector3d(3.0, 4.0, 25.0)).norm(), 1.0);
@@ -70,7 +70,7 @@ TEST_F(WindowTracing, ShowsTheFalseLumenOfADissectionOnACardThatPlacesItsSeeds)
     ASSERT_EQ(seeds.size(), 2u) << "one in each lumen";
     EXPECT_EQ(seeds.back(), Eigen::Vector3d(3.0, 4.0, 25.0));
     EXPECT_FALSE(button("Show")->isVisibleTo(&w.window.tracing()));
-    w.controller.tracing().knowWarnings({core::messages::perhapsNoHounsfield()});
+    w.controller.tracing().setWarnings({core::messages::possiblyNotHounsfield()});
     EXPECT_FALSE(button("Show")->isVisibleTo(&w.window.tracing()));
 }
 

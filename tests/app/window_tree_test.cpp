@@ -148,7 +148,7 @@ TEST_F(WindowTree, PrunesWhatTheDialogCounts)
     ASSERT_EQ(asked.size(), 1);
     auto* length = asked.front()->findChildren<ui::NumberField*>().front();
     double limitMm = 5.0;
-    while (core::pruned(tree(), limitMm, 0.0).value().branches.size() == tree().branches.size()) {
+    while (core::prunedTree(tree(), limitMm, 0.0).value().branches.size() == tree().branches.size()) {
         limitMm += 5.0;
     }
     length->setFocus();
@@ -177,10 +177,10 @@ TEST_F(WindowTree, RootsAtTheChosenEnd)
 
 TEST_F(WindowTree, AdvisesHowToMendABrokenTree)
 {
-    const auto isBroken = [this] { return w.window.actions()[ui::Command::MendGap]->isEnabled(); };
+    const auto isBroken = [this] { return w.window.actions()[ui::Command::BridgeGap]->isEnabled(); };
     // Removes a segment from a branch without descendants; the rest beyond the segment becomes a separate piece.
     const auto twig = std::ranges::find_if(tree().branches, [this](const core::VesselBranch& branch) {
-        const auto left = core::withoutSubtree(tree(), branch.id);
+        const auto left = core::removeSubtree(tree(), branch.id);
         return branch.lengthMm() > 30.0 && branch.pointsInPatient.size() > 30 && left &&
                left.value().branches.size() + 1 == tree().branches.size();
     });
@@ -201,7 +201,7 @@ TEST_F(WindowTree, AdvisesHowToMendABrokenTree)
 
     press(Qt::Key_G, Qt::ControlModifier);
     EXPECT_TRUE(w.history().undoText().startsWith(QStringLiteral("Join")));
-    EXPECT_EQ(core::pieceCount(tree()), 1);
+    EXPECT_EQ(core::componentCount(tree()), 1);
     EXPECT_EQ(tree().branches.size(), keptAlive->branches.size());
     EXPECT_FALSE(isBroken());
 }

@@ -41,7 +41,7 @@ TEST(WindowTrial, HidesWhateverTellsHowGoodThePoseIs)
     QTest::qWait(400);   // an assessment in progress would have arrived by now
 
     EXPECT_GT(test::distance(w.current().shown().cameraFromPatient, before), 0.1);
-    EXPECT_FALSE(w.controller.judgement());
+    EXPECT_FALSE(w.controller.evaluation());
     EXPECT_FALSE(w.current().shown().result);
     EXPECT_TRUE(w.current().shown().snapshots.empty());
     EXPECT_FALSE(w.window.result().isVisible());
@@ -49,7 +49,7 @@ TEST(WindowTrial, HidesWhateverTellsHowGoodThePoseIs)
     EXPECT_TRUE(w.window.trialBar().isVisible());
     w.press(Qt::Key_Left);   // keys nudge immediately
     QTest::qWait(300);
-    EXPECT_FALSE(w.controller.judgement());
+    EXPECT_FALSE(w.controller.evaluation());
     for (const Qt::Key key : {Qt::Key_R, Qt::Key_W, Qt::Key_J, Qt::Key_P, Qt::Key_U, Qt::Key_K, Qt::Key_Y}) {
         w.press(key);
     }

@@ -23,7 +23,7 @@ void distrust(OpenWindow& w)
     std::vector<core::View> views = w.current().views;
     core::RegistrationResult& result = *views[w.current().shownView].result;
     result.trustworthy = false;
-    result.warnings = {core::messages::trustDepthUnknown(), core::messages::trustRival()};
+    result.warnings = {core::messages::depthUndetermined(), core::messages::alternativePoseFits()};
     w.controller.document().push(std::make_unique<ChangeViews>(
         w.controller.document(), ChangeViews::Values{std::move(views)}, [] { return QStringLiteral("distrust"); }));
     w.waitForJudgement();
@@ -88,7 +88,7 @@ TEST(WindowVerdict, IsOnTheImageAtEverySizeOfTheWindowAfterGoodDoubtfulAndFailed
             QApplication::processEvents();
             ASSERT_TRUE(isInSight(w, chipOf(w))) << size.width();
             EXPECT_EQ(chipOf(w).tone(), tone);
-            EXPECT_GT(shareOfTone(w, color), 0.03) << size.width() << " px, " << chipOf(w).words().toStdString();
+            EXPECT_GT(shareOfTone(w, color), 0.03) << size.width() << " px, " << chipOf(w).fullText().toStdString();
             w.window.result().setFocus();
         }
     };
@@ -100,7 +100,7 @@ TEST(WindowVerdict, IsOnTheImageAtEverySizeOfTheWindowAfterGoodDoubtfulAndFailed
     expectInSight(VerdictTone::Good, tones.fine);
     distrust(w);
     expectInSight(VerdictTone::Bad, tones.error);
-    EXPECT_TRUE(chipOf(w).words().startsWith(QStringLiteral("NOT RELIABLE")));
+    EXPECT_TRUE(chipOf(w).fullText().startsWith(QStringLiteral("NOT RELIABLE")));
 }
 
 TEST(WindowVerdict, IsInSightInThePanelAfterARunWithoutScrolling)
@@ -142,7 +142,7 @@ TEST(WindowVerdict, OfAPoseThatIsLookedAtIsNotThatOfTheResult)
     w.waitForJudgement();
     QApplication::processEvents();
     QTest::qWait(1000);   // residuals and texts of the whole tree arrive later
-    const QString found = chipOf(w).words();
+    const QString found = chipOf(w).fullText();
     ASSERT_EQ(chipOf(w).tone(), VerdictTone::Good);
     const int onVessels = countOf(w, ui::residualColor(0.0));
     const int above = countOf(w, ui::residualColorAboveScale());
@@ -151,15 +151,15 @@ TEST(WindowVerdict, OfAPoseThatIsLookedAtIsNotThatOfTheResult)
     w.press(Qt::Key_Y);   // the initial pose, off by millimeters
     QTest::qWait(1000);
     EXPECT_EQ(chipOf(w).tone(), VerdictTone::Doubtful);
-    EXPECT_TRUE(chipOf(w).words().startsWith(QStringLiteral("Preview"))) << chipOf(w).words().toStdString();
-    EXPECT_TRUE(chipOf(w).words().contains(QStringLiteral("mm")));
+    EXPECT_TRUE(chipOf(w).fullText().startsWith(QStringLiteral("Preview"))) << chipOf(w).fullText().toStdString();
+    EXPECT_TRUE(chipOf(w).fullText().contains(QStringLiteral("mm")));
     EXPECT_LT(countOf(w, ui::residualColor(0.0)), onVessels / 2) << "coloured by what is shown";
     EXPECT_GT(countOf(w, ui::residualColorAboveScale()), above + 100) << "and the bar of colours stays";
     EXPECT_TRUE(w.window.result().findChild<QGraphicsEffect*>()) << "the numbers beside it are dimmed";
 
     w.press(Qt::Key_Y);
     QTest::qWait(1000);
-    EXPECT_EQ(chipOf(w).words().toStdString(), found.toStdString());
+    EXPECT_EQ(chipOf(w).fullText().toStdString(), found.toStdString());
     EXPECT_EQ(countOf(w, ui::residualColor(0.0)), onVessels);
     EXPECT_FALSE(w.window.result().findChild<QGraphicsEffect*>());
 }

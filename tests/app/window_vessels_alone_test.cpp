@@ -64,7 +64,7 @@ TEST_F(WindowVesselsAlone, AreOfferedAsCenterlinesWhereACaseCannotBeSaved)
     ASSERT_TRUE(kept) << kept.error().message;
     EXPECT_EQ(kept.value().branches.size(), 2U);
     EXPECT_EQ(kept.value().pointCount(), w.current().vessels.tree->pointCount());
-    EXPECT_TRUE(QTest::qWaitFor([this] { return !w.controller.saving().holdsWork(); }, test::patienceMs));
+    EXPECT_TRUE(QTest::qWaitFor([this] { return !w.controller.saving().hasUnsavedWork(); }, test::patienceMs));
 }
 
 TEST_F(WindowVesselsAlone, LeaveWordsWhereTheAngiogramWillBe)
@@ -131,7 +131,7 @@ TEST_F(WindowVesselsAlone, AreRecoveredAfterACrash)
     EXPECT_EQ(again.current().vessels.tree->pointCount(), before.pointCount());
     EXPECT_FALSE(QFile::exists(left));
     EXPECT_TRUE(QFile::exists(QString::fromStdString(again.current().vessels.file.path)));
-    EXPECT_TRUE(again.controller.saving().holdsWork()) << "closing asks where they belong";
+    EXPECT_TRUE(again.controller.saving().hasUnsavedWork()) << "closing asks where they belong";
     QFile::remove(own);
 }
 

@@ -248,9 +248,9 @@ QStringList wordsOfResult(OpenWindow& w)
 auto isJudged(OpenWindow& w)
 {
     return [&w] {
-        const SharedJudgement judgement = w.controller.judgement();
-        return judgement &&
-               judgement->result.cameraFromPatient.matrix() == w.current().shown().cameraFromPatient.matrix();
+        const SharedEvaluation evaluation = w.controller.evaluation();
+        return evaluation &&
+               evaluation->result.cameraFromPatient.matrix() == w.current().shown().cameraFromPatient.matrix();
     };
 }
 

@@ -1,4 +1,4 @@
-#include "app/texts/word_of_run.h"
+#include "app/texts/pose_origin.h"
 #include "tests/app/open_window.h"
 #include "ui/actions/window_actions.h"
 #include "ui/panels/result_sentences.h"
@@ -16,7 +16,7 @@ struct WireWindow : OpenWindow {
     {
         openSample();
         core::Case found = current();
-        core::RegistrationResult result = controller.judgement()->result;
+        core::RegistrationResult result = controller.evaluation()->result;
         const core::RigidTransform pose = found.shown().cameraFromPatient;
         other = pose;
         other.translation.x() += 4.0;
@@ -54,10 +54,10 @@ TEST(WindowWire, ListsTheWaysWithTheirProbabilities)
 TEST(WindowWire, TellsTheFiguresOfTheWayAlone)
 {
     WireWindow w;
-    core::RegistrationResult judged = w.controller.judgement()->result;
-    EXPECT_EQ(takeWordOfRun(judged, w.current().shown()), FoundBy::ItsRun);
-    EXPECT_EQ(judged.metrics.medianPx, 0.75);
-    const QString words = ui::sentencesOf(judged, *w.current().vessels.tree, 1.0).doubtful.join(QLatin1Char(' '));
+    core::RegistrationResult evaluated = w.controller.evaluation()->result;
+    EXPECT_EQ(addRegistrationResult(evaluated, w.current().shown()), PoseOrigin::Registration);
+    EXPECT_EQ(evaluated.metrics.medianPx, 0.75);
+    const QString words = ui::sentencesOf(evaluated, *w.current().vessels.tree, 1.0).doubtful.join(QLatin1Char(' '));
     EXPECT_TRUE(words.contains(QStringLiteral("4 branches are up to"))) << words.toStdString();
 }
 
@@ -66,7 +66,7 @@ TEST(WindowWire, TakesTheChosenWayAndUndoesIt)
     WireWindow w;
     const core::RigidTransform before = w.current().shown().cameraFromPatient;
     w.ways().setCurrentRow(1);
-    EXPECT_EQ(w.controller.preview().shown(), PreviewOf::Solution);
+    EXPECT_EQ(w.controller.preview().shown(), PreviewSource::Solution);
     EXPECT_EQ(test::distance(w.current().shown().cameraFromPatient, before), 0.0) << "looked at, not taken";
     w.press(Qt::Key_J, Qt::ShiftModifier);
     EXPECT_EQ(test::distance(w.current().shown().cameraFromPatient, w.other), 0.0);
@@ -91,9 +91,9 @@ TEST(WindowWire, JudgesTheFollowedBranchesByTheWireThatIsKeptApart)
     wire.shown().target.devices = std::make_shared<const core::Centerline2d>(core::Centerline2d{{course}});
     wire.shown().target.editedFrame = wire.shown().frame;
     const auto residualPx = [&] {
-        const auto& branches = w.controller.judgement()->result.branches;
-        const auto judged = std::ranges::find(branches, longest->id, &core::BranchResidual::branchId);
-        return judged == branches.end() ? -1.0 : judged->medianPx;
+        const auto& branches = w.controller.evaluation()->result.branches;
+        const auto evaluated = std::ranges::find(branches, longest->id, &core::BranchResidual::branchId);
+        return evaluated == branches.end() ? -1.0 : evaluated->medianPx;
     };
     const auto show = [&](const char* method) {
         wire.shown().result->method = method;

@@ -37,11 +37,11 @@ const char* const usage =
 constexpr double maxFalse = 0.10;   // share of the traced length
 constexpr double besideMm = 1.5;   // distance of the root outside the artery
 
-enum class Verdict { Right, Asked, Wrong };
+enum class ObserverDecision { Right, Asked, Wrong };
 
 /// Outcome of tracing one scan.
 struct Outcome {
-    Verdict verdict = Verdict::Wrong;
+    ObserverDecision verdict = ObserverDecision::Wrong;
     double falseShare = 0.0;
     double found = 0.0;
     double falseMm = 0.0;
@@ -87,7 +87,7 @@ Outcome outcomeOf(const core::AnyScan& scan, const core::Result<core::TracedVess
 {
     Outcome outcome;
     if (!traced) {
-        outcome.verdict = asksForSeed(traced.error().message) ? Verdict::Asked : Verdict::Wrong;
+        outcome.verdict = asksForSeed(traced.error().message) ? ObserverDecision::Asked : ObserverDecision::Wrong;
         outcome.words = traced.error().message.text();
         return outcome;
     }
@@ -110,7 +110,7 @@ Outcome outcomeOf(const core::AnyScan& scan, const core::Result<core::TracedVess
         outcome.stubs += falseShare > 0.5 && branch.lengthMm() < 15.0 ? 1 : 0;
     }
     const bool isRight = beginsInGreatArtery(tree, scan) && outcome.falseShare <= maxFalse;
-    outcome.verdict = isRight ? Verdict::Right : Verdict::Wrong;
+    outcome.verdict = isRight ? ObserverDecision::Right : ObserverDecision::Wrong;
     const core::VesselBranch& first = tree.branches.front();
     outcome.words = "from " + fixedText(traced.value().threshold, 0) + ", root of " +
                     fixedText(core::medianOf(first.radiusMm), 1) + " mm, " + std::to_string(tree.branches.size()) +
@@ -121,9 +121,9 @@ Outcome outcomeOf(const core::AnyScan& scan, const core::Result<core::TracedVess
     return outcome;
 }
 
-const char* nameOf(Verdict verdict)
+const char* nameOf(ObserverDecision verdict)
 {
-    return verdict == Verdict::Right ? "right" : verdict == Verdict::Asked ? "asked" : "WRONG";
+    return verdict == ObserverDecision::Right ? "right" : verdict == ObserverDecision::Asked ? "asked" : "WRONG";
 }
 
 core::VesselTracingOptions optionsFor(const core::AnyScan& scan, bool hasClick)

@@ -156,19 +156,19 @@ public:
         Row sent{"C-STORE"};
         io::TransferReport report;
         sent.time = benchmarks::timed(
-            [&] { report = io::sendToArchive(node(), io::ArchiveWay::Dimse, {folder_.file("sent")}); });
+            [&] { report = io::sendToArchive(node(), io::ArchiveProtocol::Dimse, {folder_.file("sent")}); });
         take(report, sent);
         sent.faults = count_ - static_cast<int>(report.transferred);
         print(sent);
         faults_ += sent.faults;
-        const auto retrieve = [this](io::ArchiveWay way) {
+        const auto retrieve = [this](io::ArchiveProtocol way) {
             return [this, way](const io::ObjectStore& store) {
                 return io::retrieveFromArchive(node(), way, {studyUid, {seriesUid}}, store, {});
             };
         };
-        come("C-GET", retrieve(io::ArchiveWay::Dimse));
+        come("C-GET", retrieve(io::ArchiveProtocol::Dimse));
         come("C-MOVE", [this](const io::ObjectStore& store) { return moved(store); });
-        come("WADO-RS", retrieve(io::ArchiveWay::Web));
+        come("WADO-RS", retrieve(io::ArchiveProtocol::Web));
         return faults_ == 0 ? 0 : 1;
     }
 
@@ -183,7 +183,7 @@ private:
         node.receivePort = orthanc_.movePort();
         node.webUrl = orthanc_.webUrl();
         node.caFile = orthanc_.caFile();
-        node.answerSeconds = 120;   // the machine may be busy
+        node.responseTimeoutSeconds = 120;   // the machine may be busy
         return node;
     }
 
@@ -191,9 +191,9 @@ private:
     {
         io::TransferReport report;
         const io::ArchiveObserver observe;
-        io::Arrivals arrivals(store, {}, report, observe);
+        io::StoreWriter storeWriter(store, {}, report, observe);
         const std::vector<io::ArchiveObject> objects;
-        if (auto done = io::moveSeries(node(), {studyUid, seriesUid, objects}, arrivals); !done) {
+        if (auto done = io::moveSeries(node(), {studyUid, seriesUid, objects}, storeWriter); !done) {
             report.end = done.error();
         }
         return report;
@@ -209,7 +209,7 @@ private:
     void come(const std::string& way, const std::function<io::TransferReport(const io::ObjectStore&)>& retrieve)
     {
         const std::string into = folder_.file("came");
-        const auto store = io::ObjectStore::open(into, io::defaultObjectBytes);
+        const auto store = io::ObjectStore::open(into, io::defaultMaxObjectBytes);
         Row row{way};
         io::TransferReport report;
         row.time = benchmarks::timed([&] { report = retrieve(store.value()); });

@@ -3,7 +3,7 @@
 
 #include "core/messages/messages.h"
 #include "core/simulation/simulated_case.h"
-#include "core/tracing/angiogram/curves/contrast_seen.h"
+#include "core/tracing/angiogram/curves/contrast_score.h"
 #include "core/tracing/angiogram/trace_angiogram.h"
 #include "io/angiogram_file.h"
 #include "tests/benchmark/arguments.h"
@@ -52,8 +52,8 @@ void add(Counts& counts, const std::string& name, const core::Result<core::Angio
     counts.reported += trace && isKnown(trace.value()) ? 1 : 0;
     if (isEachRequested && trace) {
         std::printf("%-26s %6.1f%s\n", name.c_str(),
-                    core::contrastSeen(trace.value().centerline, trace.value().suspectCurves, trace.value().vesselness,
-                                       trace.value().clutter),
+                    core::contrastScore(trace.value().centerline, trace.value().suspectCurves, trace.value().vesselness,
+                                        trace.value().clutter),
                     isKnown(trace.value()) ? "  flagged" : "");
     }
 }

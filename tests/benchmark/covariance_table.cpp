@@ -44,7 +44,7 @@ Outcome registerOnce(const core::Phantom& phantom, std::uint64_t trial)
     input.camera = phantom.camera;
     input.initialCameraFromPatient =
         core::perturbedAboutCentroid(phantom.trueCameraFromPatient, centroid, 2.0, 5.0, random);
-    input.target = core::degraded(phantom.exactTarget, phantom.camera, random);
+    input.target = core::addTracingErrors(phantom.exactTarget, phantom.camera, random);
     core::RegistrationOptions options;
     options.resample = false;
     const core::RegistrationResult result = core::registerVessels(input, options).value();

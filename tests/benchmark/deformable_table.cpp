@@ -137,7 +137,8 @@ std::vector<core::RigidTransform> registerRigidly(const std::vector<core::Regist
         return {core::registerVessels(inputs.front()).value().cameraFromPatient};
     }
     const core::MultiViewResult joint =
-        core::registerViews(inputs, {}, {std::vector<core::StepSpread>(inputs.size(), {0.02, {0.05, 0.05, 0.05}}), {}})
+        core::registerViews(inputs, {},
+                            {std::vector<core::RelativePoseStd>(inputs.size(), {0.02, {0.05, 0.05, 0.05}}), {}})
             .value();
     std::vector<core::RigidTransform> poses;
     for (std::size_t k = 0; k < inputs.size(); ++k) {   // the geometry is exact here

@@ -5,9 +5,9 @@
 
 #include "core/registration/deformable/deformed_tree.h"
 #include "core/registration/deformable/smooth_deformations.h"
-#include "core/registration/follow_run.h"
 #include "core/registration/registration.h"
 #include "core/registration/run_periods.h"
+#include "core/registration/vessel_tracker.h"
 #include "core/support/format_number.h"
 #include "core/support/quantile.h"
 #include "core/support/stopwatch.h"
@@ -142,9 +142,9 @@ void judgePeriod(const std::vector<core::TimedPose>& poses, const core::VesselTr
 }
 
 /// The tracked vessels of a run, frame by frame.
-struct FollowedRun {
+struct TrackedRun {
     std::vector<Found> frames;
-    std::vector<core::DeformationInTime> deformations;   ///< of the frames that have one
+    std::vector<core::TimedDeformation> deformations;   ///< of the frames that have one
 };
 
 /// Registers the rigid pose and deformation of the first frame.
@@ -163,12 +163,12 @@ std::shared_ptr<const core::DeformableResult> deformationOf(const core::Deformab
                : std::make_shared<const core::DeformableResult>(std::move(found));
 }
 
-FollowedRun followDeformed(const core::DeformableView& first, const std::vector<DeformedFrame>& run, Outcome& outcome)
+TrackedRun followDeformed(const core::DeformableView& first, const std::vector<DeformedFrame>& run, Outcome& outcome)
 {
     const core::VesselTree& tree = first.input.tree;
     const auto known = deformationOf(first);
-    core::RunFollower follower = core::RunFollower::from(first.input, known, {}).value();
-    FollowedRun followed;
+    core::VesselTracker follower = core::VesselTracker::from(first.input, known, {}).value();
+    TrackedRun followed;
     for (std::size_t t = 0; t < run.size(); ++t) {
         core::RigidTransform pose = first.rigidCameraFromPatient;
         std::shared_ptr<const core::DeformableResult> deformed = known;
@@ -193,7 +193,7 @@ void followRigidly(const core::DeformableView& first, const std::vector<Deformed
 {
     const core::VesselTree& tree = first.input.tree;
     const double share = 1.0 / static_cast<double>(run.size() - 1);
-    core::RunFollower follower = core::RunFollower::from(first.input, nullptr, {}).value();
+    core::VesselTracker follower = core::VesselTracker::from(first.input, nullptr, {}).value();
     for (std::size_t t = 1; t < run.size(); ++t) {
         const core::RigidTransform pose = follower.next(run[t].view.target).value().tracked.cameraFromPatient;
         outcome.rigidMm += share * meanError(run[t], {tree, pose});
@@ -206,11 +206,11 @@ void followRigidly(const core::DeformableView& first, const std::vector<Deformed
 }
 
 std::vector<Found> smoothed(const core::VesselTree& tree, const std::vector<DeformedFrame>& run,
-                            const FollowedRun& followed, Outcome& outcome)
+                            const TrackedRun& followed, Outcome& outcome)
 {
     std::vector<Found> smooth = followed.frames;
     const double share = 1.0 / std::max(1.0, static_cast<double>(followed.deformations.size()));
-    for (const core::DeformationInTime& each : core::smoothInTime(tree, followed.deformations)) {
+    for (const core::TimedDeformation& each : core::smoothOverTime(tree, followed.deformations)) {
         const auto t = static_cast<std::size_t>(each.frame);
         smooth[t] = foundIn(tree, each.rigidCameraFromPatient, each.deformed);
         outcome.coverage += share * coverageOf(run[t], smooth[t], *each.deformed);
@@ -231,7 +231,7 @@ Outcome runCase(const DeformedCase& first, const std::vector<DeformedFrame>& run
 {
     Outcome outcome;
     const core::DeformableView start = registeredFirst(first, run.front());
-    const FollowedRun followed = followDeformed(start, run, outcome);
+    const TrackedRun followed = followDeformed(start, run, outcome);
     followRigidly(start, run, outcome);
     const std::vector<Found> smooth = smoothed(first.tree, run, followed, outcome);
     outcome.followedMm = meanOfRun(run, followed.frames);

@@ -168,7 +168,7 @@ RequestedCase judgingCase(const std::vector<RootedTree>& trees, std::size_t tree
         made = fromDeformed(makeDeformedCase(centered(trees[tree].tree), *asked.motion, {0.0}, random));
     } else {
         made = fromForeign(makeForeignCase(trees, tree, asked.scene, 10 + trial));
-        made.input.cameraSpread = spreadOfHeader(made.input.camera);
+        made.input.cameraUncertainty = spreadOfHeader(made.input.camera);
         spoil(made.input, asked.error, trial + tree);
     }
     made.tree = trees[tree].name;

@@ -1,6 +1,6 @@
 #include "tests/benchmark/known_pose.h"
 
-#include "core/registration/deformable/motion_of_tree.h"
+#include "core/registration/deformable/deformed_result.h"
 
 #include <Eigen/Cholesky>
 
@@ -22,7 +22,7 @@ core::RigidTransform nearestPoseInSpace(const DeformedCase& deformedCase)
 {
     const std::vector<Eigen::Vector3d> points = allPoints(deformedCase.tree);
     return deformedCase.views.front().truth *
-           core::nearestRigid(points, allPoints(deformedCase.deformed), std::vector<double>(points.size(), 1.0));
+           core::fitRigidTransform(points, allPoints(deformedCase.deformed), std::vector<double>(points.size(), 1.0));
 }
 
 core::RigidTransform bestRigidPose(const DeformedCase& deformedCase)

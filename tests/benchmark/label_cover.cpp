@@ -3,7 +3,7 @@
 #include "core/tracing/tree/vessel_graph.h"
 #include "core/tracing/volume/voxels/distance_map.h"
 #include "core/tracing/volume/voxels/thin_volume.h"
-#include "core/tracing/volume/voxels/voxel_pieces.h"
+#include "core/tracing/volume/voxels/voxel_components.h"
 
 #include <algorithm>
 #include <cmath>
@@ -63,7 +63,7 @@ double coverOfVessels(const core::VoxelMask& mask, const std::vector<std::size_t
 {
     core::TracingProgress unheard({});
     const core::DistanceMap distances = core::distanceMap(mask, 1, unheard);
-    const core::VesselGraph graph = core::vesselGraph(skeleton, distances, unheard);
+    const core::VesselGraph graph = core::buildVesselGraph(skeleton, distances, unheard);
     const std::vector<int> degrees = graph.degrees();
     const double minReachMm = reachVoxels * mask.geometry.spacingMm.maxCoeff();
     double all = 0.0;
@@ -94,7 +94,7 @@ int cutsOf(const core::VoxelMask& mask)
         const bool isRim = (at.array() == 0).any() || (at.array() == size.array() - 1).any();
         faces.voxels[v] = isRim ? mask.voxels[v] : std::uint8_t{0};
     }
-    return static_cast<int>(core::piecesOf(faces).size());
+    return static_cast<int>(core::connectedComponents(faces).size());
 }
 
 int endsAtRim(const core::VolumeGeometry& grid, const core::VesselTree& tree)
@@ -117,7 +117,7 @@ int endsAtRim(const core::VolumeGeometry& grid, const core::VesselTree& tree)
 LabelCover coverOf(const core::VoxelMask& mask, const core::VesselTree& tree)
 {
     core::TracingProgress unheard({});
-    const std::vector<std::size_t> skeleton = core::thinned(mask, unheard);
+    const std::vector<std::size_t> skeleton = core::skeletonize(mask, unheard);
     const core::VoxelMask near = nearTree(mask.geometry, tree);
     LabelCover cover;
     std::size_t found = 0;
@@ -130,9 +130,9 @@ LabelCover coverOf(const core::VoxelMask& mask, const core::VesselTree& tree)
     for (const std::size_t voxel : skeleton) {
         isSkeleton.voxels[voxel] = 1;
     }
-    const std::vector<core::VoxelPiece> pieces = core::piecesOf(mask);
+    const std::vector<core::VoxelComponent> pieces = core::connectedComponents(mask);
     double voxels = 0.0;
-    for (const core::VoxelPiece& piece : pieces) {
+    for (const core::VoxelComponent& piece : pieces) {
         std::size_t its = 0;
         std::size_t nearOfIts = 0;
         for (const std::uint32_t voxel : piece) {

@@ -83,8 +83,9 @@ void addSurfaces(std::vector<NamedMask>& all)
         {"coronary-phantom-xa/tree/Proposed_TRI3_coarse.stl", 1.0}};
     for (const auto& [file, unitMm] : surfaces) {
         const auto surface = io::readSurface(test::dataFile(file).string(), unitMm);
-        const auto mask = surface ? core::fillSurface(surface.value().mesh, core::usualSpacingMm(surface.value().mesh))
-                                  : core::Result<core::VoxelMask>(surface.error());
+        const auto mask = surface
+                              ? core::fillSurface(surface.value().mesh, core::defaultSpacingMm(surface.value().mesh))
+                              : core::Result<core::VoxelMask>(surface.error());
         if (mask) {
             all.push_back({fs::path(file).filename().string(), mask.value()});
         }

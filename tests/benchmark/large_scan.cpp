@@ -87,7 +87,7 @@ void printLarge(const core::Volume& scan)
     const Timing time = timed([&] {
         const auto traced = core::traceVessels(scan, {}, [&](const core::TracingReport& report) {
             stages.enter(report.stage);
-            return core::Verdict::Continue;
+            return core::ObserverDecision::Continue;
         });
         branches = traced ? traced.value().tree.branches.size() : 0;
         stages.enter("");
@@ -116,7 +116,7 @@ void printStops(const core::Volume& scan, const core::VesselTracingOptions& opti
         std::string_view stage;
         (void)core::traceVessels(scan, options, [&](const core::TracingReport& report) {
             stage = report.stage;
-            return passed() >= pressed ? core::Verdict::Stop : core::Verdict::Continue;
+            return passed() >= pressed ? core::ObserverDecision::Stop : core::ObserverDecision::Continue;
         });
         const double answer = std::max(0.0, passed() - pressed);
         sum += answer;

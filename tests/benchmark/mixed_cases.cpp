@@ -1,7 +1,7 @@
 #include "tests/benchmark/mixed_cases.h"
 
 #include "core/geometry/c_arm.h"
-#include "core/geometry/camera_spread.h"
+#include "core/geometry/camera_uncertainty.h"
 #include "tests/benchmark/grown_trees.h"
 
 #include <Eigen/Geometry>
@@ -146,14 +146,14 @@ void addTraced(const Pixels& curve, const Imaging& imaging, ForeignRandom& rando
     const double kept = std::exp(-1.0 / imaging.jitterReachPx);
     Eigen::Vector2d jitter(random.normal(), random.normal());
     Pixels piece;
-    bool isLost = random.uniform() < imaging.lostShare;
+    bool isMismatch = random.uniform() < imaging.lostShare;
     auto left = static_cast<int>(random.uniform(15.0, 150.0));
     const auto end = [&] {
-        if (!isLost && piece.size() >= minCurvePoints) {
+        if (!isMismatch && piece.size() >= minCurvePoints) {
             target.curves.push_back({static_cast<int>(target.curves.size()), std::move(piece), {}});
         }
         piece.clear();
-        isLost = random.uniform() < imaging.lostShare;
+        isMismatch = random.uniform() < imaging.lostShare;
         left = static_cast<int>(random.uniform(15.0, 150.0));
     };
     for (const Eigen::Vector2d& point : even.curves.front().pointsPx) {
@@ -269,12 +269,12 @@ core::RigidTransform displaced(const core::RigidTransform& truth, const Eigen::V
     return {rotation, truth * centroid + shift - rotation * centroid};
 }
 
-core::CameraSpread headersSpread(const core::ProjectionCamera& camera)
+core::CameraUncertainty headersSpread(const core::ProjectionCamera& camera)
 {
     core::CArm cArm;
     cArm.sourceToDetectorMm.origin = core::Origin::Header;
     cArm.columnSpacingMm.origin = core::Origin::Header;
-    return core::spreadByOrigin(cArm, camera);
+    return core::uncertaintyByOrigin(cArm, camera);
 }
 
 }   // namespace
@@ -299,7 +299,7 @@ RequestedCase mixedCase(std::uint64_t number)
     asked.input.camera = imaging.camera;
     asked.input.target = drawnTarget(moved, filled, imaging, random);
     asked.input.initialCameraFromPatient = displaced(truth, centroid, random);
-    asked.input.cameraSpread = random.uniform() < 0.8 ? headersSpread(imaging.camera) : core::CameraSpread{};
+    asked.input.cameraUncertainty = random.uniform() < 0.8 ? headersSpread(imaging.camera) : core::CameraUncertainty{};
     spoilCamera(asked.input.camera, random);
     asked.isImpossible = isOther || isMirrored;
     if (isMirrored) {

@@ -55,7 +55,7 @@ void tracePath(const core::Volume& scan, const core::VesselBranch& branch, doubl
     const Eigen::Vector3d from = clickAt(branch.pointsInPatient[std::min<std::size_t>(2, last)], voxelMm, random);
     const Eigen::Vector3d to = clickAt(branch.pointsInPatient[last - std::min<std::size_t>(2, last)], voxelMm, random);
     std::optional<core::Result<core::VesselPath>> path;
-    scores.seconds.push_back(benchmarks::timed([&] { path = core::vesselBetween(scan, from, to); }).processor);
+    scores.seconds.push_back(benchmarks::timed([&] { path = core::traceVesselBetween(scan, from, to); }).processor);
     if (!*path) {
         scores.overlaps.push_back(0.0);
         ++scores.failed;

@@ -78,8 +78,8 @@ void printHeld(const std::vector<PhantomView>& views)
             centroidInCamera(view) - input.initialCameraFromPatient.rotation * core::centroidInPatient(view.input.tree);
         inputs.push_back(std::move(input));
     }
-    const auto held =
-        core::registerViews(inputs, {}, {std::vector<core::StepSpread>(inputs.size(), {0.02, {10.0, 10.0, 10.0}}), {}});
+    const auto held = core::registerViews(
+        inputs, {}, {std::vector<core::RelativePoseStd>(inputs.size(), {0.02, {10.0, 10.0, 10.0}}), {}});
     if (!held) {
         std::printf("%s\n", held.error().message.text().c_str());
         return;

@@ -130,7 +130,7 @@ int main(int argc, char** argv)
         printAim("Largest difference of relative rotations", largestDifferenceDeg(pairs), aimedLargestDeg, "°");
     const bool isTypical =
         printAim("Median difference of relative rotations", medianDifferenceDeg(pairs), aimedMedianDeg, "°");
-    const double headerDeg = std::sqrt(3.0) * core::StepSpread().rotationDeg;
+    const double headerDeg = std::sqrt(3.0) * core::RelativePoseStd().rotationDeg;
     std::printf("%-44s %5.2f     (aim: 0.7 to 1.3)\n", "Differences over reported σ, rms",
                 rmsOverReported(views, pairs, 0.0));
     std::printf("%-44s %5.2f\n", "… with what joint registration allows headers",

@@ -111,7 +111,7 @@ bool openAfresh(app::CaseController& controller, const QStringList& paths)
 {
     controller.document().replace({}, {});
     controller.open(paths);
-    const bool isOpen = QTest::qWaitFor([&] { return !controller.isLoading() && controller.judgement(); }, 60000);
+    const bool isOpen = QTest::qWaitFor([&] { return !controller.isLoading() && controller.evaluation(); }, 60000);
     QTest::qWait(1000);
     return isOpen && QTest::qWaitFor([] { return QThreadPool::globalInstance()->activeThreadCount() == 0; }, 60000);
 }
@@ -140,7 +140,7 @@ bool openFirst(app::WindowHost& host, const QElapsedTimer& sinceStart, QStringLi
     app::CaseController& controller = host.controller();
     controller.open(paths);
     const bool isOpen = QTest::qWaitFor(
-        [&] { return host.window().angiogramView().renderCount() > 0 && controller.judgement() != nullptr; }, 60000);
+        [&] { return host.window().angiogramView().renderCount() > 0 && controller.evaluation() != nullptr; }, 60000);
     std::printf("case on screen after %lld ms (aim 3000), processor %.0f ms\n",
                 static_cast<long long>(opening.elapsed()), processMs() - processorBefore);
     return isShown && isOpen;

@@ -182,7 +182,7 @@ bool measureDrag(std::size_t viewCount)
     controller.document().replace(std::move(views), {});
     window.actions()[ui::Command::SideBySide]->setChecked(true);
     if (!QTest::qWaitForWindowExposed(&window) ||
-        !QTest::qWaitFor([&controller] { return controller.judgement() != nullptr; }, 60000)) {
+        !QTest::qWaitFor([&controller] { return controller.evaluation() != nullptr; }, 60000)) {
         std::fputs("The window did not appear.\n", stderr);
         return false;
     }

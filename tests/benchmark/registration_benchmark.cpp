@@ -4,7 +4,7 @@
 // the new target map. Medians and their ratios from one execution.
 
 #include "core/evaluation/protocols/protocol.h"
-#include "core/evaluation/trial/contestant.h"
+#include "core/evaluation/trial/evaluated_method.h"
 #include "core/evaluation/trial/projection_error.h"
 #include "core/registration/methods/method_info.h"
 #include "core/support/format_number.h"
@@ -49,7 +49,7 @@ const std::vector<core::Trial>& trialsOf(const std::string& condition)
     std::vector<core::Trial>& trials = made[condition];
     if (trials.empty()) {
         const core::Protocol& simulation = *core::findProtocol("simulation");
-        const auto maker = simulation.prepare(core::conditionsFrom(simulation, condition).value().front(), 1);
+        const auto maker = simulation.prepare(core::parseConditions(simulation, condition).value().front(), 1);
         for (std::uint64_t number = 0; number < trialCount; ++number) {
             trials.push_back(maker(number));
         }
@@ -60,8 +60,8 @@ const std::vector<core::Trial>& trialsOf(const std::string& condition)
 void registerOnce(benchmark::State& state, const std::string& method, const std::string& condition)
 {
     const std::vector<core::Trial>& trials = trialsOf(condition);
-    const core::Contestant contestant = core::contestantFrom(method).value();
-    const core::RegistrationOptions options = core::optionsFor(contestant, trials.front().targetIsExact);
+    const core::EvaluatedMethod evaluatedMethod = core::parseMethod(method).value();
+    const core::RegistrationOptions options = core::optionsFor(evaluatedMethod, trials.front().targetIsExact);
     StageSum stages;
     std::vector<core::RigidTransform> found(trialCount);
     std::size_t next = 0;
@@ -130,7 +130,7 @@ void mapFrames(benchmark::State& state)
     const BreathingRun run = breathingRun(trialsOf(targets.front().condition).front(), trialCount);
     std::size_t next = 0;
     while (state.KeepRunning()) {
-        const core::TargetSamples target = core::sampledTarget(run.targets[next++ % trialCount], {});
+        const core::TargetSamples target = core::sampleTarget(run.targets[next++ % trialCount], {});
         benchmark::DoNotOptimize(core::TargetLines(target, run.first.camera));
     }
 }

@@ -38,22 +38,22 @@ Worst printCase(std::uint64_t seed, ui::GlOverlay& gl)
 }
 
 /// OpenGL work of one image of a state.
-ui::VtkOverlay::Work workOf(const test::OverlayState& state, ui::GlOverlay& gl, int width, int height)
+ui::VtkOverlay::RenderStats makeRetrieval(const test::OverlayState& state, ui::GlOverlay& gl, int width, int height)
 {
     ui::OverlayScene scene;
     state.apply(scene);
     scene.setLineWidthPx(2.4);
     QImage picture(width, height, QImage::Format_RGB32);
     gl.draw(scene, false, {}, {reinterpret_cast<std::uint32_t*>(picture.bits()), width, height});
-    return gl.work();
+    return gl.renderStats();
 }
 
 void printWork(ui::GlOverlay& gl)
 {
     std::puts("\nhanded to OpenGL for one picture: vertices, draw calls");
     for (const test::OverlayState& state : test::overlayStates(1)) {
-        const ui::VtkOverlay::Work small = workOf(state, gl, 1920, 1080);
-        const ui::VtkOverlay::Work large = workOf(state, gl, 3840, 2160);
+        const ui::VtkOverlay::RenderStats small = makeRetrieval(state, gl, 1920, 1080);
+        const ui::VtkOverlay::RenderStats large = makeRetrieval(state, gl, 3840, 2160);
         std::printf("  %-26s 1920x1080: %6zu, %zu   3840x2160: %6zu, %zu   ratio %.2f\n", state.name.c_str(),
                     small.vertices, small.drawCalls, large.vertices, large.drawCalls,
                     static_cast<double>(large.vertices) / static_cast<double>(small.vertices));

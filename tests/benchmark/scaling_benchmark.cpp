@@ -37,7 +37,7 @@ core::RegistrationInput makeInput(int points, int imageSizePx)
 /// between the last iteration and the final report, which is the cost of finishing a registration.
 class AllocationsByStep {
 public:
-    core::Verdict operator()(const core::IterationReport& report)
+    core::ObserverDecision operator()(const core::IterationReport& report)
     {
         const std::uint64_t now = allocationsOfThisThread();
         if (report.progress >= 1.0) {
@@ -47,7 +47,7 @@ public:
         }
         lastStage_ = report.stage;
         lastCount_ = allocationsOfThisThread();   // excludes the allocations of the line above
-        return core::Verdict::Continue;
+        return core::ObserverDecision::Continue;
     }
     double median() const
     {

@@ -83,13 +83,13 @@ void measureBrush(const char* what, ui::SliceModel& model, ui::SliceView& view, 
     measure(what, [&](int i) {
         const QPointF from = view.rect().center() + QPoint(2 * i, i);
         const core::BrushStep step{view.patientFromWidget(from), view.patientFromWidget(from + QPointF(2, 1))};
-        const core::MaskBrush brush{i % 2 == 0 ? core::MaskAim::Paint : core::MaskAim::Erase, radiusMm};
+        const core::MaskBrush brush{i % 2 == 0 ? core::BrushMode::Paint : core::BrushMode::Erase, radiusMm};
         const core::MaskChange change =
-            core::changeOf(shape == BrushShape::Ball ? core::brushedInSpace(draft, brush, step)
-                                                     : core::brushedInSlice(draft, view.grid(), brush, step));
+            core::makeMaskChange(shape == BrushShape::Ball ? core::brushVolume(draft, brush, step)
+                                                           : core::brushSlice(draft, view.grid(), brush, step));
         if (!change.runs.empty()) {
             core::flip(draft, change);
-            model.touchDraft(core::boxOf(draft.geometry, change));
+            model.notifyDraftChanged(core::boxOf(draft.geometry, change));
         }
     });
 }
@@ -111,10 +111,10 @@ void measureMask(ui::SliceModel& model, ui::SlicesPage& page)
     cut.halfDepthMm = std::numeric_limits<double>::infinity();
     core::MaskChange change;
     measure("worker: scissors through the whole depth",
-            [&](int) { change = core::changeOf(core::cutVoxels(*draft, cut)); });
+            [&](int) { change = core::makeMaskChange(core::cutVoxels(*draft, cut)); });
     measure("taking that cut, and undoing it", [&](int) {
         core::flip(*draft, change);
-        model.touchDraft(core::boxOf(draft->geometry, change));
+        model.notifyDraftChanged(core::boxOf(draft->geometry, change));
     });
     measure("opacity of the mask, all three planes", [&](int i) { model.setMaskOpacity(0.2 + 0.01 * i); });
 }

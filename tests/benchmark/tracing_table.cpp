@@ -186,7 +186,7 @@ int printAnnotated(const std::filesystem::path& folder)
         512, 512, {test::line({60, 80}, {430, 400}), test::line({80, 400}, {400, 90}), test::circle({250, 250}, 150)},
         4.0, {.noise = 6.0});
     printTime(frame);
-    printTime(core::enlarged(frame, 2, 1024, 1024));
+    printTime(core::upsample(frame, 2, 1024, 1024));
     return 0;
 }
 

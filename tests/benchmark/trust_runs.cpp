@@ -186,14 +186,14 @@ std::string csvOf(const std::vector<TrustRun>& runs)
 {
     std::ostringstream text;
     text << "tree,kind,impossible,errorMm,trustworthy";
-    for (const std::string_view name : core::signNames()) {
+    for (const std::string_view name : core::featureNames()) {
         text << ',' << name;
     }
     text << ",reasons\n";
     for (const TrustRun& run : runs) {
         text << run.tree << ",\"" << run.kind << "\"," << run.isImpossible << ',' << run.errorMm << ','
              << run.result.trustworthy;
-        for (const double value : core::signVector(run.result)) {
+        for (const double value : core::featureVector(run.result)) {
             text << ',' << value;
         }
         text << ",\"";

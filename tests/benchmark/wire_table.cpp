@@ -115,7 +115,7 @@ WireRun runOf(const WireCase& made, const core::RegistrationInput& input, const 
     }
     run.errorMm /= count;
     run.errorOnWayMm = errorOnWayMm(made, pose);
-    run.expectedMm = result.value().signs.expectedErrorMm;
+    run.expectedMm = result.value().indicators.expectedErrorMm;
     run.isTrusted = result.value().trustworthy;
     const auto& paths = result.value().wirePaths;
     run.probability = paths.empty() ? 0.0 : paths.front().probability;

@@ -68,12 +68,12 @@ void spoil(core::RegistrationInput& input, GeometryError error, std::uint64_t tr
     }
 }
 
-core::CameraSpread spreadOfHeader(const core::ProjectionCamera& camera)
+core::CameraUncertainty spreadOfHeader(const core::ProjectionCamera& camera)
 {
     core::CArm cArm;
     cArm.sourceToDetectorMm.origin = core::Origin::Header;
     cArm.columnSpacingMm.origin = core::Origin::Header;
-    return core::spreadByOrigin(cArm, camera);
+    return core::uncertaintyByOrigin(cArm, camera);
 }
 
 }   // namespace angiopose::benchmarks

@@ -41,6 +41,6 @@ bool hasTruth(GeometryError error);
 void spoil(core::RegistrationInput& input, GeometryError error, std::uint64_t trial);
 
 /// Uncertainty of a camera with distances and pixel spacing from a header and an assumed principal point.
-core::CameraSpread spreadOfHeader(const core::ProjectionCamera& camera);
+core::CameraUncertainty spreadOfHeader(const core::ProjectionCamera& camera);
 
 }   // namespace angiopose::benchmarks

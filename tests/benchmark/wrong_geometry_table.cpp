@@ -74,9 +74,9 @@ void compare(Answer& answer, const ForeignCase& asked, const core::RigidTransfor
 /// A case without images for these registration inputs, with their camera uncertainty in the options.
 core::Case caseOf(const std::vector<core::RegistrationInput>& inputs, core::RegistrationOptions options)
 {
-    const core::CameraSpread spread = inputs.front().cameraSpread;
+    const core::CameraUncertainty spread = inputs.front().cameraUncertainty;
     options.geometry.spread = core::GeometrySpread::Given;
-    options.geometry.focalPercent = 100.0 * spread.focalShare;
+    options.geometry.focalPercent = 100.0 * spread.relativeFocalStd;
     options.geometry.principalPx = spread.principalPx;
     core::Case values;
     values.options = std::move(options);
@@ -102,7 +102,7 @@ std::vector<core::RegistrationInput> reportedInputs(const std::vector<ForeignCas
     std::vector<core::RegistrationInput> inputs;
     for (const ForeignCase& view : asked) {
         core::RegistrationInput& input = inputs.emplace_back(view.input);
-        input.cameraSpread = spreadOfHeader(input.camera);
+        input.cameraUncertainty = spreadOfHeader(input.camera);
         spoil(input, reported.error, trial);
     }
     return inputs;

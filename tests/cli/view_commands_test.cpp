@@ -156,15 +156,15 @@ TEST(Cli, DoesNotFollowAgainWhatTheCaseKeeps)
     core::Messages warnings;
     core::Case session = io::loadCase(folder.file("demo/case.angiopose"), warnings).value();
     core::View& view = session.shown();
-    std::vector<core::FollowedFrame> frames(static_cast<std::size_t>(view.angiogram->frameCount()));
+    std::vector<core::TrackedRunFrame> frames(static_cast<std::size_t>(view.angiogram->frameCount()));
     for (std::size_t k = 0; k < frames.size(); ++k) {
         frames[k].frame = static_cast<int>(k);
         frames[k].tracked = {view.cameraFromPatient, 0.125, false, true, {}};
     }
-    view.followed = core::followedFrom(view.frame, frames);
+    view.followed = core::makeTrackedRun(view.frame, frames);
     ASSERT_TRUE(io::saveCase(session, folder.file("demo/whole.angiopose")));
     frames.pop_back();
-    view.followed = core::followedFrom(view.frame, frames);
+    view.followed = core::makeTrackedRun(view.frame, frames);
     ASSERT_TRUE(io::saveCase(session, folder.file("demo/stopped.angiopose")));
 
     const auto scoresOf = [&folder](const std::string& name) {

@@ -46,7 +46,7 @@ volatile int some = 7;
 int main(int count, char** words)
 {
     const std::string_view way = count > 1 ? words[1] : "";
-    angiopose::io::beginCrashDumps("angiopose-test");
+    angiopose::io::enableCrashDumps("angiopose-test");
     if (way == "thread") {
         std::thread([] { std::printf("%d", crashOnPurpose("segv")); }).join();
     }

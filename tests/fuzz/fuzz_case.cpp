@@ -15,7 +15,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const std::string path = fuzz::inputFile("case.angiopose", fuzz::viewOf(data, size));
     (void)io::validateCase(path);
     core::Messages warnings;
-    if (const auto loaded = io::loadCase(path, warnings); loaded && !io::findUnsavable(loaded.value())) {
+    if (const auto loaded = io::loadCase(path, warnings); loaded && !io::findSaveObstacle(loaded.value())) {
         (void)io::saveCase(loaded.value(), (fuzz::folder() / "again.angiopose").string());
     }
     return 0;

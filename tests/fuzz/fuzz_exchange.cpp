@@ -1,5 +1,5 @@
+#include "io/evaluation/cohort_manifest.h"
 #include "io/evaluation/observer_readings.h"
-#include "io/evaluation/own_manifest.h"
 #include "io/fiducial_file.h"
 #include "io/opening/open_result.h"
 #include "io/pose_camera_file.h"
@@ -88,7 +88,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
             (void)io::readObserverReadings(fuzz::inputFile("log.csv", content));
             break;
         case 8:
-            (void)io::readOwnManifest(fuzz::inputFile("cases.csv", content));
+            (void)io::readCohortManifest(fuzz::inputFile("cases.csv", content));
             break;
         case 9:
             (void)io::readStudy(fuzz::inputFile("study.json", content));
@@ -99,7 +99,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
             }
             break;
         default:
-            (void)io::openFound({fuzz::inputFile("result.json", content), {}}, warnings);
+            (void)io::openResultCase({fuzz::inputFile("result.json", content), {}}, warnings);
             break;
     }
     return 0;

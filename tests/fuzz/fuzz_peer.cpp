@@ -58,7 +58,7 @@ void readCommand(std::string_view bytes)
 void readMultipart(std::string_view content)
 {
     const std::size_t end = std::min(content.find('\n'), content.size());
-    const auto boundary = io::boundaryOf(std::string(content.substr(0, end)));
+    const auto boundary = io::parseBoundary(std::string(content.substr(0, end)));
     if (!boundary) {
         return;
     }
@@ -85,12 +85,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
             readCommand(content);
             break;
         case 1:
-            (void)io::decodedIdentifier(content);
+            (void)io::decodeIdentifier(content);
             break;
         case 2:
-            (void)io::matchesOfJson(std::string(content));
-            (void)io::objectsOfJson(std::string(content));
-            (void)io::storeAnswerOfJson(std::string(content));
+            (void)io::parseMatches(std::string(content));
+            (void)io::parseObjects(std::string(content));
+            (void)io::parseStoreResult(std::string(content));
             break;
         default:
             readMultipart(content);

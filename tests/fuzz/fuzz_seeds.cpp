@@ -84,7 +84,7 @@ void keepExchanged(const fs::path& root, const test::TemporaryFolder& scratch)
     const auto keepFile = [&root](char kind, const fs::path& path) {
         keep(root, "exchange", path.filename().string(), std::string(1, kind) + test::readText(path));
     };
-    const core::Sight sight{{-2000, 2000, 7.5, 5.5, 16, 12}, {}};
+    const core::PosedCamera sight{{-2000, 2000, 7.5, 5.5, 16, 12}, {}};
     char kind = 0;
     for (const char* name : {"sight.json", "sight.yml", "sight.xml", "sight.txt"}) {
         (void)io::writeSight(sight, scratch.file(name));
@@ -108,13 +108,13 @@ void keepExchanged(const fs::path& root, const test::TemporaryFolder& scratch)
 /// What a peer answers when all is well.
 void keepAnswers(const fs::path& root)
 {
-    io::DimseCommand request(io::DimseKind::FindRequest, 1, "1.2.840.10008.5.1.4.1.2.2.1");
+    io::DimseCommand request(io::DimseMessageType::FindRequest, 1, "1.2.840.10008.5.1.4.1.2.2.1");
     request.setHasData();
     keep(root, "peer", "request", std::string(1, '\0') + request.encoded());
     keep(root, "peer", "response", std::string(1, '\0') + request.response(io::dimse::pending).encoded());
     keep(root, "peer", "identifier",
          std::string(1, '\1') +
-             io::encodedIdentifier({{0x00080052, "STUDY"}, {0x00100010, "A^B"}, {0x0020000d, "1.2.3"}}));
+             io::encodeIdentifier({{0x00080052, "STUDY"}, {0x00100010, "A^B"}, {0x0020000d, "1.2.3"}}));
     keep(root, "peer", "matches.json",
          std::string(1, '\2') + R"([{"0020000D": {"vr": "UI", "Value": ["1.2.3"]}, "00100010": {"vr": "PN",
 "Value": [{"Alphabetic": "A^B"}]}, "00201208": {"vr": "IS", "Value": [12]}}])");

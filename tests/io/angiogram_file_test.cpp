@@ -86,7 +86,7 @@ TEST(WriteAngiogram, WritesWhatARoomTells)
     original.cArm.sourceToObjectMm = {683.0, core::Origin::Header, ""};
     original.gantry.table = core::TablePosition{{-4.5, 7.8, 123.4}, core::TablePosition::Tags::Siemens};
     original.gantry.tableMoves = true;
-    original.gantry.biplane = core::BiplaneMoment{'B', "20240229", 36900.0};
+    original.gantry.biplane = core::BiplaneTime{'B', "20240229", 36900.0};
     ASSERT_TRUE(io::writeAngiogram(original, folder.file("run.dcm")));
     const auto copy = io::readAngiogram(folder.file("run.dcm"));
     ASSERT_TRUE(copy) << copy.error().message;

@@ -47,8 +47,8 @@ TEST(BranchTable, AProfileHasARowEveryHalfMillimeter)
     const auto table = io::parseCsv(text, "profile.csv");
     ASSERT_TRUE(table) << table.error().message;
     ASSERT_EQ(table.value().rows.size(), 81U);
-    EXPECT_NEAR(io::numberAt(table.value(), 41, *table.value().column("y")).value(), 20.5, 1e-9);
-    EXPECT_NEAR(io::numberAt(table.value(), 41, *table.value().column("diameter_mm")).value(), 1.5, 1e-9);
+    EXPECT_NEAR(io::numberInCell(table.value(), 41, *table.value().column("y")).value(), 20.5, 1e-9);
+    EXPECT_NEAR(io::numberInCell(table.value(), 41, *table.value().column("diameter_mm")).value(), 1.5, 1e-9);
 }
 
 }   // namespace

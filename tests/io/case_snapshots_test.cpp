@@ -75,7 +75,7 @@ TEST(CaseSnapshots, AreRestoredToTheLastBit)
     EXPECT_EQ(read[0].metrics, expected.metrics);
     EXPECT_EQ(read[0].runMs, expected.runMs);
     EXPECT_EQ(read[0].cameraFromPatient.matrix(), expected.cameraFromPatient.matrix());
-    EXPECT_EQ(read[1].kind, core::SnapshotKind::Kept);
+    EXPECT_EQ(read[1].kind, core::SnapshotKind::Saved);
     EXPECT_FALSE(read[1].metrics);
     EXPECT_NE(read[0].id, read[1].id);
     EXPECT_EQ(again.value().extraKeys, original.extraKeys);

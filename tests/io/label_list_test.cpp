@@ -14,12 +14,12 @@ using namespace angiopose;
 
 namespace {
 
-using io::ListedLabel;
+using io::LabelInfo;
 using test::TemporaryFolder;
 
-std::vector<ListedLabel> named(std::initializer_list<const char*> names)
+std::vector<LabelInfo> named(std::initializer_list<const char*> names)
 {
-    std::vector<ListedLabel> labels;
+    std::vector<LabelInfo> labels;
     for (const char* name : names) {
         labels.push_back({static_cast<int>(labels.size()) + 1, name, 10, 0.1});
     }
@@ -28,12 +28,12 @@ std::vector<ListedLabel> named(std::initializer_list<const char*> names)
 
 TEST(LabelList, CountsVoxelsAndVolume)
 {
-    const auto listed = io::listedLabels(test::forkLabels(), {{7, "box"}});
+    const auto listed = io::listLabels(test::forkLabels(), {{7, "box"}});
     ASSERT_EQ(listed.size(), 2U);
     EXPECT_EQ(listed[0].label, 2);
     EXPECT_EQ(listed[0].name, "");
     EXPECT_NEAR(listed[0].volumeMl, 1e-3 * static_cast<double>(listed[0].voxels), 1e-12) << "voxels of 1 mm";
-    EXPECT_EQ(listed[1], (ListedLabel{7, "box", 5 * 64 * 96, 0.001 * 5 * 64 * 96}));
+    EXPECT_EQ(listed[1], (LabelInfo{7, "box", 5 * 64 * 96, 0.001 * 5 * 64 * 96}));
 }
 
 TEST(LabelList, ReadsTheLabelTableOfNifti)
@@ -62,21 +62,22 @@ TEST(LabelList, ReadsTheSegmentsOfSlicer)
 
 TEST(LabelList, NamesOfArteriesWinOverOrgansAndVeins)
 {
-    EXPECT_EQ(io::vesselsByName(named({"liver", "aorta", "inferior_vena_cava", "iliac_artery_left"})),
+    EXPECT_EQ(io::vesselLabelsByName(named({"liver", "aorta", "inferior_vena_cava", "iliac_artery_left"})),
               (std::vector<int>{2, 4}));
-    EXPECT_EQ(io::vesselsByName(named({"spleen", "portal_vein_and_splenic_vein"})), std::vector<int>{2});
-    EXPECT_TRUE(io::vesselsByName(named({"celiac_trunk", "organ_aorta_T264"})).empty()) << "all: nothing to choose";
-    EXPECT_TRUE(io::vesselsByName(named({"", ""})).empty());
-    EXPECT_EQ(io::vesselsByName(named({"Aorta", "aortic valve", "Calcified plaque"})), std::vector<int>{1});
+    EXPECT_EQ(io::vesselLabelsByName(named({"spleen", "portal_vein_and_splenic_vein"})), std::vector<int>{2});
+    EXPECT_TRUE(io::vesselLabelsByName(named({"celiac_trunk", "organ_aorta_T264"})).empty())
+        << "all: nothing to choose";
+    EXPECT_TRUE(io::vesselLabelsByName(named({"", ""})).empty());
+    EXPECT_EQ(io::vesselLabelsByName(named({"Aorta", "aortic valve", "Calcified plaque"})), std::vector<int>{1});
 }
 
 TEST(LabelList, FindsLabelsByNumberAndName)
 {
     const auto labels = named({"liver", "Aorta"});
-    const auto found = io::labelsCalled({"aorta", "1"}, labels);
+    const auto found = io::findLabels({"aorta", "1"}, labels);
     ASSERT_TRUE(found) << found.error().message;
     EXPECT_EQ(found.value(), (std::vector<int>{2, 1}));
-    const auto missing = io::labelsCalled({"spleen"}, labels);
+    const auto missing = io::findLabels({"spleen"}, labels);
     ASSERT_FALSE(missing);
     EXPECT_NE(missing.error().message.text().find("1 liver, 2 Aorta"), std::string::npos) << missing.error().message;
 }
@@ -104,7 +105,7 @@ TEST(LabelList, OverviewTellsWhereEachLabelLies)
     EXPECT_EQ(overview.labels[0].name, "hepatic artery");
     EXPECT_EQ(overview.rows.rows.at(32, 18, 26), 1) << "in the trunk";
     EXPECT_EQ(overview.rows.rows.at(32, 38, 26), 2) << "in the box";
-    EXPECT_LT(test::distanceToFork(overview.rows.middlesInPatient[0]), 4.0);
+    EXPECT_LT(test::distanceToFork(overview.rows.centersInPatient[0]), 4.0);
     EXPECT_FALSE(io::readLabelOverview(folder.file("nowhere.nrrd")));
 }
 
@@ -155,10 +156,10 @@ TEST(LabelList, LabelsStoredAsFloatAreLabels)
     for (const float factor : {1.0F, 0.9999999F}) {
         std::ranges::transform(labels.voxels, values.begin(),
                                [factor](std::uint16_t label) { return factor * static_cast<float>(label); });
-        const auto listed = io::labelsIn(written());
+        const auto listed = io::listLabelsOfFile(written());
         ASSERT_TRUE(listed) << factor;
         ASSERT_EQ(listed->size(), 2U);
-        EXPECT_EQ((*listed)[1].voxels, io::listedLabels(labels, {})[1].voxels);
+        EXPECT_EQ((*listed)[1].voxels, io::listLabels(labels, {})[1].voxels);
         const auto image = io::readLabels(folder.file("fork.mha"));
         ASSERT_TRUE(image) << image.error().message;
         EXPECT_EQ(image.value().voxels, labels.voxels) << factor;

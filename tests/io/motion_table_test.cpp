@@ -58,7 +58,7 @@ TEST(MotionTable, AnUnwritablePathIsAnError)
 TEST(DeformedSummary, SaysWhatMovedHowFar)
 {
     const MovedBranch moved;
-    const Json json = deformedSummary(moved.deformed);
+    const Json json = deformationSummary(moved.deformed);
     EXPECT_EQ(json["verdict"], "bent");
     EXPECT_EQ(json["perBranch"][0]["branch"], 7);
     EXPECT_EQ(json["perBranch"][0]["largestMotionMm"], 5.0);

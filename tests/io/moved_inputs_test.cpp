@@ -53,7 +53,7 @@ TEST(MovedInputs, NothingIsMissingWhereAllIsInPlace)
 {
     ANGIOPOSE_NEEDS_DATA("coronary-phantom-xa/cases");
     const MovedCase moved;
-    const auto missing = io::missingInputs(moved.casePath());
+    const auto missing = io::findMissingInputs(moved.casePath());
     ASSERT_TRUE(missing) << missing.error().message;
     EXPECT_TRUE(missing.value().empty());
 }
@@ -70,7 +70,7 @@ TEST(MovedInputs, AreFoundInSubFoldersEvenUnderAnotherName)
 
     core::Messages warnings;
     EXPECT_FALSE(io::loadCase(moved.casePath(), warnings));
-    const auto missing = io::missingInputs(moved.casePath());
+    const auto missing = io::findMissingInputs(moved.casePath());
     ASSERT_TRUE(missing);
     ASSERT_EQ(missing.value().size(), 2u);
     const io::MovedInputs found = io::findMovedInputs(missing.value(), {moved.root().string()});
@@ -94,12 +94,12 @@ TEST(MovedInputs, AnotherFileOfTheSameNameDoesNotCount)
     fs::create_directories(impostor.parent_path());
     std::ofstream(impostor) << "not the tree";
 
-    const auto missing = io::missingInputs(moved.casePath());
+    const auto missing = io::findMissingInputs(moved.casePath());
     ASSERT_TRUE(missing);
     ASSERT_EQ(missing.value().size(), 1u);
     EXPECT_TRUE(io::findMovedInputs(missing.value(), {moved.root().string()}).empty());
-    EXPECT_FALSE(io::isFeasibleFor(missing.value().front(), impostor.string()));
-    EXPECT_TRUE(io::isFeasibleFor({impostor.string(), ""}, impostor.string()));
+    EXPECT_FALSE(io::canReplace(missing.value().front(), impostor.string()));
+    EXPECT_TRUE(io::canReplace({impostor.string(), ""}, impostor.string()));
 }
 
 TEST(MovedInputs, SearchEndsWhenAskedTo)
@@ -107,9 +107,9 @@ TEST(MovedInputs, SearchEndsWhenAskedTo)
     ANGIOPOSE_NEEDS_DATA("coronary-phantom-xa/cases");
     const MovedCase moved;
     fs::rename(moved.tree(), moved.root() / moved.tree().filename());
-    const auto missing = io::missingInputs(moved.casePath());
+    const auto missing = io::findMissingInputs(moved.casePath());
     ASSERT_TRUE(missing);
-    const auto stop = [](double) { return core::Verdict::Stop; };
+    const auto stop = [](double) { return core::ObserverDecision::Stop; };
     EXPECT_TRUE(io::findMovedInputs(missing.value(), {moved.root().string()}, stop).empty());
 }
 

@@ -12,12 +12,12 @@ using namespace angiopose;
 
 namespace {
 
+using core::PosedCamera;
 using core::ProjectionCamera;
 using core::RigidTransform;
-using core::Sight;
 
-const Sight oddSight{{-2281.123456789, 2279.5, 250.5, 1.0 / 3.0, 512, 480},
-                     {core::expSo3({0.3, -1.1, 2.0 / 3.0}), {1.0 / 3.0, -1e-9, 742.123456789012345}}};
+const PosedCamera oddSight{{-2281.123456789, 2279.5, 250.5, 1.0 / 3.0, 512, 480},
+                           {core::expSo3({0.3, -1.1, 2.0 / 3.0}), {1.0 / 3.0, -1e-9, 742.123456789012345}}};
 
 /// As written by OpenCV 4.6, for the matrices of a camera with a 3:4:5 rotation.
 const std::string openCvYaml = R"(%YAML:1.0

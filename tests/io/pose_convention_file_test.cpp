@@ -9,8 +9,8 @@ using namespace angiopose;
 
 namespace {
 
-const core::Sight ours{{-2281.5, 2279.5, 250.5, 261.25, 512, 480},
-                       {core::expSo3({0.3, -1.1, 0.6}), {3.0, -4.0, 742.5}}};
+const core::PosedCamera ours{{-2281.5, 2279.5, 250.5, 261.25, 512, 480},
+                             {core::expSo3({0.3, -1.1, 0.6}), {3.0, -4.0, 742.5}}};
 
 TEST(DiffDrrFile, RestoresTheSight)
 {

@@ -110,7 +110,7 @@ TEST(ReadPose, Hdf5FilesMustBeRigid)
 {
     const test::TemporaryFolder folder;
     const auto written = [&folder](const std::string& scale) {
-        const auto reply = io::askDecoder(
+        const auto reply = io::runDecoder(
             "angiopose-decode-itk", {"write", scale, "0", "0", "1.5", "0", scale, "0", "-2", "0", "0", scale, "740.25"},
             folder.file("pose.h5"));
         EXPECT_TRUE(reply) << reply.error().message;
@@ -160,7 +160,7 @@ TEST(ResultJson, HasEveryPromisedKey)
     result.branches.push_back({4, 20, 0.5, 1.5, 0.9});
     result.unopacified.push_back({7, 0.75});
     result.stopReason = core::StopReason::StoppedByUser;
-    result.warnings = {core::messages::trustDepthUnknown()};
+    result.warnings = {core::messages::depthUndetermined()};
     const nlohmann::json json = nlohmann::json::parse(io::resultJson(session, result));
     EXPECT_EQ(json["format"], "angiopose-result");
     EXPECT_EQ(json["version"], 2);
@@ -173,7 +173,7 @@ TEST(ResultJson, HasEveryPromisedKey)
     EXPECT_EQ(json["unfilled"][0]["branch"], 7);
     EXPECT_EQ(json["unfilled"][0]["share"], 0.75);
     EXPECT_EQ(json["trustworthy"], false);
-    EXPECT_EQ(json["warnings"][0], core::messages::trustDepthUnknown().text());
+    EXPECT_EQ(json["warnings"][0], core::messages::depthUndetermined().text());
     EXPECT_EQ(json["messages"][0]["id"], "trust.depth-unknown");
     EXPECT_EQ(json["stopReason"], core::toText(core::StopReason::StoppedByUser));
     EXPECT_TRUE(json["timeMs"].contains("total"));

@@ -42,7 +42,7 @@ TEST(SnapshotTable, TellsEveryPoseAndItsDistanceFromTheReference)
     ASSERT_TRUE(table) << table.error().message;
     ASSERT_EQ(table.value().rows.size(), 2u);
     const auto number = [&](std::size_t row, const char* column) {
-        return io::numberAt(table.value(), row, *table.value().column(column)).value();
+        return io::numberInCell(table.value(), row, *table.value().column(column)).value();
     };
     EXPECT_EQ(number(0, "in_plane_difference_mm"), 0.0);
     EXPECT_EQ(number(1, "in_plane_difference_mm"), 3.0);
@@ -120,7 +120,7 @@ TEST(ObserverLog, IsReadBackAsReadingsWithoutWhatWasAbandoned)
     EXPECT_EQ(reading.observer, "Ada");
     EXPECT_EQ(reading.pivotInPatient, trial.pivotInPatient);
     EXPECT_EQ(reading.cameraFromPatient.rotation, trial.finalPose.rotation);
-    EXPECT_EQ(reading.centerCameraFromPatient.translation, trial.centerPose.translation);
+    EXPECT_EQ(reading.referenceCameraFromPatient.translation, trial.centerPose.translation);
 }
 
 TEST(ObserverLog, OfAnEarlierVersionGoesOnAsItIsAndSaysWhatItLacks)

@@ -49,7 +49,7 @@ std::string single(float value)
     return littleEndian(bits, 4);
 }
 
-core::Result<core::RunTreatment> treatmentOf(const std::string& elements)
+core::Result<core::RunProcessing> treatmentOf(const std::string& elements)
 {
     const test::TemporaryFolder folder;
     const std::string path = folder.file("run.dcm");

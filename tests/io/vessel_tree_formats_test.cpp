@@ -84,7 +84,7 @@ core::VesselTree forest()
 TEST(VesselTreeFormats, KeepSeveralRootsAndLoops)
 {
     const core::VesselTree tree = forest();
-    ASSERT_EQ(core::pieceCount(tree), 2);
+    ASSERT_EQ(core::componentCount(tree), 2);
     double lengthMm = 0.0;
     for (const core::VesselBranch& branch : tree.branches) {
         lengthMm += branch.lengthMm();
@@ -93,14 +93,14 @@ TEST(VesselTreeFormats, KeepSeveralRootsAndLoops)
         const test::TemporaryFolder folder;
         ASSERT_TRUE(io::writeVesselTree(tree, folder.file(name))) << name;
         const core::VesselTree read = readTreeOrFail(folder.file(name));
-        EXPECT_EQ(core::pieceCount(read), 2) << name;
+        EXPECT_EQ(core::componentCount(read), 2) << name;
         EXPECT_EQ(core::treeKnots(read, {}, 2.0).cuts.size(), 1U) << name;
         double readMm = 0.0;
         for (const core::VesselBranch& branch : read.branches) {
             readMm += branch.lengthMm();
         }
         EXPECT_NEAR(readMm, lengthMm, 3.0) << name;
-        const core::VesselTree rooted = core::rootedAt(read, {50, 0, 0});
+        const core::VesselTree rooted = core::rootTreeAt(read, {50, 0, 0});
         EXPECT_EQ(std::ranges::count(rooted.branches, 0, &core::VesselBranch::generation), 2) << name;
     }
 }
@@ -195,8 +195,8 @@ TEST(ReadVesselTree, StopEndsTheDecoderOfALegacyFile)
     const std::string path =
         folder.write("tree.vtk", header + std::string("t\nASCII\nDATASET POLYDATA\nPOINTS 2 float\n"
                                                       "0 0 0 1 0 0\nLINES 1 3\n2 0 1\n"));
-    EXPECT_TRUE(io::readVesselTree(path, {}, [](double) { return core::Verdict::Stop; }).isStopped());
-    EXPECT_TRUE(io::readVesselTree(path, {}, [](double) { return core::Verdict::Continue; }));
+    EXPECT_TRUE(io::readVesselTree(path, {}, [](double) { return core::ObserverDecision::Stop; }).isStopped());
+    EXPECT_TRUE(io::readVesselTree(path, {}, [](double) { return core::ObserverDecision::Continue; }));
 }
 
 TEST(ReadVesselTree, ChainsSegmentsAtBifurcations)

@@ -2,7 +2,7 @@
 
 #include "io/angiogram_file.h"
 #include "io/case/case_file.h"
-#include "io/case/save_over.h"
+#include "io/case/overwrite_case.h"
 #include "io/image_file.h"
 #include "io/pose_file.h"
 #include "io/support/case_lock.h"
@@ -60,10 +60,10 @@ int saveForEver(const std::string& folder)
     const std::string path = folder + "/case.angiopose";
     const io::CaseLock lock(path);
     auto session = wholeCase(path);
-    std::string known = io::contentOfCaseFile(path);
+    std::string known = io::caseFileHash(path);
     for (int number = 0; session; ++number) {
         session->title = titleOf(number);
-        const auto saved = io::saveCaseOver(*session, path, known);
+        const auto saved = io::overwriteCase(*session, path, known);
         if (!saved) {
             return 1;
         }
@@ -83,7 +83,7 @@ int saveOnce(const std::string& folder)
     }
     const int before = numberOf(*session);
     session->title = titleOf(before + 49);
-    const auto saved = io::saveCaseOver(*session, path, io::contentOfCaseFile(path));
+    const auto saved = io::overwriteCase(*session, path, io::caseFileHash(path));
     if (!saved) {
         std::fprintf(stderr, "%s\n", saved.error().message.text().c_str());
     }
@@ -99,14 +99,14 @@ int countUp(const std::string& folder)
     const std::string path = folder + "/case.angiopose";
     int written = 0;
     for (int turn = 0; turn < 60; ++turn) {
-        const std::string known = io::contentOfCaseFile(path);
+        const std::string known = io::caseFileHash(path);
         auto session = wholeCase(path);
         if (!session) {
             return 255;
         }
         session->title = titleOf(numberOf(*session) + 1);
-        const auto saved = io::saveCaseOver(*session, path, known);
-        if (!saved && !io::isChangedElsewhere(saved.error())) {
+        const auto saved = io::overwriteCase(*session, path, known);
+        if (!saved && !io::isConcurrentChange(saved.error())) {
             return 255;
         }
         written += saved ? 1 : 0;

@@ -2,7 +2,7 @@
 
 #include "io/angiogram_file.h"
 #include "io/archive/archive.h"
-#include "io/archive/dimse/receiver.h"
+#include "io/archive/dimse/storage_scp.h"
 #include "tests/io/archive/archive_objects.h"
 #include "tests/io/archive/orthanc.h"
 
@@ -62,24 +62,25 @@ bool isWholeObject(const std::string& path)
 int receiveForEver(const std::string& folder, int ready)
 {
     auto store = io::ObjectStore::open(storeOf(folder), maxBytes);
-    io::ReceiverOptions options;
+    io::StorageScpOptions options;
     options.port = freePort();
-    auto listening = io::Receiver::listen(options);
+    auto listening = io::StorageScp::listen(options);
     if (!store || !listening) {
         return 1;
     }
-    io::Receiver receiver = std::move(listening).value();
+    io::StorageScp receiver = std::move(listening).value();
     io::TransferReport report;
     const io::ArchiveObserver observe;
-    io::Arrivals arrivals(store.value(), {}, report, observe);
-    std::thread([&] { receiver.serve(arrivals, [] { return false; }); }).detach();
+    io::StoreWriter storeWriter(store.value(), {}, report, observe);
+    std::thread([&] { receiver.serve(storeWriter, [] { return false; }); }).detach();
     io::ArchiveNode node;
     node.name = "here";
     node.host = "127.0.0.1";
     node.port = options.port;
-    node.title = options.ownTitle;
+    node.title = options.ownAeTitle;
     (void)!::write(ready, "r", 1);
-    for (int turn = 0; io::sendToArchive(node, io::ArchiveWay::Dimse, newObjects(folder, turn)).isWhole(); ++turn) {
+    for (int turn = 0; io::sendToArchive(node, io::ArchiveProtocol::Dimse, newObjects(folder, turn)).isComplete();
+         ++turn) {
     }
     return 1;
 }

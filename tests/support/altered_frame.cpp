@@ -36,7 +36,7 @@ ImageF resampled(const ImageF& image, int width, int height, const From& from)
             const Eigen::Vector2d at = from(Eigen::Vector2d(x, y));
             const bool isInside =
                 at.x() >= -0.5 && at.y() >= -0.5 && at.x() <= image.width - 0.5 && at.y() <= image.height - 0.5;
-            result.at(x, y) = isInside ? core::sampled(image, at.x(), at.y()) : 0.0F;
+            result.at(x, y) = isInside ? core::sampleBilinear(image, at.x(), at.y()) : 0.0F;
         }
     }
     return result;
@@ -51,7 +51,7 @@ DrawnFrame resampled(const DrawnFrame& drawn, int width, int height, const From&
 DrawnFrame scaled(const DrawnFrame& drawn, double factor)
 {
     const double blurPx = factor < 1.0 ? 0.5 / factor : 0.0;   // against aliasing
-    DrawnFrame smooth{core::blurred(drawn.frame, blurPx), core::blurred(drawn.truth, blurPx), drawn.polarity};
+    DrawnFrame smooth{core::gaussianBlur(drawn.frame, blurPx), core::gaussianBlur(drawn.truth, blurPx), drawn.polarity};
     const auto size = [factor](int pixels) { return static_cast<int>(std::lround(factor * pixels)); };
     return resampled(smooth, size(drawn.frame.width), size(drawn.frame.height), [factor](const Eigen::Vector2d& at) {
         return Eigen::Vector2d((at.array() + 0.5) / factor - 0.5);
@@ -139,9 +139,9 @@ DrawnFrame compressed(DrawnFrame drawn, float step)
     return drawn;
 }
 
-DrawnFrame blurred(DrawnFrame drawn, double sigmaPx)
+DrawnFrame gaussianBlur(DrawnFrame drawn, double sigmaPx)
 {
-    drawn.frame = core::blurred(drawn.frame, sigmaPx);
+    drawn.frame = core::gaussianBlur(drawn.frame, sigmaPx);
     return drawn;
 }
 
@@ -170,7 +170,7 @@ std::vector<FrameChange> frameChanges()
         {"vessels bright", [](D d) { return bright(d); }},
         {"noise 5", [](D d) { return noisyFrame(d, 5.0); }},
         {"noise 10", [](D d) { return noisyFrame(d, 10.0); }},
-        {"blurred 1 px", [](D d) { return blurred(d, 1.0); }},
+        {"blurred 1 px", [](D d) { return gaussianBlur(d, 1.0); }},
         {"JPEG, light", [](D d) { return compressed(d, 6.0F); }},
         {"JPEG, heavy", [](D d) { return compressed(d, 15.0F); }},
         {"cropped all round", [](D d) { return croppedFrame(d, 0.1, 0.1, 0.8, 0.8); }},

@@ -55,7 +55,7 @@ CenterlineDice centerlineDice(const core::Centerline2d& traced, const core::Mask
             paint(vessels, curve.pointsPx[i], std::max(minPaintedRadiusPx, curve.radiusPx[i]));
         }
     }
-    return {shareInside(lines, truth), shareInside(core::thinned(truth), vessels)};
+    return {shareInside(lines, truth), shareInside(core::skeletonize(truth), vessels)};
 }
 
 core::Mask2d whitePixels(const core::ImageF& picture)

@@ -53,7 +53,7 @@ core::ImageF drawnFrame(int width, int height, const std::vector<Path>& paths, d
             }
         }
     }
-    core::ImageF frame = core::blurred(shadow, look.blurPx);
+    core::ImageF frame = core::gaussianBlur(shadow, look.blurPx);
     for (float& value : frame.pixels) {
         value = look.background - look.depth * value;
     }

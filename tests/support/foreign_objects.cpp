@@ -21,7 +21,7 @@ using Eigen::Vector2d;
 /// Difference in gray value between the darkest and the brightest parts of the image.
 double contrastOf(const ImageF& frame)
 {
-    const std::vector<float> ends = core::rankedAt(frame.pixels, {0.02, 0.98});
+    const std::vector<float> ends = core::grayQuantiles(frame.pixels, {0.02, 0.98});
     return ends[1] - ends[0];
 }
 
@@ -55,7 +55,7 @@ ImageF tube(const ImageF& frame, const std::vector<Path>& courses, double radius
 
 ImageF darkened(ImageF frame, const ImageF& depth, double by)
 {
-    const ImageF seen = core::blurred(depth, 0.7);
+    const ImageF seen = core::gaussianBlur(depth, 0.7);
     for (std::size_t i = 0; i < frame.pixels.size(); ++i) {
         frame.pixels[i] -= static_cast<float>(by) * seen.pixels[i];
     }
@@ -146,7 +146,7 @@ ObjectFrame withClips(const ImageF& frame, std::uint64_t seed)
 ObjectFrame withText(const ImageF& frame, std::uint64_t seed)
 {
     CounterRandom random(seed);
-    const std::vector<float> ends = core::rankedAt(frame.pixels, {0.001, 0.999});
+    const std::vector<float> ends = core::grayQuantiles(frame.pixels, {0.001, 0.999});
     ObjectFrame object{frame, {}, 9.0};
     for (int row = 0; row < 5; ++row) {
         const int count = 4 + random.index(8);
@@ -162,7 +162,7 @@ ObjectFrame withText(const ImageF& frame, std::uint64_t seed)
 template <class Inside>
 ImageF bordered(const ImageF& frame, CounterRandom& random, double softPx, const Inside& inside)
 {
-    const std::vector<float> ends = core::rankedAt(frame.pixels, {0.0, 0.05, 1.0});
+    const std::vector<float> ends = core::grayQuantiles(frame.pixels, {0.0, 0.05, 1.0});
     const double outside = random.uniform() < 0.5 ? ends[0] : random.uniform() < 0.7 ? ends[1] : ends[2];
     const double noise = random.uniform() < 0.5 ? 0.01 * (ends[2] - ends[0]) : 0.0;
     ImageF result = frame;
@@ -242,7 +242,7 @@ ImageF withoutVessels(const ImageF& frame, const core::Mask2d& vessels, int marg
             }
         }
     }
-    const ImageF slow = core::blurred(frame, 2.0);
+    const ImageF slow = core::gaussianBlur(frame, 2.0);
     std::vector<float> grain;
     for (std::size_t i = 0; i < frame.pixels.size(); ++i) {
         if (marked.pixels[i] == 0) {

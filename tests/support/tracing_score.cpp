@@ -2,7 +2,7 @@
 
 #include "core/imaging/image_filters.h"
 #include "core/imaging/mask_morphology.h"
-#include "core/imaging/wide_blur.h"
+#include "core/imaging/wide_gaussian_blur.h"
 #include "core/support/quantile.h"
 
 #include <algorithm>
@@ -33,7 +33,7 @@ Mask2d exposedInside(const ImageF& frame)
             exposed.at(x + 1, y + 1) = frame.at(x, y) > 0.0F ? 255 : 0;
         }
     }
-    exposed = core::eroded(exposed, rimPx);
+    exposed = core::erode(exposed, rimPx);
     Mask2d inside(frame.width, frame.height);
     for (int y = 0; y < frame.height; ++y) {
         for (int x = 0; x < frame.width; ++x) {
@@ -52,13 +52,13 @@ ImageF noiseAround(const ImageF& frame, const ImageF& contrast)
         weight.pixels[i] = frame.pixels[i] > 0.0F ? 1.0F : 0.0F;
         rest.pixels[i] = weight.pixels[i] * (frame.pixels[i] + contrast.pixels[i]);
     }
-    const ImageF mass = core::widelyBlurred(weight, surroundingsPx);
-    const ImageF slow = core::widelyBlurred(rest, surroundingsPx);
+    const ImageF mass = core::wideGaussianBlur(weight, surroundingsPx);
+    const ImageF slow = core::wideGaussianBlur(rest, surroundingsPx);
     for (std::size_t i = 0; i < rest.pixels.size(); ++i) {
         const float difference = rest.pixels[i] - weight.pixels[i] * slow.pixels[i] / std::max(1e-3F, mass.pixels[i]);
         rest.pixels[i] = difference * difference;
     }
-    ImageF deviation = core::widelyBlurred(rest, surroundingsPx);
+    ImageF deviation = core::wideGaussianBlur(rest, surroundingsPx);
     for (std::size_t i = 0; i < deviation.pixels.size(); ++i) {
         deviation.pixels[i] = std::sqrt(deviation.pixels[i] / std::max(1e-3F, mass.pixels[i]));
     }
@@ -68,7 +68,7 @@ ImageF noiseAround(const ImageF& frame, const ImageF& contrast)
 double ownContrast(const ImageF& contrast, const Eigen::Vector2d& point, const Eigen::Vector2d& tangent, double radius)
 {
     const Eigen::Vector2d side = (radius + besideWallsPx) * Eigen::Vector2d(-tangent.y(), tangent.x());
-    const auto at = [&](const Eigen::Vector2d& p) { return core::sampled(contrast, p.x(), p.y()); };
+    const auto at = [&](const Eigen::Vector2d& p) { return core::sampleBilinear(contrast, p.x(), p.y()); };
     return at(point) - std::max(at(point + side), at(point - side));
 }
 

@@ -9,18 +9,18 @@ std::span<const CommandRow> CommandTable::fileCommands()
     static constexpr CommandRow rows[]{
         {Command::Open, "open-", QT_TR_NOOP("Open…"), "Ctrl+O"},
         {Command::OpenFolder, "open-folder-or-disc-", QT_TR_NOOP("Open DICOM folder/CD…"), "Ctrl+Shift+O"},
-        {Command::OpenArchive, "open-from-archive-", QT_TR_NOOP("Query PACS…"), "Ctrl+Shift+A"},
+        {Command::QueryPacs, "open-from-archive-", QT_TR_NOOP("Query PACS…"), "Ctrl+Shift+A"},
         {Command::OpenSample, "open-sample-case", QT_TR_NOOP("Open sample case")},
         {Command::NewWindow, "new-window", QT_TR_NOOP("New window"), "Ctrl+N"},
         {Command::Save, "save", QT_TR_NOOP("Save"), "Ctrl+S", StartsGroup},
         {Command::SaveAs, "save-as-", QT_TR_NOOP("Save as…"), "Ctrl+Shift+S"},
         {Command::ExportOverlay, "export-overlay-", QT_TR_NOOP("Export overlay…"), "Ctrl+E"},
         {Command::SendToArchive, "send-to-archive-", QT_TR_NOOP("Send to PACS…"), "", StartsGroup},
-        {Command::PackCase, "pack-case-for-others-", QT_TR_NOOP("Share case as ZIP…")},
+        {Command::ShareCase, "pack-case-for-others-", QT_TR_NOOP("Share case as ZIP…")},
         {Command::DeidentifyFiles, "de-identify-files-", QT_TR_NOOP("De-identify files…")},
-        {Command::SaveWindow, "save-picture-of-the-window-", QT_TR_NOOP("Save screenshot…"), "F12"},
+        {Command::SaveScreenshot, "save-picture-of-the-window-", QT_TR_NOOP("Save screenshot…"), "F12"},
         {Command::PrivateMode, "private-mode", QT_TR_NOOP("Private mode"), "", Switch | StartsGroup},
-        {Command::KeepAudit, "keep-an-audit-file-", QT_TR_NOOP("Write audit log…"), "", Switch},
+        {Command::WriteAuditLog, "keep-an-audit-file-", QT_TR_NOOP("Write audit log…"), "", Switch},
         {Command::CloseCase, "close-case", QT_TR_NOOP("Close case"), "Ctrl+W", StartsGroup},
         {Command::Close, "quit", QT_TR_NOOP("Quit"), "Ctrl+Q"},
     };
@@ -39,9 +39,9 @@ std::span<const CommandRow> CommandTable::exportCommands()
         {Command::ExportVessels, "export-vessel-tree-", QT_TR_NOOP("Export vessel tree…")},
         {Command::ExportMask, "export-lumen-mask-", QT_TR_NOOP("Export lumen mask…")},
         {Command::ExportDeformed, "export-bent-vessels-", QT_TR_NOOP("Export deformed vessels…")},
-        {Command::ExportFollowed, "export-followed-poses-", QT_TR_NOOP("Export tracked poses…")},
+        {Command::ExportTrackedPoses, "export-followed-poses-", QT_TR_NOOP("Export tracked poses…")},
         {Command::ExportMeasurements, "export-measurements-", QT_TR_NOOP("Export measurements…")},
-        {Command::ExportCheckPoints, "export-check-points-", QT_TR_NOOP("Export target points…")},
+        {Command::ExportTargetPoints, "export-check-points-", QT_TR_NOOP("Export target points…")},
         {Command::ExportBranches, "export-measures-of-the-branches-", QT_TR_NOOP("Export branch measurements…")},
     };
     return rows;
@@ -53,7 +53,7 @@ std::span<const CommandRow> CommandTable::editCommands()
         {Command::Undo, "undo", QT_TR_NOOP("Undo"), "Ctrl+Z", Repeats},
         {Command::Redo, "redo", QT_TR_NOOP("Redo"), "Ctrl+Shift+Z; Ctrl+Y", Repeats},
         {Command::CopyPose, "copy-pose-as-matrix", QT_TR_NOOP("Copy pose as matrix"), "Ctrl+C", StartsGroup},
-        {Command::CopyWindow, "copy-picture-of-the-window", QT_TR_NOOP("Copy screenshot"), "Ctrl+Shift+C"},
+        {Command::CopyScreenshot, "copy-picture-of-the-window", QT_TR_NOOP("Copy screenshot"), "Ctrl+Shift+C"},
     };
     return rows;
 }
@@ -85,7 +85,7 @@ std::span<const CommandRow> CommandTable::vesselsCommands()
         {Command::DeleteSubtrees, "delete-branches-and-what-leaves-them", QT_TR_NOOP("Delete branches and descendants"),
          "Shift+Delete"},
         {Command::PruneTree, "prune-short-or-thin-branches-", QT_TR_NOOP("Prune short or thin branches…"), "Ctrl+P"},
-        {Command::MendGap, "join-the-pieces-at-the-next-gap", QT_TR_NOOP("Bridge next gap"), "Ctrl+G"},
+        {Command::BridgeGap, "join-the-pieces-at-the-next-gap", QT_TR_NOOP("Bridge next gap"), "Ctrl+G"},
     };
     return rows;
 }
@@ -100,7 +100,7 @@ std::span<const CommandRow> CommandTable::angiogramCommands()
         {Command::MeasureArea, "measure-an-area", QT_TR_NOOP("Measure area"), "Shift+O", Switch},
         {Command::TargetPoint, "set-a-check-point", QT_TR_NOOP("Add target point"), "Shift+X", Switch | StartsGroup},
         {Command::OstiumRing, "set-the-ring-of-an-ostium", QT_TR_NOOP("Add ostium ring"), "Shift+Q", Switch},
-        {Command::SeenHere, "say-where-a-check-point-is-seen", QT_TR_NOOP("Mark target point in image"), "Shift+S",
+        {Command::TargetInImage, "say-where-a-check-point-is-seen", QT_TR_NOOP("Mark target point in image"), "Shift+S",
          Switch},
         {Command::DrawArrow, "draw-an-arrow", QT_TR_NOOP("Draw arrow"), "Shift+W", Switch},
         {Command::WriteText, "write-a-text-on-the-image", QT_TR_NOOP("Add text annotation"), "Shift+T", Switch},
@@ -111,15 +111,15 @@ std::span<const CommandRow> CommandTable::angiogramCommands()
          "Z", Switch},
         {Command::Subtract, "subtract-mask-native", QT_TR_NOOP("Toggle DSA / native"), "B", Switch | StartsGroup},
         {Command::ShiftMask, "move-the-mask-by-hand", QT_TR_NOOP("Pixel shift"), "Shift+B", Switch},
-        {Command::MaskHere, "this-frame-is-the-mask", QT_TR_NOOP("Set as mask frame"), "Ctrl+B"},
+        {Command::SetMaskFrame, "this-frame-is-the-mask", QT_TR_NOOP("Set as mask frame"), "Ctrl+B"},
         {Command::Composite, "whole-run-in-one-picture", QT_TR_NOOP("Peak-opacification image"), "Shift+C", Switch},
         {Command::Cine, "play-frames", QT_TR_NOOP("Play frames"), "C", Switch | StartsGroup},
         {Command::PlaySlower, "play-slower", QT_TR_NOOP("Play slower"), "Ctrl+,"},
         {Command::PlayFaster, "play-faster", QT_TR_NOOP("Play faster"), "Ctrl+."},
         {Command::PlayBackAndForth, "play-back-and-forth", QT_TR_NOOP("Play back and forth"), "", Switch},
-        {Command::LoopFromHere, "play-from-this-frame-on", QT_TR_NOOP("Play from this frame"), "Ctrl+["},
-        {Command::LoopToHere, "play-up-to-this-frame", QT_TR_NOOP("Play to this frame"), "Ctrl+]"},
-        {Command::LoopWholeRun, "play-the-whole-run", QT_TR_NOOP("Play the entire run")},
+        {Command::SetLoopStart, "play-from-this-frame-on", QT_TR_NOOP("Play from this frame"), "Ctrl+["},
+        {Command::SetLoopEnd, "play-up-to-this-frame", QT_TR_NOOP("Play to this frame"), "Ctrl+]"},
+        {Command::ClearLoop, "play-the-whole-run", QT_TR_NOOP("Play the entire run")},
         {Command::Opacification, "opacification-over-time", QT_TR_NOOP("Opacification over time"), "G"},
     };
     return rows;
@@ -132,13 +132,13 @@ std::span<const CommandRow> CommandTable::poseCommands()
         {Command::PickPivot, "pick-the-point-to-turn-about", QT_TR_NOOP("Set rotation center"), "Shift+N", Switch},
         {Command::CentroidPivot, "turn-about-the-centroid-again", QT_TR_NOOP("Reset rotation center"), "Ctrl+Shift+N"},
         {Command::ResetPose, "back-to-start-pose", QT_TR_NOOP("Reset to initial pose"), "Backspace"},
-        {Command::StartHere, "this-pose-is-the-start-pose", QT_TR_NOOP("Set as initial pose"), "Shift+Backspace"},
+        {Command::SetInitialPose, "this-pose-is-the-start-pose", QT_TR_NOOP("Set as initial pose"), "Shift+Backspace"},
         {Command::StartFromAngles, "start-pose-from-the-angles", QT_TR_NOOP("Set initial pose from angles"),
          "Ctrl+Backspace"},
         {Command::Landmarks, "click-pairs-of-landmarks", QT_TR_NOOP("Pick landmark pairs"), "L", Switch | StartsGroup},
-        {Command::PlaceByLandmarks, "place-vessels-by-landmarks", QT_TR_NOOP("Register from landmarks"), "Shift+L"},
-        {Command::KeepPose, "keep-this-pose", QT_TR_NOOP("Save pose snapshot"), "K", StartsGroup},
-        {Command::SwitchPoses, "switch-between-poses-a-and-b", QT_TR_NOOP("Switch between poses A and B"), "Y"},
+        {Command::RegisterLandmarks, "place-vessels-by-landmarks", QT_TR_NOOP("Register from landmarks"), "Shift+L"},
+        {Command::TakeSnapshot, "keep-this-pose", QT_TR_NOOP("Save pose snapshot"), "K", StartsGroup},
+        {Command::ToggleSnapshots, "switch-between-poses-a-and-b", QT_TR_NOOP("Switch between poses A and B"), "Y"},
         {Command::ComparePoses, "compare-poses-and-methods-", QT_TR_NOOP("Compare poses and methods…"), "Shift+K"},
     };
     return rows;
@@ -149,21 +149,22 @@ std::span<const CommandRow> CommandTable::registrationCommands()
     static constexpr CommandRow rows[]{
         {Command::Register, "register", QT_TR_NOOP("Register"), "R"},
         {Command::Stop, "stop-and-keep-the-best-pose", QT_TR_NOOP("Stop and keep the best pose"), "Shift+R"},
-        {Command::FollowFrames, "follow-the-vessels-through-the-run", QT_TR_NOOP("Track vessels through the run"),
+        {Command::TrackVessels, "follow-the-vessels-through-the-run", QT_TR_NOOP("Track vessels through the run"),
          "Shift+F"},
         {Command::NextSolution, "show-the-run-s-other-solutions", QT_TR_NOOP("Show alternative solutions"), "J",
          StartsGroup},
-        {Command::TakeSolution, "take-the-solution-shown", QT_TR_NOOP("Accept this solution"), "Shift+J"},
+        {Command::AcceptSolution, "take-the-solution-shown", QT_TR_NOOP("Accept this solution"), "Shift+J"},
         {Command::ToggleAuxiliary, "selected-branches-auxiliary-on-or-off",
          QT_TR_NOOP("Toggle auxiliary for selected branches"), "A", StartsGroup},
         {Command::AuxiliaryInView, "auxiliary-the-branches-in-view", QT_TR_NOOP("Auxiliary: branches in view"), "V"},
-        {Command::AuxiliaryWide, "auxiliary-the-wider-half", QT_TR_NOOP("Auxiliary: larger vessels"), "Shift+V"},
+        {Command::AuxiliaryLargeVessels, "auxiliary-the-wider-half", QT_TR_NOOP("Auxiliary: larger vessels"),
+         "Shift+V"},
         {Command::Lasso, "auxiliary-draw-a-lasso", QT_TR_NOOP("Auxiliary: select with lasso"), "Ctrl+L", Switch},
         {Command::AuxiliaryAdvice, "auxiliary-which-branches-", QT_TR_NOOP("Choose auxiliary branches…"), "Shift+A"},
         {Command::ToggleExcluded, "exclude-or-include-selected-branches",
          QT_TR_NOOP("Exclude or include selected branches"), "X"},
         {Command::BlindTrial, "blind-observer-trial-", QT_TR_NOOP("Blind observer trial…"), "", StartsGroup},
-        {Command::TrialDone, "trial-done", QT_TR_NOOP("Finish trial"), "Ctrl+Return"},
+        {Command::FinishTrial, "trial-done", QT_TR_NOOP("Finish trial"), "Ctrl+Return"},
     };
     return rows;
 }
@@ -172,7 +173,7 @@ std::span<const CommandRow> CommandTable::viewCommands()
 {
     static constexpr CommandRow rows[]{
         {Command::Fit, "fit-the-image-to-the-window", QT_TR_NOOP("Fit image to window"), "1"},
-        {Command::FromSource, "seen-from-the-source-mirrored-", QT_TR_NOOP("Mirror view (source side)"), "Q", Switch},
+        {Command::MirrorView, "seen-from-the-source-mirrored-", QT_TR_NOOP("Mirror view (source side)"), "Q", Switch},
         {Command::Outline, "vessels-centreline-outline-tube-radiograph",
          QT_TR_NOOP("Cycle vessel style (centerline / outline / tube / DRR)"), "O", StartsGroup},
         {Command::DepthCue, "near-vessels-bright-far-ones-dim", QT_TR_NOOP("Depth cueing"), "D", Switch},
@@ -183,8 +184,8 @@ std::span<const CommandRow> CommandTable::viewCommands()
         {Command::WorstBranch, "zoom-to-the-worst-branch-the-next", QT_TR_NOOP("Go to next worst branch"), "W"},
         {Command::DeformedVessels, "vessels-bent-where-that-is-known-or-rigid", QT_TR_NOOP("Show deformed vessels"),
          "Shift+Y", Switch},
-        {Command::MotionColors, "colours-how-far-bent-vessels-moved", QT_TR_NOOP("Color by deformation"), "Shift+M",
-         Switch},
+        {Command::DeformationColors, "colours-how-far-bent-vessels-moved", QT_TR_NOOP("Color by deformation"),
+         "Shift+M", Switch},
         {Command::Flicker, "flicker-start-pose-and-pose", QT_TR_NOOP("Flicker initial / current pose"), "F",
          Switch | StartsGroup},
         {Command::Replay, "replay-the-last-run", QT_TR_NOOP("Replay last registration"), "P", Switch},
@@ -195,7 +196,7 @@ std::span<const CommandRow> CommandTable::viewCommands()
         {Command::ResetTreeView, "3-d-view-everything-the-vessels-alone", QT_TR_NOOP("3-D view: fit all / vessels"),
          "3", StartsGroup},
         {Command::ScanIn3d, "scan-in-the-3-d-view", QT_TR_NOOP("Show scan in 3-D view"), "Ctrl+3", Switch},
-        {Command::NextScanLook, "scan-in-3-d-vessels-vessels-and-bone",
+        {Command::NextScanRendering, "scan-in-3-d-vessels-vessels-and-bone",
          QT_TR_NOOP("3-D scan: vessels / vessels and bone"), "Ctrl+4"},
         {Command::ScanAtVessels, "scan-in-3-d-only-around-the-vessels", QT_TR_NOOP("3-D scan: only around vessels"),
          "Ctrl+5", Switch},
@@ -235,7 +236,7 @@ std::span<const CommandRow> CommandTable::colorCommands()
     return rows;
 }
 
-std::span<const CommandRow> CommandTable::placesCommands()
+std::span<const CommandRow> CommandTable::layoutCommands()
 {
     static constexpr CommandRow rows[]{
         {Command::ImageOnly, "image-alone-without-the-columns", QT_TR_NOOP("Angiogram only"), "4", Switch},
@@ -315,7 +316,7 @@ std::span<const MenuRows> CommandTable::menus()
         MenuRows{Menu::Registration, QT_TR_NOOP("&Registration"), registrationCommands()},
         MenuRows{Menu::View, QT_TR_NOOP("&View"), viewCommands()},
         MenuRows{Menu::Brightness, QT_TR_NOOP("Window/level"), brightnessCommands()},
-        MenuRows{Menu::Places, QT_TR_NOOP("Layout"), placesCommands()},
+        MenuRows{Menu::Places, QT_TR_NOOP("Layout"), layoutCommands()},
         MenuRows{Menu::Colors, QT_TR_NOOP("Vessel and residual colors"), colorCommands()},
         MenuRows{Menu::Theme, QT_TR_NOOP("Theme"), themeCommands()},
         MenuRows{Menu::Language, QT_TR_NOOP("Language"), languageCommands()},

@@ -64,7 +64,7 @@ private:
     static std::span<const CommandRow> registrationCommands();
     static std::span<const CommandRow> viewCommands();
     static std::span<const CommandRow> brightnessCommands();
-    static std::span<const CommandRow> placesCommands();
+    static std::span<const CommandRow> layoutCommands();
     static std::span<const CommandRow> colorCommands();
     static std::span<const CommandRow> themeCommands();
     static std::span<const CommandRow> languageCommands();

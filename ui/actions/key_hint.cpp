@@ -10,7 +10,7 @@
 namespace angiopose::ui {
 namespace {
 
-std::map<Command, QString> usualKeys()
+std::map<Command, QString> defaultShortcuts()
 {
     std::map<Command, QString> keys;
     for (const MenuRows& menu : CommandTable::menus()) {
@@ -22,7 +22,7 @@ std::map<Command, QString> usualKeys()
     return keys;
 }
 
-std::map<Command, QString>& chosenKeys()
+std::map<Command, QString>& customShortcuts()
 {
     static std::map<Command, QString> chosen;
     return chosen;
@@ -30,33 +30,33 @@ std::map<Command, QString>& chosenKeys()
 
 }   // namespace
 
-void setChosenKeys(std::map<Command, QString> chosen)
+void setCustomShortcuts(std::map<Command, QString> chosen)
 {
-    chosenKeys() = std::move(chosen);
+    customShortcuts() = std::move(chosen);
 }
 
 QString keyOf(Command command)
 {
-    const auto chosen = chosenKeys().find(command);
-    return chosen != chosenKeys().end() ? chosen->second : usualKeys()[command];
+    const auto chosen = customShortcuts().find(command);
+    return chosen != customShortcuts().end() ? chosen->second : defaultShortcuts()[command];
 }
 
-QString withKey(const QString& words, Command command)
+QString withShortcut(const QString& words, Command command)
 {
     const QString key = keyOf(command);
     return key.isEmpty() ? words : words + QStringLiteral("  ") + key;
 }
 
-QString tipWithKey(const QString& sentence, Command command)
+QString tooltipWithShortcut(const QString& sentence, Command command)
 {
     const QString key = keyOf(command);
     return key.isEmpty() ? sentence : sentence + QStringLiteral(" (%1)").arg(key);
 }
 
-QPushButton* modeButton(const Words& text, Command command)
+QPushButton* makeModeButton(const LocalizedText& text, Command command)
 {
     auto* button = withText(new QPushButton, text);
-    withTip(button, [text, command] { return withKey(text(), command); });
+    withToolTip(button, [text, command] { return withShortcut(text(), command); });
     button->setCheckable(true);
     return button;
 }
@@ -70,12 +70,12 @@ void follow(QPushButton& button, QAction& action)
             action.trigger();
         }
     });
-    const auto look = [&button, &action] {
+    const auto updateButton = [&button, &action] {
         button.setEnabled(action.isEnabled());
         button.setChecked(action.isChecked());
     };
-    QObject::connect(&action, &QAction::changed, &button, look);
-    look();
+    QObject::connect(&action, &QAction::changed, &button, updateButton);
+    updateButton();
 }
 
 }   // namespace angiopose::ui

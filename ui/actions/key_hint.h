@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ui/actions/command.h"
-#include "ui/words/spoken.h"
+#include "ui/words/retranslation.h"
 
 #include <QString>
 #include <map>
@@ -13,18 +13,18 @@ namespace angiopose::ui {
 
 /// Sets the user-defined shortcuts as portable text ("" for no shortcut); commands without an entry keep the shortcuts
 /// of the command table. Applies to the whole program, like theme and language; see `speakAgain`.
-void setChosenKeys(std::map<Command, QString> chosen);
+void setCustomShortcuts(std::map<Command, QString> chosen);
 
 QString keyOf(Command command);   ///< "" if the command has no shortcut
 
 /// Appends the shortcut to a label, e.g. "Register  R".
-QString withKey(const QString& words, Command command);
+QString withShortcut(const QString& words, Command command);
 
 /// Appends the shortcut to a tooltip, e.g. "Finds the pose. (R)".
-QString tipWithKey(const QString& sentence, Command command);
+QString tooltipWithShortcut(const QString& sentence, Command command);
 
 /// Creates a button that switches a mode on and off, with the shortcut in its tooltip; see `follow`.
-QPushButton* modeButton(const Words& text, Command command);
+QPushButton* makeModeButton(const LocalizedText& text, Command command);
 
 /// Makes a button trigger an action and mirror its checked and enabled state.
 void follow(QPushButton& button, QAction& action);

@@ -1,7 +1,7 @@
 #include "ui/actions/window_actions.h"
 
-#include "ui/actions/key_notes.h"
-#include "ui/words/spoken.h"
+#include "ui/actions/fixed_shortcuts.h"
+#include "ui/words/retranslation.h"
 
 #include <QActionGroup>
 #include <QMenu>
@@ -36,7 +36,7 @@ QList<QKeySequence> shortcutsOf(const CommandRow& row)
 
 WindowActions::WindowActions(QWidget* window) : QObject(window), recent_(new QMenu(window)), exports_(new QMenu(window))
 {
-    speak(this, [this] { recent_->setTitle(tr("Open recent")); });
+    keepTranslated(this, [this] { recent_->setTitle(tr("Open recent")); });
     for (const MenuRows& menu : CommandTable::menus()) {
         auto* group = isChoice(menu.menu) ? new QActionGroup(this) : nullptr;
         for (const CommandRow& row : menu.commands) {
@@ -68,7 +68,7 @@ void WindowActions::fillMenus(QMenuBar* menuBar)
         if (!menu) {
             menu = liesInView(rows.menu) ? menus.at(Menu::View)->addMenu(QString()) : menuBar->addMenu(QString());
         }
-        speak(menu, [menu, title = rows.title] { menu->setTitle(CommandTable::tr(title)); });
+        keepTranslated(menu, [menu, title = rows.title] { menu->setTitle(CommandTable::tr(title)); });
         for (const CommandRow& row : rows.commands) {
             if (row.traits & CommandTable::StartsGroup) {
                 menu->addSeparator();
@@ -81,9 +81,9 @@ void WindowActions::fillMenus(QMenuBar* menuBar)
     }
 }
 
-std::vector<KeyLine> WindowActions::keySheet(const MousePreset& mouse) const
+std::vector<ShortcutRow> WindowActions::keySheet(const MousePreset& mouse) const
 {
-    std::vector<KeyLine> lines;
+    std::vector<ShortcutRow> lines;
     for (const MenuRows& menu : CommandTable::menus()) {
         for (const CommandRow& row : menu.commands) {
             QAction* action = actions_.at(row.command);
@@ -92,7 +92,7 @@ std::vector<KeyLine> WindowActions::keySheet(const MousePreset& mouse) const
                              CommandTable::tr(row.text), action});
         }
     }
-    std::ranges::move(keyNotes(mouse), std::back_inserter(lines));
+    std::ranges::move(fixedShortcuts(mouse), std::back_inserter(lines));
     return lines;
 }
 

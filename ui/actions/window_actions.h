@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ui/actions/command_table.h"
-#include "ui/actions/key_notes.h"
+#include "ui/actions/fixed_shortcuts.h"
 #include "ui/actions/mouse_preset.h"
 
 #include <QAction>
@@ -27,7 +27,7 @@ public:
     QMenu* recentMenu() const { return recent_; }
     void fillMenus(QMenuBar* menuBar);
     /// Lists every command with its shortcut, the fixed keys and the mouse actions.
-    std::vector<KeyLine> keySheet(const MousePreset& mouse) const;
+    std::vector<ShortcutRow> keySheet(const MousePreset& mouse) const;
 
 private:
     void addCommand(const CommandRow& row, QWidget* window);

@@ -5,7 +5,7 @@
 #include "ui/archive/search_fields.h"
 #include "ui/archive/send_dialog.h"
 #include "ui/archive/transfer_line.h"
-#include "ui/controls/screen_room.h"
+#include "ui/controls/screen_fit.h"
 #include "ui/controls/section.h"
 
 #include <QHBoxLayout>
@@ -28,13 +28,13 @@ ArchiveDialog::ArchiveDialog(QWidget* parent)
       line_(new TransferLine),
       cache_(new CacheLine),
       receive_(new ReceiveLine),
-      part_(new QPushButton(tr("Open retrieved"))),
+      partial_(new QPushButton(tr("Open retrieved"))),
       retrieve_(new QPushButton(tr("Retrieve")))
 {
     setObjectName(QStringLiteral("archiveDialog"));
     setWindowTitle(tr("Query PACS"));
     setAttribute(Qt::WA_DeleteOnClose);
-    resizeOnScreen(*this, archiveDialogSize);
+    resizeWithinScreen(*this, archiveDialogSize);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(22, 20, 22, 16);
     layout->setSpacing(12);
@@ -53,21 +53,22 @@ ArchiveDialog::ArchiveDialog(QWidget* parent)
 QLayout* ArchiveDialog::makeButtons()
 {
     auto* close = new QPushButton(tr("Close"));
-    part_->setProperty("role", "link");
-    part_->setToolTip(tr("Select from the received objects"));
-    part_->hide();
+    partial_->setProperty("role", "link");
+    partial_->setToolTip(tr("Select from the received objects"));
+    partial_->hide();
     retrieve_->setProperty("role", "primary");
-    retrieve_->setToolTip(tr("Retrieves the selected studies and series; then choose the vessels and the views"));
+    retrieve_->setToolTip(
+        tr("Retrieves the selected studies and series, from which you then choose the vessels and views"));
     auto* row = new QHBoxLayout;
     row->addWidget(cache_, 1);
-    row->addWidget(part_);
+    row->addWidget(partial_);
     row->addWidget(close);
     row->addWidget(retrieve_);
-    for (QPushButton* button : {part_, close, retrieve_}) {
+    for (QPushButton* button : {partial_, close, retrieve_}) {
         button->setAutoDefault(false);   // Return in a field starts the search instead
     }
     connect(close, &QPushButton::clicked, this, &QDialog::reject);
-    connect(part_, &QPushButton::clicked, this, &ArchiveDialog::partRequested);
+    connect(partial_, &QPushButton::clicked, this, &ArchiveDialog::partialSeriesRequested);
     connect(retrieve_, &QPushButton::clicked, this, &ArchiveDialog::retrieveRequested);
     return row;
 }
@@ -81,14 +82,14 @@ void ArchiveDialog::showState()
     fields_->setSearchEnabled(isFree && hasNode);
     retrieve_->setEnabled(isFree && hasNode && !list_->selectedItems().isEmpty());
     if (list_->topLevelItemCount() == 0 && !hasNode) {
-        list_->setEmptyWords(
+        list_->setPlaceholderText(
             tr("No PACS configured. Add one (ask your PACS administrator for host, port and AE title)."));
     }
 }
 
-void ArchiveDialog::offerPart(bool isOffered)
+void ArchiveDialog::offerPartialSeries(bool isOffered)
 {
-    part_->setVisible(isOffered);
+    partial_->setVisible(isOffered);
 }
 
 }   // namespace angiopose::ui

@@ -31,11 +31,11 @@ public:
     ReceiveLine& receive() { return *receive_; }
 
     void showState();   ///< enables the actions that are currently possible
-    void offerPart(bool isOffered);   ///< offers to open the images of an incomplete retrieval
+    void offerPartialSeries(bool isOffered);   ///< offers to open the images of an incomplete retrieval
 
 signals:
     void retrieveRequested();
-    void partRequested();
+    void partialSeriesRequested();
 
 private:
     QLayout* makeButtons();
@@ -46,7 +46,7 @@ private:
     TransferLine* line_;
     CacheLine* cache_;
     ReceiveLine* receive_;
-    QPushButton* part_;
+    QPushButton* partial_;
     QPushButton* retrieve_;
 };
 

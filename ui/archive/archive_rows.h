@@ -12,17 +12,17 @@ struct ArchiveEntry {
     QString host;   ///< empty if only DICOMweb is used
     int port = 104;
     QString title = QStringLiteral("ANY-SCP");   ///< called AE title
-    QString ownTitle = QStringLiteral("ANGIOPOSE");   ///< calling AE title
+    QString ownAeTitle = QStringLiteral("ANGIOPOSE");   ///< calling AE title
     int receivePort = 0;   ///< port for C-MOVE; 0 if none
     bool isTls = false;
     QString caFile, certificateFile, keyFile;
-    bool checksHost = true;
+    bool verifiesHost = true;
     QString webUrl, authorizationFile;
-    int answerSeconds = 9;
+    int responseTimeoutSeconds = 9;
 };
 
 /// Allowed senders and TLS settings of the storage SCP. For keys, only file paths are stored.
-struct PortEntry {
+struct ScpSettings {
     QString titles, hosts;   ///< allowed calling AE titles and hosts, comma-separated; empty allows any
     bool isTls = false;
     QString caFile, certificateFile, keyFile;

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int matchKeyRole = Qt::UserRole;
 constexpr int imagesRole = Qt::UserRole + 1;
-constexpr int wantedRole = Qt::UserRole + 2;   ///< set once the series of the study are loaded or requested
+constexpr int requestedRole = Qt::UserRole + 2;   ///< set once the series of the study are loaded or requested
 
 enum MatchColumn { What, PatientId, Date, MatchModality, MatchDescription, MatchImages, MatchColumnCount };
 
@@ -53,7 +53,7 @@ MatchList::MatchList(QWidget* parent) : QTreeWidget(parent)
     sortByColumn(Date, Qt::DescendingOrder);
     header()->setStretchLastSection(false);
     header()->setSectionResizeMode(MatchDescription, QHeaderView::Stretch);
-    connect(this, &QTreeWidget::itemExpanded, this, &MatchList::wantSeries);
+    connect(this, &QTreeWidget::itemExpanded, this, &MatchList::requestSeries);
     connect(this, &QTreeWidget::itemSelectionChanged, this, &MatchList::choiceChanged);
     connect(this, &QTreeWidget::itemDoubleClicked, this, &MatchList::activate);
 }
@@ -128,19 +128,19 @@ void MatchList::showSeries(const QString& studyKey, const std::vector<MatchRow>&
     setSortingEnabled(true);
 }
 
-void MatchList::showNoSeries(const QString& studyKey)
+void MatchList::markSeriesUnloaded(const QString& studyKey)
 {
     if (QTreeWidgetItem* study = studies_.value(studyKey)) {
         study->setExpanded(false);
-        study->setData(What, wantedRole, false);
+        study->setData(What, requestedRole, false);
     }
 }
 
-void MatchList::wantSeries(QTreeWidgetItem* study)
+void MatchList::requestSeries(QTreeWidgetItem* study)
 {
-    if (!study->parent() && !study->data(What, wantedRole).toBool()) {
-        study->setData(What, wantedRole, true);
-        emit seriesWanted(study->data(What, matchKeyRole).toString());
+    if (!study->parent() && !study->data(What, requestedRole).toBool()) {
+        study->setData(What, requestedRole, true);
+        emit seriesRequested(study->data(What, matchKeyRole).toString());
     }
 }
 
@@ -175,9 +175,9 @@ void MatchList::keyPressEvent(QKeyEvent* event)
     }
 }
 
-void MatchList::setEmptyWords(const QString& words)
+void MatchList::setPlaceholderText(const QString& words)
 {
-    emptyWords_ = words;
+    placeholder_ = words;
     viewport()->update();
 }
 
@@ -188,7 +188,7 @@ void MatchList::paintEvent(QPaintEvent* event)
         QPainter painter(viewport());
         painter.setPen(toQColor(activePalette().label));
         painter.drawText(viewport()->rect().adjusted(40, 20, -40, -20), Qt::AlignCenter | Qt::TextWordWrap,
-                         emptyWords_);
+                         placeholder_);
     }
 }
 

@@ -16,9 +16,9 @@ public:
     void showStudies(const std::vector<MatchRow>& studies);
     void showSeries(const QString& studyKey, const std::vector<MatchRow>& series);
     /// Marks the series of a study as not loaded, so expanding the study requests them again.
-    void showNoSeries(const QString& studyKey);
+    void markSeriesUnloaded(const QString& studyKey);
     /// Sets the text shown in the middle of an empty list.
-    void setEmptyWords(const QString& words);
+    void setPlaceholderText(const QString& words);
 
     struct Chosen {
         QString study, series;   ///< keys; an empty `series` stands for the whole study
@@ -26,7 +26,7 @@ public:
     std::vector<Chosen> chosen() const;
 
 signals:
-    void seriesWanted(const QString& studyKey);
+    void seriesRequested(const QString& studyKey);
     void choiceChanged();
     void retrieveRequested();
 
@@ -35,14 +35,14 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
-    void wantSeries(QTreeWidgetItem* study);
+    void requestSeries(QTreeWidgetItem* study);
     void activate(QTreeWidgetItem* item);
     void fill(QTreeWidgetItem& item, const MatchRow& row);
     void fitColumns();
     void addPlaceholder(QTreeWidgetItem& study);
 
     QHash<QString, QTreeWidgetItem*> studies_;
-    QString emptyWords_;
+    QString placeholder_;
 };
 
 }   // namespace angiopose::ui

@@ -83,8 +83,8 @@ NodeDialog::NodeDialog(const ArchiveEntry& entry, Purpose purpose, QWidget* pare
       authorization_(new PathField(tr("Authorization file"))),
       isTls_(new QCheckBox(tr("Encrypted (TLS)"))),
       ca_(new PathField(tr("CA certificates (PEM)"))),
-      certificate_(new PathField(tr("Own certificate (PEM)"))),
-      key_(new PathField(tr("Private key of the own certificate (PEM)"))),
+      certificate_(new PathField(tr("Local certificate (PEM)"))),
+      key_(new PathField(tr("Private key of the local certificate (PEM)"))),
       checksHost_(new QCheckBox(tr("Verify host name in certificate"))),
       receivePort_(new NumberField({0.0, 65535.0, 0, {}, 1.0})),
       answerSeconds_(new NumberField({1.0, 600.0, 0, QStringLiteral("s"), 1.0})),
@@ -95,7 +95,7 @@ NodeDialog::NodeDialog(const ArchiveEntry& entry, Purpose purpose, QWidget* pare
     setObjectName(QStringLiteral("archiveNodeDialog"));
     setWindowTitle(purpose == Purpose::Add ? tr("Add PACS") : tr("Edit PACS"));
     setAttribute(Qt::WA_DeleteOnClose);
-    further_ = makeFurther();
+    advanced_ = makeAdvancedFields();
     more_->setProperty("role", "link");
     more_->setCheckable(true);
     more_->setAutoDefault(false);
@@ -105,15 +105,15 @@ NodeDialog::NodeDialog(const ArchiveEntry& entry, Purpose purpose, QWidget* pare
     layout->setSizeConstraint(QLayout::SetMinAndMaxSize);
     layout->addLayout(makeAddress());
     layout->addWidget(more_, 0, Qt::AlignLeft);
-    layout->addWidget(further_);
+    layout->addWidget(advanced_);
     layout->addWidget(line_);
     layout->addLayout(makeButtons(purpose));
-    connect(more_, &QPushButton::toggled, further_, &QWidget::setVisible);
+    connect(more_, &QPushButton::toggled, advanced_, &QWidget::setVisible);
     connect(line_, &TransferLine::busyChanged, test_, &QWidget::setDisabled);
     alignNames(*this);
     fill(entry);
     line_->showHint(
-        tr("Ask your PACS administrator for these values, and have the calling AE title registered there."));
+        tr("Ask your PACS administrator for these values, and have the calling AE title registered in the PACS."));
 }
 
 void NodeDialog::addRow(QFormLayout& form, const QString& name, QWidget* field, const QString& tip)
@@ -142,14 +142,14 @@ QFormLayout* NodeDialog::makeAddress()
     form->setHorizontalSpacing(14);
     form->setVerticalSpacing(10);
     addRow(*form, tr("Name"), name_, tr("Name shown in this program"));
-    addRow(*form, tr("Host"), host_, tr("Host name or IP address; empty if only DICOMweb is used"));
+    addRow(*form, tr("Host"), host_, tr("Host name or IP address; leave empty if only DICOMweb is used"));
     addRow(*form, tr("Port"), port_, tr("Usually 104 or 11112"));
     addRow(*form, tr("Called AE title"), title_, tr("AE title of the PACS"));
-    addRow(*form, tr("Calling AE title"), ownTitle_, tr("AE title by which the PACS knows this program"));
+    addRow(*form, tr("Calling AE title"), ownTitle_, tr("AE title under which the PACS knows this program"));
     return form;
 }
 
-QWidget* NodeDialog::makeFurther()
+QWidget* NodeDialog::makeAdvancedFields()
 {
     auto* further = new QWidget;
     auto* form = new QFormLayout(further);
@@ -160,16 +160,16 @@ QWidget* NodeDialog::makeFurther()
     receivePort_->setFixedWidth(90);
     answerSeconds_->setFixedWidth(90);
     form->addRow(QString(), isTls_);
-    addRow(*form, tr("CA certificates"), ca_, tr("PEM file; empty: CAs trusted by the system"));
-    addRow(*form, tr("Own certificate"), certificate_, tr("PEM file; empty: none"));
+    addRow(*form, tr("CA certificates"), ca_, tr("PEM file; if empty, the CAs trusted by the system are used"));
+    addRow(*form, tr("Local certificate"), certificate_, tr("PEM file (optional)"));
     addRow(*form, tr("Private key"), key_, tr("PEM file; only its path is stored"));
     form->addRow(QString(), checksHost_);
-    addRow(*form, tr("DICOMweb address"), webUrl_, tr("Used if no host is given"));
+    addRow(*form, tr("DICOMweb address"), webUrl_, tr("Used if no host is specified"));
     addRow(*form, tr("Authorization"), authorization_,
            tr("File whose first line is sent as the Authorization header; only its path is stored"));
     addRow(*form, tr("Port for C-MOVE"), receivePort_,
-           tr("Only if the PACS does not support C-GET: it sends to this local port. 0: not used"));
-    addRow(*form, tr("Response timeout"), answerSeconds_, tr("After this time the PACS counts as unreachable"));
+           tr("Local port to which the PACS sends images if it does not support C-GET. 0: not used"));
+    addRow(*form, tr("Response timeout"), answerSeconds_, tr("After this time, the PACS is considered unreachable"));
     further->hide();
     return further;
 }
@@ -200,19 +200,19 @@ void NodeDialog::fill(const ArchiveEntry& entry)
     host_->setText(entry.host);
     port_->showValue(entry.port);
     title_->setText(entry.title);
-    ownTitle_->setText(entry.ownTitle);
+    ownTitle_->setText(entry.ownAeTitle);
     webUrl_->setText(entry.webUrl);
     authorization_->setPath(entry.authorizationFile);
     isTls_->setChecked(entry.isTls);
     ca_->setPath(entry.caFile);
     certificate_->setPath(entry.certificateFile);
     key_->setPath(entry.keyFile);
-    checksHost_->setChecked(entry.checksHost);
+    checksHost_->setChecked(entry.verifiesHost);
     receivePort_->showValue(entry.receivePort);
-    answerSeconds_->showValue(entry.answerSeconds);
+    answerSeconds_->showValue(entry.responseTimeoutSeconds);
     const bool isPlain = !entry.isTls && entry.webUrl.isEmpty() && entry.receivePort == 0;
     more_->setChecked(!isPlain);
-    further_->setVisible(!isPlain);
+    advanced_->setVisible(!isPlain);
 }
 
 ArchiveEntry NodeDialog::entry() const
@@ -222,16 +222,16 @@ ArchiveEntry NodeDialog::entry() const
     entry.host = host_->text().trimmed();
     entry.port = static_cast<int>(port_->value().value_or(0.0));
     entry.title = title_->text().trimmed();
-    entry.ownTitle = ownTitle_->text().trimmed();
+    entry.ownAeTitle = ownTitle_->text().trimmed();
     entry.webUrl = webUrl_->text().trimmed();
     entry.authorizationFile = authorization_->path();
     entry.isTls = isTls_->isChecked();
     entry.caFile = ca_->path();
     entry.certificateFile = certificate_->path();
     entry.keyFile = key_->path();
-    entry.checksHost = checksHost_->isChecked();
+    entry.verifiesHost = checksHost_->isChecked();
     entry.receivePort = static_cast<int>(receivePort_->value().value_or(0.0));
-    entry.answerSeconds = static_cast<int>(answerSeconds_->value().value_or(0.0));
+    entry.responseTimeoutSeconds = static_cast<int>(answerSeconds_->value().value_or(0.0));
     return entry;
 }
 

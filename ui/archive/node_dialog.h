@@ -51,7 +51,7 @@ signals:
 private:
     void addRow(QFormLayout& form, const QString& name, QWidget* field, const QString& tip);
     QFormLayout* makeAddress();
-    QWidget* makeFurther();
+    QWidget* makeAdvancedFields();
     QLayout* makeButtons(Purpose purpose);
     void fill(const ArchiveEntry& entry);
 
@@ -70,7 +70,7 @@ private:
     NumberField* receivePort_;
     NumberField* answerSeconds_;
     QPushButton* more_;
-    QWidget* further_;
+    QWidget* advanced_;
     TransferLine* line_;
     QPushButton* test_;
 };

@@ -27,13 +27,13 @@ void addPortRow(QFormLayout& form, const QString& name, QWidget* field, const QS
 
 }   // namespace
 
-PortDialog::PortDialog(const PortEntry& entry, QWidget* parent)
+PortDialog::PortDialog(const ScpSettings& entry, QWidget* parent)
     : QDialog(parent),
       titles_(new QLineEdit),
       hosts_(new QLineEdit),
       isTls_(new QCheckBox(tr("Encrypted (TLS)"))),
-      certificate_(new PathField(tr("Own certificate (PEM)"))),
-      key_(new PathField(tr("Private key of the own certificate (PEM)"))),
+      certificate_(new PathField(tr("Local certificate (PEM)"))),
+      key_(new PathField(tr("Private key of the local certificate (PEM)"))),
       ca_(new PathField(tr("Trusted certificates (PEM)"))),
       line_(new TransferLine)
 {
@@ -65,15 +65,15 @@ QFormLayout* PortDialog::makeForm()
     auto* form = new QFormLayout;
     form->setHorizontalSpacing(14);
     form->setVerticalSpacing(10);
-    addPortRow(*form, tr("Allowed calling AE titles"), titles_, tr("Separated by commas; empty: any"));
+    addPortRow(*form, tr("Allowed calling AE titles"), titles_, tr("Comma-separated; leave empty to allow any"));
     addPortRow(*form, tr("Allowed addresses"), hosts_,
-               tr("IP addresses separated by commas, such as 10.0.0.7; empty: any"));
+               tr("Comma-separated IP addresses, such as 10.0.0.7; leave empty to allow any"));
     form->addRow(QString(), isTls_);
-    addPortRow(*form, tr("Own certificate"), certificate_, tr("PEM file shown to callers"));
+    addPortRow(*form, tr("Local certificate"), certificate_, tr("PEM file presented to calling applications"));
     addPortRow(*form, tr("Private key"), key_, tr("PEM file; only its path is stored"));
     addPortRow(*form, tr("Trusted certificates"), ca_,
-               tr("PEM file used to verify the certificates of calling applications; empty: certificates trusted by "
-                  "the system"));
+               tr("PEM file used to verify the certificates of calling applications; if empty, the certificates "
+                  "trusted by the system are used"));
     return form;
 }
 
@@ -93,7 +93,7 @@ QLayout* PortDialog::makeButtons()
     return row;
 }
 
-void PortDialog::fill(const PortEntry& entry)
+void PortDialog::fill(const ScpSettings& entry)
 {
     titles_->setText(entry.titles);
     hosts_->setText(entry.hosts);
@@ -111,7 +111,7 @@ void PortDialog::showState()
     }
 }
 
-PortEntry PortDialog::entry() const
+ScpSettings PortDialog::entry() const
 {
     return {titles_->text().trimmed(), hosts_->text().trimmed(),
             isTls_->isChecked(),       ca_->path(),

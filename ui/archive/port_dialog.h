@@ -18,18 +18,18 @@ class TransferLine;
 class PortDialog : public QDialog {
     Q_OBJECT
 public:
-    PortDialog(const PortEntry& entry, QWidget* parent);
+    PortDialog(const ScpSettings& entry, QWidget* parent);
 
-    PortEntry entry() const;
+    ScpSettings entry() const;
     TransferLine& line() { return *line_; }
 
 signals:
-    void saveRequested(const ui::PortEntry& entry);   ///< the receiver calls `accept` or shows a problem
+    void saveRequested(const ui::ScpSettings& entry);   ///< the receiver calls `accept` or shows a problem
 
 private:
     QFormLayout* makeForm();
     QLayout* makeButtons();
-    void fill(const PortEntry& entry);
+    void fill(const ScpSettings& entry);
     void showState();
 
     QLineEdit* titles_;

@@ -19,16 +19,17 @@ constexpr int maxTitleLetters = 16;   // maximum length of an AE title, PS3.5 §
 
 ReceiveLine::ReceiveLine(QWidget* parent)
     : QWidget(parent),
-      on_(new QCheckBox(tr("Receive on port"))),
+      enabled_(new QCheckBox(tr("Receive on port"))),
       port_(new NumberField({1.0, 65535.0, 0, {}, 1.0})),
       title_(new QLineEdit),
       security_(new QPushButton(tr("Security…"))),
-      words_(roleLabel("label")),
+      label_(roleLabel("label")),
       open_(new QPushButton(tr("Show objects")))
 {
-    on_->setObjectName(QStringLiteral("receiveSwitch"));
-    on_->setToolTip(
-        tr("Accepts objects that modalities and PACS push to this computer, until turned off or the window is closed"));
+    enabled_->setObjectName(QStringLiteral("receiveSwitch"));
+    enabled_->setToolTip(
+        tr("Accepts objects that modalities and PACS send to this computer, until it is turned off or the window is "
+           "closed"));
     port_->setObjectName(QStringLiteral("receivePort"));
     port_->setAccessibleName(tr("Receiving port"));
     port_->setFixedWidth(90);
@@ -39,23 +40,23 @@ ReceiveLine::ReceiveLine(QWidget* parent)
     title_->setFixedWidth(170);
     security_->setObjectName(QStringLiteral("receiveSecurity"));
     security_->setAutoDefault(false);
-    security_->setToolTip(tr("Sets who may connect to this port, and encryption (TLS)"));
-    words_->setObjectName(QStringLiteral("receiveWords"));
-    words_->setTextFormat(Qt::PlainText);   // calling AE titles come from the network: no rich text
-    words_->setWordWrap(true);
+    security_->setToolTip(tr("Sets which applications may connect to this port, and encryption (TLS)"));
+    label_->setObjectName(QStringLiteral("receiveWords"));
+    label_->setTextFormat(Qt::PlainText);   // calling AE titles come from the network: no rich text
+    label_->setWordWrap(true);
     open_->setAutoDefault(false);
     open_->setToolTip(tr("Select from the received objects"));
     open_->hide();
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(on_);
+    layout->addWidget(enabled_);
     layout->addWidget(port_);
     layout->addWidget(roleLabel("label", tr("as AE title")));
     layout->addWidget(title_);
     layout->addWidget(security_);
-    layout->addWidget(words_, 1);
+    layout->addWidget(label_, 1);
     layout->addWidget(open_);
-    connect(on_, &QCheckBox::clicked, this, &ReceiveLine::switched);
+    connect(enabled_, &QCheckBox::clicked, this, &ReceiveLine::toggled);
     connect(security_, &QPushButton::clicked, this, &ReceiveLine::securityRequested);
     connect(open_, &QPushButton::clicked, this, &ReceiveLine::openRequested);
 }
@@ -68,16 +69,16 @@ void ReceiveLine::showPort(int port, const QString& title)
 
 void ReceiveLine::showListening(bool isListening)
 {
-    const QSignalBlocker silent(on_);
-    on_->setChecked(isListening);
+    const QSignalBlocker silent(enabled_);
+    enabled_->setChecked(isListening);
     port_->setEnabled(!isListening);
     title_->setEnabled(!isListening);
     security_->setEnabled(!isListening);
 }
 
-void ReceiveLine::showArrivals(const QString& words, bool canOpen)
+void ReceiveLine::showReceived(const QString& words, bool canOpen)
 {
-    words_->setText(words);
+    label_->setText(words);
     open_->setVisible(canOpen);
 }
 

@@ -20,21 +20,21 @@ public:
     void showPort(int port, const QString& title);
     void showListening(bool isListening);
     /// Shows a summary of the received objects; `canOpen` is true if any of them can be opened.
-    void showArrivals(const QString& words, bool canOpen);
+    void showReceived(const QString& words, bool canOpen);
     int port() const;
     QString title() const;
 
 signals:
-    void switched(bool isOn);
+    void toggled(bool isOn);
     void securityRequested();
     void openRequested();
 
 private:
-    QCheckBox* on_;
+    QCheckBox* enabled_;
     NumberField* port_;
     QLineEdit* title_;
     QPushButton* security_;
-    QLabel* words_;
+    QLabel* label_;
     QPushButton* open_;
 };
 

@@ -38,10 +38,10 @@ QLineEdit* searchField(const QString& placeholder, const QString& tip)
 
 SearchFields::SearchFields(QWidget* parent)
     : QWidget(parent),
-      name_(searchField(tr("Meier, or *mei*"), tr("Start of the name; * and ? are wildcards"))),
+      name_(searchField(tr("Meier, or *mei*"), tr("Beginning of the name; * and ? are wildcards"))),
       id_(searchField(QString(), tr("Patient ID; * and ? are wildcards"))),
-      from_(searchField(tr("2024-01-31"), tr("Studies from this date on; empty: no limit"))),
-      to_(searchField(tr("2024-01-31"), tr("Studies up to this date; empty: until today"))),
+      from_(searchField(tr("2024-01-31"), tr("Studies on or after this date; leave empty for no limit"))),
+      to_(searchField(tr("2024-01-31"), tr("Studies on or before this date; leave empty for today"))),
       modality_(new QComboBox),
       search_(new QPushButton(tr("Search")))
 {
@@ -81,8 +81,8 @@ void SearchFields::showSearch(const ArchiveSearch& search)
     id_->setText(search.patientId);
     from_->setText(search.from);
     to_->setText(search.to);
-    const int place = modality_->findData(search.modality);
-    modality_->setCurrentIndex(place < 0 ? 0 : place);
+    const int index = modality_->findData(search.modality);
+    modality_->setCurrentIndex(index < 0 ? 0 : index);
 }
 
 ArchiveSearch SearchFields::search() const

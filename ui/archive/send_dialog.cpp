@@ -95,7 +95,7 @@ SendDialog::SendDialog(QWidget* parent)
     setWindowTitle(tr("Send to PACS"));
     setAttribute(Qt::WA_DeleteOnClose);
     setMinimumSize(sendDialogWidth, sendDialogHeight);
-    auto* hint = roleLabel("hint", tr("The objects are created once. Sending again after an error sends the same "
+    auto* hint = roleLabel("hint", tr("The objects are created once. Sending again after an error transfers the same "
                                       "objects, so none is stored twice."));
     hint->setWordWrap(true);
     send_->setProperty("role", "primary");
@@ -131,13 +131,13 @@ void SendDialog::showNode()
 {
     line_->showHint(nodes_->node().isEmpty()
                         ? tr("No PACS configured. Add one (ask your PACS administrator for host, port and AE title).")
-                        : tr("The objects are sent to %1 when you press Send.").arg(nodes_->node()));
+                        : tr("The objects are sent to %1 when you click “Send”.").arg(nodes_->node()));
     showState();
 }
 
-void SendDialog::showSent(const QString& words)
+void SendDialog::showSent(const QString& text)
 {
-    line_->showDone(words);
+    line_->showDone(text);
     send_->setEnabled(false);
     close_->setFocus();
 }

@@ -52,7 +52,7 @@ public:
 
     void showState();   ///< enables the actions that are currently possible
     void showNode();   ///< shows the selected archive, or that none is configured
-    void showSent(const QString& words);   ///< shows that the transfer is complete
+    void showSent(const QString& text);   ///< shows that the transfer is complete
 
 signals:
     void sendRequested();

@@ -13,22 +13,22 @@
 namespace angiopose::ui {
 
 TransferLine::TransferLine(QWidget* parent)
-    : QWidget(parent), progress_(new QProgressBar), words_(roleLabel("hint")), stop_(new QPushButton(tr("Stop")))
+    : QWidget(parent), progress_(new QProgressBar), label_(roleLabel("hint")), stop_(new QPushButton(tr("Stop")))
 {
     progress_->setTextVisible(false);
     progress_->setFixedSize(160, 6);
     progress_->setAccessibleName(tr("Progress"));
-    words_->setObjectName(QStringLiteral("archiveWords"));
-    words_->setWordWrap(true);
-    words_->setTextFormat(Qt::PlainText);
-    words_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    label_->setObjectName(QStringLiteral("archiveWords"));
+    label_->setWordWrap(true);
+    label_->setTextFormat(Qt::PlainText);
+    label_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     stop_->setAutoDefault(false);
-    stop_->setToolTip(tr("Stops; complete objects are kept"));
+    stop_->setToolTip(tr("Stops; completely transferred objects are kept"));
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(10);
     layout->addWidget(progress_);
-    layout->addWidget(words_, 1);
+    layout->addWidget(label_, 1);
     layout->addWidget(stop_);
     setMinimumHeight(stop_->sizeHint().height());   // keeps the layout stable when Stop appears
     progress_->hide();
@@ -39,50 +39,50 @@ TransferLine::TransferLine(QWidget* parent)
     });
 }
 
-void TransferLine::showHint(const QString& words)
+void TransferLine::showHint(const QString& statusText)
 {
-    show("hint", words, false);
+    show("hint", statusText, false);
 }
 
-void TransferLine::showBusy(const QString& words)
+void TransferLine::showBusy(const QString& statusText)
 {
-    show("label", words, true);
+    show("label", statusText, true);
     progress_->setRange(0, 0);
 }
 
-void TransferLine::showProgress(const QString& words, qsizetype done, qsizetype all)
+void TransferLine::showProgress(const QString& statusText, qsizetype done, qsizetype all)
 {
-    show("label", words, true);
+    show("label", statusText, true);
     progress_->setRange(0, static_cast<int>(all));
     progress_->setValue(static_cast<int>(std::min(done, all)));
 }
 
-void TransferLine::showDone(const QString& words)
+void TransferLine::showDone(const QString& statusText)
 {
-    show("strong", words, false);
+    show("strong", statusText, false);
 }
 
-void TransferLine::showProblem(const QString& words)
+void TransferLine::showProblem(const QString& statusText)
 {
-    show("attention", words, false);
+    show("attention", statusText, false);
 }
 
-QString TransferLine::words() const
+QString TransferLine::statusText() const
 {
-    return words_->text();
+    return label_->text();
 }
 
-void TransferLine::show(const char* role, const QString& words, bool isBusy)
+void TransferLine::show(const char* role, const QString& statusText, bool isBusy)
 {
-    setRole(words_, role);
-    words_->setText(words);
+    setRole(label_, role);
+    label_->setText(statusText);
     progress_->setVisible(isBusy);
     if (isBusy != isBusy_) {
         isBusy_ = isBusy;
         stop_->setEnabled(true);
         stop_->setVisible(isBusy);
         emit busyChanged(isBusy);
-        QAccessibleEvent reported(words_, QAccessible::NameChanged);
+        QAccessibleEvent reported(label_, QAccessible::NameChanged);
         QAccessible::updateAccessibility(&reported);
     }
 }

@@ -14,24 +14,24 @@ class TransferLine : public QWidget {
 public:
     explicit TransferLine(QWidget* parent = nullptr);
 
-    void showHint(const QString& words);   ///< shows what to do next
-    void showBusy(const QString& words);   ///< shows indeterminate progress
-    void showProgress(const QString& words, qsizetype done, qsizetype all);
-    void showDone(const QString& words);
-    void showProblem(const QString& words);   ///< shows the problem and its remedy
+    void showHint(const QString& statusText);   ///< shows what to do next
+    void showBusy(const QString& statusText);   ///< shows indeterminate progress
+    void showProgress(const QString& statusText, qsizetype done, qsizetype all);
+    void showDone(const QString& statusText);
+    void showProblem(const QString& statusText);   ///< shows the problem and its remedy
     bool isBusy() const { return isBusy_; }
-    QString words() const;
+    QString statusText() const;
 
 signals:
     void stopRequested();
     void busyChanged(bool isBusy);
 
 private:
-    void show(const char* role, const QString& words, bool isBusy);
+    void show(const char* role, const QString& statusText, bool isBusy);
 
     bool isBusy_ = false;
     QProgressBar* progress_;
-    QLabel* words_;
+    QLabel* label_;
     QPushButton* stop_;
 };
 

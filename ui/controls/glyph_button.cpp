@@ -78,17 +78,17 @@ void GlyphButton::showGlyph(Glyph glyph)
 void GlyphButton::paintEvent(QPaintEvent* event)
 {
     QToolButton::paintEvent(event);
-    const Palette& tones = activePalette();
-    const QColor tone = toQColor(!isEnabled()                  ? tones.hint
-                                 : underMouse() || isChecked() ? tones.textStrong
-                                                               : tones.text);
+    const Palette& colors = activePalette();
+    const QColor tone = toQColor(!isEnabled()                  ? colors.hint
+                                 : underMouse() || isChecked() ? colors.textStrong
+                                                               : colors.text);
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     painter.translate(QRectF(rect()).center());
     const bool isPinned = glyph_ == Glyph::Pin && isChecked();
     if (isPinned) {
-        painter.fillPath(pathOf(glyph_), toQColor(tones.accent));
-        painter.strokePath(pathOf(glyph_), QPen(toQColor(tones.accent), 1.5));
+        painter.fillPath(pathOf(glyph_), toQColor(colors.accent));
+        painter.strokePath(pathOf(glyph_), QPen(toQColor(colors.accent), 1.5));
     } else if (isOpacified(glyph_)) {
         painter.fillPath(pathOf(glyph_), tone);
     } else {

@@ -2,7 +2,7 @@
 
 #include "ui/theme/active_theme.h"
 #include "ui/words/number.h"
-#include "ui/words/spoken.h"
+#include "ui/words/retranslation.h"
 
 #include <QAbstractSpinBox>
 #include <QApplication>
@@ -23,7 +23,7 @@ namespace {
 constexpr QChar fieldMinusSign{0x2212};
 
 /// Returns `watched` if it is a combo box, spin box or slider, whose value the wheel changes; otherwise null.
-QWidget* guarded(QObject* watched)
+QWidget* guardedWidget(QObject* watched)
 {
     const bool holdsValue = qobject_cast<QComboBox*>(watched) || qobject_cast<QAbstractSpinBox*>(watched) ||
                             qobject_cast<QSlider*>(watched);
@@ -37,7 +37,7 @@ NumberField::NumberField(NumberFormat format, QWidget* parent) : QLineEdit(paren
     setProperty("role", "number");
     setUnit(format_.unit);
     connect(this, &QLineEdit::returnPressed, this, &NumberField::commit);
-    speak(this, [this] { showValue(value_); });   // updates the decimal separator when the language changes
+    keepTranslated(this, [this] { showValue(value_); });   // updates the decimal separator when the language changes
 }
 
 void NumberField::setUnit(const QString& unit)
@@ -56,7 +56,7 @@ void NumberField::showValue(std::optional<double> value)
     }
 }
 
-void NumberField::setAsking(bool asking)
+void NumberField::setHighlighted(bool asking)
 {
     if (property("asking").toBool() != asking) {
         setProperty("asking", asking);
@@ -132,14 +132,14 @@ void NumberField::commit()
         revert();
         return;
     }
-    const double wanted = std::clamp(*typed, format_.min, format_.max);
-    const bool isNew = !value_ || textOf(wanted) != textOf(value_);
+    const double clamped = std::clamp(*typed, format_.min, format_.max);
+    const bool isNew = !value_ || textOf(clamped) != textOf(value_);
     if (isNew) {
-        value_ = wanted;
+        value_ = clamped;
     }
     revert();
     if (isNew) {
-        emit edited(wanted);
+        emit edited(clamped);
     }
 }
 
@@ -162,11 +162,11 @@ void NumberField::stepBy(double steps, Qt::KeyboardModifiers modifiers)
     }
     const double finest = std::pow(10.0, -format_.decimals);
     const double step = std::max(finest, format_.step * factor);
-    const double wanted = std::clamp(value_.value_or(0.0) + steps * step, format_.min, format_.max);
-    if (!value_ || wanted != *value_) {
-        value_ = wanted;
+    const double clamped = std::clamp(value_.value_or(0.0) + steps * step, format_.min, format_.max);
+    if (!value_ || clamped != *value_) {
+        value_ = clamped;
         revert();
-        emit edited(wanted);
+        emit edited(clamped);
     }
 }
 
@@ -191,11 +191,11 @@ WheelGuard::WheelGuard(QObject* parent) : QObject(parent)
 bool WheelGuard::eventFilter(QObject* watched, QEvent* event)
 {
     if (event->type() == QEvent::Polish) {
-        if (QWidget* box = guarded(watched); box && box->focusPolicy() == Qt::WheelFocus) {
+        if (QWidget* box = guardedWidget(watched); box && box->focusPolicy() == Qt::WheelFocus) {
             box->setFocusPolicy(Qt::StrongFocus);   // otherwise the wheel would give it focus
         }
     } else if (event->type() == QEvent::Wheel) {
-        if (const QWidget* box = guarded(watched); box && !box->hasFocus()) {
+        if (const QWidget* box = guardedWidget(watched); box && !box->hasFocus()) {
             event->ignore();   // lets the surrounding scroll area handle the event
             return true;
         }

@@ -21,8 +21,8 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
-    mutable QString askedAbout_;   ///< text and role to which the cached heights belong
-    mutable QHash<int, int> heightAt_;
+    mutable QString cacheKey_;   ///< text and role to which the cached heights belong
+    mutable QHash<int, int> heightOfWidth_;
 };
 
 int WrappedLabel::heightForWidth(int width) const
@@ -30,19 +30,19 @@ int WrappedLabel::heightForWidth(int width) const
     if (!wordWrap()) {
         return QLabel::heightForWidth(width);
     }
-    const QString about = property("role").toString() + text();   // font and padding depend on the role
-    if (about != askedAbout_) {
-        askedAbout_ = about;
-        heightAt_.clear();
+    const QString newKey = property("role").toString() + text();   // font and padding depend on the role
+    if (newKey != cacheKey_) {
+        cacheKey_ = newKey;
+        heightOfWidth_.clear();
     }
-    const auto known = heightAt_.constFind(width);
-    return known != heightAt_.cend() ? *known : *heightAt_.insert(width, QLabel::heightForWidth(width));
+    const auto cached = heightOfWidth_.constFind(width);
+    return cached != heightOfWidth_.cend() ? *cached : *heightOfWidth_.insert(width, QLabel::heightForWidth(width));
 }
 
 /// Clears the cache when the font or style changes.
 void WrappedLabel::changeEvent(QEvent* event)
 {
-    heightAt_.clear();
+    heightOfWidth_.clear();
     QLabel::changeEvent(event);
 }
 
@@ -73,7 +73,7 @@ void ElidedLabel::paintEvent(QPaintEvent*)
                           shown, foregroundRole());
 }
 
-Section::Section(const char* name, const Words& title, Folding folding, QWidget* parent)
+Section::Section(const char* name, const LocalizedText& title, Folding folding, QWidget* parent)
     : QWidget(parent),
       title_(withText(roleLabel("heading"), title)),
       hint_(new ElidedLabel("hint")),
@@ -86,7 +86,7 @@ Section::Section(const char* name, const Words& title, Folding folding, QWidget*
         fold_->setProperty("role", "fold");
         fold_->setArrowType(Qt::DownArrow);
         fold_->setFocusPolicy(Qt::TabFocus);   // avoids a focus rectangle after a click
-        withName(fold_, [title] { return tr("Collapse or expand %1").arg(title()); });
+        withAccessibleName(fold_, [title] { return tr("Collapse or expand %1").arg(title()); });
         connect(fold_, &QToolButton::clicked, this, [this] { setFolded(!isFolded()); });
         title_->installEventFilter(this);
         hint_->installEventFilter(this);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/words/spoken.h"
+#include "ui/words/retranslation.h"
 
 #include <QLabel>
 #include <QToolButton>
@@ -29,7 +29,7 @@ class Section : public QWidget {
     Q_OBJECT
 public:
     /// `name` is the object name and the key under which the folding state is saved.
-    Section(const char* name, const Words& title, Folding folding, QWidget* parent = nullptr);
+    Section(const char* name, const LocalizedText& title, Folding folding, QWidget* parent = nullptr);
 
     void setHint(const QString& hint);
     void setFolded(bool folded);

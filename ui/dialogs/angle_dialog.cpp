@@ -1,12 +1,12 @@
 #include "ui/dialogs/angle_dialog.h"
 
-#include "core/viewing/part_sight.h"
+#include "core/viewing/view_evaluator.h"
 #include "ui/controls/number_field.h"
 #include "ui/controls/section.h"
 #include "ui/plots/angle_map_plot.h"
 #include "ui/theme/active_theme.h"
 #include "ui/words/number.h"
-#include "ui/words/spoken.h"
+#include "ui/words/retranslation.h"
 
 #include <QCheckBox>
 #include <QHBoxLayout>
@@ -18,16 +18,16 @@
 namespace angiopose::ui {
 namespace {
 
-constexpr double thinnestPx = 1.2;
+constexpr double minWidthPx = 1.2;
 
 /// Formats gantry angles, e.g. "LAO 30° · CRA 10°".
-QString angleWords(const core::GantryAngles& angles)
+QString angleText(const core::GantryAngles& angles)
 {
-    const auto words = [](double deg, const char* negative, const char* positive) {
+    const auto text = [](double deg, const char* negative, const char* positive) {
         return QStringLiteral("%1 %2°").arg(QLatin1String(deg < 0.0 ? negative : positive),
                                             numberText(std::abs(deg), 0));
     };
-    return words(angles.primaryDeg, "RAO", "LAO") + QStringLiteral(" · ") + words(angles.secondaryDeg, "CAU", "CRA");
+    return text(angles.primaryDeg, "RAO", "LAO") + QStringLiteral(" · ") + text(angles.secondaryDeg, "CAU", "CRA");
 }
 
 QPushButton* anglesButton()
@@ -42,11 +42,11 @@ QPushButton* anglesButton()
 SimulatedView::SimulatedView(QWidget* parent) : QWidget(parent)
 {
     setMinimumSize(190, 190);
-    withName(this, [] { return tr("Simulated view at these angles"); });
+    withAccessibleName(this, [] { return tr("Simulated view at these angles"); });
 }
 
 void SimulatedView::showVessels(std::shared_ptr<const core::VesselTree> tree, int branchId,
-                                const std::optional<core::Sight>& sight)
+                                const std::optional<core::PosedCamera>& sight)
 {
     tree_ = std::move(tree);
     branchId_ = branchId;
@@ -81,8 +81,8 @@ void SimulatedView::paintEvent(QPaintEvent*)
 
 void SimulatedView::paintBranch(QPainter& painter, const core::VesselBranch& branch, double scale) const
 {
-    const Palette& tones = ui::palette(ThemeMode::Dark);   // the background is dark in every theme
-    QPen pen(toQColor(branch.id == branchId_ ? tones.accent : tones.label));
+    const Palette& colors = ui::palette(ThemeMode::Dark);   // the background is dark in every theme
+    QPen pen(toQColor(branch.id == branchId_ ? colors.accent : colors.label));
     pen.setCapStyle(Qt::RoundCap);
     std::optional<Eigen::Vector2d> before;
     for (std::size_t i = 0; i < branch.pointsInPatient.size(); ++i) {
@@ -91,7 +91,7 @@ void SimulatedView::paintBranch(QPainter& painter, const core::VesselBranch& bra
         if (pixel && before) {
             const double radiusMm = branch.radiusMm.empty() ? core::assumedRadiusMm : branch.radiusMm[i];
             const double widthPx = 2.0 * radiusMm * std::abs(sight_->camera.fy) / inCamera.z();
-            pen.setWidthF(std::max(thinnestPx, scale * widthPx));
+            pen.setWidthF(std::max(minWidthPx, scale * widthPx));
             painter.setPen(pen);
             painter.drawLine(QPointF(before->x(), before->y()) * scale, QPointF(pixel->x(), pixel->y()) * scale);
         }
@@ -99,15 +99,15 @@ void SimulatedView::paintBranch(QPainter& painter, const core::VesselBranch& bra
     }
 }
 
-AngleDialog::AngleDialog(const GantryReach& reach, QWidget* parent)
+AngleDialog::AngleDialog(const GantryLimits& limits, QWidget* parent)
     : QDialog(parent),
       title_(roleLabel("heading")),
       hint_(roleLabel("hint")),
-      takeOff_(new QCheckBox(tr("Origin only (±10 mm)"))),
+      originOnly_(new QCheckBox(tr("Origin only (±10 mm)"))),
       plot_(new AngleMapPlot),
       view_(new SimulatedView),
       picked_(roleLabel("body")),
-      now_(anglesButton())
+      currentButton_(anglesButton())
 {
     setObjectName(QStringLiteral("angleDialog"));
     setWindowTitle(tr("C-arm angles"));
@@ -123,26 +123,26 @@ AngleDialog::AngleDialog(const GantryReach& reach, QWidget* parent)
     layout->setSpacing(12);
     layout->addWidget(title_);
     layout->addWidget(hint_);
-    layout->addWidget(takeOff_);
+    layout->addWidget(originOnly_);
     layout->addLayout(pictures, 1);
     layout->addWidget(
-        roleLabel("hint", tr("Blue: visible at full length and free of overlap. Amber: foreshortened or overlapped.")));
+        roleLabel("hint", tr("Blue: visible at full length and without overlap. Amber: foreshortened or overlapped.")));
     layout->addWidget(picked_);
-    layout->addLayout(makeBest());
-    layout->addLayout(makeReach(reach));
+    layout->addLayout(makeBestButtons());
+    layout->addLayout(makeLimitFields(limits));
     resize(760, 1);
-    connect(takeOff_, &QCheckBox::toggled, this, &AngleDialog::questionChanged);
+    connect(originOnly_, &QCheckBox::toggled, this, &AngleDialog::criteriaChanged);
     connect(plot_, &AngleMapPlot::picked, this, &AngleDialog::picked);
     showMap({}, {});
 }
 
-QLayout* AngleDialog::makeBest()
+QLayout* AngleDialog::makeBestButtons()
 {
     auto* row = new QHBoxLayout;
     row->setSpacing(8);
-    row->addWidget(now_);
-    now_->setToolTip(tr("Gantry position of this image."));
-    connect(now_, &QPushButton::clicked, this, [this] { emit picked(nowAt_->angles); });
+    row->addWidget(currentButton_);
+    currentButton_->setToolTip(tr("Gantry position of this image."));
+    connect(currentButton_, &QPushButton::clicked, this, [this] { emit picked(currentAngles_->angles); });
     for (std::size_t i = 0; i < best_.size(); ++i) {
         best_[i] = anglesButton();
         row->addWidget(best_[i]);
@@ -152,21 +152,21 @@ QLayout* AngleDialog::makeBest()
     return row;
 }
 
-QLayout* AngleDialog::makeReach(const GantryReach& reach)
+QLayout* AngleDialog::makeLimitFields(const GantryLimits& limits)
 {
     auto* row = new QHBoxLayout;
     row->setSpacing(8);
     row->addWidget(roleLabel("label", tr("Gantry limits")));
     const std::array names{"RAO", "LAO", "CAU", "CRA"};
-    const std::array values{-reach.primary.fromDeg, reach.primary.toDeg, -reach.secondary.fromDeg,
-                            reach.secondary.toDeg};
-    for (std::size_t i = 0; i < reach_.size(); ++i) {
-        reach_[i] = new NumberField({0.0, i < 2 ? 180.0 : 90.0, 0, QStringLiteral("°"), 5.0});
-        reach_[i]->setAccessibleName(tr("Gantry limits") + QLatin1Char(' ') + QLatin1String(names[i]));
-        reach_[i]->showValue(values[i]);
+    const std::array values{-limits.primary.fromDeg, limits.primary.toDeg, -limits.secondary.fromDeg,
+                            limits.secondary.toDeg};
+    for (std::size_t i = 0; i < limits_.size(); ++i) {
+        limits_[i] = new NumberField({0.0, i < 2 ? 180.0 : 90.0, 0, QStringLiteral("°"), 5.0});
+        limits_[i]->setAccessibleName(tr("Gantry limits") + QLatin1Char(' ') + QLatin1String(names[i]));
+        limits_[i]->showValue(values[i]);
         row->addWidget(roleLabel("label", QLatin1String(names[i])));
-        row->addWidget(reach_[i]);
-        connect(reach_[i], &NumberField::edited, this, &AngleDialog::questionChanged);
+        row->addWidget(limits_[i]);
+        connect(limits_[i], &NumberField::edited, this, &AngleDialog::criteriaChanged);
     }
     row->addStretch(1);
     return row;
@@ -179,19 +179,19 @@ void AngleDialog::showBranch(const QString& title, const QString& hint)
     hint_->setVisible(!hint.isEmpty());
 }
 
-void AngleDialog::showMap(const std::optional<core::AngleMap>& map, const std::optional<core::AngleSuggestion>& now)
+void AngleDialog::showMap(const std::optional<core::AngleMap>& map, const std::optional<core::AngleSuggestion>& current)
 {
     map_ = map;
-    nowAt_ = now;
+    currentAngles_ = current;
     plot_->showMap(map);
-    plot_->showNow(now ? std::optional(now->angles) : std::nullopt);
-    now_->setVisible(now.has_value());
-    now_->setText(now ? tr("Now: %1").arg(angleWords(now->angles)) : QString());
+    plot_->showCurrent(current ? std::optional(current->angles) : std::nullopt);
+    currentButton_->setVisible(current.has_value());
+    currentButton_->setText(current ? tr("Current: %1").arg(angleText(current->angles)) : QString());
     for (std::size_t i = 0; i < best_.size(); ++i) {
-        const bool isThere = map && i < map->best.size();
-        best_[i]->setVisible(isThere);
-        best_[i]->setText(isThere ? QStringLiteral("%1   %2").arg(i + 1).arg(angleWords(map->best[i].angles))
-                                  : QString());
+        const bool hasSuggestion = map && i < map->best.size();
+        best_[i]->setVisible(hasSuggestion);
+        best_[i]->setText(hasSuggestion ? QStringLiteral("%1   %2").arg(i + 1).arg(angleText(map->best[i].angles))
+                                        : QString());
     }
     if (!map) {
         picked_->clear();
@@ -202,24 +202,24 @@ void AngleDialog::showPicked(const core::AngleSuggestion& picked)
 {
     plot_->showPicked(picked.angles);
     picked_->setText(tr("%1: foreshortening %2 %, overlap %3 %")
-                         .arg(angleWords(picked.angles), numberText(100.0 * picked.quality.foreshortening, 0),
+                         .arg(angleText(picked.angles), numberText(100.0 * picked.quality.foreshortening, 0),
                               numberText(100.0 * picked.quality.overlap, 0)));
 }
 
 void AngleDialog::showVessels(std::shared_ptr<const core::VesselTree> tree, int branchId,
-                              const std::optional<core::Sight>& sight)
+                              const std::optional<core::PosedCamera>& sight)
 {
     view_->showVessels(std::move(tree), branchId, sight);
 }
 
 bool AngleDialog::isTakeOff() const
 {
-    return takeOff_->isChecked();
+    return originOnly_->isChecked();
 }
 
-GantryReach AngleDialog::reach() const
+GantryLimits AngleDialog::limits() const
 {
-    const auto deg = [this](std::size_t i) { return reach_[i]->value().value_or(0.0); };
+    const auto deg = [this](std::size_t i) { return limits_[i]->value().value_or(0.0); };
     return {{-deg(0), deg(1)}, {-deg(2), deg(3)}};
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/geometry/sight.h"
+#include "core/geometry/posed_camera.h"
 #include "core/vessel/vessel_tree.h"
 #include "core/viewing/angle_map.h"
 
@@ -24,7 +24,7 @@ public:
 
     /// Shows the vessels; leaves the view empty if `sight` has no value.
     void showVessels(std::shared_ptr<const core::VesselTree> tree, int branchId,
-                     const std::optional<core::Sight>& sight);
+                     const std::optional<core::PosedCamera>& sight);
     QSize sizeHint() const override { return {230, 230}; }
 
 protected:
@@ -35,7 +35,7 @@ private:
 
     std::shared_ptr<const core::VesselTree> tree_;
     int branchId_ = 0;
-    std::optional<core::Sight> sight_;
+    std::optional<core::PosedCamera> sight_;
 };
 
 class AngleMapPlot;
@@ -43,7 +43,7 @@ class NumberField;
 class SimulatedView;
 
 /// Gantry angle limits.
-struct GantryReach {
+struct GantryLimits {
     core::AngleRange primary;
     core::AngleRange secondary;
 };
@@ -53,35 +53,35 @@ struct GantryReach {
 class AngleDialog : public QDialog {
     Q_OBJECT
 public:
-    AngleDialog(const GantryReach& reach, QWidget* parent);
+    AngleDialog(const GantryLimits& limits, QWidget* parent);
 
     void showBranch(const QString& title, const QString& hint);   ///< shows the target branch and notes about it
-    void showMap(const std::optional<core::AngleMap>& map, const std::optional<core::AngleSuggestion>& now);
+    void showMap(const std::optional<core::AngleMap>& map, const std::optional<core::AngleSuggestion>& current);
     void showPicked(const core::AngleSuggestion& picked);
     void showVessels(std::shared_ptr<const core::VesselTree> tree, int branchId,
-                     const std::optional<core::Sight>& sight);
+                     const std::optional<core::PosedCamera>& sight);
 
     bool isTakeOff() const;
-    GantryReach reach() const;
+    GantryLimits limits() const;
 
 signals:
-    void questionChanged();   ///< origin-only option or gantry limits changed
+    void criteriaChanged();   ///< origin-only option or gantry limits changed
     void picked(const core::GantryAngles& angles);
 
 private:
-    QLayout* makeReach(const GantryReach& reach);
-    QLayout* makeBest();
+    QLayout* makeLimitFields(const GantryLimits& limits);
+    QLayout* makeBestButtons();
 
     QLabel* title_;
     QLabel* hint_;
-    QCheckBox* takeOff_;
+    QCheckBox* originOnly_;
     AngleMapPlot* plot_;
     SimulatedView* view_;
     QLabel* picked_;
-    QPushButton* now_;
+    QPushButton* currentButton_;
     std::array<QPushButton*, 3> best_{};
-    std::array<NumberField*, 4> reach_{};   ///< limits of RAO, LAO, CAU, CRA
-    std::optional<core::AngleSuggestion> nowAt_;
+    std::array<NumberField*, 4> limits_{};   ///< limits of RAO, LAO, CAU, CRA
+    std::optional<core::AngleSuggestion> currentAngles_;
     std::optional<core::AngleMap> map_;
 };
 

@@ -15,12 +15,12 @@ namespace {
 
 constexpr int auxiliaryDialogWidth = 560;
 
-QPushButton* choiceButton(const QString& text, const QString& toolTip)
+QPushButton* makeButton(const QString& text, const QString& toolTip)
 {
-    auto* made = new QPushButton(text);
-    made->setToolTip(toolTip);
-    made->setAutoDefault(false);
-    return made;
+    auto* button = new QPushButton(text);
+    button->setToolTip(toolTip);
+    button->setAutoDefault(false);
+    return button;
 }
 
 QLabel* wrapped(const char* role)
@@ -38,10 +38,10 @@ AuxiliaryDialog::AuxiliaryDialog(QWidget* parent)
       preview_(wrapped("body")),
       generation_(new NumberField({0.0, 99.0, 0, {}, 1.0})),
       radius_(new NumberField({0.0, 50.0, 1, tr("mm"), 0.1})),
-      byGeneration_(choiceButton(tr("Up to generation"), tr("Generation 0 begins at the root of the tree."))),
-      byRadius_(choiceButton(tr("Radius at least"), tr("Uses the median radius of each branch."))),
-      take_(choiceButton(tr("Use these"), tr("Makes the suggested branches auxiliary."))),
-      method_(choiceButton({}, tr("This method alternates between the auxiliary branches and the whole tree.")))
+      byGeneration_(makeButton(tr("Up to generation"), tr("Generation 0 begins at the root of the tree."))),
+      byRadius_(makeButton(tr("Radius at least"), tr("Uses the median radius of each branch."))),
+      apply_(makeButton(tr("Use these"), tr("Makes the suggested branches auxiliary."))),
+      method_(makeButton({}, tr("This method alternates between the auxiliary branches and the whole vessel tree.")))
 {
     setObjectName(QStringLiteral("auxiliaryDialog"));
     setWindowTitle(tr("Auxiliary branches"));
@@ -55,7 +55,7 @@ AuxiliaryDialog::AuxiliaryDialog(QWidget* parent)
     auto* suggested = new QHBoxLayout;
     suggested->setSpacing(8);
     suggested->addWidget(suggestion_, 1);
-    suggested->addWidget(take_, 0, Qt::AlignTop);
+    suggested->addWidget(apply_, 0, Qt::AlignTop);
 
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(20, 16, 20, 14);
@@ -63,12 +63,12 @@ AuxiliaryDialog::AuxiliaryDialog(QWidget* parent)
     layout->addWidget(words);
     layout->addWidget(makeTable());
     layout->addLayout(suggested);
-    layout->addLayout(makeWays());
+    layout->addLayout(makeSelectors());
     layout->addWidget(preview_);
     layout->addWidget(method_, 0, Qt::AlignLeft);
     layout->addStretch(1);
     connect(method_, &QPushButton::clicked, this, &AuxiliaryDialog::methodRequested);
-    connect(take_, &QPushButton::clicked, this, &AuxiliaryDialog::suggestionRequested);
+    connect(apply_, &QPushButton::clicked, this, &AuxiliaryDialog::suggestionRequested);
     showAdvice({});
 }
 
@@ -89,22 +89,22 @@ QWidget* AuxiliaryDialog::makeTable()
             grid->addWidget(cell, row + 1, column);
         }
     }
-    table->setToolTip(tr("± is the standard deviation expected for traced vessels with typical noise."));
+    table->setToolTip(tr("±: standard deviation expected for traced vessels with typical noise."));
     return table;
 }
 
-QLayout* AuxiliaryDialog::makeWays()
+QLayout* AuxiliaryDialog::makeSelectors()
 {
     generation_->setAccessibleName(tr("Last generation"));
     radius_->setAccessibleName(tr("Minimum radius"));
     generation_->showValue(1.0);
     radius_->showValue(1.0);
-    auto* lasso = choiceButton(withKey(tr("Lasso"), Command::Lasso),
-                               tipWithKey(tr("Draw around the branches in the image."), Command::Lasso));
-    auto* inView =
-        choiceButton(withKey(tr("In view"), Command::AuxiliaryInView),
-                     tipWithKey(tr("Selects the branches that lie completely in the view."), Command::AuxiliaryInView));
-    auto* none = choiceButton(tr("None"), tr("Without auxiliary branches, the nodes of the vessel tree are used."));
+    auto* lasso = makeButton(withShortcut(tr("Lasso"), Command::Lasso),
+                             tooltipWithShortcut(tr("Draw around the branches in the image."), Command::Lasso));
+    auto* inView = makeButton(
+        withShortcut(tr("In view"), Command::AuxiliaryInView),
+        tooltipWithShortcut(tr("Selects the branches that lie completely in the view."), Command::AuxiliaryInView));
+    auto* none = makeButton(tr("None"), tr("Without auxiliary branches, the nodes of the vessel tree are used."));
     auto* grid = new QGridLayout;
     grid->setHorizontalSpacing(8);
     grid->setVerticalSpacing(8);
@@ -128,27 +128,27 @@ void AuxiliaryDialog::showAdvice(const AuxiliaryAdvice& advice)
 {
     for (std::size_t row = 0; row < cells_.size(); ++row) {
         const bool isKnown = row < advice.steps.size();
-        const PinnedStep step = isKnown ? advice.steps[row] : PinnedStep{};
+        const ParameterConstraint step = isKnown ? advice.steps[row] : ParameterConstraint{};
         const bool isAngle = step.unit == QStringLiteral("°");   // degrees take no space before the unit
         const auto plusMinus = [&step, isAngle](double std) {
             return (isAngle ? QStringLiteral("±%1%2") : QStringLiteral("±%1 %2")).arg(numberText(std, 2), step.unit);
         };
         cells_[row][0]->setText(step.name);
-        cells_[row][1]->setText(isKnown ? plusMinus(step.stdOfAll) : QString());
-        cells_[row][2]->setText(isKnown ? plusMinus(step.stdOfChosen) : QString());
-        cells_[row][3]->setText(step.pinnedBy);
-        setRole(cells_[row][2], isKnown && step.stdOfChosen > 2.0 * step.stdOfAll ? "attention" : "body");
+        cells_[row][1]->setText(isKnown ? plusMinus(step.stdAllBranches) : QString());
+        cells_[row][2]->setText(isKnown ? plusMinus(step.stdAuxiliary) : QString());
+        cells_[row][3]->setText(step.constrainedBy);
+        setRole(cells_[row][2], isKnown && step.stdAuxiliary > 2.0 * step.stdAllBranches ? "attention" : "body");
     }
     suggestion_->setText(
         advice.suggestion.isEmpty()
             ? tr("A suggestion requires vessels, camera and pose.")
             : tr("Suggested: %1. They are nearly as informative as all branches.").arg(advice.suggestion));
-    take_->setEnabled(!advice.suggestion.isEmpty());
+    apply_->setEnabled(!advice.suggestion.isEmpty());
     preview_->setText(advice.preview);
     method_->setText(tr("Use %1 instead").arg(advice.otherMethod));
     method_->setVisible(!advice.otherMethod.isEmpty());
-    const auto enable = [](QPushButton* way, NumberField* field, bool isPossible, const QString& whyNot) {
-        way->setEnabled(isPossible);
+    const auto enable = [](QPushButton* selector, NumberField* field, bool isPossible, const QString& whyNot) {
+        selector->setEnabled(isPossible);
         field->setEnabled(isPossible);
         field->setToolTip(isPossible ? QString() : whyNot);
     };

@@ -15,17 +15,17 @@ namespace angiopose::ui {
 class NumberField;
 
 /// Constraint of one pose parameter: expected standard deviations and the branches that determine it.
-struct PinnedStep {
+struct ParameterConstraint {
     QString name;   ///< e.g. "depth"
     QString unit;
-    double stdOfAll = 0.0;   ///< expected standard deviation with all branches
-    double stdOfChosen = 0.0;   ///< expected standard deviation with the auxiliary branches only
-    QString pinnedBy;   ///< branches that constrain this parameter best
+    double stdAllBranches = 0.0;   ///< expected standard deviation with all branches
+    double stdAuxiliary = 0.0;   ///< expected standard deviation with the auxiliary branches only
+    QString constrainedBy;   ///< branches that constrain this parameter best
 };
 
 /// Assessment of the current set of auxiliary branches.
 struct AuxiliaryAdvice {
-    std::vector<PinnedStep> steps;
+    std::vector<ParameterConstraint> steps;
     QString suggestion;   ///< names of the suggested branches; empty if there is no suggestion
     QString preview;   ///< branches that the alternating method would use now
     QString otherMethod;   ///< method that uses the subset throughout; empty if it is already selected
@@ -52,7 +52,7 @@ signals:
     void methodRequested();   ///< requests a switch to `otherMethod`
 
 private:
-    QLayout* makeWays();
+    QLayout* makeSelectors();
     QWidget* makeTable();
 
     std::array<std::array<QLabel*, 4>, 6> cells_{};
@@ -62,7 +62,7 @@ private:
     NumberField* radius_;
     QPushButton* byGeneration_;
     QPushButton* byRadius_;
-    QPushButton* take_;
+    QPushButton* apply_;
     QPushButton* method_;
 };
 

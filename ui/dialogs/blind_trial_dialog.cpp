@@ -38,25 +38,25 @@ BlindTrialDialog::BlindTrialDialog(const BlindTrialSetup& suggested, QWidget* pa
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(22, 20, 22, 16);
     layout->setSpacing(14);
-    layout->addWidget(makeWords());
+    layout->addWidget(makeIntroduction());
     layout->addLayout(makeForm());
     layout->addLayout(makeButtons());
 
     connect(observer_, &QLineEdit::textChanged, this, &BlindTrialDialog::updateButton);
     connect(log_, &QLineEdit::textChanged, this, &BlindTrialDialog::updateButton);
     connect(start_, &QPushButton::clicked, this, [this] {
-        const BlindTrialSetup wanted = setup();
+        const BlindTrialSetup entered = setup();
         accept();
-        emit startRequested(wanted);
+        emit startRequested(entered);
     });
     updateButton();
 }
 
-QWidget* BlindTrialDialog::makeWords()
+QWidget* BlindTrialDialog::makeIntroduction()
 {
     auto* words = roleLabel(
         "body",
-        tr("The vessels start at a random pose around the current one. Until you choose Done, all numbers, residual "
+        tr("The vessels start at a random pose around the current one. Until you choose “Done”, all numbers, residual "
            "colors and earlier poses are hidden. Time and final pose are logged; the case is unchanged."));
     words->setWordWrap(true);
     return words;
@@ -111,7 +111,7 @@ BlindTrialSetup BlindTrialDialog::setup() const
 
 void BlindTrialDialog::chooseLog()
 {
-    auto* dialog = new QFileDialog(this, tr("Log of the trials"), log_->text(), tr("Tables (*.csv)"));
+    auto* dialog = new QFileDialog(this, tr("Trial log"), log_->text(), tr("Tables (*.csv)"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     dialog->setOption(QFileDialog::DontConfirmOverwrite);   // new trials are appended to an existing file

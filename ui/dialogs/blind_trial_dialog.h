@@ -32,7 +32,7 @@ signals:
     void startRequested(const ui::BlindTrialSetup& setup);
 
 private:
-    QWidget* makeWords();
+    QWidget* makeIntroduction();
     QFormLayout* makeForm();
     QHBoxLayout* makeLogRow();
     QHBoxLayout* makeButtons();

@@ -20,22 +20,22 @@ constexpr int inputListHeight = 130;
 
 PackDialog::PackDialog(QWidget* parent)
     : QDialog(parent),
-      nameless_(new QCheckBox(tr("De-identify"))),
+      deidentify_(new QCheckBox(tr("De-identify"))),
       shiftedDates_(new QCheckBox(tr("Shift dates instead of removing them"))),
-      blackedOut_(new QCheckBox(tr("Mask burned-in text"))),
+      maskText_(new QCheckBox(tr("Mask burned-in text"))),
       pseudonym_(new QLineEdit)
 {
     setObjectName(QStringLiteral("packDialog"));
     setWindowTitle(tr("Share case as ZIP"));
     setAttribute(Qt::WA_DeleteOnClose);
     setMinimumWidth(460);
-    nameless_->setChecked(true);
-    blackedOut_->setChecked(true);
+    deidentify_->setChecked(true);
+    maskText_->setChecked(true);
     pseudonym_->setPlaceholderText(tr("automatic"));
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(22, 20, 22, 16);
     layout->setSpacing(10);
-    for (QCheckBox* box : {nameless_, shiftedDates_, blackedOut_}) {
+    for (QCheckBox* box : {deidentify_, shiftedDates_, maskText_}) {
         layout->addWidget(box);
     }
     auto* form = new QFormLayout;
@@ -43,22 +43,22 @@ PackDialog::PackDialog(QWidget* parent)
     layout->addLayout(form);
     auto* hint = roleLabel(
         "hint",
-        tr("One archive with the case, its inputs and its results. De-identified: without names, IDs, dates, private "
-           "elements and notes; UIDs are replaced. Branch names are kept. Review every image before sharing."));
+        tr("One archive with the case, its inputs and its results. De-identification removes names, IDs, dates, "
+           "private elements and notes, and replaces UIDs. Branch names are kept. Review every image before sharing."));
     hint->setWordWrap(true);
     layout->addWidget(hint);
     auto* pack = new QPushButton(tr("Pack…"));
     layout->addLayout(dialogButtons(*this, tr("Cancel"), *pack));
-    for (QWidget* further : std::initializer_list<QWidget*>{shiftedDates_, blackedOut_, pseudonym_}) {
-        connect(nameless_, &QCheckBox::toggled, further, &QWidget::setEnabled);
+    for (QWidget* further : std::initializer_list<QWidget*>{shiftedDates_, maskText_, pseudonym_}) {
+        connect(deidentify_, &QCheckBox::toggled, further, &QWidget::setEnabled);
     }
     connect(this, &QDialog::accepted, this, [this] { emit chosen(this->choice()); });
 }
 
-PackChoice PackDialog::choice() const
+ShareOptions PackDialog::choice() const
 {
-    const auto of = [](const QCheckBox& box) { return box.isChecked() ? Choice::On : Choice::Off; };
-    return {nameless_->isChecked() ? Choice::Off : Choice::On, of(*shiftedDates_), of(*blackedOut_),
+    const auto of = [](const QCheckBox& box) { return box.isChecked() ? Toggle::On : Toggle::Off; };
+    return {deidentify_->isChecked() ? Toggle::Off : Toggle::On, of(*shiftedDates_), of(*maskText_),
             pseudonym_->text()};
 }
 
@@ -67,7 +67,7 @@ DeidentifyDialog::DeidentifyDialog(QWidget* parent)
       inputs_(new QListWidget),
       remove_(new QPushButton(tr("Remove"))),
       shiftedDates_(new QCheckBox(tr("Shift dates instead of removing them"))),
-      blackedOut_(new QCheckBox(tr("Mask burned-in text"))),
+      maskText_(new QCheckBox(tr("Mask burned-in text"))),
       pseudonym_(new QLineEdit),
       output_(new QLineEdit),
       accept_(new QPushButton(tr("Write")))
@@ -76,10 +76,9 @@ DeidentifyDialog::DeidentifyDialog(QWidget* parent)
     setWindowTitle(tr("De-identify files"));
     setAttribute(Qt::WA_DeleteOnClose);
     setMinimumWidth(600);
-    auto* hint = roleLabel(
-        "hint",
-        tr("DICOM images and objects, PNG, JPEG and TIFF are rewritten without names, IDs, dates, private elements and "
-           "texts; UIDs are replaced. Other files are skipped and listed. Review every image before sharing."));
+    auto* hint = roleLabel("hint", tr("DICOM images and objects, PNG, JPEG and TIFF files are rewritten without names, "
+                                      "IDs, dates, private elements and texts; UIDs are replaced. Other files are "
+                                      "skipped and listed. Review every image before sharing."));
     hint->setWordWrap(true);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(22, 20, 22, 16);
@@ -107,8 +106,8 @@ QWidget* DeidentifyDialog::makeInputs()
         buttons->addWidget(button);
     }
     buttons->addStretch(1);
-    connect(files, &QPushButton::clicked, this, &DeidentifyDialog::filesWanted);
-    connect(folder, &QPushButton::clicked, this, &DeidentifyDialog::folderWanted);
+    connect(files, &QPushButton::clicked, this, &DeidentifyDialog::addFilesRequested);
+    connect(folder, &QPushButton::clicked, this, &DeidentifyDialog::addFolderRequested);
     connect(remove_, &QPushButton::clicked, this, &DeidentifyDialog::removeSelected);
     connect(inputs_, &QListWidget::itemSelectionChanged, this, &DeidentifyDialog::showState);
     auto* part = new QWidget;
@@ -122,23 +121,23 @@ QWidget* DeidentifyDialog::makeInputs()
 
 QWidget* DeidentifyDialog::makeOptions()
 {
-    blackedOut_->setChecked(true);
+    maskText_->setChecked(true);
     pseudonym_->setPlaceholderText(tr("automatic"));
     output_->setPlaceholderText(tr("a new or empty folder"));
     output_->setAccessibleName(tr("Output folder"));
     auto* choose = new QPushButton(tr("Choose…"));
     choose->setAutoDefault(false);
-    auto* place = new QHBoxLayout;
-    place->addWidget(output_, 1);
-    place->addWidget(choose);
+    auto* outputRow = new QHBoxLayout;
+    outputRow->addWidget(output_, 1);
+    outputRow->addWidget(choose);
     auto* part = new QWidget;
     auto* form = new QFormLayout(part);
     form->setContentsMargins(0, 0, 0, 0);
     form->addRow(shiftedDates_);
-    form->addRow(blackedOut_);
+    form->addRow(maskText_);
     form->addRow(tr("Pseudonym"), pseudonym_);
-    form->addRow(tr("Write to"), place);
-    connect(choose, &QPushButton::clicked, this, &DeidentifyDialog::outputWanted);
+    form->addRow(tr("Write to"), outputRow);
+    connect(choose, &QPushButton::clicked, this, &DeidentifyDialog::outputFolderRequested);
     connect(output_, &QLineEdit::textChanged, this, &DeidentifyDialog::showState);
     return part;
 }
@@ -171,14 +170,14 @@ void DeidentifyDialog::showState()
     accept_->setEnabled(inputs_->count() > 0 && !output_->text().trimmed().isEmpty());
 }
 
-DeidentifyChoice DeidentifyDialog::choice() const
+DeidentifyOptions DeidentifyDialog::choice() const
 {
-    const auto of = [](const QCheckBox& box) { return box.isChecked() ? Choice::On : Choice::Off; };
+    const auto of = [](const QCheckBox& box) { return box.isChecked() ? Toggle::On : Toggle::Off; };
     QStringList paths;
     for (int i = 0; i < inputs_->count(); ++i) {
         paths << inputs_->item(i)->text();
     }
-    return {paths, output_->text().trimmed(), {Choice::Off, of(*shiftedDates_), of(*blackedOut_), pseudonym_->text()}};
+    return {paths, output_->text().trimmed(), {Toggle::Off, of(*shiftedDates_), of(*maskText_), pseudonym_->text()}};
 }
 
 }   // namespace angiopose::ui

@@ -13,10 +13,10 @@ class QPushButton;
 
 namespace angiopose::ui {
 
-struct PackChoice {
-    Choice identity = Choice::Off;   ///< keeps the patient identity
-    Choice shiftedDates = Choice::Off;   ///< shifts dates instead of removing them
-    Choice blackedOut = Choice::Off;   ///< masks burned-in text
+struct ShareOptions {
+    Toggle identity = Toggle::Off;   ///< keeps the patient identity
+    Toggle shiftedDates = Toggle::Off;   ///< shifts dates instead of removing them
+    Toggle maskText = Toggle::Off;   ///< masks burned-in text
     QString pseudonym;   ///< generated if empty
 };
 
@@ -26,23 +26,23 @@ class PackDialog : public QDialog {
 public:
     explicit PackDialog(QWidget* parent);
 
-    PackChoice choice() const;
+    ShareOptions choice() const;
 
 signals:
-    void chosen(const ui::PackChoice& choice);
+    void chosen(const ui::ShareOptions& choice);
 
 private:
-    QCheckBox* nameless_;
+    QCheckBox* deidentify_;
     QCheckBox* shiftedDates_;
-    QCheckBox* blackedOut_;
+    QCheckBox* maskText_;
     QLineEdit* pseudonym_;
 };
 
 /// Files to de-identify, the destination and the options.
-struct DeidentifyChoice {
+struct DeidentifyOptions {
     QStringList paths;   ///< input files and folders
     QString outputFolder;
-    PackChoice how;   ///< `identity` is always off
+    ShareOptions how;   ///< `identity` is always off
 };
 
 /// Dialog that collects the files and folders to de-identify. The receiver of its signals opens the file dialogs.
@@ -55,22 +55,22 @@ public:
     void setOutputFolder(const QString& folder);
 
 signals:
-    void filesWanted();
-    void folderWanted();
-    void outputWanted();
-    void chosen(const ui::DeidentifyChoice& choice);
+    void addFilesRequested();
+    void addFolderRequested();
+    void outputFolderRequested();
+    void chosen(const ui::DeidentifyOptions& choice);
 
 private:
     QWidget* makeInputs();
     QWidget* makeOptions();
     void removeSelected();
     void showState();
-    DeidentifyChoice choice() const;
+    DeidentifyOptions choice() const;
 
     QListWidget* inputs_;
     QPushButton* remove_;
     QCheckBox* shiftedDates_;
-    QCheckBox* blackedOut_;
+    QCheckBox* maskText_;
     QLineEdit* pseudonym_;
     QLineEdit* output_;
     QPushButton* accept_;

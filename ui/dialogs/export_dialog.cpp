@@ -32,12 +32,12 @@ ExportDialog::ExportDialog(int viewWidthPx, double aspect, QWidget* parent)
       width_(new NumberField({64.0, 8192.0, 0, QStringLiteral("px"), 64.0})),
       widthLabel_(roleLabel("label", tr("Width"))),
       resolution_(new NumberField({10.0, 4800.0, 0, tr("dpi"), 50.0})),
-      resulting_(roleLabel("hint")),
+      outputSize_(roleLabel("hint")),
       residuals_(new QCheckBox(tr("Residual colors with scale"))),
       identity_(new QCheckBox(tr("Patient identity in the image"))),
       english_(new QCheckBox(tr("English labels"))),
       cutout_(new QCheckBox(tr("Swipe or lens as in the window"))),
-      startBeside_(new QCheckBox(tr("Side by side with initial pose")))
+      withInitialPose_(new QCheckBox(tr("Side by side with initial pose")))
 {
     setObjectName(QStringLiteral("exportDialog"));
     setWindowTitle(tr("Export overlay"));
@@ -51,7 +51,7 @@ ExportDialog::ExportDialog(int viewWidthPx, double aspect, QWidget* parent)
     format_->addItems({tr("PNG (raster)"), tr("SVG (vector)"), tr("PDF (vector)")});
 
     auto* notice = roleLabel("hint", tr("The image is labeled “Not for clinical use”; inputs, method and pose are "
-                                        "stored in its metadata. (16-bit: metadata only)"));
+                                        "stored in its metadata (16-bit: metadata only)."));
     notice->setWordWrap(true);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(22, 20, 22, 16);
@@ -64,7 +64,7 @@ ExportDialog::ExportDialog(int viewWidthPx, double aspect, QWidget* parent)
     connect(resolution_, &NumberField::edited, this, &ExportDialog::showSize);
     connect(width_, &NumberField::edited, this, &ExportDialog::showSize);
     connect(this, &QDialog::accepted, this, [this] { emit chosen(choice()); });
-    connect(startBeside_, &QCheckBox::toggled, this, &ExportDialog::showSize);
+    connect(withInitialPose_, &QCheckBox::toggled, this, &ExportDialog::showSize);
     offerCutout(false);
     showChoice({});
 }
@@ -80,7 +80,7 @@ QFormLayout* ExportDialog::makeForm()
     form->addRow(widthLabel_, width_);
     form->addRow(roleLabel("label", tr("Print resolution")), resolution_);
     for (QWidget* line :
-         std::initializer_list<QWidget*>{resulting_, residuals_, startBeside_, cutout_, identity_, english_}) {
+         std::initializer_list<QWidget*>{outputSize_, residuals_, withInitialPose_, cutout_, identity_, english_}) {
         form->addRow(QString(), line);
     }
     english_->setVisible(currentLanguage() != languages().front());
@@ -93,25 +93,25 @@ void ExportDialog::offerCutout(bool hasCutout)
     cutout_->setVisible(hasCutout);
 }
 
-void ExportDialog::showChoice(const ExportChoice& choice)
+void ExportDialog::showChoice(const OverlayExportOptions& choice)
 {
     const int entry = choice.widthPx == 1024 ? Size1024 : choice.widthPx == 2048 ? Size2048 : CustomSize;
     size_->setCurrentIndex(choice.widthPx == viewWidthPx_ ? ViewSize : entry);
     if (entry == CustomSize) {
         width_->showValue(choice.widthPx);
     }
-    residuals_->setChecked(choice.residualColors == Choice::On);
-    identity_->setChecked(choice.identity == Choice::On);
-    english_->setChecked(choice.english == Choice::On);
+    residuals_->setChecked(choice.residualColors == Toggle::On);
+    identity_->setChecked(choice.identity == Toggle::On);
+    english_->setChecked(choice.english == Toggle::On);
     format_->setCurrentIndex(static_cast<int>(choice.format));
     part_->setCurrentIndex(static_cast<int>(choice.part));
     resolution_->showValue(choice.dotsPerInch);
     showPart();
 }
 
-ExportChoice ExportDialog::choice() const
+OverlayExportOptions ExportDialog::choice() const
 {
-    ExportChoice result;
+    OverlayExportOptions result;
     switch (size_->currentIndex()) {
         case ViewSize:
             result.widthPx = viewWidthPx_;
@@ -125,14 +125,14 @@ ExportChoice ExportDialog::choice() const
         default:
             result.widthPx = static_cast<int>(width_->value().value_or(1024.0));
     }
-    result.residualColors = residuals_->isChecked() ? Choice::On : Choice::Off;
-    result.identity = identity_->isChecked() ? Choice::On : Choice::Off;
-    result.english = english_->isChecked() ? Choice::On : Choice::Off;
-    result.cutout = cutout_->isChecked() ? Choice::On : Choice::Off;
-    result.startBeside = startBeside_->isChecked() ? Choice::On : Choice::Off;
-    result.part = static_cast<PicturePart>(part_->currentIndex());
-    result.format =
-        result.part == PicturePart::Frame16 ? PictureFormat::Png : static_cast<PictureFormat>(format_->currentIndex());
+    result.residualColors = residuals_->isChecked() ? Toggle::On : Toggle::Off;
+    result.identity = identity_->isChecked() ? Toggle::On : Toggle::Off;
+    result.english = english_->isChecked() ? Toggle::On : Toggle::Off;
+    result.cutout = cutout_->isChecked() ? Toggle::On : Toggle::Off;
+    result.startBeside = withInitialPose_->isChecked() ? Toggle::On : Toggle::Off;
+    result.part = static_cast<ImageContent>(part_->currentIndex());
+    result.format = result.part == ImageContent::Frame16 ? ImageFileFormat::Png
+                                                         : static_cast<ImageFileFormat>(format_->currentIndex());
     result.dotsPerInch = static_cast<int>(resolution_->value().value_or(300.0));
     return result;
 }
@@ -140,12 +140,12 @@ ExportChoice ExportDialog::choice() const
 /// Disables options that do not apply to the selected content.
 void ExportDialog::showPart()
 {
-    const auto part = static_cast<PicturePart>(part_->currentIndex());
-    for (QWidget* ofVessels : std::initializer_list<QWidget*>{residuals_, startBeside_, cutout_}) {
-        ofVessels->setEnabled(part == PicturePart::Overlay);
+    const auto part = static_cast<ImageContent>(part_->currentIndex());
+    for (QWidget* ofVessels : std::initializer_list<QWidget*>{residuals_, withInitialPose_, cutout_}) {
+        ofVessels->setEnabled(part == ImageContent::Overlay);
     }
     for (QWidget* ofSeen : std::initializer_list<QWidget*>{format_, size_, width_, identity_, english_}) {
-        ofSeen->setEnabled(part != PicturePart::Frame16);
+        ofSeen->setEnabled(part != ImageContent::Frame16);
     }
     showSize();
 }
@@ -155,19 +155,19 @@ void ExportDialog::showSize()
     const bool isCustom = size_->currentIndex() == CustomSize;
     width_->setVisible(isCustom);
     widthLabel_->setVisible(isCustom);
-    const ExportChoice wanted = choice();
-    if (wanted.part == PicturePart::Frame16) {
-        resulting_->setText(tr("same size as the frame"));
+    const OverlayExportOptions options = choice();
+    if (options.part == ImageContent::Frame16) {
+        outputSize_->setText(tr("same size as the frame"));
         return;
     }
-    const double cmPerPx = 2.54 / wanted.dotsPerInch;
+    const double cmPerPx = 2.54 / options.dotsPerInch;
     const QString size =
         tr("%1 × %2 px, %3 × %4 cm")
-            .arg(wanted.widthPx)
-            .arg(std::lround(wanted.widthPx * aspect_))
-            .arg(numberText(cmPerPx * wanted.widthPx, 1), numberText(cmPerPx * wanted.widthPx * aspect_, 1));
-    const bool isTwice = startBeside_->isChecked() && wanted.part == PicturePart::Overlay;
-    resulting_->setText(isTwice ? tr("two images, %1 each").arg(size) : size);
+            .arg(options.widthPx)
+            .arg(std::lround(options.widthPx * aspect_))
+            .arg(numberText(cmPerPx * options.widthPx, 1), numberText(cmPerPx * options.widthPx * aspect_, 1));
+    const bool hasTwoImages = withInitialPose_->isChecked() && options.part == ImageContent::Overlay;
+    outputSize_->setText(hasTwoImages ? tr("two images, %1 each").arg(size) : size);
 }
 
 DicomDialog::DicomDialog(const std::vector<DicomPart>& possible, DicomPurpose purpose, QWidget* parent)
@@ -197,10 +197,10 @@ DicomDialog::DicomDialog(const std::vector<DicomPart>& possible, DicomPurpose pu
         connect(boxes_[i], &QCheckBox::toggled, this, &DicomDialog::showState);
     }
     auto* rigid = roleLabel("hint", purpose == DicomPurpose::Send
-                                        ? tr("A Spatial Registration holds only a rigid matrix. The perspective camera "
-                                             "is stored in its private elements. The file camera.json is not sent.")
-                                        : tr("A Spatial Registration holds only a rigid matrix. The perspective camera "
-                                             "is written to camera.json next to it."));
+                                        ? tr("A Spatial Registration contains only a rigid matrix. The perspective "
+                                             "camera is stored in private elements. The file camera.json is not sent.")
+                                        : tr("A Spatial Registration contains only a rigid matrix. The perspective "
+                                             "camera is written to camera.json in the same folder."));
     auto* passedOn = roleLabel("hint", tr("DICOM headers contain the patient's identity even if the images do not show "
                                           "it. Each object is a new instance in the study of its image."));
     layout->addSpacing(8);
@@ -219,15 +219,15 @@ void DicomDialog::showState()
     export_->setEnabled(std::ranges::any_of(boxes_, [](const QCheckBox* box) { return box->isChecked(); }));
 }
 
-DicomChoice DicomDialog::choice() const
+DicomExportOptions DicomDialog::choice() const
 {
-    DicomChoice choice;
+    DicomExportOptions choice;
     for (std::size_t i = 0; i < boxes_.size(); ++i) {
         if (boxes_[i]->isChecked()) {
             choice.parts.push_back(static_cast<DicomPart>(i));
         }
     }
-    choice.identity = identity_->isChecked() ? Choice::On : Choice::Off;
+    choice.identity = identity_->isChecked() ? Toggle::On : Toggle::Off;
     return choice;
 }
 

@@ -15,21 +15,21 @@ namespace angiopose::ui {
 
 class NumberField;
 
-enum class Choice { Off, On };
+enum class Toggle { Off, On };
 
-enum class PictureFormat { Png, Svg, Pdf };
-enum class PicturePart { Overlay, Frame, Frame16 };
+enum class ImageFileFormat { Png, Svg, Pdf };
+enum class ImageContent { Overlay, Frame, Frame16 };
 
 /// Options of an overlay export.
-struct ExportChoice {
+struct OverlayExportOptions {
     int widthPx = 1024;
-    Choice residualColors = Choice::On;
-    Choice identity = Choice::Off;
-    Choice english = Choice::Off;   ///< English labels even if the window uses another language
-    Choice cutout = Choice::Off;   ///< includes the swipe or lens if active in the window
-    Choice startBeside = Choice::Off;   ///< adds a second image with the vessels at the initial pose
-    PictureFormat format = PictureFormat::Png;
-    PicturePart part = PicturePart::Overlay;   ///< Frame16 (16-bit gray values) exists only as PNG at native size
+    Toggle residualColors = Toggle::On;
+    Toggle identity = Toggle::Off;
+    Toggle english = Toggle::Off;   ///< English labels even if the window uses another language
+    Toggle cutout = Toggle::Off;   ///< includes the swipe or lens if active in the window
+    Toggle startBeside = Toggle::Off;   ///< adds a second image with the vessels at the initial pose
+    ImageFileFormat format = ImageFileFormat::Png;
+    ImageContent part = ImageContent::Overlay;   ///< Frame16 (16-bit gray values) exists only as PNG at native size
     int dotsPerInch = 300;
 };
 
@@ -40,12 +40,12 @@ public:
     /// `viewWidthPx` is the current width of the view; `aspect` is the image height divided by its width.
     ExportDialog(int viewWidthPx, double aspect, QWidget* parent);
 
-    void showChoice(const ExportChoice& choice);
+    void showChoice(const OverlayExportOptions& choice);
     void offerCutout(bool hasCutout);   ///< initially checked if the window shows a swipe or lens
-    ExportChoice choice() const;
+    OverlayExportOptions choice() const;
 
 signals:
-    void chosen(const ui::ExportChoice& choice);
+    void chosen(const ui::OverlayExportOptions& choice);
 
 private:
     QFormLayout* makeForm();
@@ -60,20 +60,20 @@ private:
     NumberField* width_;
     QLabel* widthLabel_;
     NumberField* resolution_;
-    QLabel* resulting_;
+    QLabel* outputSize_;
     QCheckBox* residuals_;
     QCheckBox* identity_;
     QCheckBox* english_;
     QCheckBox* cutout_;
-    QCheckBox* startBeside_;
+    QCheckBox* withInitialPose_;
 };
 
 /// DICOM objects that can be exported, in the order of the check boxes.
 enum class DicomPart { Picture, Run, Report, State, Registration, Segmentation, Measurements };
 
-struct DicomChoice {
+struct DicomExportOptions {
     std::vector<DicomPart> parts;
-    Choice identity = Choice::Off;   ///< burns the patient identity into images and report
+    Toggle identity = Toggle::Off;   ///< burns the patient identity into images and report
 };
 
 enum class DicomPurpose { Export, Send };
@@ -86,10 +86,10 @@ public:
     /// Enables and initially checks the objects in `possible`.
     DicomDialog(const std::vector<DicomPart>& possible, DicomPurpose purpose, QWidget* parent);
 
-    DicomChoice choice() const;
+    DicomExportOptions choice() const;
 
 signals:
-    void chosen(const ui::DicomChoice& choice);
+    void chosen(const ui::DicomExportOptions& choice);
 
 private:
     void showState();

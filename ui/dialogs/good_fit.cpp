@@ -1,6 +1,6 @@
 #include "ui/dialogs/good_fit.h"
 
-#include "ui/controls/screen_room.h"
+#include "ui/controls/screen_fit.h"
 #include "ui/controls/section.h"
 
 #include <QGridLayout>
@@ -45,22 +45,22 @@ QString sentenceOf(FitExample example)
     switch (example) {
         case FitExample::Right:
             return GoodFit::tr(
-                "Lines run along the middle of their vessels, blue throughout, including the side branches.");
+                "The lines run along the center of the vessels and are blue throughout, including the side branches.");
         case FitExample::Unopacified:
             return GoodFit::tr(
                 "Amber only where there is no contrast agent in this frame; every opacified vessel is blue.");
         case FitExample::Deformed:
             return GoodFit::tr(
-                "Small deviations to both sides, from heartbeat and breathing. No rigid pose fits better.");
+                "Small deviations to both sides due to heartbeat and breathing; no rigid pose fits better.");
         case FitExample::Shifted:
-            return GoodFit::tr("All lines are off to the same side. Register again, or nudge with the arrow keys.");
+            return GoodFit::tr("All lines are shifted to the same side. Register again, or nudge with the arrow keys.");
         case FitExample::Turned:
             return GoodFit::tr(
-                "Fits in the middle and deviates more and more toward the edges: rotated in the image plane.");
+                "Fits in the center but deviates increasingly toward the edges: rotated in the image plane.");
         case FitExample::Tilted:
             break;
     }
-    return GoodFit::tr("The trunk fits, but side branches point elsewhere: LAO/RAO or CRA/CAU is wrong.");
+    return GoodFit::tr("The trunk fits, but the side branches run in other directions: LAO/RAO or CRA/CAU is wrong.");
 }
 
 }   // namespace
@@ -78,7 +78,7 @@ GoodFit::GoodFit(QWidget* parent) : QDialog(parent)
     for (int i = 0; i < fitExampleCount; ++i) {
         grid->addWidget(makeCell(static_cast<FitExample>(i)), i / 3, i % 3);
     }
-    auto* note = roleLabel("hint", tr("Simulated vessels. Blue: on a vessel. Amber: 2 mm off or more."));
+    auto* note = roleLabel("hint", tr("Simulated vessels. Blue: on a vessel. Amber: off by 2 mm or more."));
     auto* close = new QPushButton(tr("Close"));
     close->setProperty("role", "primary");
     close->setDefault(true);
@@ -98,7 +98,7 @@ GoodFit::GoodFit(QWidget* parent) : QDialog(parent)
     layout->addWidget(area, 1);
     layout->addLayout(foot);
     const QMargins rim = layout->contentsMargins();
-    resizeOnScreen(
+    resizeWithinScreen(
         *this, pictures->sizeHint() + QSize(rim.left() + rim.right() + style()->pixelMetric(QStyle::PM_ScrollBarExtent),
                                             rim.top() + rim.bottom() + layout->spacing() + foot->sizeHint().height()));
 }
@@ -106,11 +106,11 @@ GoodFit::GoodFit(QWidget* parent) : QDialog(parent)
 QWidget* GoodFit::makeCell(FitExample example)
 {
     auto* cell = new QWidget;
-    auto* picture = roleLabel("hint", tr("drawing…"));
-    picture->setFixedSize(picturePx, picturePx);
-    picture->setAlignment(Qt::AlignCenter);
-    picture->setAccessibleName(headingOf(example));
-    pictures_[static_cast<std::size_t>(example)] = picture;
+    auto* image = roleLabel("hint", tr("drawing…"));
+    image->setFixedSize(picturePx, picturePx);
+    image->setAlignment(Qt::AlignCenter);
+    image->setAccessibleName(headingOf(example));
+    exampleLabels_[static_cast<std::size_t>(example)] = image;
     const QString mark = isGood(example) ? QStringLiteral("✓ ") : QStringLiteral("! ");
     auto* heading = roleLabel(isGood(example) ? "heading" : "attention", mark + headingOf(example));
     auto* sentence = roleLabel("label", sentenceOf(example));
@@ -121,26 +121,26 @@ QWidget* GoodFit::makeCell(FitExample example)
     auto* layout = new QVBoxLayout(cell);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(5);
-    layout->addWidget(picture);
+    layout->addWidget(image);
     layout->addWidget(heading);
     layout->addWidget(sentence);
     layout->addStretch(1);
     return cell;
 }
 
-void GoodFit::showPicture(FitExample example, const QImage& picture)
+void GoodFit::showExample(FitExample example, const QImage& image)
 {
-    QLabel* label = pictures_[static_cast<std::size_t>(example)];
+    QLabel* label = exampleLabels_[static_cast<std::size_t>(example)];
     const double ratio = devicePixelRatioF();
     const int side = static_cast<int>(picturePx * ratio);
-    QPixmap shown = QPixmap::fromImage(picture.scaled(side, side, Qt::KeepAspectRatio, Qt::SmoothTransformation));
+    QPixmap shown = QPixmap::fromImage(image.scaled(side, side, Qt::KeepAspectRatio, Qt::SmoothTransformation));
     shown.setDevicePixelRatio(ratio);
     label->setPixmap(shown);
 }
 
 void GoodFit::showProblem(const QString& reason)
 {
-    for (QLabel* label : pictures_) {
+    for (QLabel* label : exampleLabels_) {
         if (label->pixmap().isNull()) {
             label->setWordWrap(true);
             label->setText(reason);

@@ -20,13 +20,13 @@ class GoodFit : public QDialog {
 public:
     explicit GoodFit(QWidget* parent);
 
-    void showPicture(FitExample example, const QImage& picture);
+    void showExample(FitExample example, const QImage& image);
     void showProblem(const QString& reason);
 
 private:
     QWidget* makeCell(FitExample example);
 
-    std::array<QLabel*, fitExampleCount> pictures_{};
+    std::array<QLabel*, fitExampleCount> exampleLabels_{};
 };
 
 }   // namespace angiopose::ui

@@ -1,6 +1,6 @@
 #include "ui/dialogs/key_sheet.h"
 
-#include "ui/controls/screen_room.h"
+#include "ui/controls/screen_fit.h"
 #include "ui/controls/section.h"
 
 #include <QAction>
@@ -21,7 +21,7 @@ namespace {
 
 constexpr int lineRole = Qt::UserRole;
 
-bool matches(const KeyLine& line, const QString& words)
+bool matches(const ShortcutRow& line, const QString& words)
 {
     const QString whole = line.keys + QLatin1Char(' ') + line.effect;
     const QStringList parts = words.split(QLatin1Char(' '), Qt::SkipEmptyParts);
@@ -69,8 +69,8 @@ QTreeWidgetItem* headingItem(const QString& text)
 
 }   // namespace
 
-KeySheet::KeySheet(std::vector<KeyLine> lines, QWidget* parent)
-    : QDialog(parent), search_(new QLineEdit), list_(new QTreeWidget), word_(roleLabel("hint"))
+KeySheet::KeySheet(std::vector<ShortcutRow> lines, QWidget* parent)
+    : QDialog(parent), search_(new QLineEdit), list_(new QTreeWidget), status_(roleLabel("hint"))
 {
     setObjectName(QStringLiteral("keySheet"));
     setWindowTitle(tr("Keyboard shortcuts"));
@@ -85,7 +85,7 @@ KeySheet::KeySheet(std::vector<KeyLine> lines, QWidget* parent)
     list_->setAccessibleName(tr("Shortcuts and their commands"));
     list_->header()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
     list_->installEventFilter(this);
-    word_->setWordWrap(true);
+    status_->setWordWrap(true);
     auto* reset = new QPushButton(tr("Reset all shortcuts"));
     auto* close = new QPushButton(tr("Close"));
     close->setProperty("role", "primary");
@@ -101,18 +101,18 @@ KeySheet::KeySheet(std::vector<KeyLine> lines, QWidget* parent)
     layout->setSpacing(12);
     layout->addWidget(search_);
     layout->addWidget(list_, 1);
-    layout->addWidget(word_);
+    layout->addWidget(status_);
     layout->addLayout(buttons);
     connect(search_, &QLineEdit::textChanged, this, &KeySheet::showMatching);
-    connect(list_, &QTreeWidget::itemActivated, this, &KeySheet::listenFor);
+    connect(list_, &QTreeWidget::itemActivated, this, &KeySheet::startRecording);
     connect(reset, &QPushButton::clicked, this, &KeySheet::resetRequested);
     connect(close, &QPushButton::clicked, this, &QDialog::accept);
-    resizeOnScreen(*this, {620, 700});
+    resizeWithinScreen(*this, {620, 700});
     showLines(std::move(lines));
     search_->setFocus();
 }
 
-void KeySheet::showLines(std::vector<KeyLine> lines)
+void KeySheet::showLines(std::vector<ShortcutRow> lines)
 {
     lines_ = std::move(lines);
     showMatching();
@@ -125,7 +125,7 @@ void KeySheet::showMatching()
     QList<QTreeWidgetItem*> items;
     QList<QTreeWidgetItem*> headings;
     for (std::size_t i = 0; i < lines_.size(); ++i) {
-        const KeyLine& line = lines_[i];
+        const ShortcutRow& line = lines_[i];
         if (!matches(line, search_->text())) {
             continue;
         }
@@ -141,48 +141,49 @@ void KeySheet::showMatching()
         heading->setFirstColumnSpanned(true);
     }
     list_->setCurrentItem(list_->topLevelItem(std::max(0, place)));
-    stopListening(list_->topLevelItemCount() == 0 ? tr("No shortcut for “%1”.").arg(search_->text())
+    stopRecording(list_->topLevelItemCount() == 0 ? tr("No shortcut for “%1”.").arg(search_->text())
                                                   : tr("Double-click a command or press Enter to assign a shortcut."));
 }
 
-const KeyLine* KeySheet::lineOf(const QTreeWidgetItem* item) const
+const ShortcutRow* KeySheet::lineOf(const QTreeWidgetItem* item) const
 {
     const QVariant index = item ? item->data(0, lineRole) : QVariant();
     return index.isValid() ? &lines_[static_cast<std::size_t>(index.toInt())] : nullptr;
 }
 
-const KeyLine* KeySheet::takenBy(const QKeySequence& key) const
+const ShortcutRow* KeySheet::conflictingRow(const QKeySequence& key) const
 {
-    const auto found = std::ranges::find_if(lines_, [&](const KeyLine& line) {
-        return line.action && line.action != listening_ && line.action->shortcuts().contains(key);
+    const auto match = std::ranges::find_if(lines_, [&](const ShortcutRow& line) {
+        return line.action && line.action != recordedAction_ && line.action->shortcuts().contains(key);
     });
-    return found == lines_.end() ? nullptr : &*found;
+    return match == lines_.end() ? nullptr : &*match;
 }
 
-void KeySheet::listenFor(QTreeWidgetItem* item)
+void KeySheet::startRecording(QTreeWidgetItem* item)
 {
-    const KeyLine* line = lineOf(item);
+    const ShortcutRow* line = lineOf(item);
     if (!line || !line->action) {
-        stopListening(line ? tr("This shortcut is fixed.") : QString());
+        stopRecording(line ? tr("This shortcut is fixed.") : QString());
         return;
     }
-    listening_ = line->action;
-    warnedOf_ = {};
-    setRole(word_, "attention");
-    word_->setText(tr("Press the new shortcut for “%1”. Esc keeps the old one, Delete removes it.").arg(line->effect));
+    recordedAction_ = line->action;
+    warnedKey_ = {};
+    setRole(status_, "attention");
+    status_->setText(
+        tr("Press the new shortcut for “%1”. Esc keeps the old one, Delete removes it.").arg(line->effect));
 }
 
-void KeySheet::stopListening(const QString& word)
+void KeySheet::stopRecording(const QString& word)
 {
-    listening_ = nullptr;
-    setRole(word_, "hint");
-    word_->setText(word);
+    recordedAction_ = nullptr;
+    setRole(status_, "hint");
+    status_->setText(word);
 }
 
 bool KeySheet::eventFilter(QObject* watched, QEvent* event)
 {
     const bool isKey = event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride;
-    if (!listening_ || !isKey) {
+    if (!recordedAction_ || !isKey) {
         return QDialog::eventFilter(watched, event);
     }
     event->accept();
@@ -191,7 +192,7 @@ bool KeySheet::eventFilter(QObject* watched, QEvent* event)
         return true;
     }
     if (pressed->key() == Qt::Key_Escape) {
-        stopListening(tr("The old shortcut is kept."));
+        stopRecording(tr("The old shortcut is kept."));
     } else if (pressed->key() == Qt::Key_Delete) {
         take({});
     } else {
@@ -204,19 +205,19 @@ void KeySheet::take(const QKeySequence& key)
 {
     const QString name = key.toString(QKeySequence::NativeText);
     if (isReserved(key)) {
-        word_->setText(tr("“%1” is reserved. Press another key.").arg(name));
+        status_->setText(tr("“%1” is reserved. Press another key.").arg(name));
         return;
     }
-    const KeyLine* owner = key.isEmpty() ? nullptr : takenBy(key);
-    if (owner && warnedOf_ != key) {
-        warnedOf_ = key;
-        word_->setText(tr("“%1” is assigned to “%2”. Press it again to reassign it, or press another key.")
-                           .arg(name, owner->effect));
+    const ShortcutRow* owner = key.isEmpty() ? nullptr : conflictingRow(key);
+    if (owner && warnedKey_ != key) {
+        warnedKey_ = key;
+        status_->setText(tr("“%1” is assigned to “%2”. Press it again to reassign it, or press another key.")
+                             .arg(name, owner->effect));
         return;
     }
-    QAction* action = std::exchange(listening_, nullptr);
+    QAction* action = std::exchange(recordedAction_, nullptr);
     emit keyChosen(action, key);
-    stopListening(key.isEmpty() ? tr("Shortcut removed.") : tr("The shortcut is now “%1”.").arg(name));
+    stopRecording(key.isEmpty() ? tr("Shortcut removed.") : tr("The shortcut is now “%1”.").arg(name));
 }
 
 }   // namespace angiopose::ui

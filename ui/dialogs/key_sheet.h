@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/actions/key_notes.h"
+#include "ui/actions/fixed_shortcuts.h"
 
 #include <QDialog>
 #include <QKeySequence>
@@ -20,10 +20,10 @@ namespace angiopose::ui {
 class KeySheet : public QDialog {
     Q_OBJECT
 public:
-    KeySheet(std::vector<KeyLine> lines, QWidget* parent);
+    KeySheet(std::vector<ShortcutRow> lines, QWidget* parent);
 
-    void showLines(std::vector<KeyLine> lines);   ///< replaces the lines; keeps search text and selection
-    bool isListening() const { return listening_ != nullptr; }
+    void showLines(std::vector<ShortcutRow> lines);   ///< replaces the lines; keeps search text and selection
+    bool isRecording() const { return recordedAction_ != nullptr; }
 
 signals:
     void keyChosen(QAction* action, const QKeySequence& key);   ///< an empty key removes the shortcut
@@ -34,18 +34,18 @@ protected:
 
 private:
     void showMatching();
-    void listenFor(QTreeWidgetItem* item);
-    void stopListening(const QString& word);
+    void startRecording(QTreeWidgetItem* item);
+    void stopRecording(const QString& word);
     void take(const QKeySequence& key);
-    const KeyLine* lineOf(const QTreeWidgetItem* item) const;
-    const KeyLine* takenBy(const QKeySequence& key) const;
+    const ShortcutRow* lineOf(const QTreeWidgetItem* item) const;
+    const ShortcutRow* conflictingRow(const QKeySequence& key) const;
 
-    std::vector<KeyLine> lines_;
+    std::vector<ShortcutRow> lines_;
     QLineEdit* search_;
     QTreeWidget* list_;
-    QLabel* word_;   ///< instruction, or outcome of the last assignment
-    QAction* listening_ = nullptr;
-    QKeySequence warnedOf_;   ///< conflicting key after its first press, which only warns
+    QLabel* status_;   ///< instruction, or outcome of the last assignment
+    QAction* recordedAction_ = nullptr;
+    QKeySequence warnedKey_;   ///< conflicting key after its first press, which only warns
 };
 
 }   // namespace angiopose::ui

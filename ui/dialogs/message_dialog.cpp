@@ -95,15 +95,15 @@ void MessageDialog::show(const Message& message, QWidget* parent)
     (new MessageDialog(message, parent))->open();
 }
 
-QuestionDialog::QuestionDialog(const Message& message, const QStringList& verbs, QWidget* parent)
-    : QDialog(parent), meantByClosing_(static_cast<int>(verbs.size()) - 1)
+QuestionDialog::QuestionDialog(const Message& message, const QStringList& answers, QWidget* parent)
+    : QDialog(parent), answerOnClose_(static_cast<int>(answers.size()) - 1)
 {
     setObjectName(QStringLiteral("questionDialog"));
     auto* layout = makeBody(this, message);
     auto* buttons = new QHBoxLayout;
     buttons->addStretch(1);
-    for (int i = static_cast<int>(verbs.size()) - 1; i >= 0; --i) {
-        auto* button = new QPushButton(verbs[i]);
+    for (int i = static_cast<int>(answers.size()) - 1; i >= 0; --i) {
+        auto* button = new QPushButton(answers[i]);
         if (i == 0) {
             button->setProperty("role", "primary");
             button->setDefault(true);
@@ -115,8 +115,7 @@ QuestionDialog::QuestionDialog(const Message& message, const QStringList& verbs,
     if (buttons->count() > 1) {
         buttons->itemAt(buttons->count() - 1)->widget()->setFocus();   // makes Enter trigger the highlighted button
     }
-    connect(this, &QDialog::finished, this,
-            [this](int code) { emit answered(code == 0 ? meantByClosing_ : code - 1); });
+    connect(this, &QDialog::finished, this, [this](int code) { emit answered(code == 0 ? answerOnClose_ : code - 1); });
 }
 
 MessageHistory::MessageHistory(const MessageLog& messages, QWidget* parent) : QDialog(parent)

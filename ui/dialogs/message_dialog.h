@@ -27,15 +27,15 @@ public:
 class QuestionDialog : public QDialog {
     Q_OBJECT
 public:
-    QuestionDialog(const Message& message, const QStringList& verbs, QWidget* parent);
+    QuestionDialog(const Message& message, const QStringList& answers, QWidget* parent);
 
-    void setMeantByClosing(int index) { meantByClosing_ = index; }
+    void setAnswerOnClose(int index) { answerOnClose_ = index; }
 
 signals:
     void answered(int index);
 
 private:
-    int meantByClosing_;
+    int answerOnClose_;
 };
 
 /// Dialog that shows the message log, newest message last; text can be copied. Deletes itself when closed.

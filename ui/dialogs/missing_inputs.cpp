@@ -18,32 +18,32 @@ MissingInputs::MissingInputs(const QString& caseName, const QStringList& missing
     : QDialog(parent),
       startFolder_(startFolder),
       open_(new QPushButton(tr("Open"))),
-      without_(new QPushButton(tr("Open anyway")))
+      openWithout_(new QPushButton(tr("Open anyway")))
 {
     setObjectName(QStringLiteral("missingInputs"));
     setWindowTitle(tr("Inputs not found"));
     setAttribute(Qt::WA_DeleteOnClose);
     setMinimumWidth(missingInputsWidth);
-    auto* words = roleLabel("body", tr("“%1” refers to files that are no longer in their place. A search next to the "
-                                       "case and among recent cases did not find them. The case itself is undamaged.")
-                                        .arg(caseName));
-    words->setWordWrap(true);
+    auto* text = roleLabel("body", tr("“%1” refers to files that have been moved or deleted. They were not found next "
+                                      "to the case or in the folders of recent cases. The case itself is intact.")
+                                       .arg(caseName));
+    text->setWordWrap(true);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(22, 20, 22, 16);
     layout->setSpacing(12);
     layout->addWidget(roleLabel("heading", tr("Inputs not found")));
-    layout->addWidget(words);
+    layout->addWidget(text);
     for (const QString& path : missing) {
         layout->addLayout(makeRow(path));
     }
     layout->addLayout(makeButtons());
 }
 
-QLayout* MissingInputs::makeRow(const QString& wanted)
+QLayout* MissingInputs::makeRow(const QString& missingPath)
 {
-    const QFileInfo file(wanted);
+    const QFileInfo file(missingPath);
     auto* name = roleLabel("strong", file.fileName());
-    auto* place = roleLabel("hint", tr("was in %1").arg(file.absolutePath()));
+    auto* place = roleLabel("hint", tr("formerly in %1").arg(file.absolutePath()));
     place->setWordWrap(true);
     auto* locateButton = new QPushButton(tr("Locate…"));
     locateButton->setAccessibleName(tr("Locate %1").arg(file.fileName()));
@@ -55,7 +55,7 @@ QLayout* MissingInputs::makeRow(const QString& wanted)
     auto* row = new QHBoxLayout;
     row->addLayout(texts, 1);
     row->addWidget(locateButton, 0, Qt::AlignVCenter);
-    rows_.push_back({wanted, place});
+    rows_.push_back({missingPath, place});
     connect(locateButton, &QPushButton::clicked, this, [this, index = rows_.size() - 1] { locate(index); });
     return row;
 }
@@ -75,40 +75,40 @@ QLayout* MissingInputs::makeButtons()
     buttons->addWidget(search);
     buttons->addStretch(1);
     buttons->addWidget(cancel);
-    buttons->addWidget(without_);
-    without_->setAutoDefault(false);
-    without_->setToolTip(
-        tr("Only a scan in addition to the vessels, or another view, is missing. Everything else opens."));
-    without_->hide();
-    connect(without_, &QPushButton::clicked, this, [this] {
+    buttons->addWidget(openWithout_);
+    openWithout_->setAutoDefault(false);
+    openWithout_->setToolTip(tr("Only an additional scan or another view is missing. Everything else can be opened."));
+    openWithout_->hide();
+    connect(openWithout_, &QPushButton::clicked, this, [this] {
         accept();
-        emit withoutRequested();
+        emit openWithoutRequested();
     });
     buttons->addWidget(open_);
     connect(search, &QPushButton::clicked, this, &MissingInputs::searchFolder);
     connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
     connect(open_, &QPushButton::clicked, this, [this] {
         accept();
-        emit located(places_);
+        emit located(paths_);
     });
     return buttons;
 }
 
-void MissingInputs::offerWithout(bool possible)
+void MissingInputs::offerOpenWithout(bool possible)
 {
-    without_->setVisible(possible);
+    openWithout_->setVisible(possible);
 }
 
 void MissingInputs::locate(std::size_t row)
 {
-    auto* dialog = new QFileDialog(this, tr("Locate %1").arg(QFileInfo(rows_[row].wanted).fileName()), startFolder_);
+    auto* dialog =
+        new QFileDialog(this, tr("Locate %1").arg(QFileInfo(rows_[row].missingPath).fileName()), startFolder_);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setFileMode(QFileDialog::ExistingFile);
     connect(dialog, &QFileDialog::fileSelected, this, [this, row](const QString& path) {
         startFolder_ = QFileInfo(path).absolutePath();
-        places_[rows_[row].wanted] = path;
-        rows_[row].place->setText(tr("now %1").arg(path));
-        open_->setEnabled(places_.size() == rows_.size());
+        paths_[rows_[row].missingPath] = path;
+        rows_[row].place->setText(tr("now: %1").arg(path));
+        open_->setEnabled(paths_.size() == rows_.size());
     });
     dialog->open();
 }

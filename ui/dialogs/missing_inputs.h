@@ -17,28 +17,28 @@ public:
     /// `missing` holds full paths; `startFolder` is the folder in which the file dialog opens.
     MissingInputs(const QString& caseName, const QStringList& missing, const QString& startFolder, QWidget* parent);
 
-    void offerWithout(bool possible);   ///< offers to open the case without the missing files
+    void offerOpenWithout(bool possible);   ///< offers to open the case without the missing files
 
 signals:
-    void withoutRequested();
-    void located(const std::map<QString, QString>& placeOfMissing);   ///< holds some or all of the missing files
+    void openWithoutRequested();
+    void located(const std::map<QString, QString>& newPathOfMissing);   ///< holds some or all of the missing files
     void searchRequested(const QString& folder);
 
 private:
     struct Row {
-        QString wanted;
+        QString missingPath;
         QLabel* place;
     };
-    QLayout* makeRow(const QString& wanted);
+    QLayout* makeRow(const QString& missingPath);
     QLayout* makeButtons();
     void locate(std::size_t row);
     void searchFolder();
 
     std::vector<Row> rows_;
-    std::map<QString, QString> places_;
+    std::map<QString, QString> paths_;
     QString startFolder_;
     QPushButton* open_;
-    QPushButton* without_;
+    QPushButton* openWithout_;
 };
 
 }   // namespace angiopose::ui

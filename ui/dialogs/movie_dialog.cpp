@@ -19,17 +19,17 @@
 namespace angiopose::ui {
 namespace {
 
-constexpr double slowest = 0.5, fastest = 100.0;
+constexpr double minFrameRate = 0.5, fastest = 100.0;
 
 }   // namespace
 
-MovieDialog::MovieDialog(MovieOffer offer, QWidget* parent)
+MovieDialog::MovieDialog(AvailableMovies offer, QWidget* parent)
     : QDialog(parent),
       offer_(std::move(offer)),
       part_(new QComboBox),
       format_(new QComboBox),
       width_(new NumberField({64.0, 8192.0, 0, QStringLiteral("px"), 64.0})),
-      rate_(new NumberField({slowest, fastest, 1, tr("frames per second"), 1.0})),
+      rate_(new NumberField({minFrameRate, fastest, 1, tr("frames per second"), 1.0})),
       outcome_(roleLabel("hint")),
       residuals_(new QCheckBox(tr("Residual colors with scale"))),
       identity_(new QCheckBox(tr("Patient identity in the frames"))),
@@ -47,8 +47,8 @@ MovieDialog::MovieDialog(MovieOffer offer, QWidget* parent)
     outcome_->setWordWrap(true);
     fillParts();
     format_->addItems({tr("MP4, for players and slides"), tr("GIF, for web pages; loops automatically")});
-    auto* notice = roleLabel("hint", tr("Each frame is labeled “Not for clinical use” with the source of its pose and "
-                                        "whether the pose is reliable."));
+    auto* notice = roleLabel("hint", tr("Each frame is labeled “Not for clinical use” and shows the origin of its pose "
+                                        "and whether the pose is reliable."));
     notice->setWordWrap(true);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(22, 20, 22, 16);
@@ -56,13 +56,13 @@ MovieDialog::MovieDialog(MovieOffer offer, QWidget* parent)
     layout->addLayout(makeForm());
     layout->addWidget(notice);
     layout->addLayout(dialogButtons(*this, tr("Cancel"), *export_));
-    connect(part_, &QComboBox::currentIndexChanged, this, &MovieDialog::showUsualRate);
+    connect(part_, &QComboBox::currentIndexChanged, this, &MovieDialog::showDefaultRate);
     connect(format_, &QComboBox::currentIndexChanged, this, &MovieDialog::showOutcome);
     connect(width_, &NumberField::edited, this, &MovieDialog::showOutcome);
     connect(rate_, &NumberField::edited, this, &MovieDialog::showOutcome);
     connect(this, &QDialog::accepted, this, [this] { emit chosen(choice()); });
     showChoice({});
-    showUsualRate();
+    showDefaultRate();
 }
 
 void MovieDialog::fillParts()
@@ -73,7 +73,7 @@ void MovieDialog::fillParts()
     if (offer_.hasConvergence) {
         part_->addItem(tr("Convergence of the registration"), static_cast<int>(MoviePart::Convergence));
     }
-    part_->addItem(tr("Vessels only, one full rotation"), static_cast<int>(MoviePart::Turn));
+    part_->addItem(tr("Vessels only, one full rotation"), static_cast<int>(MoviePart::Rotation));
 }
 
 QFormLayout* MovieDialog::makeForm()
@@ -92,44 +92,44 @@ QFormLayout* MovieDialog::makeForm()
     return form;
 }
 
-void MovieDialog::showChoice(const MovieChoice& choice)
+void MovieDialog::showChoice(const MovieOptions& choice)
 {
     const int part = part_->findData(static_cast<int>(choice.part));
     part_->setCurrentIndex(part < 0 ? 0 : part);
     format_->setCurrentIndex(static_cast<int>(choice.format));
     width_->showValue(choice.widthPx);
-    residuals_->setChecked(choice.residualColors == Choice::On);
-    identity_->setChecked(choice.identity == Choice::On);
-    english_->setChecked(choice.english == Choice::On);
+    residuals_->setChecked(choice.residualColors == Toggle::On);
+    identity_->setChecked(choice.identity == Toggle::On);
+    english_->setChecked(choice.english == Toggle::On);
     showOutcome();
 }
 
-MovieChoice MovieDialog::choice() const
+MovieOptions MovieDialog::choice() const
 {
-    MovieChoice result;
+    MovieOptions result;
     result.part = static_cast<MoviePart>(part_->currentData().toInt());
     result.format = static_cast<MovieFormat>(format_->currentIndex());
     result.widthPx = static_cast<int>(width_->value().value_or(1024.0));
-    result.framesPerSecond = rate_->value().value_or(offer_.usualPerSecond(result.part));
-    result.identity = identity_->isChecked() ? Choice::On : Choice::Off;
-    result.english = english_->isChecked() ? Choice::On : Choice::Off;
-    result.residualColors = residuals_->isChecked() ? Choice::On : Choice::Off;
+    result.framesPerSecond = rate_->value().value_or(offer_.defaultFrameRate(result.part));
+    result.identity = identity_->isChecked() ? Toggle::On : Toggle::Off;
+    result.english = english_->isChecked() ? Toggle::On : Toggle::Off;
+    result.residualColors = residuals_->isChecked() ? Toggle::On : Toggle::Off;
     return result;
 }
 
-void MovieDialog::showUsualRate()
+void MovieDialog::showDefaultRate()
 {
-    rate_->showValue(std::clamp(offer_.usualPerSecond(choice().part), slowest, fastest));
+    rate_->showValue(std::clamp(offer_.defaultFrameRate(choice().part), minFrameRate, fastest));
     showOutcome();
 }
 
 void MovieDialog::showOutcome()
 {
-    const MovieChoice wanted = choice();
-    residuals_->setVisible(wanted.part == MoviePart::Convergence);
-    const MovieOffer::Outcome outcome = offer_.outcomeOf(wanted);
+    const MovieOptions options = choice();
+    residuals_->setVisible(options.part == MoviePart::Convergence);
+    const AvailableMovies::Outcome outcome = offer_.outcomeOf(options);
     const QString length = tr("%1 frames, %2 s, %3 × %4 px")
-                               .arg(outcome.pictures)
+                               .arg(outcome.imageCount)
                                .arg(numberText(outcome.seconds, 1))
                                .arg(outcome.size.width())
                                .arg(outcome.size.height());

@@ -9,53 +9,53 @@ class QPushButton;
 namespace angiopose::ui {
 
 enum class MovieFormat { Mp4, Gif };
-enum class MoviePart { Run, Convergence, Turn };
+enum class MoviePart { Run, Convergence, Rotation };
 
 /// Options of a movie export.
-struct MovieChoice {
+struct MovieOptions {
     MoviePart part = MoviePart::Run;
     MovieFormat format = MovieFormat::Mp4;
     int widthPx = 1024;
     double framesPerSecond = 15.0;
-    Choice identity = Choice::Off;
-    Choice english = Choice::Off;   ///< English labels even if the window uses another language
-    Choice residualColors = Choice::Off;   ///< used in convergence movies only
+    Toggle identity = Toggle::Off;
+    Toggle english = Toggle::Off;   ///< English labels even if the window uses another language
+    Toggle residualColors = Toggle::Off;   ///< used in convergence movies only
 };
 
 /// Movie content that is available, and the result that given options would produce.
-struct MovieOffer {
+struct AvailableMovies {
     bool hasRun = false;   ///< the angiogram has more than one frame
     bool hasConvergence = false;
-    std::function<double(MoviePart)> usualPerSecond;
+    std::function<double(MoviePart)> defaultFrameRate;
     struct Outcome {
-        std::size_t pictures = 0;
+        std::size_t imageCount = 0;
         double seconds = 0.0;
         QSize size;
         QString words;   ///< description of the frame range and poses used
         QString problem;   ///< reason why the movie cannot be written; empty if it can
     };
-    std::function<Outcome(const MovieChoice&)> outcomeOf;
+    std::function<Outcome(const MovieOptions&)> outcomeOf;
 };
 
 /// Asks for content, format, size and frame rate of a movie. Emits `chosen` on Export.
 class MovieDialog : public QDialog {
     Q_OBJECT
 public:
-    MovieDialog(MovieOffer offer, QWidget* parent);
+    MovieDialog(AvailableMovies offer, QWidget* parent);
 
-    void showChoice(const MovieChoice& choice);   ///< shows the options; replaces unavailable ones
-    MovieChoice choice() const;
+    void showChoice(const MovieOptions& choice);   ///< shows the options; replaces unavailable ones
+    MovieOptions choice() const;
 
 signals:
-    void chosen(const ui::MovieChoice& choice);
+    void chosen(const ui::MovieOptions& choice);
 
 private:
     void fillParts();
     QFormLayout* makeForm();
-    void showUsualRate();
+    void showDefaultRate();
     void showOutcome();
 
-    MovieOffer offer_;
+    AvailableMovies offer_;
     QComboBox* part_;
     QComboBox* format_;
     NumberField* width_;

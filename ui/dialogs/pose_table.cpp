@@ -1,7 +1,7 @@
 #include "ui/dialogs/pose_table.h"
 
 #include "core/registration/methods/method_info.h"
-#include "ui/controls/screen_room.h"
+#include "ui/controls/screen_fit.h"
 #include "ui/controls/section.h"
 #include "ui/theme/active_theme.h"
 #include "ui/words/number.h"
@@ -74,10 +74,10 @@ void setNumber(QTreeWidgetItem& item, int column, std::optional<double> number, 
 
 QPushButton* button(const QString& text, const QString& toolTip)
 {
-    auto* made = new QPushButton(text);
-    made->setToolTip(toolTip);
-    made->setAutoDefault(false);
-    return made;
+    auto* newButton = new QPushButton(text);
+    newButton->setToolTip(toolTip);
+    newButton->setAutoDefault(false);
+    return newButton;
 }
 
 }   // namespace
@@ -89,15 +89,15 @@ PoseTable::PoseTable(QWidget* parent)
       run_(button(tr("Run"), tr("Runs the selected methods one after another from the current pose."))),
       stop_(button(tr("Stop"), tr("Stops the running method and skips the rest; finished results are kept."))),
       progress_(new QProgressBar),
-      words_(roleLabel("hint")),
-      restore_(button(tr("Restore"), tr("Moves the vessels to this pose; undo reverts it."))),
+      status_(roleLabel("hint")),
+      restore_(button(tr("Restore"), tr("Moves the vessels to this pose; can be undone."))),
       makeReference_(button(tr("Use as reference"), tr("Shows differences relative to this pose."))),
-      remove_(button(tr("Delete"), tr("Deletes the snapshots; undo restores them.")))
+      remove_(button(tr("Delete"), tr("Deletes the snapshots; can be undone.")))
 {
     setObjectName(QStringLiteral("poseTable"));
     setWindowTitle(tr("Compare poses"));
     setAttribute(Qt::WA_DeleteOnClose);
-    resizeOnScreen(*this, {poseTableWidth, poseTableHeight});
+    resizeWithinScreen(*this, {poseTableWidth, poseTableHeight});
     table_->setAccessibleName(tr("Poses side by side"));
     table_->setRootIsDecorated(false);
     table_->setUniformRowHeights(true);
@@ -106,7 +106,7 @@ PoseTable::PoseTable(QWidget* parent)
     table_->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::DoubleClicked);
     table_->setHeaderLabels({tr("Pose"), tr("Method"), tr("median mm"), tr("P95 mm"), tr("coverage %"),
                              tr("Δ in-plane mm"), tr("Δ depth mm"), tr("Δ rot. °"), tr("time ms"), tr("Author"),
-                             tr("When"), tr("Note")});
+                             tr("Date"), tr("Note")});
     for (int column = PoseMedian; column <= PoseTime; ++column) {
         table_->headerItem()->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
     }
@@ -127,12 +127,12 @@ PoseTable::PoseTable(QWidget* parent)
 
     connect(table_, &QTreeWidget::itemSelectionChanged, this, [this] {
         updateButtons();
-        if (const auto ids = selectedIds(); !showing_ && ids.size() == 1) {
-            emit wasPicked(*ids.begin());
+        if (const auto ids = selectedIds(); !isUpdating_ && ids.size() == 1) {
+            emit snapshotPicked(*ids.begin());
         }
     });
     connect(table_, &QTreeWidget::itemChanged, this, [this](const QTreeWidgetItem* item, int column) {
-        if (!showing_) {
+        if (!isUpdating_) {
             reportEdit(*item, column);
         }
     });
@@ -165,7 +165,7 @@ QWidget* PoseTable::makeMethods()
     auto* grid = new QGridLayout;
     grid->setHorizontalSpacing(16);
     for (const core::MethodInfo& info : core::methodInfos()) {
-        auto* box = new QCheckBox(methodWords(std::string(info.id)));
+        auto* box = new QCheckBox(methodName(std::string(info.id)));
         box->setProperty("method", QByteArray(info.id.data(), static_cast<qsizetype>(info.id.size())));
         box->setToolTip(QString::fromUtf8(info.summary.data(), static_cast<qsizetype>(info.summary.size())));
         const int index = static_cast<int>(methods_.size());
@@ -182,7 +182,7 @@ QWidget* PoseTable::makeMethods()
     row->addWidget(run_);
     row->addWidget(stop_);
     row->addWidget(progress_, 1);
-    row->addWidget(words_, 2);
+    row->addWidget(status_, 2);
     section->contentLayout()->addLayout(grid);
     section->contentLayout()->addLayout(row);
     connect(run_, &QPushButton::clicked, this, [this] { emit runRequested(chosenMethods()); });
@@ -196,7 +196,7 @@ void PoseTable::fillRow(QTreeWidgetItem& item, const PoseRow& row, bool isRefere
     item.setData(PoseName, poseIdRole, snapshot.id);
     item.setSizeHint(PoseNote, {0, table_->fontMetrics().height() + poseRowSpacing});   // stretchable column
     item.setText(PoseName, snapshot.id == 0 ? tr("Current pose") : QString::fromStdString(snapshot.name));
-    item.setText(PoseMethod, methodWords(snapshot.method));
+    item.setText(PoseMethod, methodName(snapshot.method));
     const auto& metrics = snapshot.metrics;
     setNumber(item, PoseMedian, metrics ? std::optional(metrics->medianMm) : std::nullopt, 2);
     setNumber(item, PoseP95, metrics ? std::optional(metrics->p95Mm) : std::nullopt, 2);
@@ -223,7 +223,7 @@ void PoseTable::fillRow(QTreeWidgetItem& item, const PoseRow& row, bool isRefere
 
 void PoseTable::showRows(const std::vector<PoseRow>& rows, int referenceId)
 {
-    const QScopedValueRollback quiet(showing_, true);
+    const QScopedValueRollback quiet(isUpdating_, true);
     const std::set<int> selected = selectedIds();
     const bool isFirst = rows_.empty();
     rows_ = rows;
@@ -259,7 +259,7 @@ void PoseTable::showChosenMethods(const std::vector<std::string>& methodIds)
 void PoseTable::showRun(const QString& what, double progress)
 {
     running_ = true;
-    words_->setText(what);
+    status_->setText(what);
     progress_->setValue(static_cast<int>(1000.0 * progress));
     updateButtons();
 }
@@ -267,7 +267,7 @@ void PoseTable::showRun(const QString& what, double progress)
 void PoseTable::showIdle(const QString& words)
 {
     running_ = false;
-    words_->setText(words);
+    status_->setText(words);
     updateButtons();
 }
 

@@ -39,7 +39,7 @@ public:
     QTreeWidget* table() const { return table_; }
 
 signals:
-    void wasPicked(int snapshotId);   ///< snapshot to display; 0 is the current pose
+    void snapshotPicked(int snapshotId);   ///< snapshot to display; 0 is the current pose
     void referenceRequested(int snapshotId);
     void restoreRequested(int snapshotId);
     void removeRequested(const std::set<int>& snapshotIds);
@@ -63,12 +63,12 @@ private:
     QPushButton* run_;
     QPushButton* stop_;
     QProgressBar* progress_;
-    QLabel* words_;
+    QLabel* status_;
     QPushButton* restore_;
     QPushButton* makeReference_;
     QPushButton* remove_;
     std::vector<PoseRow> rows_;
-    bool showing_ = false;
+    bool isUpdating_ = false;
     bool running_ = false;
 };
 

@@ -20,9 +20,9 @@ double numberIn(const QLineEdit& field, double before)
 
 }   // namespace
 
-PruneDialog::PruneDialog(std::function<int(const PruneLimits&)> countGone, QWidget* parent)
+PruneDialog::PruneDialog(std::function<int(const PruneLimits&)> countPruned, QWidget* parent)
     : QDialog(parent),
-      countGone_(std::move(countGone)),
+      countPruned_(std::move(countPruned)),
       length_(new NumberField({0.0, 1000.0, 1, tr("mm"), 1.0})),
       radius_(new NumberField({0.0, 1000.0, 2, tr("mm"), 0.1})),
       count_(roleLabel("body")),
@@ -69,12 +69,12 @@ void PruneDialog::showCount()
 {
     limits_.minLengthMm = numberIn(*length_, limits_.minLengthMm);
     limits_.minRadiusMm = numberIn(*radius_, limits_.minRadiusMm);
-    const int gone = countGone_(limits_);
-    count_->setText(gone < 0    ? tr("No branch would remain. Lower the limits.")
-                    : gone == 0 ? tr("Nothing to remove.")
-                    : gone == 1 ? tr("1 branch will be removed.")
-                                : tr("%1 branches will be removed.").arg(gone));
-    prune_->setEnabled(gone > 0);
+    const int count = countPruned_(limits_);
+    count_->setText(count < 0    ? tr("No branch would remain. Lower the limits.")
+                    : count == 0 ? tr("Nothing to remove.")
+                    : count == 1 ? tr("1 branch will be removed.")
+                                 : tr("%1 branches will be removed.").arg(count));
+    prune_->setEnabled(count > 0);
 }
 
 }   // namespace angiopose::ui

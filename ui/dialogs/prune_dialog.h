@@ -20,8 +20,8 @@ struct PruneLimits {
 class PruneDialog : public QDialog {
     Q_OBJECT
 public:
-    /// `countGone` returns the number of branches to remove; negative: no branch would remain.
-    PruneDialog(std::function<int(const PruneLimits&)> countGone, QWidget* parent = nullptr);
+    /// `countPruned` returns the number of branches to remove; negative: no branch would remain.
+    PruneDialog(std::function<int(const PruneLimits&)> countPruned, QWidget* parent = nullptr);
 
 signals:
     void pruneRequested(const ui::PruneLimits& limits);
@@ -29,7 +29,7 @@ signals:
 private:
     void showCount();
 
-    std::function<int(const PruneLimits&)> countGone_;
+    std::function<int(const PruneLimits&)> countPruned_;
     PruneLimits limits_;
     NumberField* length_;
     NumberField* radius_;

@@ -26,9 +26,9 @@ RecoveryDialog::RecoveryDialog(const std::vector<RecoveryRow>& rows, QWidget* pa
     setWindowTitle(tr("Recover unsaved work?"));
     setAttribute(Qt::WA_DeleteOnClose);
     setMinimumWidth(recoveryDialogWidth);
-    auto* words = roleLabel("body", tr("AngioPose ended unexpectedly. These cases had unsaved changes. Recover opens "
-                                       "the copy and leaves the saved case unchanged."));
-    words->setWordWrap(true);
+    auto* text = roleLabel("body", tr("AngioPose ended unexpectedly. These cases had unsaved changes. “Recover” opens "
+                                      "the copy and leaves the saved case unchanged."));
+    text->setWordWrap(true);
     auto* later = new QPushButton(tr("Not now"));
     later->setAutoDefault(false);
     discard_->setAutoDefault(false);
@@ -45,7 +45,7 @@ RecoveryDialog::RecoveryDialog(const std::vector<RecoveryRow>& rows, QWidget* pa
     layout->setContentsMargins(22, 20, 22, 16);
     layout->setSpacing(12);
     layout->addWidget(roleLabel("heading", tr("Recover unsaved work?")));
-    layout->addWidget(words);
+    layout->addWidget(text);
     layout->addWidget(list_);
     layout->addLayout(buttons);
 

@@ -12,7 +12,7 @@
 
 namespace angiopose::ui {
 
-ReportDialog::ReportDialog(const ReportChoice& choice, QWidget* parent)
+ReportDialog::ReportDialog(const ReportOptions& choice, QWidget* parent)
     : QDialog(parent),
       template_(new ElidedLabel("body")),
       builtIn_(new QPushButton(tr("Use built-in"))),
@@ -23,11 +23,11 @@ ReportDialog::ReportDialog(const ReportChoice& choice, QWidget* parent)
     setAttribute(Qt::WA_DeleteOnClose);
     setMinimumWidth(460);
     template_->setObjectName(QStringLiteral("reportTemplate"));
-    identity_->setChecked(choice.identity == Choice::On);
-    auto* passedOn = roleLabel("hint", tr("Leave off before sharing: the report is then anonymous."));
+    identity_->setChecked(choice.identity == Toggle::On);
+    auto* passedOn = roleLabel("hint", tr("Leave this off before sharing; the report is then anonymous."));
     passedOn->setWordWrap(true);
     auto* about = roleLabel("hint", tr("Templates are HTML pages with your letterhead and logo. Save a copy of the "
-                                       "built-in template and edit it; instructions are inside."));
+                                       "built-in template and edit it; it contains instructions."));
     about->setWordWrap(true);
     auto* form = new QFormLayout;
     form->setHorizontalSpacing(14);
@@ -70,9 +70,9 @@ void ReportDialog::showTemplate(const QString& path)
     builtIn_->setEnabled(!path.isEmpty());
 }
 
-ReportChoice ReportDialog::choice() const
+ReportOptions ReportDialog::choice() const
 {
-    return {identity_->isChecked() ? Choice::On : Choice::Off, templatePath_};
+    return {identity_->isChecked() ? Toggle::On : Toggle::Off, templatePath_};
 }
 
 }   // namespace angiopose::ui

@@ -9,8 +9,8 @@ namespace angiopose::ui {
 class ElidedLabel;
 
 /// Options of a report.
-struct ReportChoice {
-    Choice identity = Choice::Off;
+struct ReportOptions {
+    Toggle identity = Toggle::Off;
     QString templatePath;   ///< empty for the built-in template
 };
 
@@ -18,13 +18,13 @@ struct ReportChoice {
 class ReportDialog : public QDialog {
     Q_OBJECT
 public:
-    explicit ReportDialog(const ReportChoice& choice, QWidget* parent);
+    explicit ReportDialog(const ReportOptions& choice, QWidget* parent);
 
     void showTemplate(const QString& path);   ///< empty for the built-in template
-    ReportChoice choice() const;
+    ReportOptions choice() const;
 
 signals:
-    void chosen(const ui::ReportChoice& choice);
+    void chosen(const ui::ReportOptions& choice);
     void templateWanted();   ///< requests a file dialog for a template
     void copyWanted();   ///< requests an editable copy of the built-in template
 

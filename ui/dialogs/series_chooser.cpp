@@ -1,6 +1,6 @@
 #include "ui/dialogs/series_chooser.h"
 
-#include "ui/controls/screen_room.h"
+#include "ui/controls/screen_fit.h"
 #include "ui/controls/section.h"
 #include "ui/words/language.h"
 
@@ -41,12 +41,12 @@ SeriesChooser::SeriesChooser(const QString& folder, std::vector<SeriesRow> rows,
     setObjectName(QStringLiteral("seriesChooser"));
     setWindowTitle(tr("Choose a series"));
     setAttribute(Qt::WA_DeleteOnClose);
-    resizeOnScreen(*this, {chooserWidth, chooserHeight});
+    resizeWithinScreen(*this, {chooserWidth, chooserHeight});
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(22, 20, 22, 16);
     layout->setSpacing(12);
     layout->addWidget(roleLabel("heading", tr("Which series?")));
-    auto* where = roleLabel("body", tr("%1 holds %n series.", nullptr, static_cast<int>(rows_.size())).arg(folder));
+    auto* where = roleLabel("body", tr("%1 contains %n series.", nullptr, static_cast<int>(rows_.size())).arg(folder));
     where->setWordWrap(true);
     layout->addWidget(where);
     layout->addWidget(list_, 1);

@@ -1,6 +1,6 @@
 #include "ui/dialogs/study_browser.h"
 
-#include "ui/controls/screen_room.h"
+#include "ui/controls/screen_fit.h"
 #include "ui/controls/section.h"
 #include "ui/dialogs/study_list.h"
 #include "ui/words/language.h"
@@ -34,14 +34,14 @@ StudyBrowser::StudyBrowser(const QString& place, QWidget* parent)
       stop_(new QPushButton(tr("Stop"))),
       damaged_(new QPushButton),
       offer_(roleLabel("label")),
-      allFiles_(new QPushButton(tr("Read them too"))),
+      allFiles_(new QPushButton(tr("Also read them"))),
       damagedFiles_(new QPlainTextEdit),
       open_(new QPushButton(tr("Open")))
 {
     setObjectName(QStringLiteral("studyBrowser"));
     setWindowTitle(tr("Studies in %1").arg(place));
     setAttribute(Qt::WA_DeleteOnClose);
-    resizeOnScreen(*this, browserSize);
+    resizeWithinScreen(*this, browserSize);
     search_->setPlaceholderText(tr("Search by name, ID or description"));
     search_->setAccessibleName(tr("Search"));
     search_->setClearButtonEnabled(true);
@@ -64,10 +64,10 @@ StudyBrowser::StudyBrowser(const QString& place, QWidget* parent)
     layout->addLayout(makeButtons());
 
     connect(search_, &QLineEdit::textChanged, list_, &StudyList::search);
-    connect(list_, &StudyList::picturesWanted, this, &StudyBrowser::picturesWanted);
+    connect(list_, &StudyList::thumbnailsRequested, this, &StudyBrowser::thumbnailsRequested);
     connect(list_, &StudyList::choiceChanged, this, &StudyBrowser::showChoice);
     connect(list_, &StudyList::currentItemChanged, this, &StudyBrowser::showChoice);
-    connect(list_, &StudyList::openRequested, this, &StudyBrowser::takeChoice);
+    connect(list_, &StudyList::openRequested, this, &StudyBrowser::acceptChoice);
     for (QWidget* each : {static_cast<QWidget*>(damaged_), static_cast<QWidget*>(offer_),
                           static_cast<QWidget*>(allFiles_), static_cast<QWidget*>(damagedFiles_)}) {
         each->hide();
@@ -111,7 +111,7 @@ QLayout* StudyBrowser::makeButtons()
     line->addWidget(cancel);
     line->addWidget(open_);
     connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
-    connect(open_, &QPushButton::clicked, this, &StudyBrowser::takeChoice);
+    connect(open_, &QPushButton::clicked, this, &StudyBrowser::acceptChoice);
     return line;
 }
 
@@ -120,12 +120,12 @@ void StudyBrowser::showRows(const std::vector<PatientRow>& patients)
     list_->showRows(patients);
 }
 
-void StudyBrowser::showPicture(const QString& key, const QImage& picture)
+void StudyBrowser::showThumbnail(const QString& key, const QImage& image)
 {
-    list_->showPicture(key, picture);
+    list_->showThumbnail(key, image);
 }
 
-void StudyBrowser::showProgress(qsizetype read, qsizetype found)
+void StudyBrowser::showProgress(qsizetype read, qsizetype total)
 {
     const QLocale locale;
     isReading_ = true;
@@ -135,10 +135,10 @@ void StudyBrowser::showProgress(qsizetype read, qsizetype found)
     allFiles_->hide();
     damaged_->hide();
     damagedFiles_->hide();
-    progress_->setRange(0, read > 0 ? static_cast<int>(found) : 0);   // indeterminate while folders are scanned
+    progress_->setRange(0, read > 0 ? static_cast<int>(total) : 0);   // indeterminate while folders are scanned
     progress_->setValue(static_cast<int>(read));
-    status_->setText(read > 0 ? tr("%1 of %2 files").arg(locale.toString(read), locale.toString(found))
-                              : tr("%1 files found").arg(locale.toString(found)));
+    status_->setText(read > 0 ? tr("%1 of %2 files").arg(locale.toString(read), locale.toString(total))
+                              : tr("%1 files found").arg(locale.toString(total)));
 }
 
 void StudyBrowser::showEnd(const QString& words, const QStringList& damaged, const QString& offer)
@@ -183,7 +183,7 @@ void StudyBrowser::showChoice()
     const bool hasChoice = !parts.isEmpty();
     setRole(choice_, hasChoice ? "strong" : "hint");
     choice_->setText(hasChoice ? parts.join(QStringLiteral("   "))
-                               : tr("Select the scan with the vessels and the runs, or double-click one."));
+                               : tr("Select the scan with the vessels and the runs, or double-click an entry."));
     const StudySeriesRow* current = list_->currentRow();
     const bool hasNotes = current && !current->notes.isEmpty();
     notes_->setText(hasNotes ? QStringLiteral("%1: %2").arg(current->description, joinedSentences(current->notes))
@@ -193,7 +193,7 @@ void StudyBrowser::showChoice()
 
 /// Emits the checked series, or the selected row if none is checked. While files are still being read, a series may be
 /// incomplete.
-void StudyBrowser::takeChoice()
+void StudyBrowser::acceptChoice()
 {
     if (isReading_) {
         return;

@@ -23,8 +23,8 @@ public:
     StudyBrowser(const QString& place, QWidget* parent);
 
     void showRows(const std::vector<PatientRow>& patients);
-    void showPicture(const QString& key, const QImage& picture);
-    void showProgress(qsizetype read, qsizetype found);
+    void showThumbnail(const QString& key, const QImage& image);
+    void showProgress(qsizetype read, qsizetype total);
     /// Shows that scanning has ended. `words` summarizes the result, `damaged` lists damaged files, and `offer`
     /// describes files that were not read (empty if none).
     void showEnd(const QString& words, const QStringList& damaged, const QString& offer);
@@ -34,7 +34,7 @@ public:
 signals:
     void stopRequested();
     void allFilesRequested();
-    void picturesWanted(const QStringList& keys);
+    void thumbnailsRequested(const QStringList& keys);
     /// Carries the keys of the selected series; `vessels` or `views` may be empty.
     void chosen(const QString& vessels, const QStringList& views);
 
@@ -45,7 +45,7 @@ private:
     QLayout* makeStatus();
     QLayout* makeButtons();
     void showChoice();
-    void takeChoice();
+    void acceptChoice();
 
     bool isReading_ = false;
     QLineEdit* search_;

@@ -15,7 +15,7 @@ namespace {
 constexpr int keyRole = Qt::UserRole;
 constexpr int studyOrderRole = Qt::UserRole + 1;
 constexpr int wordsRole = Qt::UserRole + 2;
-constexpr int glanceMs = 60;   // rows visible for less time while scrolling need no thumbnail
+constexpr int thumbnailDelayMs = 60;   // rows visible for less time while scrolling need no thumbnail
 constexpr int headingHeight = 30;
 
 enum Column { Description, Number, Modality, Images, Size, Pace, BodyPart, ColumnCount };
@@ -37,16 +37,16 @@ public:
 };
 
 /// Centers the image on a square tile; without an image, the tile is empty.
-QIcon tileOf(const QImage& picture, double ratio)
+QIcon thumbnailOf(const QImage& image, double ratio)
 {
-    const auto side = static_cast<int>(StudyList::pictureSize * ratio);
+    const auto side = static_cast<int>(StudyList::thumbnailSize * ratio);
     QPixmap tile(side, side);
-    tile.fill(toQColor(picture.isNull() ? activePalette().line : activePalette().canvas));
-    if (!picture.isNull()) {
+    tile.fill(toQColor(image.isNull() ? activePalette().line : activePalette().canvas));
+    if (!image.isNull()) {
         QPainter painter(&tile);
         painter.setRenderHint(QPainter::SmoothPixmapTransform);
-        const QSize size = picture.size().scaled(tile.size(), Qt::KeepAspectRatio);
-        painter.drawImage(QRect(QPoint((side - size.width()) / 2, (side - size.height()) / 2), size), picture);
+        const QSize size = image.size().scaled(tile.size(), Qt::KeepAspectRatio);
+        painter.drawImage(QRect(QPoint((side - size.width()) / 2, (side - size.height()) / 2), size), image);
     }
     tile.setDevicePixelRatio(ratio);
     QIcon icon(tile);
@@ -66,20 +66,20 @@ StudyList::StudyList(QWidget* parent) : QTreeWidget(parent)
     setAccessibleName(tr("Patients, studies and series"));
     setHeaderLabels(
         {tr("Series"), tr("No."), tr("Modality"), tr("Images"), tr("Size"), tr("Spacing, rate"), tr("Body part")});
-    setIconSize({pictureSize, pictureSize});
+    setIconSize({thumbnailSize, thumbnailSize});
     setIndentation(18);
     setVerticalScrollMode(ScrollPerPixel);
     setSortingEnabled(true);
     header()->setSectionResizeMode(Description, QHeaderView::Stretch);
     header()->setStretchLastSection(false);
     sortByColumn(Number, Qt::AscendingOrder);
-    looked_.setSingleShot(true);
-    looked_.setInterval(glanceMs);
-    connect(&looked_, &QTimer::timeout, this, &StudyList::wantPictures);
-    connect(this, &QTreeWidget::itemChanged, this, &StudyList::takeTick);
+    thumbnailTimer_.setSingleShot(true);
+    thumbnailTimer_.setInterval(thumbnailDelayMs);
+    connect(&thumbnailTimer_, &QTimer::timeout, this, &StudyList::requestThumbnails);
+    connect(this, &QTreeWidget::itemChanged, this, &StudyList::applyCheckState);
     connect(this, &QTreeWidget::itemDoubleClicked, this, &StudyList::activate);
-    connect(this, &QTreeWidget::itemExpanded, this, [this] { looked_.start(); });
-    connect(this, &QTreeWidget::itemCollapsed, this, [this] { looked_.start(); });
+    connect(this, &QTreeWidget::itemExpanded, this, [this] { thumbnailTimer_.start(); });
+    connect(this, &QTreeWidget::itemCollapsed, this, [this] { thumbnailTimer_.start(); });
 }
 
 /// Returns the item with this key below `parent` (null for patients) and creates it if needed.
@@ -105,16 +105,16 @@ void StudyList::showRows(const std::vector<PatientRow>& patients)
     isFilling_ = true;
     setSortingEnabled(false);
     series_.clear();
-    std::set<QString> kept;
-    const auto addHeading = [this, &kept](const QString& key, const QString& words, QTreeWidgetItem* parent,
-                                          int place) {
+    std::set<QString> currentKeys;
+    const auto addHeading = [this, &currentKeys](const QString& key, const QString& words, QTreeWidgetItem* parent,
+                                                 int place) {
         QTreeWidgetItem* item = itemFor(key, parent, place);
         item->setText(Description, words);
         item->setToolTip(Description, words);
         item->setFirstColumnSpanned(true);
         item->setSizeHint(Description, {0, headingHeight});
         item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable);
-        kept.insert(key);
+        currentKeys.insert(key);
         return item;
     };
     int place = 0;
@@ -130,11 +130,11 @@ void StudyList::showRows(const std::vector<PatientRow>& patients)
                 fillSeries(*item, row);
                 item->setData(Description, wordsRole, patient.words + u' ' + study.words + u' ' + searchedText(row));
                 series_.insert(row.key, row);
-                kept.insert(row.key);
+                currentKeys.insert(row.key);
             }
         }
     }
-    removeOthers(kept);
+    removeOthers(currentKeys);
     setSortingEnabled(true);
     isFilling_ = false;
     for (int column = Number; column < ColumnCount; ++column) {
@@ -144,7 +144,7 @@ void StudyList::showRows(const std::vector<PatientRow>& patients)
         setCurrentItem(topLevelItem(0)->child(0)->child(0));
     }
     showMatches();
-    looked_.start();
+    thumbnailTimer_.start();
     emit choiceChanged();
 }
 
@@ -164,12 +164,12 @@ void StudyList::fillSeries(QTreeWidgetItem& item, const StudySeriesRow& row)
     }
     item.setData(Number, studyOrderRole, row.number);
     item.setData(Images, studyOrderRole, row.imageCount);
-    item.setData(Pace, studyOrderRole, row.paceValue);
+    item.setData(Pace, studyOrderRole, row.sortValue);
     for (const Column column : {Number, Images, Pace}) {
         item.setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
     }
-    item.setIcon(Description, tileOf(pictures_.value(row.key), devicePixelRatioF()));
-    item.setSizeHint(Description, {0, pictureSize + 6});
+    item.setIcon(Description, thumbnailOf(thumbnails_.value(row.key), devicePixelRatioF()));
+    item.setSizeHint(Description, {0, thumbnailSize + 6});
     item.setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | (isUsable ? Qt::ItemIsUserCheckable : Qt::NoItemFlags));
     if (isUsable) {
         const bool isTicked = row.key == vessels_ || views_.contains(row.key);
@@ -178,11 +178,11 @@ void StudyList::fillSeries(QTreeWidgetItem& item, const StudySeriesRow& row)
 }
 
 /// Removes items that are no longer listed; the key of a series can change while more of its files are read.
-void StudyList::removeOthers(const std::set<QString>& kept)
+void StudyList::removeOthers(const std::set<QString>& currentKeys)
 {
     const QSignalBlocker quiet(this);   // rows are inconsistent until the caller emits choiceChanged
     for (const QString& key : items_.keys()) {
-        QTreeWidgetItem* item = kept.contains(key) ? nullptr : items_.value(key);
+        QTreeWidgetItem* item = currentKeys.contains(key) ? nullptr : items_.value(key);
         if (item) {   // false if already deleted with its parent
             forget(*item);
             delete item;
@@ -204,17 +204,17 @@ void StudyList::forget(const QTreeWidgetItem& item)
     }
 }
 
-void StudyList::showPicture(const QString& key, const QImage& picture)
+void StudyList::showThumbnail(const QString& key, const QImage& image)
 {
-    pictures_.insert(key, picture);
+    thumbnails_.insert(key, image);
     if (QTreeWidgetItem* item = items_.value(key)) {
         isFilling_ = true;
-        item->setIcon(Description, tileOf(picture, devicePixelRatioF()));
+        item->setIcon(Description, thumbnailOf(image, devicePixelRatioF()));
         isFilling_ = false;
     }
 }
 
-void StudyList::takeTick(QTreeWidgetItem* item, int column)
+void StudyList::applyCheckState(QTreeWidgetItem* item, int column)
 {
     const QString key = item->data(Description, keyRole).toString();
     if (isFilling_ || column != Description || !series_.contains(key)) {
@@ -283,8 +283,8 @@ QStringList StudyList::chosenViews() const
 
 const StudySeriesRow* StudyList::rowOf(const QString& key) const
 {
-    const auto found = series_.constFind(key);
-    return found == series_.constEnd() ? nullptr : &found.value();
+    const auto rowIt = series_.constFind(key);
+    return rowIt == series_.constEnd() ? nullptr : &rowIt.value();
 }
 
 const StudySeriesRow* StudyList::currentRow() const
@@ -294,9 +294,9 @@ const StudySeriesRow* StudyList::currentRow() const
 
 void StudyList::search(const QString& words)
 {
-    words_ = words.split(u' ', Qt::SkipEmptyParts);
+    searchTerms_ = words.split(u' ', Qt::SkipEmptyParts);
     showMatches();
-    looked_.start();
+    thumbnailTimer_.start();
 }
 
 /// Hides series that do not contain all search words, and parents without a visible series.
@@ -304,7 +304,7 @@ void StudyList::showMatches()
 {
     const auto matches = [this](const QTreeWidgetItem& item) {
         const QString text = item.data(Description, wordsRole).toString();
-        return std::ranges::all_of(words_,
+        return std::ranges::all_of(searchTerms_,
                                    [&text](const QString& word) { return text.contains(word, Qt::CaseInsensitive); });
     };
     for (int p = 0; p < topLevelItemCount(); ++p) {
@@ -324,31 +324,31 @@ void StudyList::showMatches()
     }
 }
 
-void StudyList::wantPictures()
+void StudyList::requestThumbnails()
 {
-    QStringList wanted;
+    QStringList visibleKeys;
     for (QTreeWidgetItem* item = itemAt(0, 0); item; item = itemBelow(item)) {
         if (visualItemRect(item).top() > viewport()->height()) {
             break;
         }
         const QString key = item->data(Description, keyRole).toString();
-        if (series_.contains(key) && !pictures_.contains(key)) {
-            wanted << key;
+        if (series_.contains(key) && !thumbnails_.contains(key)) {
+            visibleKeys << key;
         }
     }
-    emit picturesWanted(wanted);
+    emit thumbnailsRequested(visibleKeys);
 }
 
 void StudyList::resizeEvent(QResizeEvent* event)
 {
     QTreeWidget::resizeEvent(event);
-    looked_.start();
+    thumbnailTimer_.start();
 }
 
 void StudyList::scrollContentsBy(int dx, int dy)
 {
     QTreeWidget::scrollContentsBy(dx, dy);
-    looked_.start();
+    thumbnailTimer_.start();
 }
 
 }   // namespace angiopose::ui

@@ -23,7 +23,7 @@ struct StudySeriesRow {
     int imageCount = 0;
     QString size;   ///< e.g. "512 × 512"
     QString pace;   ///< slice spacing or frame rate, as text
-    double paceValue = 0.0;   ///< value by which `pace` is sorted
+    double sortValue = 0.0;   ///< value by which `pace` is sorted
     QString bodyPart;
     QStringList notes;   ///< warnings, missing parts, or the reason why the series cannot be opened
 };
@@ -45,13 +45,13 @@ struct PatientRow {
 class StudyList : public QTreeWidget {
     Q_OBJECT
 public:
-    static constexpr int pictureSize = 56;
+    static constexpr int thumbnailSize = 56;
 
     explicit StudyList(QWidget* parent = nullptr);
 
     /// Updates the rows; items that still exist stay checked, expanded and selected.
     void showRows(const std::vector<PatientRow>& patients);
-    void showPicture(const QString& key, const QImage& picture);
+    void showThumbnail(const QString& key, const QImage& image);
     void search(const QString& words);
 
     QString chosenVessels() const { return vessels_; }   ///< series key; empty if none
@@ -64,7 +64,7 @@ public:
 signals:
     void choiceChanged();
     void openRequested();   ///< emitted on double-click or Enter on a series
-    void picturesWanted(const QStringList& keys);   ///< keys of the visible rows, from top to bottom
+    void thumbnailsRequested(const QStringList& keys);   ///< keys of the visible rows, from top to bottom
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -75,19 +75,19 @@ private:
     QTreeWidgetItem* itemFor(const QString& key, QTreeWidgetItem* parent, int place);
     void fillSeries(QTreeWidgetItem& item, const StudySeriesRow& row);
     void forget(const QTreeWidgetItem& item);
-    void removeOthers(const std::set<QString>& kept);
-    void takeTick(QTreeWidgetItem* item, int column);
+    void removeOthers(const std::set<QString>& currentKeys);
+    void applyCheckState(QTreeWidgetItem* item, int column);
     void activate(QTreeWidgetItem* item);
     void showMatches();
-    void wantPictures();
+    void requestThumbnails();
 
     QHash<QString, QTreeWidgetItem*> items_;   ///< index of the items by key
     QHash<QString, StudySeriesRow> series_;
-    QHash<QString, QImage> pictures_;
+    QHash<QString, QImage> thumbnails_;
     QString vessels_;
     std::set<QString> views_;
-    QStringList words_;
-    QTimer looked_;   ///< delays thumbnail requests until scrolling pauses
+    QStringList searchTerms_;
+    QTimer thumbnailTimer_;   ///< delays thumbnail requests until scrolling pauses
     bool isFilling_ = false;
 };
 

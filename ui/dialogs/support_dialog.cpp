@@ -27,9 +27,8 @@ SupportDialog::SupportDialog(std::vector<SupportPart> parts, QWidget* parent)
     setAttribute(Qt::WA_DeleteOnClose);
     resize(820, 560);
     auto* words = roleLabel(
-        "body",
-        tr("The archive contains only these texts: no images, no vessels. Known names, numbers, dates and paths of "
-           "this session's cases and of this computer were removed. Review the texts before sharing."));
+        "body", tr("The archive contains only these texts; no images or vessels. Known names, numbers, dates and paths "
+                   "of this session's cases and of this computer were removed. Review the texts before sharing."));
     words->setWordWrap(true);
     names_->setAccessibleName(tr("Texts in the bundle"));
     names_->setFixedWidth(partNamesWidth);

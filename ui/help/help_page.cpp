@@ -1,6 +1,6 @@
 #include "ui/help/help_page.h"
 
-#include "ui/controls/screen_room.h"
+#include "ui/controls/screen_fit.h"
 #include "ui/words/language.h"
 
 #include <QFile>
@@ -76,14 +76,14 @@ HelpPage::HelpPage(const QString& page, const QString& title, QWidget* parent) :
     layout->setSpacing(14);
     layout->addWidget(text, 1);
     layout->addWidget(close, 0, Qt::AlignRight);
-    resizeOnScreen(*this, {560, 640});
+    resizeWithinScreen(*this, {560, 640});
 }
 
 QString HelpPage::markdown(const QString& page)
 {
     loadPages();
-    for (const QString& place : {currentLanguage() + QLatin1Char('/') + page, page}) {
-        QFile file(QStringLiteral(":/help/%1.md").arg(place));
+    for (const QString& pagePath : {currentLanguage() + QLatin1Char('/') + page, page}) {
+        QFile file(QStringLiteral(":/help/%1.md").arg(pagePath));
         if (file.open(QIODevice::ReadOnly)) {
             return QString::fromUtf8(file.readAll());
         }

@@ -20,16 +20,16 @@ constexpr int bubbleWidth = 360;
 constexpr int bubbleGap = 14;   ///< distance between bubble and target
 
 /// Returns the position of a bubble of `size`: beside the target if there is space, otherwise at its lower edge.
-QPoint placeBeside(const QRect& target, const QSize& size, const QRect& room)
+QPoint placeBeside(const QRect& target, const QSize& size, const QRect& bounds)
 {
-    const int y = std::clamp(target.center().y() - size.height() / 2, room.top(), room.bottom() - size.height());
-    const int x = std::clamp(target.center().x() - size.width() / 2, room.left(), room.right() - size.width());
+    const int y = std::clamp(target.center().y() - size.height() / 2, bounds.top(), bounds.bottom() - size.height());
+    const int x = std::clamp(target.center().x() - size.width() / 2, bounds.left(), bounds.right() - size.width());
     const std::array places{QPoint(target.right() + bubbleGap, y), QPoint(target.left() - bubbleGap - size.width(), y),
                             QPoint(x, target.bottom() + bubbleGap),
                             QPoint(x, target.top() - bubbleGap - size.height())};
-    const auto* found =
-        std::ranges::find_if(places, [&](const QPoint& place) { return room.contains(QRect(place, size)); });
-    return found == places.end() ? QPoint(x, target.bottom() - bubbleGap - size.height()) : *found;
+    const auto* match =
+        std::ranges::find_if(places, [&](const QPoint& place) { return bounds.contains(QRect(place, size)); });
+    return match == places.end() ? QPoint(x, target.bottom() - bubbleGap - size.height()) : *match;
 }
 
 }   // namespace
@@ -84,7 +84,7 @@ Tour::Tour(std::vector<TourStop> stops, QWidget* window)
     setFixedWidth(bubbleWidth);
     connect(skip, &QPushButton::clicked, this, &Tour::end);
     connect(back_, &QPushButton::clicked, this, [this] { goTo(current_ - 1); });
-    connect(next_, &QPushButton::clicked, this, &Tour::goOn);
+    connect(next_, &QPushButton::clicked, this, &Tour::showNextStop);
     window->installEventFilter(this);
     goTo(0);
     show();
@@ -103,17 +103,19 @@ void Tour::goTo(int stop)
         return;
     }
     current_ = std::max(0, stop);
-    const TourStop& here = stops_[static_cast<std::size_t>(current_)];
-    heading_->setText(here.heading);
-    text_->setText(here.text);
-    setAccessibleName(here.heading);
+    const TourStop& currentStop = stops_[static_cast<std::size_t>(current_)];
+    heading_->setText(currentStop.heading);
+    text_->setText(currentStop.text);
+    setAccessibleName(currentStop.heading);
     count_->setText(tr("%1 of %2").arg(current_ + 1).arg(stopCount()));
     back_->setEnabled(current_ > 0);
-    next_->setText(current_ + 1 == stopCount() ? tr("Done") : here.way.isEmpty() ? tr("Next") : here.way);
+    next_->setText(current_ + 1 == stopCount()        ? tr("Done")
+                   : currentStop.leaveLabel.isEmpty() ? tr("Next")
+                                                      : currentStop.leaveLabel);
     place();
 }
 
-void Tour::goOn()
+void Tour::showNextStop()
 {
     if (const auto& leave = stops_[static_cast<std::size_t>(current_)].onLeave) {
         leave();
@@ -134,10 +136,10 @@ QRect Tour::targetRect() const
 void Tour::place()
 {
     const QRect target = targetRect();
-    const QRect room = parentWidget()->rect().adjusted(8, 8, -8, -8);
+    const QRect bounds = parentWidget()->rect().adjusted(8, 8, -8, -8);
     layout()->activate();
     resize(bubbleWidth, layout()->heightForWidth(bubbleWidth));
-    move(placeBeside(target, size(), room));
+    move(placeBeside(target, size(), bounds));
     frame_->setGeometry(target.adjusted(-2, -2, 2, 2).intersected(parentWidget()->rect()));
     frame_->show();
     frame_->raise();
@@ -163,11 +165,11 @@ void Tour::keyPressEvent(QKeyEvent* event)
             if (auto* button = qobject_cast<QPushButton*>(focusWidget())) {
                 button->click();
             } else {
-                goOn();
+                showNextStop();
             }
             break;
         case Qt::Key_Right:
-            goOn();
+            showNextStop();
             break;
         case Qt::Key_Left:
             goTo(current_ - 1);
@@ -179,10 +181,10 @@ void Tour::keyPressEvent(QKeyEvent* event)
 
 void Tour::paintEvent(QPaintEvent*)
 {
-    const Palette& tones = activePalette();
+    const Palette& colors = activePalette();
     QPainter painter(this);
-    painter.fillRect(rect(), toQColor(tones.panel));
-    painter.setPen(toQColor(tones.accent));
+    painter.fillRect(rect(), toQColor(colors.panel));
+    painter.setPen(toQColor(colors.accent));
     painter.drawRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5));   // aligned to whole pixels at any scale
 }
 

@@ -16,7 +16,7 @@ struct TourStop {
     QPointer<QWidget> target;
     QString heading;
     QString text;
-    QString way{};   ///< label of the button that leaves this stop; "Next" if empty
+    QString leaveLabel{};   ///< label of the button that leaves this stop; "Next" if empty
     std::function<void()> onLeave{};   ///< called when that button is pressed; may be empty
 };
 
@@ -42,7 +42,7 @@ protected:
 
 private:
     class Frame;
-    void goOn();
+    void showNextStop();
     void place();
     void end();
     QRect targetRect() const;   ///< target in window coordinates

@@ -1,7 +1,7 @@
 #include "ui/panels/angiogram_panel.h"
 
 #include "ui/actions/key_hint.h"
-#include "ui/words/spoken.h"
+#include "ui/words/retranslation.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -14,9 +14,9 @@
 namespace angiopose::ui {
 namespace {
 
-QPushButton* quietButton(const Words& text, const Words& help)
+QPushButton* makeSmallButton(const LocalizedText& text, const LocalizedText& help)
 {
-    auto* button = withTip(withText(new QPushButton, text), help);
+    auto* button = withToolTip(withText(new QPushButton, text), help);
     button->setProperty("role", "quiet");
     return button;
 }
@@ -66,21 +66,24 @@ AngiogramPanel::AngiogramPanel(QWidget* parent)
           "angiogram", [] { return tr("Angiogram"); }, Folding::Foldable, parent),
       window_(new NumberField(grayFormat(1e-6))),
       level_(new NumberField(grayFormat(-1e9))),
-      subtract_(withText(new QCheckBox, [] { return withKey(tr("Subtract mask"), Command::Subtract); })),
+      subtract_(withText(new QCheckBox, [] { return withShortcut(tr("Subtract mask"), Command::Subtract); })),
       composite_(withText(new QCheckBox, [] { return tr("Peak-opacification image"); })),
       masks_(new ElidedLabel("label")),
-      automaticMasks_(quietButton([] { return tr("Automatic"); },
-                                  [] { return tr("Choose the frames before the contrast agent arrives"); })),
-      right_(new NumberField(shiftFormat())),
-      down_(new NumberField(shiftFormat())),
+      automaticMasks_(makeSmallButton([] { return tr("Automatic"); },
+                                      [] { return tr("Chooses the frames before contrast arrival"); })),
+      shiftRight_(new NumberField(shiftFormat())),
+      shiftDown_(new NumberField(shiftFormat())),
       automaticShift_(
-          quietButton([] { return tr("Automatic"); }, [] { return tr("Compute the shift of each frame"); })),
-      byHand_(quietButton(
-          [] { return tr("Manual"); },
-          [] { return tipWithKey(tr("Shift the mask with the arrow keys or the mouse"), Command::ShiftMask); })),
+          makeSmallButton([] { return tr("Automatic"); }, [] { return tr("Computes the shift of each frame"); })),
+      pixelShift_(makeSmallButton([] { return tr("Manual"); },
+                                  [] {
+                                      return tooltipWithShortcut(tr("Shift the mask with the arrow keys or the mouse"),
+                                                                 Command::ShiftMask);
+                                  })),
       relation_(new QComboBox),
       vessels_(new QComboBox),
-      defaults_(quietButton([] { return tr("Defaults"); }, [] { return tr("Restore the default tracing settings"); }))
+      defaults_(
+          makeSmallButton([] { return tr("Defaults"); }, [] { return tr("Restores the default tracing settings"); }))
 {
     buildBrightness();
     buildSubtraction();
@@ -92,19 +95,19 @@ AngiogramPanel::AngiogramPanel(QWidget* parent)
 }
 
 template <class Change>
-void AngiogramPanel::edit(const Change& change, const Words& what)
+void AngiogramPanel::edit(const Change& change, const LocalizedText& undoText)
 {
-    core::RunTreatment wanted = state_.treatment;
-    change(wanted);
-    emit treatmentEdited(wanted, what);
+    core::RunProcessing changed = state_.treatment;
+    change(changed);
+    emit treatmentEdited(changed, undoText);
 }
 
 void AngiogramPanel::buildBrightness()
 {
-    withTip(withName(window_, [] { return tr("Window"); }),
-            [] { return tr("Window W: number of gray values between black and white"); });
-    withTip(withName(level_, [] { return tr("Level"); }),
-            [] { return tr("Level L: gray value at the center of the window"); });
+    withToolTip(withAccessibleName(window_, [] { return tr("Window"); }),
+                [] { return tr("Window (W): range of gray values between black and white"); });
+    withToolTip(withAccessibleName(level_, [] { return tr("Level"); }),
+                [] { return tr("Level (L): gray value at the center of the window"); });
     for (NumberField* field : {window_, level_}) {
         field->setMinimumWidth(64);
         connect(field, &NumberField::edited, this, [this] {
@@ -134,39 +137,40 @@ void AngiogramPanel::showWindowLevel(double window, double level)
 
 void AngiogramPanel::buildSubtraction()
 {
-    withTip(subtract_, [] {
-        return tipWithKey(tr("Removes structures that the mask frames also show, such as bones and organs"),
-                          Command::Subtract);
+    withToolTip(subtract_, [] {
+        return tooltipWithShortcut(
+            tr("Removes structures that also appear in the mask frames, such as bones and organs"), Command::Subtract);
     });
-    withTip(composite_,
-            [] { return tipWithKey(tr("Shows the darkest value of each pixel over the run"), Command::Composite); });
+    withToolTip(composite_, [] {
+        return tooltipWithShortcut(tr("Shows the darkest value of each pixel over the run"), Command::Composite);
+    });
     connect(subtract_, &QCheckBox::clicked, this, [this](bool on) {
-        edit([on](core::RunTreatment& wanted) { wanted.isSubtracted = on; },
+        edit([on](core::RunProcessing& changed) { changed.isSubtracted = on; },
              [on] { return on ? tr("Subtract mask") : tr("Show native frames"); });
     });
     connect(composite_, &QCheckBox::clicked, this, [this](bool on) {
-        edit([on](core::RunTreatment& wanted) { wanted.isComposite = on; },
-             [on] { return on ? tr("Peak-opacification image") : tr("One frame at a time"); });
+        edit([on](core::RunProcessing& changed) { changed.isComposite = on; },
+             [on] { return on ? tr("Peak-opacification image") : tr("Single frames"); });
     });
     connect(automaticMasks_, &QPushButton::clicked, this, [this] {
         edit(
-            [](core::RunTreatment& wanted) {
-                wanted.plan.maskFrames.clear();
-                wanted.plan.interval.reset();
+            [](core::RunProcessing& changed) {
+                changed.plan.maskFrames.clear();
+                changed.plan.interval.reset();
             },
             [] { return tr("Choose mask frames automatically"); });
     });
     connect(automaticShift_, &QPushButton::clicked, this, [this] {
-        edit([](core::RunTreatment& wanted) { wanted.plan.maskShiftPx.reset(); },
-             [] { return tr("Find the mask shift"); });
+        edit([](core::RunProcessing& changed) { changed.plan.maskShiftPx.reset(); },
+             [] { return tr("Compute mask shift"); });
     });
-    connect(byHand_, &QPushButton::clicked, this, &AngiogramPanel::shiftByHandRequested);
-    withName(right_, [] { return tr("Mask shift to the right"); });
-    withName(down_, [] { return tr("Mask shift down"); });
-    withTip(right_, [] { return tr("Shifts the mask to the right, px"); });
-    withTip(down_, [] { return tr("Shifts the mask down, px"); });
-    connect(right_, &NumberField::edited, this, &AngiogramPanel::editShift);
-    connect(down_, &NumberField::edited, this, &AngiogramPanel::editShift);
+    connect(pixelShift_, &QPushButton::clicked, this, &AngiogramPanel::pixelShiftRequested);
+    withAccessibleName(shiftRight_, [] { return tr("Mask shift to the right"); });
+    withAccessibleName(shiftDown_, [] { return tr("Mask shift down"); });
+    withToolTip(shiftRight_, [] { return tr("Shifts the mask to the right, px"); });
+    withToolTip(shiftDown_, [] { return tr("Shifts the mask down, px"); });
+    connect(shiftRight_, &NumberField::edited, this, &AngiogramPanel::editShift);
+    connect(shiftDown_, &NumberField::edited, this, &AngiogramPanel::editShift);
 
     auto* grid = new QGridLayout;
     grid->setHorizontalSpacing(8);
@@ -178,11 +182,11 @@ void AngiogramPanel::buildSubtraction()
     grid->addWidget(masks_, 0, 1);
     grid->addWidget(automaticMasks_, 0, 2);
     grid->addWidget(withText(roleLabel("label"), [] { return tr("shift →  ↓"); }), 1, 0);
-    grid->addWidget(right_, 1, 1);
-    grid->addWidget(down_, 1, 2);
+    grid->addWidget(shiftRight_, 1, 1);
+    grid->addWidget(shiftDown_, 1, 2);
     grid->addWidget(automaticShift_, 2, 1);
-    grid->addWidget(byHand_, 2, 2);
-    for (NumberField* field : {right_, down_}) {
+    grid->addWidget(pixelShift_, 2, 2);
+    for (NumberField* field : {shiftRight_, shiftDown_}) {
         field->setMinimumWidth(64);
     }
     auto* checks = new QVBoxLayout;
@@ -194,24 +198,25 @@ void AngiogramPanel::buildSubtraction()
 
 void AngiogramPanel::editShift()
 {
-    const Eigen::Vector2d shift(right_->value().value_or(0.0), down_->value().value_or(0.0));
-    edit([&shift](core::RunTreatment& wanted) { wanted.plan.maskShiftPx = shift; }, [] { return tr("Pixel shift"); });
+    const Eigen::Vector2d shift(shiftRight_->value().value_or(0.0), shiftDown_->value().value_or(0.0));
+    edit([&shift](core::RunProcessing& changed) { changed.plan.maskShiftPx = shift; },
+         [] { return tr("Pixel shift"); });
 }
 
 void AngiogramPanel::buildPixels()
 {
-    speak(relation_, [this] { setWords(*relation_, {tr("linear"), tr("logarithmic")}); });
-    withTip(relation_, [] { return tr("Relation of stored values to X-ray intensity (0028,1040)"); });
-    withName(relation_, [] { return tr("Pixel values"); });
-    speak(vessels_, [this] { setWords(*vessels_, {tr("dark"), tr("bright")}); });
-    withTip(vessels_, [] { return tr("Sets whether contrast agent is darker or brighter than the background"); });
-    withName(vessels_, [] { return tr("Vessels"); });
+    keepTranslated(relation_, [this] { setItemTexts(*relation_, {tr("linear"), tr("logarithmic")}); });
+    withToolTip(relation_, [] { return tr("Relation of stored values to X-ray intensity (0028,1040)"); });
+    withAccessibleName(relation_, [] { return tr("Pixel values"); });
+    keepTranslated(vessels_, [this] { setItemTexts(*vessels_, {tr("dark"), tr("bright")}); });
+    withToolTip(vessels_, [] { return tr("Sets whether contrast agent is darker or brighter than the background"); });
+    withAccessibleName(vessels_, [] { return tr("Vessels"); });
     connect(relation_, &QComboBox::activated, this, [this](int index) {
-        edit([index](core::RunTreatment& wanted) { wanted.plan.relation = static_cast<core::PixelRelation>(index); },
+        edit([index](core::RunProcessing& changed) { changed.plan.relation = static_cast<core::PixelRelation>(index); },
              [] { return tr("Change the interpretation of pixel values"); });
     });
     connect(vessels_, &QComboBox::activated, this, [this](int index) {
-        edit([index](core::RunTreatment& wanted) { wanted.polarity = static_cast<core::Polarity>(index); },
+        edit([index](core::RunProcessing& changed) { changed.polarity = static_cast<core::Polarity>(index); },
              [index] { return index == 0 ? tr("Vessels are dark") : tr("Vessels are bright"); });
     });
     auto* grid = new QGridLayout;
@@ -226,17 +231,18 @@ void AngiogramPanel::buildPixels()
     contentLayout()->addLayout(grid);
 }
 
-NumberField* AngiogramPanel::tracingRow(QGridLayout& grid, int row, const Words& label, const Words& help,
-                                        const NumberFormat& format, double core::TraceOptions::*value)
+NumberField* AngiogramPanel::tracingRow(QGridLayout& grid, int row, const LocalizedText& label,
+                                        const LocalizedText& help, const NumberFormat& format,
+                                        double core::TraceOptions::*value)
 {
     auto* field = new NumberField(format);
-    withTip(withName(field, label), help);
+    withToolTip(withAccessibleName(field, label), help);
     grid.addWidget(withText(roleLabel("label"), label), row, 0);
     grid.addWidget(field, row, 1);
     connect(field, &NumberField::edited, this, [this, value, label](double typed) {
-        core::TraceOptions wanted = tracing_;
-        wanted.*value = typed;
-        emit tracingEdited(wanted, [label] { return tr("Change %1").arg(label()); });
+        core::TraceOptions changed = tracing_;
+        changed.*value = typed;
+        emit tracingEdited(changed, [label] { return tr("Change %1").arg(label()); });
     });
     return field;
 }
@@ -244,16 +250,16 @@ NumberField* AngiogramPanel::tracingRow(QGridLayout& grid, int row, const Words&
 NumberField* AngiogramPanel::lengthRow(QGridLayout& grid, int row)
 {
     auto* field = new NumberField({0.0, 1000.0, 0, QStringLiteral("px"), 5.0});
-    withName(field, [] { return tr("min. length"); });
-    withTip(field,
-            [] { return tr("Removes isolated segments shorter than this, and spurs shorter than a third of it"); });
+    withAccessibleName(field, [] { return tr("min. length"); });
+    withToolTip(field,
+                [] { return tr("Removes isolated segments shorter than this, and spurs shorter than a third of it"); });
     grid.addWidget(withText(roleLabel("label"), [] { return tr("min. length"); }), row, 0);
     grid.addWidget(field, row, 1);
     connect(field, &NumberField::edited, this, [this](double typed) {
-        core::TraceOptions wanted = tracing_;
-        wanted.minComponentLengthPx = static_cast<int>(std::lround(typed));
-        wanted.minBranchLengthPx = static_cast<int>(std::lround(typed / 3.0));
-        emit tracingEdited(wanted, [] { return tr("Change %1").arg(tr("min. length")); });
+        core::TraceOptions changed = tracing_;
+        changed.minComponentLengthPx = static_cast<int>(std::lround(typed));
+        changed.minBranchLengthPx = static_cast<int>(std::lround(typed / 3.0));
+        emit tracingEdited(changed, [] { return tr("Change %1").arg(tr("min. length")); });
     });
     return field;
 }
@@ -266,17 +272,17 @@ void AngiogramPanel::buildTracing()
     grid->setColumnMinimumWidth(0, 84);
     grid->setColumnStretch(1, 1);
     sensitivity_ = tracingRow(
-        *grid, 0, [] { return tr("sensitivity"); }, [] { return tr("Above 1, fainter vessels are traced as well"); },
+        *grid, 0, [] { return tr("sensitivity"); }, [] { return tr("Values above 1 also trace fainter vessels"); },
         {0.1, 10.0, 2, QString(), 0.1}, &core::TraceOptions::sensitivity);
     length_ = lengthRow(*grid, 1);
-    widest_ = tracingRow(
+    maxRadius_ = tracingRow(
         *grid, 2, [] { return tr("max. radius"); }, [] { return tr("Radius of the widest vessel to trace"); },
         {1.5, 40.0, 1, QStringLiteral("px"), 0.5}, &core::TraceOptions::maxVesselRadiusPx);
     connect(defaults_, &QPushButton::clicked, this,
             [this] { emit tracingEdited(core::TraceOptions{}, [] { return tr("Restore default tracing"); }); });
-    QPushButton* byHand =
-        quietButton([] { return withKey(tr("Edit vessels"), Command::EditVessels); },
-                    [] { return tipWithKey(tr("Exclude, erase, draw and cut traced curves"), Command::EditVessels); });
+    QPushButton* byHand = makeSmallButton(
+        [] { return withShortcut(tr("Edit vessels"), Command::EditVessels); },
+        [] { return tooltipWithShortcut(tr("Exclude, erase, draw and cut traced curves"), Command::EditVessels); });
     connect(byHand, &QPushButton::clicked, this, &AngiogramPanel::editingRequested);
     auto* heading = new QHBoxLayout;
     heading->addWidget(withText(roleLabel("heading"), [] { return tr("Tracing"); }), 1);
@@ -289,19 +295,19 @@ void AngiogramPanel::buildTracing()
 void AngiogramPanel::showRun(const RunState& state)
 {
     state_ = state;
-    const core::RunTreatment& treatment = state.treatment;
+    const core::RunProcessing& treatment = state.treatment;
     subtract_->setChecked(treatment.isSubtracted);
     composite_->setChecked(treatment.isComposite);
     subtract_->setEnabled(state.hasRun);
     composite_->setEnabled(state.hasRun);
-    for (QWidget* widget : std::initializer_list<QWidget*>{right_, down_, automaticShift_, byHand_}) {
+    for (QWidget* widget : std::initializer_list<QWidget*>{shiftRight_, shiftDown_, automaticShift_, pixelShift_}) {
         widget->setEnabled(state.hasRun && treatment.isSubtracted);
     }
     automaticMasks_->setEnabled(state.hasRun && (!treatment.plan.maskFrames.empty() || treatment.plan.interval));
     masks_->showText(state.hasRun ? maskText(state) : QString());
     const auto& shift = treatment.plan.maskShiftPx;
-    right_->showValue(shift ? std::optional(shift->x()) : std::nullopt);
-    down_->showValue(shift ? std::optional(shift->y()) : std::nullopt);
+    shiftRight_->showValue(shift ? std::optional(shift->x()) : std::nullopt);
+    shiftDown_->showValue(shift ? std::optional(shift->y()) : std::nullopt);
     relation_->setCurrentIndex(static_cast<int>(treatment.plan.relation));
     vessels_->setCurrentIndex(static_cast<int>(state.polarity));
     setHint(state.isComputing        ? tr("subtracting…")
@@ -315,7 +321,7 @@ void AngiogramPanel::showTracing(const core::TraceOptions& options, double wides
     tracing_ = options;
     sensitivity_->showValue(options.sensitivity);
     length_->showValue(options.minComponentLengthPx);
-    widest_->showValue(widestPx);
+    maxRadius_->showValue(widestPx);
     defaults_->setEnabled(!(options == core::TraceOptions{}));
 }
 

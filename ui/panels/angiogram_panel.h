@@ -4,7 +4,7 @@
 #include "core/tracing/angiogram/trace_angiogram.h"
 #include "ui/controls/number_field.h"
 #include "ui/controls/section.h"
-#include "ui/words/spoken.h"
+#include "ui/words/retranslation.h"
 
 class QCheckBox;
 class QComboBox;
@@ -15,7 +15,7 @@ namespace angiopose::ui {
 
 /// Properties of the run that the panel shows.
 struct RunState {
-    core::RunTreatment treatment;
+    core::RunProcessing treatment;
     core::Polarity polarity = core::Polarity::VesselsDark;   ///< polarity in use
     std::vector<int> maskFrames;   ///< mask frames in use, otherwise the suggested ones; empty if there are none
     bool hasRun = false;   ///< the angiogram has more than one frame
@@ -35,10 +35,10 @@ public:
 
 signals:
     void windowLevelTyped(double window, double level);
-    void treatmentEdited(const core::RunTreatment& treatment, const ui::Words& what);
-    void shiftByHandRequested();
+    void treatmentEdited(const core::RunProcessing& treatment, const ui::LocalizedText& undoText);
+    void pixelShiftRequested();
     void editingRequested();   ///< requests the mode for editing the traced curves
-    void tracingEdited(const core::TraceOptions& options, const ui::Words& what);
+    void tracingEdited(const core::TraceOptions& options, const ui::LocalizedText& undoText);
 
 private:
     void buildBrightness();
@@ -47,8 +47,8 @@ private:
     void buildTracing();
     void editShift();
     template <class Change>
-    void edit(const Change& change, const ui::Words& what);
-    NumberField* tracingRow(QGridLayout& grid, int row, const Words& label, const Words& help,
+    void edit(const Change& change, const ui::LocalizedText& undoText);
+    NumberField* tracingRow(QGridLayout& grid, int row, const LocalizedText& label, const LocalizedText& help,
                             const NumberFormat& format, double core::TraceOptions::*value);
     NumberField* lengthRow(QGridLayout& grid, int row);
 
@@ -60,15 +60,15 @@ private:
     QCheckBox* composite_;
     ElidedLabel* masks_;
     QPushButton* automaticMasks_;
-    NumberField* right_;
-    NumberField* down_;
+    NumberField* shiftRight_;
+    NumberField* shiftDown_;
     QPushButton* automaticShift_;
-    QPushButton* byHand_;
+    QPushButton* pixelShift_;
     QComboBox* relation_;
     QComboBox* vessels_;
     NumberField* sensitivity_ = nullptr;
     NumberField* length_ = nullptr;
-    NumberField* widest_ = nullptr;
+    NumberField* maxRadius_ = nullptr;
     QPushButton* defaults_;
 };
 

@@ -1,7 +1,7 @@
 #include "ui/panels/bottom_strip.h"
 
 #include "ui/controls/section.h"
-#include "ui/words/spoken.h"
+#include "ui/words/retranslation.h"
 
 #include <QHBoxLayout>
 #include <QProgressBar>
@@ -40,11 +40,11 @@ BottomStrip::BottomStrip(QWidget* parent)
     layout->setContentsMargins(14, 8, 14, 8);
     layout->setSpacing(18);
     layout->addLayout(left, 3);
-    layout->addLayout(placedFrames(), 12);
-    layout->addLayout(placedTask(), 4);
+    layout->addLayout(makeFrameArea(), 12);
+    layout->addLayout(makeTaskArea(), 4);
     setFixedHeight(stripHeight);
     showFrameNote({});
-    speak(this, [this] {
+    keepTranslated(this, [this] {
         if (progress_->isHidden() || task_.isEmpty()) {
             showIdle(tr("Ready"));
         }
@@ -52,7 +52,7 @@ BottomStrip::BottomStrip(QWidget* parent)
 }
 
 /// Lays out the frame bars with the playback controls and a note below.
-QLayout* BottomStrip::placedFrames()
+QLayout* BottomStrip::makeFrameArea()
 {
     auto* frames = new QVBoxLayout;
     frames->setSpacing(3);
@@ -71,7 +71,7 @@ QLayout* BottomStrip::placedFrames()
 }
 
 /// Lays out the running task with its progress and a Stop button; their space remains reserved while idle.
-QLayout* BottomStrip::placedTask()
+QLayout* BottomStrip::makeTaskArea()
 {
     status_->setWordWrap(true);
     status_->setTextFormat(Qt::PlainText);
@@ -79,8 +79,8 @@ QLayout* BottomStrip::placedTask()
     status_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     progress_->setTextVisible(false);
     progress_->setFixedHeight(4);
-    withName(progress_, [] { return tr("Progress"); });
-    withName(stop_, [] { return tr("Stop the running task"); });
+    withAccessibleName(progress_, [] { return tr("Progress"); });
+    withAccessibleName(stop_, [] { return tr("Stop the running task"); });
     QSizePolicy keepsPlace = stop_->sizePolicy();
     keepsPlace.setRetainSizeWhenHidden(true);
     stop_->setSizePolicy(keepsPlace);
@@ -137,7 +137,7 @@ void BottomStrip::showUndoState(const QString& text)
 
 void BottomStrip::showStatus(const QString& text)
 {
-    reported_.add(text);
+    messageLog_.add(text);
     showTask(text);
 }
 
@@ -156,14 +156,14 @@ void BottomStrip::resizeEvent(QResizeEvent*)
 /// Elides the status text to the available width; the tooltip and the message log show it in full.
 void BottomStrip::fitTask()
 {
-    const int room = contentsRect().height() - layout()->contentsMargins().top() -
-                     layout()->contentsMargins().bottom() - (progress_->isHidden() ? 0 : besideProgressPx);
+    const int availablePx = contentsRect().height() - layout()->contentsMargins().top() -
+                            layout()->contentsMargins().bottom() - (progress_->isHidden() ? 0 : besideProgressPx);
     const auto fits = [&](const QString& text) {
         return status_->fontMetrics()
                    .boundingRect(QRect(0, 0, status_->width(), 10 * stripHeight), Qt::TextWordWrap, text)
-                   .height() <= room;
+                   .height() <= availablePx;
     };
-    const auto cut = [this](qsizetype length) { return task_.left(length).trimmed() + QStringLiteral(" …"); };
+    const auto shorten = [this](qsizetype length) { return task_.left(length).trimmed() + QStringLiteral(" …"); };
     if (fits(task_)) {
         status_->setText(task_);
         return;
@@ -172,9 +172,9 @@ void BottomStrip::fitTask()
     qsizetype tooLong = task_.size();
     while (tooLong - fitting > 1) {
         const qsizetype middle = (fitting + tooLong) / 2;
-        (fits(cut(middle)) ? fitting : tooLong) = middle;
+        (fits(shorten(middle)) ? fitting : tooLong) = middle;
     }
-    status_->setText(cut(fitting));
+    status_->setText(shorten(fitting));
 }
 
 void BottomStrip::showBusy(const QString& text)
@@ -197,7 +197,7 @@ void BottomStrip::showProgress(const QString& text, double fraction)
 void BottomStrip::showIdle(const QString& text)
 {
     if (text != tr("Ready")) {
-        reported_.add(text);
+        messageLog_.add(text);
     }
     progress_->hide();
     stop_->hide();

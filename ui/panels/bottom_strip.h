@@ -31,8 +31,8 @@ public:
     void showBusy(const QString& text);   ///< shows a task with indeterminate progress
     void showProgress(const QString& text, double fraction);
     void showIdle(const QString& text);
-    void remember(const QString& text) { reported_.add(text); }   ///< logs a message that is shown elsewhere
-    const MessageLog& reported() const { return reported_; }   ///< message log, without progress messages
+    void remember(const QString& text) { messageLog_.add(text); }   ///< logs a message that is shown elsewhere
+    const MessageLog& reported() const { return messageLog_; }   ///< message log, without progress messages
 
 signals:
     void frameRequested(int frame);
@@ -45,13 +45,13 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
-    QLayout* placedFrames();
-    QLayout* placedTask();
+    QLayout* makeFrameArea();
+    QLayout* makeTaskArea();
     void showTask(const QString& text);
     void fitTask();
 
     QString task_;   ///< full status text, not elided
-    MessageLog reported_;
+    MessageLog messageLog_;
     FrameBars* frames_;
     PlayBar* play_;
     ElidedLabel* frameNote_;

@@ -22,14 +22,15 @@ constexpr int generationWidth = 32;   // width of "10级", the longest text in a
 
 void paintBackground(QPainter& painter, const QStyleOptionViewItem& option, const QModelIndex& index)
 {
-    const Palette& tones = activePalette();
+    const Palette& colors = activePalette();
     if (option.state & QStyle::State_Selected) {
-        painter.fillRect(option.rect, toQColor(tones.accent, 0.16));
+        painter.fillRect(option.rect, toQColor(colors.accent, 0.16));
     } else if (index.data(BranchModel::HoveredRole).toBool()) {
-        painter.fillRect(option.rect, toQColor(tones.accent, 0.08));
+        painter.fillRect(option.rect, toQColor(colors.accent, 0.08));
     }
     if (option.state & QStyle::State_HasFocus) {
-        painter.fillRect(QRect(option.rect.left(), option.rect.top(), 2, option.rect.height()), toQColor(tones.accent));
+        painter.fillRect(QRect(option.rect.left(), option.rect.top(), 2, option.rect.height()),
+                         toQColor(colors.accent));
     }
 }
 
@@ -47,8 +48,8 @@ QColor residualTone(const QModelIndex& index)
 QColor readable(const QColor& tone)
 {
     const QColor strong = toQColor(activePalette().textStrong);
-    const double share = activeTheme() == ThemeMode::Light ? 0.55 : 0.0;
-    const auto mix = [share](int a, int b) { return static_cast<int>((1.0 - share) * a + share * b); };
+    const double fraction = activeTheme() == ThemeMode::Light ? 0.55 : 0.0;
+    const auto mix = [fraction](int a, int b) { return static_cast<int>((1.0 - fraction) * a + fraction * b); };
     return {mix(tone.red(), strong.red()), mix(tone.green(), strong.green()), mix(tone.blue(), strong.blue())};
 }
 
@@ -64,19 +65,19 @@ void paintChip(QPainter& painter, const QRect& row, const QModelIndex& index)
 
 void paintPill(QPainter& painter, const QRect& pill, bool on)
 {
-    const Palette& tones = activePalette();
-    painter.setPen(on ? QPen(Qt::NoPen) : QPen(toQColor(tones.line), 1.0));
-    painter.setBrush(on ? QBrush(toQColor(tones.accent)) : QBrush(toQColor(tones.field)));
+    const Palette& colors = activePalette();
+    painter.setPen(on ? QPen(Qt::NoPen) : QPen(toQColor(colors.line), 1.0));
+    painter.setBrush(on ? QBrush(toQColor(colors.accent)) : QBrush(toQColor(colors.field)));
     painter.drawRoundedRect(QRectF(pill).adjusted(0.5, 0.5, -0.5, -0.5), pill.height() / 2.0, pill.height() / 2.0);
-    painter.setPen(toQColor(on ? tones.window : tones.hint));
+    painter.setPen(toQColor(on ? colors.window : colors.hint));
     painter.drawText(pill, Qt::AlignCenter, on ? BranchDelegate::tr("aux") : QStringLiteral("–"));
 }
 
 void paintCross(QPainter& painter, const QRect& area, bool excluded)
 {
-    const Palette& tones = activePalette();
+    const Palette& colors = activePalette();
     const QPointF center = QRectF(area).center();
-    painter.setPen(QPen(toQColor(excluded ? tones.attention : tones.hint), excluded ? 1.8 : 1.2));
+    painter.setPen(QPen(toQColor(excluded ? colors.attention : colors.hint), excluded ? 1.8 : 1.2));
     painter.drawLine(center + QPointF(-3.5, -3.5), center + QPointF(3.5, 3.5));
     painter.drawLine(center + QPointF(-3.5, 3.5), center + QPointF(3.5, -3.5));
 }
@@ -91,7 +92,7 @@ QRect nameRectIn(const QStyleOptionViewItem& option, int right)
 /// Paints the name, followed by the generation if the full name fits beside it.
 void paintName(QPainter& painter, QRect area, const QFont& font, const QModelIndex& index)
 {
-    const Palette& tones = activePalette();
+    const Palette& colors = activePalette();
     const bool excluded = index.data(BranchModel::ExcludedRole).toBool();
     const bool hidden = index.data(BranchModel::HiddenRole).toBool();
     const int generation = index.data(BranchModel::GenerationRole).toInt();
@@ -101,7 +102,7 @@ void paintName(QPainter& painter, QRect area, const QFont& font, const QModelInd
     name.setStrikeOut(excluded);
     name.setItalic(hidden);
     painter.setFont(name);
-    painter.setPen(toQColor(excluded || hidden ? tones.hint : tones.textStrong));
+    painter.setPen(toQColor(excluded || hidden ? colors.hint : colors.textStrong));
     const bool hasGeneration = generation >= 0 && QFontMetrics(name).horizontalAdvance(text) < area.width();
     if (!hasGeneration) {
         area.setWidth(area.width() + generationWidth - 4);
@@ -111,7 +112,7 @@ void paintName(QPainter& painter, QRect area, const QFont& font, const QModelInd
     painter.setFont(font);
     if (hasGeneration) {
         const QRect behind(area.right(), area.top(), generationWidth - 4, area.height());
-        painter.setPen(toQColor(tones.hint));
+        painter.setPen(toQColor(colors.hint));
         painter.drawText(behind, Qt::AlignRight | Qt::AlignVCenter, BranchDelegate::tr("g%1").arg(generation));
     }
 }
@@ -134,7 +135,7 @@ void BranchDelegate::updateEditorGeometry(QWidget* editor, const QStyleOptionVie
 
 void BranchDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const
 {
-    const Palette& tones = activePalette();
+    const Palette& colors = activePalette();
     const QRect row = option.rect;
     const bool excluded = index.data(BranchModel::ExcludedRole).toBool();
     const bool auxiliary = index.data(BranchModel::AuxiliaryRole).toBool();
@@ -151,7 +152,7 @@ void BranchDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option
     const QRect nameRect = nameRectIn(option, lengthRect.left());
 
     paintName(*painter, nameRect, option.font, index);
-    painter->setPen(toQColor(tones.label));
+    painter->setPen(toQColor(colors.label));
     painter->drawText(lengthRect, Qt::AlignRight | Qt::AlignVCenter, length);
     if (!excluded) {
         paintPill(*painter, pill, auxiliary);
@@ -162,7 +163,7 @@ void BranchDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option
     const QVariant residual = index.data(BranchModel::ResidualRole);
     painter->setPen(readable(residualTone(index)));
     painter->drawText(row.adjusted(0, 0, -margin, 0), Qt::AlignRight | Qt::AlignVCenter,
-                      excluded             ? tr("out")
+                      excluded             ? tr("excl.")
                       : hidden             ? tr("hidden")
                       : residual.isValid() ? numberText(residual.toDouble(), 2)
                                            : QString());

@@ -47,8 +47,8 @@ void BranchModel::setResiduals(const std::map<int, double>& residualMm, double s
 
 int BranchModel::rowOf(int branchId) const
 {
-    const auto found = std::ranges::find(rows_, branchId, &Row::id);
-    return found == rows_.end() ? -1 : static_cast<int>(found - rows_.begin());
+    const auto it = std::ranges::find(rows_, branchId, &Row::id);
+    return it == rows_.end() ? -1 : static_cast<int>(it - rows_.begin());
 }
 
 int BranchModel::rowCount(const QModelIndex& parent) const
@@ -89,8 +89,8 @@ QVariant BranchModel::data(const QModelIndex& index, int role) const
         case HoveredRole:
             return marks_.hovered == row.id;
         case ResidualRole: {
-            const auto found = residualMm_.find(row.id);
-            return found == residualMm_.end() ? QVariant() : QVariant(found->second);
+            const auto it = residualMm_.find(row.id);
+            return it == residualMm_.end() ? QVariant() : QVariant(it->second);
         }
         default:
             return {};
@@ -130,13 +130,13 @@ QString BranchModel::description(const Row& row) const
         parts << tr("hidden");
     }
     if (marks_.auxiliary.contains(row.id)) {
-        parts << tr("in the auxiliary set");
+        parts << tr("auxiliary branch");
     }
     if (marks_.excluded.contains(row.id)) {
         parts << tr("excluded");
     }
-    if (const auto found = residualMm_.find(row.id); found != residualMm_.end()) {
-        parts << tr("median residual %1 mm").arg(numberText(found->second, 2));
+    if (const auto it = residualMm_.find(row.id); it != residualMm_.end()) {
+        parts << tr("median residual %1 mm").arg(numberText(it->second, 2));
     }
     return joinedNames(parts);
 }

@@ -3,7 +3,7 @@
 #include "ui/actions/key_hint.h"
 #include "ui/panels/branch_delegate.h"
 #include "ui/panels/branch_model.h"
-#include "ui/words/spoken.h"
+#include "ui/words/retranslation.h"
 
 #include <QAction>
 #include <QComboBox>
@@ -22,7 +22,7 @@
 namespace angiopose::ui {
 namespace {
 
-constexpr int largestGenerationOffered = 6;
+constexpr int maxGenerationFilter = 6;
 
 struct Order {
     const char* label;
@@ -52,7 +52,7 @@ BranchPanel::BranchPanel(QWidget* parent)
     : Section(
           "branches", [] { return tr("Branches"); }, Folding::Fixed, parent),
       model_(new BranchModel(this)),
-      shown_(new QSortFilterProxyModel(this)),
+      proxy_(new QSortFilterProxyModel(this)),
       list_(new QListView),
       filter_(new QLineEdit),
       order_(new QComboBox),
@@ -62,13 +62,13 @@ BranchPanel::BranchPanel(QWidget* parent)
                       [] { return tr("No vessels yet. Open a CT scan, a vessel mask or a centerline."); }))
 {
     auto* delegate = new BranchDelegate(this);
-    shown_->setSourceModel(model_);
-    shown_->setFilterRole(BranchModel::NameRole);
-    shown_->setFilterCaseSensitivity(Qt::CaseInsensitive);
-    shown_->setSortCaseSensitivity(Qt::CaseInsensitive);
-    shown_->setSortLocaleAware(true);
+    proxy_->setSourceModel(model_);
+    proxy_->setFilterRole(BranchModel::NameRole);
+    proxy_->setFilterCaseSensitivity(Qt::CaseInsensitive);
+    proxy_->setSortCaseSensitivity(Qt::CaseInsensitive);
+    proxy_->setSortLocaleAware(true);
     sortBy(0);
-    list_->setModel(shown_);
+    list_->setModel(proxy_);
     list_->setItemDelegate(delegate);
     list_->setSelectionMode(QAbstractItemView::ExtendedSelection);
     list_->setEditTriggers(QAbstractItemView::NoEditTriggers);
@@ -77,7 +77,7 @@ BranchPanel::BranchPanel(QWidget* parent)
     list_->setFrameShape(QFrame::NoFrame);
     list_->setMouseTracking(true);
     list_->setContextMenuPolicy(Qt::CustomContextMenu);
-    withName(list_, [] { return tr("Branches"); });
+    withAccessibleName(list_, [] { return tr("Branches"); });
     list_->viewport()->installEventFilter(this);
     list_->setMinimumHeight(60);
     empty_->setWordWrap(true);
@@ -99,28 +99,28 @@ BranchPanel::BranchPanel(QWidget* parent)
     connect(list_->selectionModel(), &QItemSelectionModel::selectionChanged, this, &BranchPanel::reportSelection);
     connect(list_, &QWidget::customContextMenuRequested, this, &BranchPanel::showContextMenu);
     showTree({});
-    speak(this, [this] { showKeys(); });
+    keepTranslated(this, [this] { showKeys(); });
     showAdvice({}, false);
 }
 
 QWidget* BranchPanel::makeFilterRow()
 {
-    speak(filter_, [this] { filter_->setPlaceholderText(tr("Find a branch")); });
-    withName(filter_, [] { return tr("Find a branch"); });
+    keepTranslated(filter_, [this] { filter_->setPlaceholderText(tr("Find a branch")); });
+    withAccessibleName(filter_, [] { return tr("Find a branch"); });
     filter_->setClearButtonEnabled(true);
     order_->setSizeAdjustPolicy(QComboBox::AdjustToContents);   // fits the texts in every language
-    withName(order_, [] { return tr("Branch order"); });
-    withTip(order_, [] { return tr("Branch order"); });
-    speak(order_, [this] {
+    withAccessibleName(order_, [] { return tr("Branch order"); });
+    withToolTip(order_, [] { return tr("Branch order"); });
+    keepTranslated(order_, [this] {
         QStringList words;
         for (const Order& order : orders) {
             words << tr(order.label);
         }
-        setWords(*order_, words);
+        setItemTexts(*order_, words);
     });
     connect(filter_, &QLineEdit::textChanged, this, [this](const QString& text) {
-        const QScopedValueRollback quiet(showing_, true);
-        shown_->setFilterFixedString(text);
+        const QScopedValueRollback quiet(isUpdating_, true);
+        proxy_->setFilterFixedString(text);
         selectMarked();
     });
     connect(order_, &QComboBox::currentIndexChanged, this, &BranchPanel::sortBy);
@@ -137,37 +137,37 @@ QWidget* BranchPanel::makeAdviceRow()
 {
     advice_ = roleLabel("attention");
     advice_->setWordWrap(true);
-    mend_ = withText(new QPushButton, [] { return tr("Join"); });
-    mend_->setProperty("role", "link");
-    withTip(mend_, [] { return tipWithKey(tr("Bridges the gap; undo reverts it."), Command::MendGap); });
+    repair_ = withText(new QPushButton, [] { return tr("Join"); });
+    repair_->setProperty("role", "link");
+    withToolTip(repair_, [] { return tooltipWithShortcut(tr("Bridges the gap; can be undone."), Command::BridgeGap); });
     auto* show = withText(new QPushButton, [] { return tr("Show"); });
     show->setProperty("role", "link");
-    withTip(show, [] { return tr("Selects both branches and moves the crosshair to the gap."); });
-    connect(mend_, &QPushButton::clicked, this, &BranchPanel::adviceTaken);
+    withToolTip(show, [] { return tr("Selects both branches and moves the crosshair to the gap."); });
+    connect(repair_, &QPushButton::clicked, this, &BranchPanel::repairRequested);
     connect(show, &QPushButton::clicked, this, &BranchPanel::adviceShown);
-    connect(this, &BranchPanel::adviceMendable, show, &QWidget::setVisible);
+    connect(this, &BranchPanel::repairableChanged, show, &QWidget::setVisible);
     auto* row = new QWidget;
     auto* layout = new QHBoxLayout(row);
     layout->setContentsMargins(14, 4, 8, 6);
     layout->setSpacing(2);
     layout->addWidget(advice_, 1);
     layout->addWidget(show);
-    layout->addWidget(mend_);
+    layout->addWidget(repair_);
     return row;
 }
 
 void BranchPanel::sortBy(int choice)
 {
     const Order& order = orders[static_cast<std::size_t>(choice)];
-    shown_->setSortRole(order.role);
-    shown_->sort(0, order.direction);
+    proxy_->setSortRole(order.role);
+    proxy_->sort(0, order.direction);
 }
 
-void BranchPanel::showAdvice(const QString& text, bool isMendable)
+void BranchPanel::showAdvice(const QString& text, bool isRepairable)
 {
     advice_->setText(text);
-    mend_->setVisible(isMendable);
-    emit adviceMendable(isMendable);
+    repair_->setVisible(isRepairable);
+    emit repairableChanged(isRepairable);
     adviceRow_->setVisible(!text.isEmpty());
 }
 
@@ -196,12 +196,12 @@ void BranchPanel::focusFilter()
 QModelIndex BranchPanel::indexOf(int branchId) const
 {
     const int row = model_->rowOf(branchId);
-    return row < 0 ? QModelIndex() : shown_->mapFromSource(model_->index(row));
+    return row < 0 ? QModelIndex() : proxy_->mapFromSource(model_->index(row));
 }
 
 void BranchPanel::showTree(const core::VesselTree& tree)
 {
-    const QScopedValueRollback quiet(showing_, true);
+    const QScopedValueRollback quiet(isUpdating_, true);
     model_->setTree(tree);
     empty_->setVisible(tree.branches.empty());
     list_->setVisible(!tree.branches.empty());
@@ -219,7 +219,7 @@ void BranchPanel::showKeys()
 
 void BranchPanel::showMarks(const BranchMarks& marks)
 {
-    const QScopedValueRollback quiet(showing_, true);
+    const QScopedValueRollback quiet(isUpdating_, true);
     marks_ = marks;
     model_->setMarks(marks);
     if (selectedIds() != marks.selected) {
@@ -283,12 +283,12 @@ void BranchPanel::showContextMenu(const QPoint& position)
     menu->addAction(tr("Exclude or include") + QLatin1Char('\t') + keyOf(Command::ToggleExcluded), this,
                     [this, affected] { emit excludedToggled(affected); });
     menu->addSeparator();
-    menu->addAction(tr("Use only these as auxiliary"), this, [this, affected] { emit onlyTheseAuxiliary(affected); });
+    menu->addAction(tr("Use only these as auxiliary"), this, [this, affected] { emit auxiliaryReplaced(affected); });
     menu->addAction(tr("Clear auxiliary branches (use nodes)"), this, &BranchPanel::auxiliaryCleared);
     menu->addSeparator();
     menu->addActions(editActions_);
     QMenu* generations = menu->addMenu(tr("Generation"));
-    for (int generation = 0; generation <= largestGenerationOffered; ++generation) {
+    for (int generation = 0; generation <= maxGenerationFilter; ++generation) {
         generations->addAction(QString::number(generation), this,
                                [this, affected, generation] { emit generationChosen(affected, generation); });
     }
@@ -298,7 +298,7 @@ void BranchPanel::showContextMenu(const QPoint& position)
 
 void BranchPanel::reportSelection()
 {
-    if (!showing_) {
+    if (!isUpdating_) {
         emit selectionEdited(selectedIds());
     }
 }

@@ -29,8 +29,8 @@ public:
     void showTree(const core::VesselTree& tree);
     void showMarks(const BranchMarks& marks);   ///< emits no signal
     void showResiduals(const std::map<int, double>& residualMm, double scaleMaximumMm);
-    /// Shows a defect of the tree ("" if there is none); `isMendable` offers a button that repairs it.
-    void showAdvice(const QString& text, bool isMendable);
+    /// Shows a defect of the tree ("" if there is none); `isRepairable` offers a button that repairs it.
+    void showAdvice(const QString& text, bool isRepairable);
     void setEditActions(const QList<QAction*>& actions);   ///< sets the actions of the context menu
     void editName(int branchId);
     void focusFilter();
@@ -41,13 +41,13 @@ signals:
     void selectionEdited(const std::set<int>& branchIds);
     void auxiliaryToggled(const std::set<int>& branchIds);
     void excludedToggled(const std::set<int>& branchIds);
-    void onlyTheseAuxiliary(const std::set<int>& branchIds);
+    void auxiliaryReplaced(const std::set<int>& branchIds);
     void auxiliaryCleared();
     void renamed(int branchId, const QString& name);
     void generationChosen(const std::set<int>& branchIds, int generation);
-    void adviceTaken();
+    void repairRequested();
     void adviceShown();
-    void adviceMendable(bool isMendable);
+    void repairableChanged(bool isRepairable);
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -65,18 +65,18 @@ private:
     void reportSelection();
 
     BranchModel* model_;
-    QSortFilterProxyModel* shown_;
+    QSortFilterProxyModel* proxy_;
     QListView* list_;
     QLineEdit* filter_;
     QComboBox* order_;
     QWidget* filterRow_;
     QWidget* adviceRow_;
     QLabel* advice_;
-    QPushButton* mend_;
+    QPushButton* repair_;
     QList<QAction*> editActions_;
     QLabel* empty_;
     BranchMarks marks_;
-    bool showing_ = false;   ///< true while the program, not the user, changes the selection
+    bool isUpdating_ = false;   ///< true while the program, not the user, changes the selection
 };
 
 }   // namespace angiopose::ui

@@ -1,7 +1,7 @@
 #include "ui/panels/curve_edit_bar.h"
 
 #include "ui/controls/section.h"
-#include "ui/words/spoken.h"
+#include "ui/words/retranslation.h"
 
 #include <QHBoxLayout>
 #include <QPushButton>
@@ -22,16 +22,17 @@ struct EditRow {
 constexpr std::array editRows{
     EditRow{CurveEdit::Remove, QT_TRANSLATE_NOOP("angiopose::ui::CurveEditBar", "Not a vessel"), "X",
             QT_TRANSLATE_NOOP("angiopose::ui::CurveEditBar", "Click a curve to exclude it")},
-    EditRow{CurveEdit::Apart, QT_TRANSLATE_NOOP("angiopose::ui::CurveEditBar", "Catheter"), "W",
-            QT_TRANSLATE_NOOP(
-                "angiopose::ui::CurveEditBar",
-                "Click a catheter or guidewire to mark it as a device: it is not a vessel, but can be tracked")},
+    EditRow{
+        CurveEdit::MarkDevice, QT_TRANSLATE_NOOP("angiopose::ui::CurveEditBar", "Catheter"), "W",
+        QT_TRANSLATE_NOOP(
+            "angiopose::ui::CurveEditBar",
+            "Click a catheter or guidewire to mark it as a device: it does not count as a vessel, but can be tracked")},
     EditRow{CurveEdit::Erase, QT_TRANSLATE_NOOP("angiopose::ui::CurveEditBar", "Erase"), "E",
             QT_TRANSLATE_NOOP("angiopose::ui::CurveEditBar", "Brush over the parts of curves to erase")},
     EditRow{CurveEdit::Draw, QT_TRANSLATE_NOOP("angiopose::ui::CurveEditBar", "Draw"), "D",
             QT_TRANSLATE_NOOP("angiopose::ui::CurveEditBar", "Click along a vessel: the line follows it")},
     EditRow{CurveEdit::Cut, QT_TRANSLATE_NOOP("angiopose::ui::CurveEditBar", "Cut"), "C",
-            QT_TRANSLATE_NOOP("angiopose::ui::CurveEditBar", "Click where a curve should be split")},
+            QT_TRANSLATE_NOOP("angiopose::ui::CurveEditBar", "Click where to split a curve")},
     EditRow{CurveEdit::Box, QT_TRANSLATE_NOOP("angiopose::ui::CurveEditBar", "Box"), "B",
             QT_TRANSLATE_NOOP("angiopose::ui::CurveEditBar",
                               "Exclude everything inside a box; Ctrl: keep only the inside")},
@@ -40,7 +41,7 @@ constexpr std::array editRows{
                               "Exclude everything inside a lasso; Ctrl: keep only the inside")},
 };
 
-QString withKey(const QString& text, const QString& key)
+QString withShortcut(const QString& text, const QString& key)
 {
     return QStringLiteral("%1  %2").arg(text, key);
 }
@@ -59,9 +60,10 @@ CurveEditBar::CurveEditBar(QWidget* parent)
     edits->setSpacing(4);
     for (const EditRow& row : editRows) {
         auto* button = new QToolButton;
-        withText(button, [row] { return withKey(tr(row.text), QString::fromLatin1(row.key)); });
-        withTip(button, [row] { return QStringLiteral("%1 (%2)").arg(tr(row.help), QString::fromLatin1(row.key)); });
-        withName(button, [row] { return tr(row.text); });
+        withText(button, [row] { return withShortcut(tr(row.text), QString::fromLatin1(row.key)); });
+        withToolTip(button,
+                    [row] { return QStringLiteral("%1 (%2)").arg(tr(row.help), QString::fromLatin1(row.key)); });
+        withAccessibleName(button, [row] { return tr(row.text); });
         button->setCheckable(true);
         button->setFocusPolicy(Qt::TabFocus);
         connect(button, &QToolButton::clicked, this, [this, row] {
@@ -71,38 +73,38 @@ CurveEditBar::CurveEditBar(QWidget* parent)
         edits->addWidget(button);
         buttons_[row.edit] = button;
     }
-    withTip(followDevice_, [] {
-        return tr("Find the path through the tree that the catheter or guidewire takes (method Wire or catheter)");
+    withToolTip(followDevice_, [] {
+        return tr("Find the path of the catheter or guidewire through the tree (method “Guidewire or catheter”)");
     });
     followDevice_->setProperty("role", "quiet");
     connect(followDevice_, &QPushButton::clicked, this, &CurveEditBar::followRequested);
-    withTip(traceAgain_,
-            [] { return tr("Discard the edits of this frame and trace it automatically; undo restores them"); });
+    withToolTip(traceAgain_,
+                [] { return tr("Discard the edits of this frame and trace it automatically; can be undone"); });
     traceAgain_->setProperty("role", "quiet");
     connect(traceAgain_, &QPushButton::clicked, this, &CurveEditBar::traceAgainRequested);
-    auto* done = withText(new QPushButton, [] { return withKey(tr("Done"), QStringLiteral("Esc")); });
-    withName(done, [] { return tr("Done"); });
+    auto* done = withText(new QPushButton, [] { return withShortcut(tr("Done"), QStringLiteral("Esc")); });
+    withAccessibleName(done, [] { return tr("Done"); });
     connect(done, &QPushButton::clicked, this, &CurveEditBar::doneRequested);
-    auto* rest = new QHBoxLayout;
-    rest->setContentsMargins(4, 0, 0, 0);
-    rest->addWidget(count_, 1);
-    rest->addWidget(followDevice_);
-    rest->addWidget(traceAgain_);
-    rest->addWidget(done);
+    auto* actionRow = new QHBoxLayout;
+    actionRow->setContentsMargins(4, 0, 0, 0);
+    actionRow->addWidget(count_, 1);
+    actionRow->addWidget(followDevice_);
+    actionRow->addWidget(traceAgain_);
+    actionRow->addWidget(done);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(8, 6, 8, 6);
     layout->setSpacing(4);
     layout->addLayout(edits);
-    layout->addLayout(rest);
+    layout->addLayout(actionRow);
     showEdit(CurveEdit::Remove);
     setEdited(false);
-    speak(this, [this] { sayCounts(); });
+    keepTranslated(this, [this] { updateCounts(); });
 }
 
 void CurveEditBar::showEdit(CurveEdit edit)
 {
-    for (const auto& [each, button] : buttons_) {
-        button->setChecked(each == edit);
+    for (const auto& [buttonEdit, button] : buttons_) {
+        button->setChecked(buttonEdit == edit);
     }
 }
 
@@ -110,10 +112,10 @@ void CurveEditBar::showCurves(const Counts& counts)
 {
     shownCounts_ = counts;
     followDevice_->setVisible(counts.devices > 0);
-    sayCounts();
+    updateCounts();
 }
 
-void CurveEditBar::sayCounts()
+void CurveEditBar::updateCounts()
 {
     const auto [count, suspects, devices] = shownCounts_;
     const QString curves = suspects > 0 ? tr("%1 curves, %2 suspect (S)").arg(count).arg(suspects)

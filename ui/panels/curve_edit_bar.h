@@ -36,7 +36,7 @@ signals:
     void doneRequested();
 
 private:
-    void sayCounts();
+    void updateCounts();
 
     std::map<CurveEdit, QToolButton*> buttons_;
     Counts shownCounts_;

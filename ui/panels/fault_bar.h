@@ -18,10 +18,10 @@ signals:
     void bundleRequested();
 
 private:
-    void sayWhere();
+    void updateText();
 
     QString dumpPath_;
-    QLabel* words_;
+    QLabel* label_;
 };
 
 }   // namespace angiopose::ui

@@ -4,12 +4,12 @@
 #include <QGridLayout>
 #include "ui/words/message_text.h"
 #include "ui/words/number.h"
-#include "ui/words/spoken.h"
+#include "ui/words/retranslation.h"
 
 namespace angiopose::ui {
 namespace {
 
-QString originWord(core::Origin origin)
+QString originText(core::Origin origin)
 {
     switch (origin) {
         case core::Origin::Header:
@@ -27,11 +27,11 @@ QString originWord(core::Origin origin)
 }
 
 /// True for required values the user should check: missing, assumed, or a spacing derived from the header.
-bool needsLook(GeometryValue value, core::Origin origin)
+bool needsAttention(GeometryValue value, core::Origin origin)
 {
-    const bool isNeeded = kindOf(value).isNeeded;
-    return isNeeded && (origin == core::Origin::Missing || origin == core::Origin::Assumed ||
-                        (origin == core::Origin::Derived && value == GeometryValue::Spacing));
+    const bool isRequired = infoOf(value).isRequired;
+    return isRequired && (origin == core::Origin::Missing || origin == core::Origin::Assumed ||
+                          (origin == core::Origin::Derived && value == GeometryValue::Spacing));
 }
 
 std::array<GeometryValue, geometryValueCount> allValues()
@@ -48,9 +48,9 @@ std::array<GeometryValue, geometryValueCount> allValues()
 GeometryPanel::GeometryPanel(QWidget* parent)
     : Section(
           "geometry", [] { return tr("Geometry"); }, Folding::Foldable, parent),
-      shownFrom_(new QComboBox),
-      shownFromOrigin_(roleLabel("hint")),
-      seldom_(new Section(
+      displaySide_(new QComboBox),
+      displaySideOrigin_(roleLabel("hint")),
+      advanced_(new Section(
           "geometry/seldom", [] { return tr("Roll, principal point, isocenter"); }, Folding::Foldable)),
       header_(new Section(
           "geometry/header", [] { return tr("DICOM header values"); }, Folding::Foldable)),
@@ -58,38 +58,39 @@ GeometryPanel::GeometryPanel(QWidget* parent)
       camera_(roleLabel("label")),
       notes_(roleLabel("attentionBox")),
       assume_(withText(new QPushButton, [] { return tr("Use typical values"); })),
-      dropOverride_(withText(new QPushButton, [] { return tr("Use distances and spacing instead"); }))
+      removeOverride_(withText(new QPushButton, [] { return tr("Use distances and spacing instead"); }))
 {
     auto* usual = makeGrid();
     auto* seldom = makeGrid();
     for (const GeometryValue value : allValues()) {
-        addRow(value, value < firstSeldomValue ? usual : seldom);
+        addRow(value, value < firstAdvancedValue ? usual : seldom);
     }
-    addShownFrom(seldom);
+    addDisplaySide(seldom);
     for (QLabel* label : {camera_, notes_, headerText_}) {
         label->setWordWrap(true);
     }
     headerText_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
-    for (QPushButton* button : {assume_, dropOverride_}) {
+    for (QPushButton* button : {assume_, removeOverride_}) {
         button->setProperty("role", "quiet");
     }
-    withTip(assume_,
-            [] { return tr("SID 1000 mm, SOD 750 mm, pixel 0.3 mm, angles 0°: fills in missing values only."); });
+    withToolTip(assume_, [] {
+        return tr("SID 1000 mm, SOD 750 mm, pixel spacing 0.3 mm, angles 0°: fills in missing values only.");
+    });
     connect(assume_, &QPushButton::clicked, this, &GeometryPanel::assumeMissing);
-    connect(dropOverride_, &QPushButton::clicked, this, &GeometryPanel::cameraOverrideDropped);
+    connect(removeOverride_, &QPushButton::clicked, this, &GeometryPanel::cameraOverrideRemoved);
 
-    seldom_->contentLayout()->addLayout(seldom);
+    advanced_->contentLayout()->addLayout(seldom);
     header_->contentLayout()->addWidget(headerText_);
-    for (Section* part : {seldom_, header_}) {
+    for (Section* part : {advanced_, header_}) {
         part->layout()->setContentsMargins(0, 4, 0, 0);
         part->setFolded(true);
     }
     contentLayout()->addLayout(usual);
     contentLayout()->addWidget(camera_);
-    contentLayout()->addWidget(dropOverride_);
+    contentLayout()->addWidget(removeOverride_);
     contentLayout()->addWidget(notes_);
     contentLayout()->addWidget(assume_);
-    contentLayout()->addWidget(seldom_);
+    contentLayout()->addWidget(advanced_);
     contentLayout()->addWidget(header_);
     setFolded(true);
     showGeometry({});
@@ -108,42 +109,42 @@ QGridLayout* GeometryPanel::makeGrid()
 
 void GeometryPanel::addRow(GeometryValue value, QGridLayout* grid)
 {
-    const GeometryValueKind& kind = kindOf(value);
+    const GeometryValueInfo& kind = infoOf(value);
     auto* label = withText(roleLabel("label"), [&kind] { return tr(kind.label); });
-    Row& made = row(value);
-    made = {new NumberField(kind.format), roleLabel("hint")};
-    withName(made.field, [&kind] { return tr(kind.help); });
-    speak(made.field, [field = made.field] { field->setPlaceholderText(tr("enter value")); });
-    for (QWidget* widget : {static_cast<QWidget*>(label), static_cast<QWidget*>(made.field)}) {
-        withTip(widget, [&kind] { return tr(kind.help); });
+    Row& newRow = row(value);
+    newRow = {new NumberField(kind.format), roleLabel("hint")};
+    withAccessibleName(newRow.field, [&kind] { return tr(kind.help); });
+    keepTranslated(newRow.field, [field = newRow.field] { field->setPlaceholderText(tr("enter value")); });
+    for (QWidget* widget : {static_cast<QWidget*>(label), static_cast<QWidget*>(newRow.field)}) {
+        withToolTip(widget, [&kind] { return tr(kind.help); });
     }
-    label->setBuddy(made.field);
-    connect(made.field, &NumberField::edited, this, [this, value](double number) { editValue(value, number); });
-    connect(made.field, &QLineEdit::returnPressed, this, [this, value] { confirmValue(value); });
+    label->setBuddy(newRow.field);
+    connect(newRow.field, &NumberField::edited, this, [this, value](double number) { editValue(value, number); });
+    connect(newRow.field, &QLineEdit::returnPressed, this, [this, value] { confirmValue(value); });
     const int line = grid->rowCount();
     grid->addWidget(label, line, 0);
-    grid->addWidget(made.field, line, 1);
-    grid->addWidget(made.origin, line, 2);
+    grid->addWidget(newRow.field, line, 1);
+    grid->addWidget(newRow.origin, line, 2);
 }
 
-void GeometryPanel::addShownFrom(QGridLayout* grid)
+void GeometryPanel::addDisplaySide(QGridLayout* grid)
 {
-    speak(shownFrom_, [this] { setWords(*shownFrom_, {tr("from the detector"), tr("mirrored")}); });
-    withName(shownFrom_, [] { return tr("Viewing side of the image"); });
-    withTip(shownFrom_, [] {
+    keepTranslated(displaySide_, [this] { setItemTexts(*displaySide_, {tr("from the detector"), tr("mirrored")}); });
+    withAccessibleName(displaySide_, [] { return tr("Viewing side of the image"); });
+    withToolTip(displaySide_, [] {
         return tr(
             "Angiograms are shown as seen from the detector. A mirrored export swaps left and right: the projection is "
-            "mirrored with the image, the vessels never are.");
+            "then mirrored together with the image; the vessels are never mirrored.");
     });
-    connect(shownFrom_, &QComboBox::activated, this, [this](int index) {
+    connect(displaySide_, &QComboBox::activated, this, [this](int index) {
         core::CArm cArm = state_.cArm;
         cArm.mirrored = {index == 1, core::Origin::User, "chosen in the window"};
         emit edited(cArm, [] { return tr("viewing side"); });
     });
     const int line = grid->rowCount();
     grid->addWidget(withText(roleLabel("label"), [] { return tr("image"); }), line, 0);
-    grid->addWidget(shownFrom_, line, 1);
-    grid->addWidget(shownFromOrigin_, line, 2);
+    grid->addWidget(displaySide_, line, 1);
+    grid->addWidget(displaySideOrigin_, line, 2);
 }
 
 void GeometryPanel::showGeometry(const GeometryState& state)
@@ -152,11 +153,11 @@ void GeometryPanel::showGeometry(const GeometryState& state)
     for (const GeometryValue value : allValues()) {
         showRow(value);
     }
-    showShownFrom();
+    showDisplaySide();
     showHeader();
     const auto& camera = state.cameraOverride;
     camera_->setVisible(camera.has_value());
-    dropOverride_->setVisible(camera.has_value() && core::cameraFromCArm(state.cArm, camera->width, camera->height));
+    removeOverride_->setVisible(camera.has_value() && core::cameraFromCArm(state.cArm, camera->width, camera->height));
     if (camera) {
         const QString side = camera->fx < 0.0 ? tr("seen from the detector") : tr("mirrored");
         camera_->setText(tr("Camera from the case file: f %1 px, principal point %2, %3 px, %4.")
@@ -178,21 +179,21 @@ void GeometryPanel::showRow(GeometryValue value)
 {
     const core::Sourced<double> sourced = shownValue(state_, value);
     const core::Origin origin = sourced.value ? sourced.origin : core::Origin::Missing;
-    const bool isOfHeader = value == GeometryValue::Sod && state_.cArm.sourceToObjectMm.value;   // no check needed
-    const bool isLooked = needsLook(value, origin) && !isOfHeader;
+    const bool isFromHeader = value == GeometryValue::Sod && state_.cArm.sourceToObjectMm.value;   // no check needed
+    const bool needsCheck = needsAttention(value, origin) && !isFromHeader;
     row(value).field->showValue(sourced.value);
-    row(value).field->setAsking(isLooked && state_.imageSizePx.x() > 0 && !state_.cameraOverride);
-    row(value).origin->setText(sourced.value || kindOf(value).isNeeded ? originWord(origin) : QString());
+    row(value).field->setHighlighted(needsCheck && state_.imageSizePx.x() > 0 && !state_.cameraOverride);
+    row(value).origin->setText(sourced.value || infoOf(value).isRequired ? originText(origin) : QString());
     row(value).origin->setToolTip(QString::fromStdString(sourced.basis));
-    setRole(row(value).origin, isLooked ? "attention" : "hint");
+    setRole(row(value).origin, needsCheck ? "attention" : "hint");
 }
 
-void GeometryPanel::showShownFrom()
+void GeometryPanel::showDisplaySide()
 {
     const auto& mirrored = state_.cArm.mirrored;
-    shownFrom_->setCurrentIndex(mirrored.value.value_or(false) ? 1 : 0);
-    shownFromOrigin_->setText(originWord(mirrored.value ? mirrored.origin : core::Origin::Assumed));
-    shownFromOrigin_->setToolTip(QString::fromStdString(mirrored.basis));
+    displaySide_->setCurrentIndex(mirrored.value.value_or(false) ? 1 : 0);
+    displaySideOrigin_->setText(originText(mirrored.value ? mirrored.origin : core::Origin::Assumed));
+    displaySideOrigin_->setToolTip(QString::fromStdString(mirrored.basis));
 }
 
 void GeometryPanel::showHeader()
@@ -219,18 +220,18 @@ void GeometryPanel::showNotes()
     }
     if (state_.cArm.columnSpacingMm.origin == core::Origin::Derived && !state_.cameraOverride) {
         notes << tr(
-            "The header gives no pixel spacing; this value is derived. Press Enter in the field to confirm it, or "
+            "The header contains no pixel spacing; this value is derived. Press Enter in the field to confirm it, or "
             "enter another value.");
     }
     if (state_.cArm.mirrored.value.value_or(false) && !state_.cameraOverride) {
         notes << tr("The image is assumed to be mirrored (%1). Check left and right.")
-                     .arg(originWord(state_.cArm.mirrored.origin));
+                     .arg(originText(state_.cArm.mirrored.origin));
     }
-    if (state_.turnedDeg.norm() > 0.0) {
-        notes << tr("The gantry rotates during this run: by %1° LAO/RAO and %2° CRA/CAU from the first frame to this "
-                    "one.")
-                     .arg(numberText(state_.turnedDeg.x(), 1))
-                     .arg(numberText(state_.turnedDeg.y(), 1));
+    if (state_.gantryRotationDeg.norm() > 0.0) {
+        notes << tr("The gantry rotates during this run: by %1° in LAO/RAO and %2° in CRA/CAU from the first frame to "
+                    "this one.")
+                     .arg(numberText(state_.gantryRotationDeg.x(), 1))
+                     .arg(numberText(state_.gantryRotationDeg.y(), 1));
     }
     notes_->setText(notes.join(QLatin1Char('\n')));
     notes_->setVisible(!notes.isEmpty());
@@ -260,7 +261,7 @@ void GeometryPanel::focusFirstMissing()
 {
     setFolded(false);
     for (const GeometryValue value : allValues()) {
-        if (kindOf(value).isNeeded && !shownValue(state_, value).value) {
+        if (infoOf(value).isRequired && !shownValue(state_, value).value) {
             row(value).field->setFocus(Qt::OtherFocusReason);
             return;
         }
@@ -271,15 +272,15 @@ void GeometryPanel::focusFirstMissing()
 void GeometryPanel::editValue(GeometryValue value, double number)
 {
     emit edited(withValue(state_, value, number, core::Origin::User, "entered in the window"),
-                [value] { return tr(kindOf(value).label); });
+                [value] { return tr(infoOf(value).label); });
 }
 
 void GeometryPanel::confirmValue(GeometryValue value)
 {
     const core::Sourced<double> sourced = shownValue(state_, value);
-    if (sourced.value && needsLook(value, sourced.origin)) {
+    if (sourced.value && needsAttention(value, sourced.origin)) {
         emit edited(withValue(state_, value, *sourced.value, core::Origin::User, "confirmed: " + sourced.basis),
-                    [value] { return tr(kindOf(value).label); });
+                    [value] { return tr(infoOf(value).label); });
     }
 }
 
@@ -287,8 +288,8 @@ void GeometryPanel::assumeMissing()
 {
     GeometryState assumed = state_;
     for (const GeometryValue value : allValues()) {
-        if (kindOf(value).isNeeded && !shownValue(state_, value).value) {
-            assumed.cArm = withValue(assumed, value, kindOf(value).usual, core::Origin::Assumed, "typical for a C-arm");
+        if (infoOf(value).isRequired && !shownValue(state_, value).value) {
+            assumed.cArm = withValue(assumed, value, infoOf(value).usual, core::Origin::Assumed, "typical for a C-arm");
         }
     }
     emit edited(assumed.cArm, [] { return tr("missing values"); });

@@ -2,7 +2,7 @@
 
 #include "ui/controls/section.h"
 #include "ui/panels/geometry_values.h"
-#include "ui/words/spoken.h"
+#include "ui/words/retranslation.h"
 
 #include <QPushButton>
 
@@ -24,8 +24,8 @@ public:
     void focusFirstMissing();
 
 signals:
-    void edited(const core::CArm& cArm, const ui::Words& what);
-    void cameraOverrideDropped();
+    void edited(const core::CArm& cArm, const ui::LocalizedText& undoText);
+    void cameraOverrideRemoved();
 
 private:
     struct Row {
@@ -34,28 +34,28 @@ private:
     };
     static QGridLayout* makeGrid();
     void addRow(GeometryValue value, QGridLayout* grid);
-    void addShownFrom(QGridLayout* grid);
+    void addDisplaySide(QGridLayout* grid);
     Row& row(GeometryValue value) { return rows_[static_cast<std::size_t>(value)]; }
     void editValue(GeometryValue value, double number);
     void confirmValue(GeometryValue value);
     void assumeMissing();
     void showRow(GeometryValue value);
-    void showShownFrom();
+    void showDisplaySide();
     void showHeader();
     void showNotes();
     QString summary() const;
 
     GeometryState state_;
     std::array<Row, geometryValueCount> rows_{};
-    QComboBox* shownFrom_;
-    QLabel* shownFromOrigin_;
-    Section* seldom_;
+    QComboBox* displaySide_;
+    QLabel* displaySideOrigin_;
+    Section* advanced_;
     Section* header_;
     QLabel* headerText_;
     QLabel* camera_;
     QLabel* notes_;
     QPushButton* assume_;
-    QPushButton* dropOverride_;
+    QPushButton* removeOverride_;
     bool wasComplete_ = true;
 };
 

@@ -23,9 +23,9 @@ NumberFormat pixels()
     return {-100000.0, 100000.0, 1, QStringLiteral("px"), 1.0};
 }
 
-const std::array<GeometryValueKind, geometryValueCount>& kinds()
+const std::array<GeometryValueInfo, geometryValueCount>& kinds()
 {
-    static const std::array<GeometryValueKind, geometryValueCount> table{
+    static const std::array<GeometryValueInfo, geometryValueCount> table{
         {{QT_TRANSLATE_NOOP("angiopose::ui::GeometryPanel", "SID"),
           QT_TRANSLATE_NOOP("angiopose::ui::GeometryPanel", "Source-to-detector distance"),
           millimeters(100.0, 3000.0, 1, 1.0), 1000.0, true},
@@ -34,11 +34,11 @@ const std::array<GeometryValueKind, geometryValueCount>& kinds()
           millimeters(100.0, 3000.0, 1, 1.0), 750.0, true},
          {QT_TRANSLATE_NOOP("angiopose::ui::GeometryPanel", "pixel spacing"),
           QT_TRANSLATE_NOOP("angiopose::ui::GeometryPanel",
-                            "Pixel spacing on the detector. Enter confirms a derived value."),
+                            "Pixel spacing at the detector. Press Enter to confirm a derived value."),
           millimeters(0.01, 5.0, 4, 0.01), 0.3, true},
          {QT_TRANSLATE_NOOP("angiopose::ui::GeometryPanel", "detector width"),
           QT_TRANSLATE_NOOP("angiopose::ui::GeometryPanel",
-                            "Width of the image on the detector; determines the pixel spacing"),
+                            "Width of the image at the detector; determines the pixel spacing"),
           millimeters(10.0, 1000.0, 1, 1.0), 0.0, false},
          {QT_TRANSLATE_NOOP("angiopose::ui::GeometryPanel", "LAO / RAO"),
           QT_TRANSLATE_NOOP("angiopose::ui::GeometryPanel", "Primary angle: LAO positive, RAO negative"),
@@ -51,11 +51,11 @@ const std::array<GeometryValueKind, geometryValueCount>& kinds()
           false},
          {QT_TRANSLATE_NOOP("angiopose::ui::GeometryPanel", "center x"),
           QT_TRANSLATE_NOOP("angiopose::ui::GeometryPanel",
-                            "Column where the central ray meets the detector; 0 is the center of the first column"),
+                            "Column in which the central ray meets the detector; 0 is the center of the first column"),
           pixels(), 0.0, false},
          {QT_TRANSLATE_NOOP("angiopose::ui::GeometryPanel", "center y"),
           QT_TRANSLATE_NOOP("angiopose::ui::GeometryPanel",
-                            "Row where the central ray meets the detector; 0 is the center of the first row"),
+                            "Row in which the central ray meets the detector; 0 is the center of the first row"),
           pixels(), 0.0, false},
          {QT_TRANSLATE_NOOP("angiopose::ui::GeometryPanel", "isocenter L"),
           QT_TRANSLATE_NOOP("angiopose::ui::GeometryPanel", "Gantry rotation center in vessel coordinates: left"),
@@ -103,7 +103,7 @@ Eigen::Index indexFrom(GeometryValue first, GeometryValue value)
 
 }   // namespace
 
-const GeometryValueKind& kindOf(GeometryValue value)
+const GeometryValueInfo& infoOf(GeometryValue value)
 {
     return kinds()[static_cast<std::size_t>(value)];
 }

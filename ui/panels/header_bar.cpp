@@ -1,7 +1,7 @@
 #include "ui/panels/header_bar.h"
 
 #include "ui/controls/section.h"
-#include "ui/words/spoken.h"
+#include "ui/words/retranslation.h"
 
 #include <QHBoxLayout>
 #include <QToolButton>
@@ -10,13 +10,13 @@ namespace angiopose::ui {
 namespace {
 
 /// Styles the overflow button of the menu bar; Qt's own icon suits only light windows.
-void showRestOf(QMenuBar& menuBar)
+void showOverflow(QMenuBar& menuBar)
 {
-    if (auto* rest = menuBar.findChild<QToolButton*>(QStringLiteral("qt_menubar_ext_button"))) {
-        rest->setIcon({});
-        rest->setToolButtonStyle(Qt::ToolButtonTextOnly);
-        rest->setText(QStringLiteral("»"));
-        withTip(rest, [] { return HeaderBar::tr("More menus"); });
+    if (auto* extension = menuBar.findChild<QToolButton*>(QStringLiteral("qt_menubar_ext_button"))) {
+        extension->setIcon({});
+        extension->setToolButtonStyle(Qt::ToolButtonTextOnly);
+        extension->setText(QStringLiteral("»"));
+        withToolTip(extension, [] { return HeaderBar::tr("More menus"); });
     }
 }
 
@@ -29,10 +29,10 @@ HeaderBar::HeaderBar(QWidget* parent)
     setAttribute(Qt::WA_StyledBackground);
     menuBar_->setNativeMenuBar(false);
     menuBar_->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Preferred);
-    showRestOf(*menuBar_);
+    showOverflow(*menuBar_);
     auto* notice = withText(roleLabel("attention"), [] { return tr("Not for clinical use"); });
     notice->setObjectName(QStringLiteral("clinicalNotice"));
-    withTip(notice, [] { return tr("AngioPose is research software, not a medical device."); });
+    withToolTip(notice, [] { return tr("AngioPose is research software, not a medical device."); });
 
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(14, 4, 14, 4);

@@ -2,7 +2,7 @@
 
 #include "ui/actions/key_hint.h"
 #include "ui/words/number.h"
-#include "ui/words/spoken.h"
+#include "ui/words/retranslation.h"
 
 #include <QAction>
 #include <QHBoxLayout>
@@ -14,7 +14,7 @@
 namespace angiopose::ui {
 namespace {
 
-constexpr int shownRows = 6;
+constexpr int maxVisibleRows = 6;
 
 }   // namespace
 
@@ -23,24 +23,27 @@ LandmarkPanel::LandmarkPanel(QWidget* parent)
           "landmarks", [] { return tr("Landmarks"); }, Folding::Foldable, parent),
       list_(new QListWidget),
       verdict_(roleLabel("hint")),
-      mode_(withText(new QPushButton, [] { return withKey(tr("Pick pairs"), Command::Landmarks); })),
+      mode_(withText(new QPushButton, [] { return withShortcut(tr("Pick pairs"), Command::Landmarks); })),
       place_(withText(new QPushButton, [] { return tr("Compute pose"); })),
       remove_(withText(new QPushButton, [] { return tr("Remove"); }))
 {
     list_->setSelectionMode(QAbstractItemView::ExtendedSelection);
-    withName(list_, [] { return tr("Landmarks and their residuals"); });
+    withAccessibleName(list_, [] { return tr("Landmarks and their residuals"); });
     list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     list_->installEventFilter(this);
     verdict_->setWordWrap(true);
     mode_->setCheckable(true);
-    withTip(mode_, [] {
-        return tipWithKey(tr("Click a point on the vessels in 3-D (or a slice), then the same point in the image."),
-                          Command::Landmarks);
+    withToolTip(mode_, [] {
+        return tooltipWithShortcut(
+            tr("Click a point on the vessels in 3-D (or a slice), then the same point in the image."),
+            Command::Landmarks);
     });
-    withTip(place_, [] {
-        return tr("Computes the initial pose from the pairs (Enter while clicking). Undo restores the previous one.");
+    withToolTip(place_, [] {
+        return tr(
+            "Computes the initial pose from the pairs (or press Enter while picking). Undo restores the previous "
+            "pose.");
     });
-    withTip(remove_, [] { return tr("Removes the selected pairs (Delete)"); });
+    withToolTip(remove_, [] { return tr("Removes the selected pairs (Delete)"); });
     remove_->setProperty("role", "quiet");
     connect(place_, &QPushButton::clicked, this, &LandmarkPanel::poseRequested);
     connect(remove_, &QPushButton::clicked, this, &LandmarkPanel::removeSelected);
@@ -56,7 +59,7 @@ LandmarkPanel::LandmarkPanel(QWidget* parent)
     contentLayout()->addLayout(buttons);
     setFolded(true);
     showLandmarks({});
-    speak(this, [this] { showKeys(); });
+    keepTranslated(this, [this] { showKeys(); });
 }
 
 void LandmarkPanel::bindMode(QAction& action)
@@ -80,7 +83,7 @@ void LandmarkPanel::showLandmarks(const LandmarkState& state)
         const QString error = isKnown ? tr("%1 px").arg(numberText(state.errorPx[i], 1)) : tr("not in view");
         list_->addItem(QStringLiteral("%1   %2   %3").arg(i + 1).arg(name, error));
     }
-    const int rows = std::min(list_->count(), shownRows);
+    const int rows = std::min(list_->count(), maxVisibleRows);
     list_->setVisible(rows > 0);
     list_->setFixedHeight(rows > 0 ? rows * list_->sizeHintForRow(0) + 4 : 0);
     verdict_->setText(state.verdict);

@@ -2,7 +2,7 @@
 
 #include "ui/actions/key_hint.h"
 #include "ui/theme/active_theme.h"
-#include "ui/words/spoken.h"
+#include "ui/words/retranslation.h"
 
 #include <QAction>
 #include <QGridLayout>
@@ -18,12 +18,12 @@
 namespace angiopose::ui {
 namespace {
 
-constexpr int shownMarks = 6;
+constexpr int maxVisibleRows = 6;
 enum MarkColumn { MarkName, MarkValue, MarkColumnCount };
-constexpr std::array markCommands{Command::TargetPoint, Command::OstiumRing, Command::SeenHere, Command::DrawArrow,
+constexpr std::array markCommands{Command::TargetPoint, Command::OstiumRing, Command::TargetInImage, Command::DrawArrow,
                                   Command::WriteText};
 
-QString markModeWord(std::size_t mode)
+QString markModeText(std::size_t mode)
 {
     switch (mode) {
         case 0:
@@ -41,8 +41,8 @@ QString markModeWord(std::size_t mode)
 
 QPushButton* markModeButton(std::size_t mode)
 {
-    auto* button = withText(new QPushButton, [mode] { return markModeWord(mode); });
-    withTip(button, [mode] { return withKey(markModeWord(mode), markCommands[mode]); });
+    auto* button = withText(new QPushButton, [mode] { return markModeText(mode); });
+    withToolTip(button, [mode] { return withShortcut(markModeText(mode), markCommands[mode]); });
     button->setCheckable(true);
     return button;
 }
@@ -58,8 +58,8 @@ MarkPanel::MarkPanel(QWidget* parent)
       remove_(withText(new QPushButton, [] { return tr("Remove"); })),
       export_(withText(new QPushButton, [] { return tr("Table…"); }))
 {
-    withTip(remove_, [] { return tr("Removes the selected marks (Delete)"); });
-    withTip(export_, [] { return tr("Writes all target points and rings with their errors as a CSV table."); });
+    withToolTip(remove_, [] { return tr("Removes the selected marks (Delete)"); });
+    withToolTip(export_, [] { return tr("Writes all target points and rings and their errors as a CSV table."); });
     remove_->setProperty("role", "quiet");
     basis_->setWordWrap(true);
     setUpList();
@@ -86,7 +86,7 @@ MarkPanel::MarkPanel(QWidget* parent)
 
 void MarkPanel::setUpList()
 {
-    withName(list_, [] { return tr("Marks"); });
+    withAccessibleName(list_, [] { return tr("Marks"); });
     list_->setColumnCount(MarkColumnCount);
     list_->setHeaderHidden(true);
     list_->setRootIsDecorated(false);
@@ -105,13 +105,13 @@ void MarkPanel::connectParts()
     connect(remove_, &QPushButton::clicked, this, &MarkPanel::removeChosen);
     connect(export_, &QPushButton::clicked, this, &MarkPanel::exportRequested);
     connect(list_, &QTreeWidget::itemSelectionChanged, this, [this] {
-        if (!showing_) {
+        if (!isUpdating_) {
             showBasis();
-            emit choiceChanged();
+            emit selectionChanged();
         }
     });
     connect(list_, &QTreeWidget::itemChanged, this, [this](QTreeWidgetItem* item, int column) {
-        if (!showing_ && column == MarkName) {
+        if (!isUpdating_ && column == MarkName) {
             emit renamed(list_->indexOfTopLevelItem(item), item->text(MarkName));
         }
     });
@@ -138,28 +138,28 @@ std::set<int> MarkPanel::chosen() const
     return places;
 }
 
-void MarkPanel::choose(int place)
+void MarkPanel::choose(int index)
 {
     list_->clearSelection();
-    list_->setCurrentItem(list_->topLevelItem(place));
+    list_->setCurrentItem(list_->topLevelItem(index));
 }
 
 void MarkPanel::showMarks(const std::vector<MarkRow>& rows, const QString& note)
 {
-    const QScopedValueRollback quiet(showing_, true);
+    const QScopedValueRollback quiet(isUpdating_, true);
     rows_ = rows;
     note_ = note;
     const auto count = static_cast<int>(rows.size());
     while (list_->topLevelItemCount() > count) {
         delete list_->takeTopLevelItem(list_->topLevelItemCount() - 1);
     }
-    for (int place = 0; place < count; ++place) {
-        QTreeWidgetItem* item = list_->topLevelItem(place);
+    for (int index = 0; index < count; ++index) {
+        QTreeWidgetItem* item = list_->topLevelItem(index);
         if (!item) {
             item = new QTreeWidgetItem(list_);
             item->setFlags(item->flags() | Qt::ItemIsEditable);
         }
-        const MarkRow& row = rows[static_cast<std::size_t>(place)];
+        const MarkRow& row = rows[static_cast<std::size_t>(index)];
         item->setText(MarkName, row.name);
         item->setText(MarkValue, row.value);
         item->setTextAlignment(MarkValue, Qt::AlignRight | Qt::AlignVCenter);
@@ -168,7 +168,7 @@ void MarkPanel::showMarks(const std::vector<MarkRow>& rows, const QString& note)
             item->setToolTip(column, row.basis);
         }
     }
-    const int visible = std::min(count, shownMarks);
+    const int visible = std::min(count, maxVisibleRows);
     list_->setVisible(visible > 0);
     list_->setFixedHeight(visible > 0 ? visible * list_->sizeHintForRow(0) + 4 : 0);
     setHint(count == 0 ? QString() : QString::number(count));

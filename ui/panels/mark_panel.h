@@ -32,11 +32,11 @@ public:
     void showMarks(const std::vector<MarkRow>& rows, const QString& note);   ///< emits no signal, keeps the selection
     void bindMode(std::size_t mode, QAction& action);   ///< connects the action of a mode; `mode` is a ui::MarkMode
     std::set<int> chosen() const;   ///< indices of the selected rows
-    void choose(int place);
+    void choose(int index);
 
 signals:
-    void choiceChanged();   ///< the selection changed, see `chosen`
-    void renamed(int place, const QString& name);
+    void selectionChanged();   ///< the selection changed, see `chosen`
+    void renamed(int index, const QString& name);
     void removeRequested(const std::set<int>& places);
     void exportRequested();
 
@@ -57,7 +57,7 @@ private:
     QPushButton* export_;
     std::vector<MarkRow> rows_;
     QString note_;
-    bool showing_ = false;   ///< true while the program, not the user, changes the list
+    bool isUpdating_ = false;   ///< true while the program, not the user, changes the list
 };
 
 }   // namespace angiopose::ui

@@ -2,7 +2,7 @@
 
 #include "ui/actions/key_hint.h"
 #include "ui/theme/active_theme.h"
-#include "ui/words/spoken.h"
+#include "ui/words/retranslation.h"
 
 #include <QAction>
 #include <QComboBox>
@@ -19,7 +19,7 @@
 namespace angiopose::ui {
 namespace {
 
-constexpr int shownMeasurements = 6;
+constexpr int maxVisibleRows = 6;
 enum MeasureColumn { MeasureName, MeasureValue, MeasureColumnCount };
 
 Command commandOf(core::MeasurementKind kind)
@@ -29,17 +29,17 @@ Command commandOf(core::MeasurementKind kind)
                                                   : Command::MeasureArea;
 }
 
-QString kindWord(core::MeasurementKind kind)
+QString kindText(core::MeasurementKind kind)
 {
     return kind == core::MeasurementKind::Length  ? MeasurePanel::tr("Length")
            : kind == core::MeasurementKind::Angle ? MeasurePanel::tr("Angle")
                                                   : MeasurePanel::tr("Area");
 }
 
-QPushButton* modeButton(core::MeasurementKind kind)
+QPushButton* makeModeButton(core::MeasurementKind kind)
 {
-    auto* button = withText(new QPushButton, [kind] { return kindWord(kind); });   // too narrow for shortcuts
-    withTip(button, [kind] { return withKey(kindWord(kind), commandOf(kind)); });
+    auto* button = withText(new QPushButton, [kind] { return kindText(kind); });   // too narrow for shortcuts
+    withToolTip(button, [kind] { return withShortcut(kindText(kind), commandOf(kind)); });
     button->setCheckable(true);
     return button;
 }
@@ -53,21 +53,22 @@ MeasurePanel::MeasurePanel(QWidget* parent)
       scale_(new QDoubleSpinBox),
       list_(new QTreeWidget),
       basis_(roleLabel("hint")),
-      modes_{modeButton(core::MeasurementKind::Length), modeButton(core::MeasurementKind::Angle),
-             modeButton(core::MeasurementKind::Area)},
+      modes_{makeModeButton(core::MeasurementKind::Length), makeModeButton(core::MeasurementKind::Angle),
+             makeModeButton(core::MeasurementKind::Area)},
       remove_(withText(new QPushButton, [] { return tr("Remove"); })),
       export_(withText(new QPushButton, [] { return tr("Table…"); }))
 {
-    withName(plane_, [] { return tr("Measurement basis"); });
-    withTip(plane_, [] { return tr("Measures lengths at the depth of the vessels, on the detector, or in pixels."); });
-    withName(scale_, [] { return tr("Image scale"); });
-    withTip(scale_, [] { return tr("Size of a pixel in the patient, if known from another source."); });
+    withAccessibleName(plane_, [] { return tr("Measurement basis"); });
+    withToolTip(plane_,
+                [] { return tr("Measures lengths at the depth of the vessels, at the detector, or in pixels."); });
+    withAccessibleName(scale_, [] { return tr("Image scale"); });
+    withToolTip(scale_, [] { return tr("Size of a pixel in the patient, if known from another source."); });
     scale_->setDecimals(4);
     scale_->setRange(0.0, 100.0);
     scale_->setSingleStep(0.01);
     scale_->setKeyboardTracking(false);
-    withTip(remove_, [] { return tr("Removes the selected measurements (Delete)"); });
-    withTip(export_, [] { return tr("Writes all measurements with their basis as a CSV table."); });
+    withToolTip(remove_, [] { return tr("Removes the selected measurements (Delete)"); });
+    withToolTip(export_, [] { return tr("Writes all measurements and their basis as a CSV table."); });
     remove_->setProperty("role", "quiet");
     basis_->setWordWrap(true);
     setUpList();
@@ -88,18 +89,18 @@ MeasurePanel::MeasurePanel(QWidget* parent)
     contentLayout()->addLayout(buttons);
     setFolded(true);
     connectParts();
-    speak(this, [this] {
+    keepTranslated(this, [this] {
         const QSignalBlocker quiet(plane_);
         scale_->setSuffix(tr(" mm per pixel"));
         scale_->setSpecialValueText(tr("no scale entered"));
-        setWords(*plane_, {tr("at the vessels"), tr("at the detector"), tr("in pixels"), tr("by entered scale")});
+        setItemTexts(*plane_, {tr("at the vessels"), tr("at the detector"), tr("in pixels"), tr("by entered scale")});
     });
     showMeasurements({});
 }
 
 void MeasurePanel::setUpList()
 {
-    withName(list_, [] { return tr("Measurements in image and slices"); });
+    withAccessibleName(list_, [] { return tr("Measurements in image and slices"); });
     list_->setColumnCount(MeasureColumnCount);
     list_->setHeaderHidden(true);
     list_->setRootIsDecorated(false);
@@ -121,13 +122,13 @@ void MeasurePanel::connectParts()
     connect(remove_, &QPushButton::clicked, this, &MeasurePanel::removeChosen);
     connect(export_, &QPushButton::clicked, this, &MeasurePanel::exportRequested);
     connect(list_, &QTreeWidget::itemSelectionChanged, this, [this] {
-        if (!showing_) {
+        if (!isUpdating_) {
             showBasis();
-            emit choiceChanged();
+            emit selectionChanged();
         }
     });
     connect(list_, &QTreeWidget::itemChanged, this, [this](QTreeWidgetItem* item, int column) {
-        if (!showing_ && column == MeasureName) {
+        if (!isUpdating_ && column == MeasureName) {
             emit renamed(list_->indexOfTopLevelItem(item), item->text(MeasureName));
         }
     });
@@ -156,7 +157,7 @@ std::set<int> MeasurePanel::chosen() const
 
 void MeasurePanel::showMeasurements(const MeasureState& state)
 {
-    const QScopedValueRollback quiet(showing_, true);
+    const QScopedValueRollback quiet(isUpdating_, true);
     state_ = state;
     const auto count = static_cast<int>(state.rows.size());
     while (list_->topLevelItemCount() > count) {
@@ -177,13 +178,13 @@ void MeasurePanel::showMeasurements(const MeasureState& state)
             item->setToolTip(column, row.basis);
         }
     }
-    const int rows = std::min(count, shownMeasurements);
+    const int rows = std::min(count, maxVisibleRows);
     list_->setVisible(rows > 0);
     list_->setFixedHeight(rows > 0 ? rows * list_->sizeHintForRow(0) + 4 : 0);
     plane_->setCurrentIndex(static_cast<int>(state.plane));
     const QSignalBlocker quietScale(scale_);
     scale_->setVisible(state.plane == core::MeasurementPlane::Typed);
-    scale_->setValue(state.typedMmPerPx.value_or(0.0));
+    scale_->setValue(state.enteredMmPerPx.value_or(0.0));
     setHint(count == 0 ? QString() : tr("%1 measured").arg(count));
     showBasis();
 }

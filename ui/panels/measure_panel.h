@@ -30,7 +30,7 @@ struct MeasureState {
     std::vector<MeasureRow> rows;
     core::MeasurementPlane plane = core::MeasurementPlane::Vessels;   ///< of the selected measurements, or the next one
     QString basis;   ///< explanation of the plane
-    std::optional<double> typedMmPerPx;
+    std::optional<double> enteredMmPerPx;
 };
 
 /// Panel for measurements in the angiogram and in slices: the plane assumed for the angiogram, buttons for the drawing
@@ -47,7 +47,7 @@ public:
 signals:
     void planePicked(core::MeasurementPlane plane);
     void scaleTyped(double mmPerPx);   ///< 0 if the user cleared the scale
-    void choiceChanged();   ///< the selection changed, see `chosen`
+    void selectionChanged();   ///< the selection changed, see `chosen`
     void renamed(int place, const QString& name);
     void removeRequested(const std::set<int>& places);
     void exportRequested();
@@ -70,7 +70,7 @@ private:
     QPushButton* remove_;
     QPushButton* export_;
     MeasureState state_;
-    bool showing_ = false;   ///< true while the program, not the user, changes the list
+    bool isUpdating_ = false;   ///< true while the program, not the user, changes the list
 };
 
 }   // namespace angiopose::ui

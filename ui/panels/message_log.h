@@ -16,7 +16,7 @@ struct LoggedMessage {
 /// Log of the most recent messages; repeated messages are listed once.
 class MessageLog {
 public:
-    static constexpr std::size_t kept = 500;
+    static constexpr std::size_t maxCount = 500;
 
     void add(const QString& text)
     {
@@ -24,7 +24,7 @@ public:
             return;
         }
         all_.push_back({QDateTime::currentDateTime(), text});
-        if (all_.size() > kept) {
+        if (all_.size() > maxCount) {
             all_.pop_front();
         }
     }

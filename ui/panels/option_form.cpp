@@ -2,7 +2,7 @@
 
 #include "ui/controls/number_field.h"
 #include "ui/controls/section.h"
-#include "ui/words/spoken.h"
+#include "ui/words/retranslation.h"
 #include "ui/words/terms.h"
 
 #include <QCheckBox>
@@ -48,7 +48,7 @@ OptionForm::OptionForm(QWidget* parent) : QWidget(parent), form_(new QFormLayout
 void OptionForm::showOptions(const core::RegistrationOptions& options)
 {
     options_ = options;
-    if (options.method != shownMethod_) {
+    if (options.method != displayedMethod_) {
         rebuild();
     }
     for (const auto& refresh : refreshers_) {
@@ -58,21 +58,21 @@ void OptionForm::showOptions(const core::RegistrationOptions& options)
 
 void OptionForm::rebuild()
 {
-    shownMethod_ = options_.method;
+    displayedMethod_ = options_.method;
     refreshers_.clear();
     while (form_->rowCount() > 0) {
         form_->removeRow(0);
     }
     for (const core::OptionField& field : core::optionFields()) {
-        if (!core::isFor(field, shownMethod_)) {
+        if (!core::appliesTo(field, displayedMethod_)) {
             continue;
         }
         QWidget* editor = makeEditor(field);
         editor->setObjectName(fromView(field.key));
-        withName(editor, [&field] { return termText(field.label); });
-        withTip(editor, [&field] { return termText(field.help); });
+        withAccessibleName(editor, [&field] { return termText(field.label); });
+        withToolTip(editor, [&field] { return termText(field.help); });
         auto* label = withText(roleLabel("label"), [&field] { return termText(field.label); });
-        withTip(label, [&field] { return termText(field.help); });
+        withToolTip(label, [&field] { return termText(field.help); });
         form_->addRow(label, editor);
         refreshers_.back()();
     }
@@ -97,12 +97,12 @@ QWidget* OptionForm::makeSwitch(const core::OptionField& field)
 QWidget* OptionForm::makeChoice(const core::OptionField& field)
 {
     auto* box = new QComboBox;
-    speak(box, [box, &field] {
+    keepTranslated(box, [box, &field] {
         QStringList words;
         for (const std::string_view name : core::namesOf(field)) {
             words << choiceText(name);
         }
-        setWords(*box, words);
+        setItemTexts(*box, words);
     });
     connect(box, &QComboBox::activated, this,
             [this, &field](int index) { write(field, static_cast<std::size_t>(index)); });

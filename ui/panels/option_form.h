@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/registration/options/option_fields.h"
-#include "ui/words/spoken.h"
+#include "ui/words/retranslation.h"
 
 #include <QWidget>
 
@@ -21,7 +21,7 @@ public:
     void showOptions(const core::RegistrationOptions& options);   ///< emits no signal; rebuilds if the method changed
 
 signals:
-    void edited(const core::RegistrationOptions& options, const ui::Words& fieldLabel);
+    void edited(const core::RegistrationOptions& options, const ui::LocalizedText& fieldLabel);
 
 private:
     void rebuild();
@@ -33,7 +33,7 @@ private:
 
     core::RegistrationOptions options_;
     QFormLayout* form_;
-    std::string shownMethod_;
+    std::string displayedMethod_;
     std::vector<std::function<void()>> refreshers_;   ///< one function per editor, which updates the displayed value
 };
 

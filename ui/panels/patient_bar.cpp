@@ -1,23 +1,23 @@
 #include "ui/panels/patient_bar.h"
 
 #include "ui/controls/section.h"
-#include "ui/words/spoken.h"
+#include "ui/words/retranslation.h"
 
 #include <QHBoxLayout>
 
 namespace angiopose::ui {
 
 PatientBar::PatientBar(QWidget* parent)
-    : QWidget(parent), doubt_(roleLabel("attention")), name_(roleLabel("title")), details_(new ElidedLabel("label"))
+    : QWidget(parent), warning_(roleLabel("attention")), name_(roleLabel("title")), details_(new ElidedLabel("label"))
 {
     setProperty("role", "stepBar");
     setAttribute(Qt::WA_StyledBackground);
-    withName(this, [] { return tr("Patient"); });
-    doubt_->setObjectName(QStringLiteral("patientDoubt"));
+    withAccessibleName(this, [] { return tr("Patient"); });
+    warning_->setObjectName(QStringLiteral("patientDoubt"));
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(14, 2, 14, 4);
     layout->setSpacing(12);
-    layout->addWidget(doubt_);
+    layout->addWidget(warning_);
     layout->addWidget(name_);
     layout->addWidget(details_, 1);
     setMinimumWidth(1);
@@ -26,12 +26,12 @@ PatientBar::PatientBar(QWidget* parent)
 
 void PatientBar::showPatient(const PatientLine& line)
 {
-    doubt_->setText(line.doubt);
-    doubt_->setVisible(!line.doubt.isEmpty());
+    warning_->setText(line.warning);
+    warning_->setVisible(!line.warning.isEmpty());
     name_->setText(line.name);
     name_->setVisible(!line.name.isEmpty());
     details_->showText(line.details);
-    setVisible(!(line.doubt.isEmpty() && line.name.isEmpty() && line.details.isEmpty()));
+    setVisible(!(line.warning.isEmpty() && line.name.isEmpty() && line.details.isEmpty()));
 }
 
 }   // namespace angiopose::ui

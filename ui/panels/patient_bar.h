@@ -10,7 +10,7 @@ class ElidedLabel;
 
 /// Texts of the patient bar, shown in one line.
 struct PatientLine {
-    QString doubt;   ///< problem with the patient identity, shown first; empty if none
+    QString warning;   ///< problem with the patient identity, shown first; empty if none
     QString name;
     QString details;   ///< ID, birth date and sex, and the inputs that state them
 };
@@ -24,7 +24,7 @@ public:
     void showPatient(const PatientLine& line);
 
 private:
-    QLabel* doubt_;
+    QLabel* warning_;
     QLabel* name_;
     ElidedLabel* details_;
 };

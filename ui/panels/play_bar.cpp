@@ -3,7 +3,7 @@
 #include "ui/actions/key_hint.h"
 #include "ui/controls/glyph_button.h"
 #include "ui/words/number.h"
-#include "ui/words/spoken.h"
+#include "ui/words/retranslation.h"
 
 #include <QComboBox>
 #include <QHBoxLayout>
@@ -23,7 +23,7 @@ QString speedName(double speed)
     return number + QStringLiteral("×");
 }
 
-int placeOfSpeed(double speed)
+int indexOfSpeed(double speed)
 {
     const auto off = [speed](double offered) { return std::abs(std::log(offered / std::max(speed, 1e-3))); };
     return static_cast<int>(std::ranges::min_element(playSpeeds, {}, off) - playSpeeds.begin());
@@ -58,40 +58,42 @@ PlayBar::PlayBar(QWidget* parent)
         emit orderPicked(shownOrder_ == core::CineOrder::Loop ? core::CineOrder::BackAndForth : core::CineOrder::Loop);
     });
     showSpeed(1.0);
-    speak(this, [this] { sayWords(); });
+    keepTranslated(this, [this] { updateTexts(); });
 }
 
 void PlayBar::showFrameTime(const FrameTime& time)
 {
     time_ = time;
-    sayWords();
+    updateTexts();
 }
 
 void PlayBar::showSpeed(double speed)
 {
-    speed_->setCurrentIndex(placeOfSpeed(speed));
+    speed_->setCurrentIndex(indexOfSpeed(speed));
 }
 
 void PlayBar::showOrder(core::CineOrder order)
 {
     shownOrder_ = order;
     order_->showGlyph(order == core::CineOrder::Loop ? GlyphButton::Glyph::Loop : GlyphButton::Glyph::BackAndForth);
-    sayWords();
+    updateTexts();
 }
 
 void PlayBar::showPlaying(bool playing)
 {
     isPlaying_ = playing;
     play_->showGlyph(playing ? GlyphButton::Glyph::Pause : GlyphButton::Glyph::Play);
-    sayWords();
+    updateTexts();
 }
 
-void PlayBar::sayWords()
+void PlayBar::updateTexts()
 {
     play_->setAccessibleName(isPlaying_ ? tr("Pause") : tr("Play"));
-    play_->setToolTip(isPlaying_ ? tipWithKey(tr("Stops at the frame shown. Esc returns to the frame before playback."),
-                                              Command::Cine)
-                                 : tipWithKey(tr("Plays the run"), Command::Cine));
+    play_->setToolTip(
+        isPlaying_
+            ? tooltipWithShortcut(tr("Stops at the current frame. Esc returns to the frame shown before playback."),
+                                  Command::Cine)
+            : tooltipWithShortcut(tr("Plays the run"), Command::Cine));
     const bool isLoop = shownOrder_ == core::CineOrder::Loop;
     order_->setAccessibleName(isLoop ? tr("Loop") : tr("Back and forth"));
     order_->setToolTip(order_->accessibleName());
@@ -105,8 +107,9 @@ void PlayBar::sayWords()
                             tr("%1 · %2 fps").arg(speedName(playSpeeds.at(i)), briefNumber(rate, 3)));
     }
     const QString rate = briefNumber(1000.0 / time_.ms, 3);
-    speed_->setToolTip(time_.isAssumed ? tr("The header gives no frame rate: 1× assumes %1 frames per second").arg(rate)
-                                       : tr("1×: acquisition frame rate, %1 frames per second").arg(rate));
+    speed_->setToolTip(time_.isAssumed
+                           ? tr("The header contains no frame rate: 1× assumes %1 frames per second").arg(rate)
+                           : tr("1×: acquisition frame rate, %1 frames per second").arg(rate));
 }
 
 }   // namespace angiopose::ui

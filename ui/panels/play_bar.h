@@ -39,7 +39,7 @@ signals:
     void orderPicked(angiopose::core::CineOrder order);
 
 private:
-    void sayWords();
+    void updateTexts();
 
     GlyphButton* play_;
     QComboBox* speed_;

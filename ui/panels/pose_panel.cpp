@@ -1,9 +1,9 @@
 #include "ui/panels/pose_panel.h"
 
 #include "ui/actions/key_hint.h"
-#include "ui/panels/lock_dot.h"
+#include "ui/panels/lock_button.h"
 #include "ui/words/number.h"
-#include "ui/words/spoken.h"
+#include "ui/words/retranslation.h"
 
 #include <QGridLayout>
 #include <QPushButton>
@@ -40,34 +40,34 @@ PosePanel::PosePanel(QWidget* parent)
     }
     auto* reset = withText(new QPushButton, [] { return tr("Reset to initial pose"); });
     reset->setProperty("role", "quiet");
-    withTip(reset, [] { return tipWithKey(tr("Undo restores the pose."), Command::ResetPose); });
+    withToolTip(reset, [] { return tooltipWithShortcut(tr("Undo restores the pose."), Command::ResetPose); });
     connect(reset, &QPushButton::clicked, this, &PosePanel::resetRequested);
     reset_ = reset;
     pivotNote_ = roleLabel("hint");
     pivotNote_->setWordWrap(true);
     pivotNote_->hide();
-    speak(this, [this] {
+    keepTranslated(this, [this] {
         pivotNote_->setText(
-            tr("Rotations and shifts refer to the selected rotation center. %1 resets it to the centroid.")
+            tr("Rotations and translations refer to the selected rotation center. %1 resets it to the centroid.")
                 .arg(keyOf(Command::CentroidPivot)));
     });
     contentLayout()->addLayout(grid);
     contentLayout()->addWidget(pivotNote_);
     contentLayout()->addWidget(reset);
-    speak(this, [this] { showNudgeMode(isNudging_); });
+    keepTranslated(this, [this] { showNudgeMode(isNudging_); });
     showOffset(std::nullopt);
 }
 
 PosePanel::Row PosePanel::makeRow(PoseAxis axis)
 {
     Row row{withText(roleLabel("label"), [this, axis] { return wordsOf(axis); }), new NumberField(formatOf(axis)),
-            new LockDot};
-    withName(row.field, [axis] { return tr("Pose %1").arg(labelOf(axis)); });
-    withTip(row.field, [axis] { return explanationOf(axis); });
-    withTip(row.label, [axis] { return explanationOf(axis); });
-    withName(row.lock, [axis] { return tr("Lock %1").arg(labelOf(axis)); });
-    withTip(row.lock,
-            [] { return tr("Locks this value: nudging, dragging, typing and Register leave it unchanged."); });
+            new LockButton};
+    withAccessibleName(row.field, [axis] { return tr("Pose %1").arg(labelOf(axis)); });
+    withToolTip(row.field, [axis] { return explanationOf(axis); });
+    withToolTip(row.label, [axis] { return explanationOf(axis); });
+    withAccessibleName(row.lock, [axis] { return tr("Lock %1").arg(labelOf(axis)); });
+    withToolTip(row.lock,
+                [] { return tr("Locks this value: nudging, dragging, typing and registration do not change it."); });
     row.label->setBuddy(row.field);
     connect(row.field, &NumberField::edited, this, [this, axis](double value) { editAxis(axis, value); });
     connect(row.lock, &QAbstractButton::clicked, this, [this, axis] { toggleLock(axis); });
@@ -107,7 +107,7 @@ void PosePanel::showPickedPivot(bool isPicked)
 void PosePanel::showNudgeMode(bool on)
 {
     isNudging_ = on;
-    setHint(on ? tr("nudging · arrow keys · %1 ends").arg(keyOf(Command::Nudge))
+    setHint(on ? tr("nudging · arrow keys · %1 to exit").arg(keyOf(Command::Nudge))
                : tr("%1: nudge (Ctrl fine, Shift coarse)").arg(keyOf(Command::Nudge)));
 }
 
@@ -117,7 +117,7 @@ void PosePanel::setActiveAxis(std::optional<PoseAxis> axis)
     mark();
 }
 
-void PosePanel::showDepthDoubt(std::optional<double> depthSigmaMm)
+void PosePanel::showDepthUncertainty(std::optional<double> depthSigmaMm)
 {
     depthSigmaMm_ = depthSigmaMm;
     rows_[static_cast<std::size_t>(PoseAxis::AlongRay)].label->setText(wordsOf(PoseAxis::AlongRay));
@@ -152,9 +152,9 @@ void PosePanel::editAxis(PoseAxis axis, double value)
 
 void PosePanel::toggleLock(PoseAxis axis)
 {
-    PoseLocks wanted = locks_;
-    wanted[static_cast<std::size_t>(axis)] = !wanted[static_cast<std::size_t>(axis)];
-    emit locksEdited(wanted);
+    PoseLocks newLocks = locks_;
+    newLocks[static_cast<std::size_t>(axis)] = !newLocks[static_cast<std::size_t>(axis)];
+    emit locksEdited(newLocks);
     showLocks(locks_);   // restores the current locks, since the owner may have rejected the edit
 }
 

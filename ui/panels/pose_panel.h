@@ -20,7 +20,8 @@ public:
     void showPickedPivot(bool isPicked);   ///< otherwise the rotation center is the centroid
     void showNudgeMode(bool on);
     void setActiveAxis(std::optional<PoseAxis> axis);   ///< highlights the axis in use
-    void showDepthDoubt(std::optional<double> depthSigmaMm);   ///< depth uncertainty of a single view, marked in amber
+    void showDepthUncertainty(
+        std::optional<double> depthSigmaMm);   ///< depth uncertainty of a single view, marked in amber
 
 signals:
     void offsetEdited(const core::PoseOffset& offset);

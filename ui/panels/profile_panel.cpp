@@ -4,7 +4,7 @@
 #include "ui/plots/profile_plot.h"
 #include "ui/words/message_text.h"
 #include "ui/words/number.h"
-#include "ui/words/spoken.h"
+#include "ui/words/retranslation.h"
 
 #include <QGridLayout>
 #include <QHBoxLayout>
@@ -25,7 +25,7 @@ QString numberOrNone(std::optional<double> value, int decimals, const QString& p
 
 }   // namespace
 
-QString stenosisWords(const core::StenosisMeasure& stenosis)
+QString stenosisText(const core::StenosisMeasure& stenosis)
 {
     return ProfilePanel::tr("%1 % at %2 mm (%3 of %4 mm, %5 mm long)")
         .arg(numberText(stenosis.percent, 0), numberText(stenosis.atMm, 1), numberText(stenosis.diameterMm, 2),
@@ -36,15 +36,15 @@ ProfilePanel::ProfilePanel(QWidget* parent)
     : Section(
           "profile", [] { return tr("Along the branch"); }, Folding::Foldable, parent),
       grid_(makeNumbers()),
-      doubt_(roleLabel("hint")),
+      warning_(roleLabel("hint")),
       plot_(new ProfilePlot),
       table_(withText(new QPushButton, [] { return tr("All branches…"); })),
       profile_(withText(new QPushButton, [] { return tr("Profile…"); }))
 {
-    doubt_->setWordWrap(true);
-    withTip(table_,
-            [] { return tr("Writes length, diameters, stenosis and curvature of all branches as a CSV table."); });
-    withTip(profile_, [] { return tr("Writes diameter and curvature along this branch as a CSV table."); });
+    warning_->setWordWrap(true);
+    withToolTip(table_,
+                [] { return tr("Writes length, diameters, stenosis and curvature of all branches as a CSV table."); });
+    withToolTip(profile_, [] { return tr("Writes diameter and curvature along this branch as a CSV table."); });
     connect(table_, &QPushButton::clicked, this, &ProfilePanel::tableRequested);
     connect(profile_, &QPushButton::clicked, this, &ProfilePanel::profileRequested);
     auto* buttons = new QHBoxLayout;
@@ -53,7 +53,7 @@ ProfilePanel::ProfilePanel(QWidget* parent)
     buttons->addWidget(profile_);
     contentLayout()->addWidget(grid_);
     contentLayout()->addWidget(plot_);
-    contentLayout()->addWidget(doubt_);
+    contentLayout()->addWidget(warning_);
     contentLayout()->addLayout(buttons);
     setFolded(true);
     showNothing({}, false);
@@ -61,9 +61,9 @@ ProfilePanel::ProfilePanel(QWidget* parent)
 
 QWidget* ProfilePanel::makeNumbers()
 {
-    const std::array<Words, NumberCount> names{[] { return tr("Length"); },        [] { return tr("Mean diameter"); },
-                                               [] { return tr("Min. diameter"); }, [] { return tr("Narrowest point"); },
-                                               [] { return tr("Tortuosity"); },    [] { return tr("Sharpest bend"); }};
+    const std::array<LocalizedText, NumberCount> names{
+        [] { return tr("Length"); },          [] { return tr("Mean diameter"); }, [] { return tr("Min. diameter"); },
+        [] { return tr("Narrowest point"); }, [] { return tr("Tortuosity"); },    [] { return tr("Sharpest bend"); }};
     auto* grid = new QWidget;
     auto* layout = new QGridLayout(grid);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -86,16 +86,16 @@ void ProfilePanel::showProfile(const core::VesselBranch& branch, const core::Bra
     numbers_[Length]->setText(numberOrNone(profile.lengthMm, 1, millimeters));
     numbers_[Diameter]->setText(numberOrNone(profile.meanDiameterMm, 2, millimeters));
     numbers_[MinDiameter]->setText(numberOrNone(profile.minDiameterMm, 2, millimeters));
-    numbers_[Stenosis]->setText(profile.stenosis ? stenosisWords(*profile.stenosis) : QStringLiteral("–"));
+    numbers_[Stenosis]->setText(profile.stenosis ? stenosisText(*profile.stenosis) : QStringLiteral("–"));
     numbers_[Tortuosity]->setText(numberOrNone(profile.tortuosity, 3, QStringLiteral("%1")));
-    const double deformationMm = 1.0 / profile.greatestCurvaturePerMm;
+    const double deformationMm = 1.0 / profile.maxCurvaturePerMm;
     numbers_[Curvature]->setText(deformationMm > straightFromMm ? tr("straight")
                                                                 : numberOrNone(deformationMm, 1, tr("radius %1 mm")));
     const QString basis = profile.meanDiameterMm ? tr("Diameters are twice the radii of the tree; the narrowest point "
-                                                      "is relative to the rest of the branch.")
+                                                      "is determined relative to the rest of the branch.")
                                                  : QString();
-    doubt_->setText(profile.doubts.empty() ? basis : messagesText(profile.doubts));
-    doubt_->show();
+    warning_->setText(profile.warnings.empty() ? basis : messagesText(profile.warnings));
+    warning_->show();
     plot_->showProfile(profile);
     grid_->show();
     plot_->show();
@@ -109,8 +109,8 @@ void ProfilePanel::showNothing(const QString& why, bool hasBranches)
     plot_->showProfile({});
     grid_->hide();
     plot_->hide();
-    doubt_->setText(why);
-    doubt_->setVisible(!why.isEmpty());
+    warning_->setText(why);
+    warning_->setVisible(!why.isEmpty());
     table_->setEnabled(hasBranches);
     profile_->setEnabled(false);
 }

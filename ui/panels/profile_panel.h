@@ -32,13 +32,13 @@ private:
     enum Number { Length, Diameter, MinDiameter, Stenosis, Tortuosity, Curvature, NumberCount };
     std::array<QLabel*, NumberCount> numbers_{};
     QWidget* grid_;
-    QLabel* doubt_;
+    QLabel* warning_;
     ProfilePlot* plot_;
     QPushButton* table_;
     QPushButton* profile_;
 };
 
 /// Formats a stenosis, e.g. "63 % at 24.5 mm (1.30 of 3.50 mm, 8.5 mm long)".
-QString stenosisWords(const core::StenosisMeasure& stenosis);
+QString stenosisText(const core::StenosisMeasure& stenosis);
 
 }   // namespace angiopose::ui

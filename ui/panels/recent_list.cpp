@@ -3,7 +3,7 @@
 #include "ui/controls/glyph_button.h"
 #include "ui/controls/section.h"
 #include "ui/theme/active_theme.h"
-#include "ui/words/spoken.h"
+#include "ui/words/retranslation.h"
 
 #include <QCheckBox>
 #include <QFileInfo>
@@ -25,10 +25,10 @@ namespace {
 constexpr int tileSize = 44;
 constexpr int listWidth = 480;
 constexpr int rowHeight = 54;
-constexpr std::size_t seenRows = 5;   // further rows are reached by scrolling or searching
+constexpr std::size_t maxVisibleRows = 5;   // further rows are reached by scrolling or searching
 
 /// Returns the central square of the thumbnail, sharp at any scale, or a tile with the program icon.
-QIcon tileOf(const QImage& picture, double ratio)
+QIcon thumbnailOf(const QImage& picture, double ratio)
 {
     const int side = static_cast<int>(std::lround(tileSize * ratio));
     QPixmap tile(side, side);
@@ -39,9 +39,9 @@ QIcon tileOf(const QImage& picture, double ratio)
         QIcon(QStringLiteral(":/icons/angiopose.svg"))
             .paint(&painter, tile.rect().adjusted(side / 5, side / 5, -side / 5, -side / 5));
     } else {
-        const int cut = std::min(picture.width(), picture.height());
+        const int sidePx = std::min(picture.width(), picture.height());
         painter.drawImage(tile.rect(), picture,
-                          QRect((picture.width() - cut) / 2, (picture.height() - cut) / 2, cut, cut));
+                          QRect((picture.width() - sidePx) / 2, (picture.height() - sidePx) / 2, sidePx, sidePx));
     }
     painter.end();
     tile.setDevicePixelRatio(ratio);
@@ -75,13 +75,13 @@ RecentList::RecentList(QWidget* parent)
       rows_(new QWidget),
       rowLayout_(new QVBoxLayout(rows_)),
       area_(new QScrollArea),
-      nothing_(withText(roleLabel("hint"), [] { return tr("No recent case matches in name or folder."); })),
-      pictures_(withText(new QCheckBox, [] { return tr("Thumbnails"); })),
+      emptyLabel_(withText(roleLabel("hint"), [] { return tr("No recent case matches this name or folder."); })),
+      showThumbnails_(withText(new QCheckBox, [] { return tr("Thumbnails"); })),
       clear_(withText(new QPushButton, [] { return tr("Clear list"); }))
 {
     setMaximumWidth(listWidth);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
-    speak(search_, [search = search_] {
+    keepTranslated(search_, [search = search_] {
         search->setPlaceholderText(tr("Search recent cases"));
         search->setAccessibleName(tr("Search recent cases"));
     });
@@ -94,24 +94,25 @@ RecentList::RecentList(QWidget* parent)
     area_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     rows_->setAutoFillBackground(false);
     area_->viewport()->setAutoFillBackground(false);
-    withTip(pictures_, [] { return tr("Stores a thumbnail of each recent case in the program's cache folder."); });
+    withToolTip(showThumbnails_,
+                [] { return tr("Stores a thumbnail of each recent case in the program's cache folder."); });
     clear_->setProperty("role", "link");
-    withTip(clear_, [] {
+    withToolTip(clear_, [] {
         return tr("Removes these cases and their thumbnails from the list. Pinned cases and all files are kept.");
     });
     auto* foot = new QHBoxLayout;
-    foot->addWidget(pictures_);
+    foot->addWidget(showThumbnails_);
     foot->addStretch(1);
     foot->addWidget(clear_);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(search_);
     layout->addWidget(area_);
-    nothing_->setAlignment(Qt::AlignHCenter | Qt::AlignTop);
-    layout->addWidget(nothing_);
+    emptyLabel_->setAlignment(Qt::AlignHCenter | Qt::AlignTop);
+    layout->addWidget(emptyLabel_);
     layout->addLayout(foot);
     connect(search_, &QLineEdit::textChanged, this, &RecentList::showMatches);
-    connect(pictures_, &QCheckBox::clicked, this, &RecentList::picturesToggled);
+    connect(showThumbnails_, &QCheckBox::clicked, this, &RecentList::thumbnailsToggled);
     connect(clear_, &QPushButton::clicked, this, &RecentList::clearRequested);
     hide();
 }
@@ -140,7 +141,7 @@ QWidget* RecentList::makeRow(const RecentCase& recent)
     auto* open = new RecentButton(name);
     open->setProperty("role", "recent");
     open->setIconSize({tileSize, tileSize});
-    open->setIcon(tileOf(isGone ? QImage() : recent.picture, devicePixelRatioF()));
+    open->setIcon(thumbnailOf(isGone ? QImage() : recent.picture, devicePixelRatioF()));
     open->setToolTip(recent.path);
     open->setEnabled(!isGone);
     open->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
@@ -175,7 +176,7 @@ void RecentList::clearRows()
     }
 }
 
-void RecentList::showCases(const std::vector<RecentCase>& cases, bool hasPictures)
+void RecentList::showCases(const std::vector<RecentCase>& cases, bool hasThumbnails)
 {
     cases_ = cases;
     clearRows();
@@ -183,9 +184,9 @@ void RecentList::showCases(const std::vector<RecentCase>& cases, bool hasPicture
         rowLayout_->addWidget(makeRow(recent));
     }
     rowLayout_->addStretch(1);
-    pictures_->setChecked(hasPictures);
-    search_->setVisible(cases_.size() > seenRows);
-    if (cases_.size() <= seenRows) {
+    showThumbnails_->setChecked(hasThumbnails);
+    search_->setVisible(cases_.size() > maxVisibleRows);
+    if (cases_.size() <= maxVisibleRows) {
         search_->clear();
     }
     setVisible(!cases_.empty());
@@ -196,21 +197,22 @@ void RecentList::showCases(const std::vector<RecentCase>& cases, bool hasPicture
 void RecentList::showMatches()
 {
     const QStringList words = search_->text().split(u' ', Qt::SkipEmptyParts);
-    std::size_t seen = 0;
+    std::size_t matchCount = 0;
     for (std::size_t i = 0; i < cases_.size(); ++i) {
         const QString& path = cases_[i].path;
         const bool matches = std::ranges::all_of(
             words, [&path](const QString& word) { return path.contains(word, Qt::CaseInsensitive); });
         rowLayout_->itemAt(static_cast<int>(i))->widget()->setVisible(matches);
-        seen += matches ? 1 : 0;
+        matchCount += matches ? 1 : 0;
     }
-    nothing_->setVisible(seen == 0 && !cases_.empty());
-    area_->setVisible(seen > 0);
+    emptyLabel_->setVisible(matchCount == 0 && !cases_.empty());
+    area_->setVisible(matchCount > 0);
     // Fixes the height, so that the search field stays in place regardless of the number of matches.
-    const std::size_t kept = std::clamp<std::size_t>(search_->isHidden() ? seen : cases_.size(), 1, seenRows);
-    const int keptHeight = static_cast<int>(kept) * (rowHeight + rowLayout_->spacing());
+    const std::size_t visibleRows =
+        std::clamp<std::size_t>(search_->isHidden() ? matchCount : cases_.size(), 1, maxVisibleRows);
+    const int keptHeight = static_cast<int>(visibleRows) * (rowHeight + rowLayout_->spacing());
     area_->setFixedHeight(keptHeight);
-    nothing_->setFixedHeight(keptHeight);
+    emptyLabel_->setFixedHeight(keptHeight);
 }
 
 }   // namespace angiopose::ui

@@ -29,7 +29,7 @@ class RecentList : public QWidget {
 public:
     explicit RecentList(QWidget* parent = nullptr);
 
-    void showCases(const std::vector<RecentCase>& cases, bool hasPictures);
+    void showCases(const std::vector<RecentCase>& cases, bool hasThumbnails);
     /// Returns the case name, with a note if files are missing.
     static QString labelOf(const QString& path, RecentCase::State state);
 
@@ -37,7 +37,7 @@ signals:
     void openRequested(const QString& path);
     void removeRequested(const QString& path);   ///< removes the case from the list but not from disk
     void pinToggled(const QString& path, bool pinned);
-    void picturesToggled(bool wanted);
+    void thumbnailsToggled(bool isEnabled);
     void clearRequested();
 
 private:
@@ -50,8 +50,8 @@ private:
     QWidget* rows_;
     QVBoxLayout* rowLayout_;
     QScrollArea* area_;
-    QLabel* nothing_;
-    QCheckBox* pictures_;
+    QLabel* emptyLabel_;
+    QCheckBox* showThumbnails_;
     QPushButton* clear_;
 };
 

@@ -4,7 +4,7 @@
 #include "ui/actions/key_hint.h"
 #include "ui/help/help_page.h"
 #include "ui/panels/option_form.h"
-#include "ui/words/spoken.h"
+#include "ui/words/retranslation.h"
 #include "ui/words/terms.h"
 
 #include <QCheckBox>
@@ -39,14 +39,14 @@ RegistrationPanel::RegistrationPanel(QWidget* parent)
       allViews_(new QCheckBox)
 {
     register_->setProperty("role", "primary");
-    withName(register_, [] { return tr("Register"); });
-    withTip(stop_, [] { return tr("Stops the registration and keeps the best pose so far."); });
+    withAccessibleName(register_, [] { return tr("Register"); });
+    withToolTip(stop_, [] { return tr("Stops the registration and keeps the best pose so far."); });
     auto* buttons = new QHBoxLayout;
     buttons->setSpacing(8);
     buttons->addWidget(register_, 5);
     buttons->addWidget(stop_, 2);
 
-    withName(method_, [] { return tr("Method"); });
+    withAccessibleName(method_, [] { return tr("Method"); });
     for (const core::MethodInfo& info : core::methodInfos()) {
         method_->addItem(textFrom(info.label), QByteArray(info.id.data(), static_cast<qsizetype>(info.id.size())));
     }
@@ -60,11 +60,11 @@ RegistrationPanel::RegistrationPanel(QWidget* parent)
     lockNote_->setWordWrap(true);
     contentLayout()->addLayout(buttons);
     allViews_->setChecked(true);
-    withTip(allViews_, [] {
+    withToolTip(allViews_, [] {
         return tr(
-            "Uses one pose for all views: moving the vessels manually moves them in every view, and Register fits all "
-            "views with AngioPose's own method, because depth in one view is a shift in another. If off, only the "
-            "shown view is used.");
+            "Uses one pose for all views: moving the vessels manually moves them in every view, and registration fits "
+            "all views with the AngioPose method, because depth in one view is translation in another. If off, only "
+            "the displayed view is used.");
     });
     contentLayout()->addWidget(allViews_);
     contentLayout()->addWidget(lockNote_);
@@ -76,11 +76,11 @@ RegistrationPanel::RegistrationPanel(QWidget* parent)
     connect(method_, &QComboBox::activated, this, &RegistrationPanel::chooseMethod);
     connect(form_, &OptionForm::edited, this, &RegistrationPanel::optionsEdited);
     showViewCount(1);
-    speak(this, [this] { sayWords(); });
+    keepTranslated(this, [this] { updateTexts(); });
 }
 
 /// Updates the texts that depend on the language and on the current state.
-void RegistrationPanel::sayWords()
+void RegistrationPanel::updateTexts()
 {
     int index = 0;
     for (const core::MethodInfo& info : core::methodInfos()) {
@@ -96,8 +96,9 @@ QHBoxLayout* RegistrationPanel::methodRow()
 {
     auto* about = new QToolButton;
     about->setText(QStringLiteral("?"));
-    withName(about, [] { return tr("About this method"); });
-    withTip(about, [] { return tr("Shows the cost this method minimizes, when it fails, and its source."); });
+    withAccessibleName(about, [] { return tr("About this method"); });
+    withToolTip(about,
+                [] { return tr("Explains the cost that this method minimizes, when it fails, and its source."); });
     connect(about, &QToolButton::clicked, this, [this] {
         auto* help = new HelpPage(QStringLiteral("methods/") + method_->currentData().toString(),
                                   tr("About this method"), window());
@@ -135,8 +136,8 @@ void RegistrationPanel::showAuxiliary(int branchCount)
 void RegistrationPanel::showLocks(int count)
 {
     lockNote_->setVisible(count > 0);
-    lockNote_->setText(count == 1 ? tr("Register keeps the locked degree of freedom fixed.")
-                                  : tr("Register keeps the %1 locked degrees of freedom fixed.").arg(count));
+    lockNote_->setText(count == 1 ? tr("Registration keeps the locked degree of freedom fixed.")
+                                  : tr("Registration keeps the %1 locked degrees of freedom fixed.").arg(count));
 }
 
 void RegistrationPanel::showViewCount(int count)
@@ -146,9 +147,9 @@ void RegistrationPanel::showViewCount(int count)
     allViews_->setText(tr("Register all %1 views jointly").arg(count));
 }
 
-void RegistrationPanel::showReady(const QString& whyNot)
+void RegistrationPanel::showBlockingReason(const QString& whyNot)
 {
-    whyNot_ = whyNot;
+    blockingReason_ = whyNot;
     updateButtons();
 }
 
@@ -167,12 +168,12 @@ void RegistrationPanel::chooseMethod(int index)
 
 void RegistrationPanel::updateButtons()
 {
-    register_->setEnabled(!running_ && whyNot_.isEmpty());
+    register_->setEnabled(!running_ && blockingReason_.isEmpty());
     register_->setToolTip(
-        whyNot_.isEmpty()
-            ? tipWithKey(tr("Finds the pose that aligns the vessels with the angiogram."), Command::Register)
-            : whyNot_);
-    register_->setText(running_ ? tr("Registering…") : withKey(tr("Register"), Command::Register));
+        blockingReason_.isEmpty()
+            ? tooltipWithShortcut(tr("Finds the pose that aligns the vessels with the angiogram."), Command::Register)
+            : blockingReason_);
+    register_->setText(running_ ? tr("Registering…") : withShortcut(tr("Register"), Command::Register));
     stop_->setEnabled(running_);
     method_->setEnabled(!running_);
     form_->setEnabled(!running_);

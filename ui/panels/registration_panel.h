@@ -2,7 +2,7 @@
 
 #include "core/registration/options/registration_options.h"
 #include "ui/controls/section.h"
-#include "ui/words/spoken.h"
+#include "ui/words/retranslation.h"
 
 class QCheckBox;
 class QComboBox;
@@ -23,12 +23,12 @@ public:
     void showOptions(const core::RegistrationOptions& options);   ///< emits no signal
     void showAuxiliary(int branchCount);   ///< number of auxiliary branches; at 0, the auxiliary problem uses the nodes
     void showViewCount(int count);   ///< number of views available for joint registration; 1 hides the option
-    void showReady(const QString& whyNot);   ///< reason why Register is disabled; empty enables it
+    void showBlockingReason(const QString& whyNot);   ///< reason why Register is disabled; empty enables it
     void setRunning(bool running);
     QPushButton* registerButton() const { return register_; }
 
 signals:
-    void optionsEdited(const core::RegistrationOptions& options, const ui::Words& fieldLabel);
+    void optionsEdited(const core::RegistrationOptions& options, const ui::LocalizedText& fieldLabel);
     void registerRequested();
     void stopRequested();
     void allViewsToggled(bool together);
@@ -37,7 +37,7 @@ private:
     void showLocks(int count);
     QHBoxLayout* methodRow();
     void chooseMethod(int index);
-    void sayWords();
+    void updateTexts();
     void updateButtons();
 
     core::RegistrationOptions options_;
@@ -49,7 +49,7 @@ private:
     QPushButton* stop_;
     QLabel* lockNote_;
     QCheckBox* allViews_;
-    QString whyNot_;
+    QString blockingReason_;
     int auxiliaryCount_ = 0;
     int viewCount_ = 1;
     bool running_ = false;

@@ -1,14 +1,14 @@
 #include "ui/panels/result_panel.h"
 
 #include "core/registration/deformation_check.h"
-#include "ui/controls/lingering_height.h"
+#include "ui/controls/stable_minimum_height.h"
 #include "ui/panels/result_sentences.h"
 #include "ui/plots/convergence_plot.h"
 #include "ui/plots/histogram_plot.h"
 #include "ui/words/language.h"
 #include "ui/words/message_text.h"
 #include "ui/words/number.h"
-#include "ui/words/spoken.h"
+#include "ui/words/retranslation.h"
 #include "ui/words/terms.h"
 
 #include <QGraphicsOpacityEffect>
@@ -20,7 +20,7 @@
 namespace angiopose::ui {
 namespace {
 
-QLabel* sentenceBox(const char* role)
+QLabel* makeSentenceBox(const char* role)
 {
     QLabel* label = roleLabel(role);
     label->setWordWrap(true);
@@ -29,14 +29,14 @@ QLabel* sentenceBox(const char* role)
     return label;
 }
 
-void showIn(QLabel* box, const QStringList& sentences)
+void setSentences(QLabel* box, const QStringList& sentences)
 {
     box->setText(joinedSentences(sentences));
     box->setVisible(!sentences.isEmpty());
 }
 
 /// Keeps the layout stable while the user moves the pose and sentences appear and disappear.
-void keepRoom(QLabel* box, bool isKept)
+void reserveHeight(QLabel* box, bool isKept)
 {
     const int heightPx = isKept && box->isVisible() ? box->height() : box->minimumHeight();
     box->setMinimumHeight(isKept ? std::max(box->minimumHeight(), heightPx) : 0);
@@ -54,17 +54,17 @@ QString runSummary(const core::RegistrationResult& result)
     return ResultPanel::tr("%1 · %2").arg(words, time);
 }
 
-QString sourceWords(const JudgedPose& judged)
+QString sourceText(const AssessedPose& assessed)
 {
-    const QString median = ResultPanel::tr("%1 px").arg(numberText(judged.result.metrics.medianPx, 2));
-    switch (judged.source) {
+    const QString median = ResultPanel::tr("%1 px").arg(numberText(assessed.result.metrics.medianPx, 2));
+    switch (assessed.source) {
         case PoseSource::Run:
-            return ResultPanel::tr("%1 · %2").arg(median, runSummary(judged.result));
+            return ResultPanel::tr("%1 · %2").arg(median, runSummary(assessed.result));
         case PoseSource::Edited:
             return ResultPanel::tr("%1 · moved manually").arg(median);
-        case PoseSource::EarlierRun:
+        case PoseSource::EarlierRegistration:
             return ResultPanel::tr("%1 · from an earlier registration").arg(median);
-        case PoseSource::Followed:
+        case PoseSource::Tracked:
             return ResultPanel::tr("%1 · tracked").arg(median);
         case PoseSource::Start:
             break;
@@ -73,27 +73,27 @@ QString sourceWords(const JudgedPose& judged)
 }
 
 /// Formats the median, e.g. "median 0.26 mm"; if only part of the tree is assessed, adds the median of the whole tree.
-QString medianWords(const JudgedPose& judged)
+QString medianText(const AssessedPose& assessed)
 {
-    const QString median = numberText(judged.result.metrics.medianMm, 2);
-    return judged.judgedShare < 1.0
+    const QString median = numberText(assessed.result.metrics.medianMm, 2);
+    return assessed.assessedShare < 1.0
                ? ResultPanel::tr("median %1 mm over the %2 % classified as opacified, whole tree %3 mm")
-                     .arg(median, numberText(100.0 * judged.judgedShare, 0), numberText(judged.wholeMedianMm, 2))
+                     .arg(median, numberText(100.0 * assessed.assessedShare, 0), numberText(assessed.wholeMedianMm, 2))
                : ResultPanel::tr("median %1 mm").arg(median);
 }
 
 /// Describes the origin of a pose; empty for the latest registration and for tracked poses.
-QString originWords(PoseSource source)
+QString originText(PoseSource source)
 {
     switch (source) {
         case PoseSource::Edited:
             return ResultPanel::tr("Moved manually, not registered");
-        case PoseSource::EarlierRun:
-            return ResultPanel::tr("Inputs changed since this registration");
+        case PoseSource::EarlierRegistration:
+            return ResultPanel::tr("Inputs have changed since this registration");
         case PoseSource::Start:
             return ResultPanel::tr("Initial pose, not registered");
         case PoseSource::Run:
-        case PoseSource::Followed:
+        case PoseSource::Tracked:
             break;
     }
     return {};
@@ -101,14 +101,14 @@ QString originWords(PoseSource source)
 
 }   // namespace
 
-FitVerdict verdictOf(const JudgedPose& judged)
+FitVerdict verdictOf(const AssessedPose& assessed)
 {
-    const QString origin = originWords(judged.source);
-    if (judged.source == PoseSource::Start) {
+    const QString origin = originText(assessed.source);
+    if (assessed.source == PoseSource::Start) {
         return {VerdictTone::Doubtful, origin};
     }
-    const QString median = medianWords(judged);
-    if (!judged.result.trustworthy) {
+    const QString median = medianText(assessed);
+    if (!assessed.result.trustworthy) {
         const QString reported = ResultPanel::tr("NOT RELIABLE · %1").arg(median);
         return {VerdictTone::Bad, origin.isEmpty() ? reported : reported + QStringLiteral(" · ") + origin};
     }
@@ -129,17 +129,17 @@ ResultPanel::ResultPanel(QWidget* parent)
           "convergence", [] { return tr("Convergence"); }, Folding::Foldable)),
       motionSection_(new Section(
           "motion", [] { return tr("Motion"); }, Folding::Foldable)),
-      verdict_(sentenceBox("errorBox")),
-      certain_(sentenceBox("fineBox")),
-      doubtful_(sentenceBox("attentionBox")),
+      verdict_(makeSentenceBox("errorBox")),
+      certainLabel_(makeSentenceBox("fineBox")),
+      doubtfulLabel_(makeSentenceBox("attentionBox")),
       histogram_(new HistogramPlot),
       convergence_(new ConvergencePlot),
       motion_(new MotionPlot),
-      rest_(new QTimer(this))
+      idleTimer_(new QTimer(this))
 {
-    rest_->setSingleShot(true);
-    rest_->setInterval(restBeforeShrinkingMs);
-    connect(rest_, &QTimer::timeout, this, [this] { keepRooms(false); });
+    idleTimer_->setSingleShot(true);
+    idleTimer_->setInterval(shrinkDelayMs);
+    connect(idleTimer_, &QTimer::timeout, this, [this] { reserveSpace(false); });
     section_->contentLayout()->addWidget(verdict_);
     auto* numbers = new QHBoxLayout;
     numbers->setSpacing(4);
@@ -154,15 +154,15 @@ ResultPanel::ResultPanel(QWidget* parent)
         1);
     numbers->addWidget(makeNumber(
                            coverage_, [] { return tr("coverage"); },
-                           [] { return tr("Share of the traced vessel length within 3 px of the tree."); }),
+                           [] { return tr("Share of the traced vessel length that lies within 3 px of the tree."); }),
                        1);
     section_->contentLayout()->addLayout(numbers);
-    section_->contentLayout()->addWidget(certain_);
-    section_->contentLayout()->addWidget(doubtful_);
-    withTip(certain_, [] { return tr("± is one standard deviation."); });
-    withTip(doubtful_, [] { return tr("± is one standard deviation."); });
+    section_->contentLayout()->addWidget(certainLabel_);
+    section_->contentLayout()->addWidget(doubtfulLabel_);
+    withToolTip(certainLabel_, [] { return tr("± is one standard deviation."); });
+    withToolTip(doubtfulLabel_, [] { return tr("± is one standard deviation."); });
 
-    speak(this, [this] {
+    keepTranslated(this, [this] {
         residualSection_->setHint(tr("mm, points classified as opacified"));
         motionSection_->setHint(tr("in-plane mm, by frame"));
     });
@@ -188,10 +188,10 @@ void ResultPanel::showMotion(const std::vector<FrameMotion>& motion)
     motionSection_->setVisible(!motion.empty());
 }
 
-QWidget* ResultPanel::makeNumber(QLabel*& value, const Words& caption, const Words& toolTip)
+QWidget* ResultPanel::makeNumber(QLabel*& value, const LocalizedText& caption, const LocalizedText& toolTip)
 {
-    auto* cell = withTip(new QWidget, toolTip);
-    value = withName(roleLabel("bigNumber"), caption);
+    auto* cell = withToolTip(new QWidget, toolTip);
+    value = withAccessibleName(roleLabel("bigNumber"), caption);
     auto* layout = new QVBoxLayout(cell);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
@@ -200,49 +200,51 @@ QWidget* ResultPanel::makeNumber(QLabel*& value, const Words& caption, const Wor
     return cell;
 }
 
-void ResultPanel::showJudgement(const JudgedPose& judged, const core::VesselTree& tree)
+void ResultPanel::showAssessment(const AssessedPose& assessed, const core::VesselTree& tree)
 {
-    const core::DistanceMetrics& metrics = judged.result.metrics;
+    const core::DistanceMetrics& metrics = assessed.result.metrics;
     median_->setText(numberText(metrics.medianMm, 2));
     p95_->setText(numberText(metrics.p95Mm, 2));
     coverage_->setText(tr("%1 %").arg(numberText(100.0 * metrics.coverage, 0)));
-    const bool isLow = judged.source != PoseSource::Start && !judged.result.trustworthy;
+    const bool isLow = assessed.source != PoseSource::Start && !assessed.result.trustworthy;
     for (QLabel* number : {median_, p95_, coverage_}) {
         setRole(number, isLow ? "bigNumberDoubtful" : "bigNumber");
     }
-    showIn(verdict_, isLow ? QStringList{verdictOf(judged).words} : QStringList());
-    section_->setHint(sourceWords(judged));
-    showSentences(judged, tree);
-    histogram_->showValues(judged.residualsMm, judged.scaleMaximumMm);
+    setSentences(verdict_, isLow ? QStringList{verdictOf(assessed).words} : QStringList());
+    section_->setHint(sourceText(assessed));
+    showSentences(assessed, tree);
+    histogram_->showValues(assessed.residualsMm, assessed.scaleMaximumMm);
 }
 
-void ResultPanel::showSentences(const JudgedPose& judged, const core::VesselTree& tree)
+void ResultPanel::showSentences(const AssessedPose& assessed, const core::VesselTree& tree)
 {
-    keepRooms(judged.source == PoseSource::Edited);
-    if (judged.source == PoseSource::Start) {
-        showIn(certain_, {});
-        showIn(doubtful_, {tr("Initial pose, not registered yet. Press R to register, N to nudge.")});
+    reserveSpace(assessed.source == PoseSource::Edited);
+    if (assessed.source == PoseSource::Start) {
+        setSentences(certainLabel_, {});
+        setSentences(doubtfulLabel_, {tr("Initial pose, not registered yet. Press R to register, N to nudge.")});
         return;
     }
-    const ResultSentences sentences = sentencesOf(judged.result, tree, judged.millimetersPerPixel);
-    showIn(certain_, sentences.certain);
+    const ResultSentences sentences = sentencesOf(assessed.result, tree, assessed.millimetersPerPixel);
+    setSentences(certainLabel_, sentences.certain);
     QStringList doubtful;
-    for (const core::Message& words : judged.basis) {
+    for (const core::Message& words : assessed.basis) {
         doubtful << messageText(words);
     }
-    const auto against = std::ranges::count_if(judged.result.warnings, core::speaksAgainstTrust);
+    const auto against = std::ranges::count_if(assessed.result.warnings, core::lowersConfidence);
     doubtful = sentences.doubtful.first(against) + doubtful + sentences.doubtful.sliced(against);
-    const bool isOld = judged.source == PoseSource::EarlierRun;
-    showIn(doubtful_,
-           isOld ? doubtful + QStringList{tr("Inputs changed since this registration. Press R to update.")} : doubtful);
+    const bool isOld = assessed.source == PoseSource::EarlierRegistration;
+    setSentences(doubtfulLabel_,
+                 isOld
+                     ? doubtful + QStringList{tr("The inputs have changed since this registration. Press R to update.")}
+                     : doubtful);
 }
 
-void ResultPanel::keepRooms(bool areKept)
+void ResultPanel::reserveSpace(bool isReserved)
 {
-    for (QLabel* box : {certain_, doubtful_}) {
-        keepRoom(box, areKept);
+    for (QLabel* box : {certainLabel_, doubtfulLabel_}) {
+        reserveHeight(box, isReserved);
     }
-    areKept ? rest_->start() : rest_->stop();
+    isReserved ? idleTimer_->start() : idleTimer_->stop();
 }
 
 void ResultPanel::showNothing(const QString& why)
@@ -251,10 +253,10 @@ void ResultPanel::showNothing(const QString& why)
         label->setText(QStringLiteral("–"));
     }
     section_->setHint(why);
-    keepRooms(false);
-    showIn(verdict_, {});
-    showIn(certain_, {});
-    showIn(doubtful_, {});
+    reserveSpace(false);
+    setSentences(verdict_, {});
+    setSentences(certainLabel_, {});
+    setSentences(doubtfulLabel_, {});
     histogram_->showValues({}, 0.0);
 }
 

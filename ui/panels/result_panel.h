@@ -19,18 +19,18 @@ enum class PoseSource {
     Start,
     Edited,
     Run,
-    EarlierRun,   ///< registered earlier; the inputs may have changed since
-    Followed
+    EarlierRegistration,   ///< registered earlier; the inputs may have changed since
+    Tracked
 };
 
 /// Assessment of a pose as shown in the result panel.
-struct JudgedPose {
+struct AssessedPose {
     core::RegistrationResult result;   ///< result of the registration, or an assessment of the current pose
     PoseSource source = PoseSource::Start;
     std::vector<double> residualsMm;   ///< residuals of all tree points in use
     double scaleMaximumMm = 0.0;
     double millimetersPerPixel = 0.0;   ///< scale at the vessels
-    double judgedShare = 1.0;   ///< fraction of the tree covered by the residuals
+    double assessedShare = 1.0;   ///< fraction of the tree covered by the residuals
     double wholeMedianMm = 0.0;   ///< median residual of the whole tree
     core::Messages basis;   ///< branches the residuals cover if not the whole tree: excluded, auxiliary
 };
@@ -40,7 +40,7 @@ struct FitVerdict {
     VerdictTone tone = VerdictTone::Doubtful;
     QString words;
 };
-FitVerdict verdictOf(const JudgedPose& judged);
+FitVerdict verdictOf(const AssessedPose& assessed);
 
 /// Three key figures, their interpretation in sentences, and the two plots. Displays the values it is given.
 class ResultPanel : public QWidget {
@@ -48,7 +48,7 @@ class ResultPanel : public QWidget {
 public:
     explicit ResultPanel(QWidget* parent = nullptr);
 
-    void showJudgement(const JudgedPose& judged, const core::VesselTree& tree);
+    void showAssessment(const AssessedPose& assessed, const core::VesselTree& tree);
     void showNothing(const QString& why);
     void setDimmed(bool dimmed);   ///< true while another pose is previewed
     void startRun();   ///< clears the convergence plot
@@ -59,9 +59,9 @@ public:
     MotionPlot& motion() { return *motion_; }
 
 private:
-    QWidget* makeNumber(QLabel*& value, const Words& caption, const Words& toolTip);
-    void showSentences(const JudgedPose& judged, const core::VesselTree& tree);
-    void keepRooms(bool areKept);
+    QWidget* makeNumber(QLabel*& value, const LocalizedText& caption, const LocalizedText& toolTip);
+    void showSentences(const AssessedPose& assessed, const core::VesselTree& tree);
+    void reserveSpace(bool isReserved);
 
     Section* section_;
     SolutionStrip* solutions_;
@@ -72,12 +72,12 @@ private:
     QLabel* p95_ = nullptr;
     QLabel* coverage_ = nullptr;
     QLabel* verdict_;
-    QLabel* certain_;
-    QLabel* doubtful_;
+    QLabel* certainLabel_;
+    QLabel* doubtfulLabel_;
     HistogramPlot* histogram_;
     ConvergencePlot* convergence_;
     MotionPlot* motion_;
-    QTimer* rest_;   ///< fires once the pose has been at rest for a while
+    QTimer* idleTimer_;   ///< fires once the pose has been at rest for a while
 };
 
 }   // namespace angiopose::ui

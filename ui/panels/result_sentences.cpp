@@ -3,7 +3,7 @@
 #include "core/messages/messages.h"
 #include "core/registration/deformable/deform_vessels.h"
 #include "core/registration/deformation_check.h"
-#include "core/registration/judging/disagreeing_branches.h"
+#include "core/registration/judging/mismatched_branches.h"
 #include "core/registration/judging/pose_uncertainty.h"
 #include "ui/words/language.h"
 #include "ui/words/message_text.h"
@@ -90,7 +90,7 @@ bool dependsOnGeometry(const core::PoseUncertainty& uncertainty)
 
 /// States the 3-D uncertainty including geometry errors, which the image cannot correct and which do not affect the
 /// overlay.
-QString geometryWords(const core::PoseUncertainty& uncertainty)
+QString geometryText(const core::PoseUncertainty& uncertainty)
 {
     return dependsOnGeometry(uncertainty)
                ? ResultWords::tr("3-D uncertainty incl. geometry: depth ±%1 mm, lateral ±%2 mm.")
@@ -99,16 +99,16 @@ QString geometryWords(const core::PoseUncertainty& uncertainty)
 }
 
 /// States the depth uncertainty; empty if a solver warning or the geometry sentence already mentions depth.
-QString depthWords(const core::RegistrationResult& result)
+QString depthText(const core::RegistrationResult& result)
 {
     const core::PoseUncertainty& uncertainty = result.uncertainty;
     const auto speaksOfDepth = [](const core::Message& warning) {
-        return warning.is(core::messages::trustDepthUnknown) || warning.is(core::messages::trustDepthMoved);
+        return warning.is(core::messages::depthUndetermined) || warning.is(core::messages::depthChangeUndetermined);
     };
     if (std::ranges::any_of(result.warnings, speaksOfDepth)) {
         return {};
     }
-    const std::optional<double> depthMm = doubtfulDepthMm(uncertainty);
+    const std::optional<double> depthMm = uncertainDepthMm(uncertainty);
     if (!depthMm || (uncertainty.observed[5] && dependsOnGeometry(uncertainty))) {
         return {};
     }
@@ -121,9 +121,9 @@ QString depthWords(const core::RegistrationResult& result)
 /// near a guidewire.
 QString disagreement(const core::RegistrationResult& result, const core::VesselTree& tree, double mmPerPx)
 {
-    const core::DisagreeingBranches found = core::disagreeingBranches(result, mmPerPx);
+    const core::MismatchedBranches disagreeing = core::mismatchedBranches(result, mmPerPx);
     QStringList names;
-    for (const int id : found.branchIds) {
+    for (const int id : disagreeing.branchIds) {
         if (const core::VesselBranch* branch = tree.find(id)) {
             names << displayName(*branch);
         }
@@ -133,16 +133,16 @@ QString disagreement(const core::RegistrationResult& result, const core::VesselT
     }
     if (names.size() == 1) {
         return ResultWords::tr("%1 is %2 mm off: possibly unopacified in this frame, or displaced.")
-            .arg(names.front(), resultNumber(found.worstMm));
+            .arg(names.front(), resultNumber(disagreeing.worstMm));
     }
     if (names.size() > 3) {
         return ResultWords::tr("%1 branches are up to %2 mm off: unopacified in this frame, or the pose is wrong.")
             .arg(names.size())
-            .arg(resultNumber(found.worstMm));
+            .arg(resultNumber(disagreeing.worstMm));
     }
     const QString last = names.takeLast();
     return ResultWords::tr("%1 and %2 are up to %3 mm off: possibly unopacified in this frame, or displaced.")
-        .arg(joinedNames(names), last, resultNumber(found.worstMm));
+        .arg(joinedNames(names), last, resultNumber(disagreeing.worstMm));
 }
 
 }   // namespace
@@ -160,8 +160,8 @@ ResultSentences sentencesOf(const core::RegistrationResult& result, const core::
         sentences.certain << joinedSentences(parts);
     }
     core::Messages worstFirst = result.warnings;
-    std::ranges::stable_partition(worstFirst, [](const core::Message& said) {
-        return core::speaksAgainstTrust(said) || said.id().starts_with("patient.");
+    std::ranges::stable_partition(worstFirst, [](const core::Message& message) {
+        return core::lowersConfidence(message) || message.id().starts_with("patient.");
     });
     for (const core::Message& warning : worstFirst) {
         sentences.doubtful << messageText(warning);
@@ -170,7 +170,7 @@ ResultSentences sentencesOf(const core::RegistrationResult& result, const core::
         sentences.doubtful << likely;
     }
     for (const QString& sentence :
-         {depthWords(result), geometryWords(result.uncertainty), disagreement(result, tree, millimetersPerPixel)}) {
+         {depthText(result), geometryText(result.uncertainty), disagreement(result, tree, millimetersPerPixel)}) {
         if (!sentence.isEmpty()) {
             sentences.doubtful << sentence;
         }
@@ -178,7 +178,7 @@ ResultSentences sentencesOf(const core::RegistrationResult& result, const core::
     return sentences;
 }
 
-std::optional<double> doubtfulDepthMm(const core::PoseUncertainty& uncertainty)
+std::optional<double> uncertainDepthMm(const core::PoseUncertainty& uncertainty)
 {
     const bool isDoubtful =
         !uncertainty.observed[5] || uncertainty.depthMm > 2.0 * std::max(0.5, uncertainty.inPlaneMm);

@@ -20,7 +20,7 @@ ResultSentences sentencesOf(const core::RegistrationResult& result, const core::
 
 /// Returns the standard deviation in depth, mm, if the image constrains depth much less than the other parameters;
 /// otherwise empty.
-std::optional<double> doubtfulDepthMm(const core::PoseUncertainty& uncertainty);
+std::optional<double> uncertainDepthMm(const core::PoseUncertainty& uncertainty);
 
 /// Returns the branch name, e.g. "LAD", or "Branch 3" if unnamed.
 QString displayName(const core::VesselBranch& branch);

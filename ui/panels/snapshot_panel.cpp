@@ -3,7 +3,7 @@
 #include "ui/actions/key_hint.h"
 #include "ui/theme/active_theme.h"
 #include "ui/words/number.h"
-#include "ui/words/spoken.h"
+#include "ui/words/retranslation.h"
 #include "ui/words/terms.h"
 
 #include <QHeaderView>
@@ -31,7 +31,7 @@ QString toQt(const std::string& text)
 
 QString toolTipOf(const core::PoseSnapshot& snapshot)
 {
-    QStringList lines{methodWords(snapshot.method)};
+    QStringList lines{methodName(snapshot.method)};
     const QString time = shortTime(snapshot.time);
     if (!time.isEmpty() || !snapshot.author.empty()) {
         lines << QStringList{toQt(snapshot.author), time}.join(QStringLiteral("  "));
@@ -56,7 +56,7 @@ SnapshotPanel::SnapshotPanel(QWidget* parent)
       empty_(withText(roleLabel("hint"),
                       [] {
                           return tr("%1 saves the pose; %2 toggles A/B. Each registration is listed here.")
-                              .arg(keyOf(Command::KeepPose), keyOf(Command::SwitchPoses));
+                              .arg(keyOf(Command::TakeSnapshot), keyOf(Command::ToggleSnapshots));
                       })),
       compare_(withText(new QPushButton, [] { return tr("Compare…"); }))
 {
@@ -71,7 +71,7 @@ SnapshotPanel::SnapshotPanel(QWidget* parent)
 
 void SnapshotPanel::setUpList()
 {
-    withName(list_, [] { return tr("Snapshots"); });
+    withAccessibleName(list_, [] { return tr("Snapshots"); });
     list_->setColumnCount(SnapshotColumnCount);
     list_->setHeaderHidden(true);
     list_->setRootIsDecorated(true);
@@ -92,15 +92,18 @@ void SnapshotPanel::setUpList()
 
 QHBoxLayout* SnapshotPanel::makeButtons()
 {
-    auto* keep = withText(new QPushButton, [] { return withKey(tr("Save pose"), Command::KeepPose); });
-    withTip(keep,
-            [] { return tipWithKey(tr("Saves this pose and its values as a named snapshot."), Command::KeepPose); });
-    withTip(compare_, [] { return tipWithKey(tr("Compares poses and methods in a table."), Command::ComparePoses); });
+    auto* keep = withText(new QPushButton, [] { return withShortcut(tr("Save pose"), Command::TakeSnapshot); });
+    withToolTip(keep, [] {
+        return tooltipWithShortcut(tr("Saves this pose and its values as a named snapshot."), Command::TakeSnapshot);
+    });
+    withToolTip(compare_, [] {
+        return tooltipWithShortcut(tr("Compares poses and methods in a table."), Command::ComparePoses);
+    });
     auto* buttons = new QHBoxLayout;
     buttons->setSpacing(8);
     buttons->addWidget(keep);
     buttons->addWidget(compare_);
-    connect(keep, &QPushButton::clicked, this, &SnapshotPanel::keepRequested);
+    connect(keep, &QPushButton::clicked, this, &SnapshotPanel::snapshotRequested);
     connect(compare_, &QPushButton::clicked, this, &SnapshotPanel::compareRequested);
     return buttons;
 }
@@ -108,8 +111,8 @@ QHBoxLayout* SnapshotPanel::makeButtons()
 void SnapshotPanel::connectList()
 {
     connect(list_, &QTreeWidget::itemSelectionChanged, this, [this] {
-        if (const auto ids = selectedIds(); !showing_ && ids.size() == 1) {
-            emit wasPicked(*ids.begin());
+        if (const auto ids = selectedIds(); !isUpdating_ && ids.size() == 1) {
+            emit snapshotPicked(*ids.begin());
         }
     });
     connect(list_, &QTreeWidget::itemDoubleClicked, this, [this](const QTreeWidgetItem* item) {
@@ -118,7 +121,7 @@ void SnapshotPanel::connectList()
         }
     });
     connect(list_, &QTreeWidget::itemChanged, this, [this](const QTreeWidgetItem* item, int column) {
-        if (!showing_ && column == SnapshotName) {
+        if (!isUpdating_ && column == SnapshotName) {
             emit renamed(item->data(SnapshotName, snapshotIdRole).toInt(), item->text(SnapshotName));
         }
     });
@@ -153,16 +156,16 @@ void SnapshotPanel::addRuns(const std::vector<core::PoseSnapshot>& snapshots)
             fillItem(*new QTreeWidgetItem(group), run);
         }
     });
-    group->setExpanded(areRunsUnfolded_);
+    group->setExpanded(areRunsExpanded_);
 }
 
 void SnapshotPanel::showSnapshots(const std::vector<core::PoseSnapshot>& snapshots)
 {
-    const QScopedValueRollback quiet(showing_, true);
+    const QScopedValueRollback quiet(isUpdating_, true);
     const std::set<int> selected = selectedIds();
     list_->clear();
     for (const core::PoseSnapshot& snapshot : snapshots) {
-        if (snapshot.kind == core::SnapshotKind::Kept) {
+        if (snapshot.kind == core::SnapshotKind::Saved) {
             fillItem(*new QTreeWidgetItem(list_), snapshot);
         }
     }
@@ -174,19 +177,19 @@ void SnapshotPanel::showSnapshots(const std::vector<core::PoseSnapshot>& snapsho
     }
     empty_->setVisible(snapshots.empty());
     list_->setVisible(!snapshots.empty());
-    setHint(snapshots.empty() ? QString() : tr("median mm · %1: A ⇄ B").arg(keyOf(Command::SwitchPoses)));
+    setHint(snapshots.empty() ? QString() : tr("median mm · %1: A ⇄ B").arg(keyOf(Command::ToggleSnapshots)));
     showMarks(marks_);
     fitHeight();
 }
 
 void SnapshotPanel::showMarks(const SnapshotMarks& marks)
 {
-    const QScopedValueRollback quiet(showing_, true);
+    const QScopedValueRollback quiet(isUpdating_, true);
     marks_ = marks;
-    for (QTreeWidgetItemIterator each(list_); *each; ++each) {
-        const int id = (*each)->data(SnapshotName, snapshotIdRole).toInt();
+    for (QTreeWidgetItemIterator it(list_); *it; ++it) {
+        const int id = (*it)->data(SnapshotName, snapshotIdRole).toInt();
         const QString mark = marks.a == id ? tr("A") : marks.b == id ? tr("B") : QString();
-        (*each)->setText(SnapshotMark, marks.shown == id ? mark + QStringLiteral("●") : mark);
+        (*it)->setText(SnapshotMark, marks.shown == id ? mark + QStringLiteral("●") : mark);
     }
     color();
 }
@@ -194,15 +197,15 @@ void SnapshotPanel::showMarks(const SnapshotMarks& marks)
 /// Sets the item colors; called again when the theme changes.
 void SnapshotPanel::color()
 {
-    const QScopedValueRollback quiet(showing_, true);
-    const Palette& tones = activePalette();
-    for (QTreeWidgetItemIterator each(list_); *each; ++each) {
-        QTreeWidgetItem& item = **each;
+    const QScopedValueRollback quiet(isUpdating_, true);
+    const Palette& colors = activePalette();
+    for (QTreeWidgetItemIterator it(list_); *it; ++it) {
+        QTreeWidgetItem& item = **it;
         const bool isGroup = item.childCount() > 0;
         const bool isDoubtful = item.data(SnapshotMedian, snapshotDoubtRole).toBool();
-        item.setForeground(SnapshotName, toQColor(isGroup ? tones.label : tones.text));
-        item.setForeground(SnapshotMedian, toQColor(isDoubtful ? tones.attention : tones.label));
-        item.setForeground(SnapshotMark, toQColor(tones.accent));
+        item.setForeground(SnapshotName, toQColor(isGroup ? colors.label : colors.text));
+        item.setForeground(SnapshotMedian, toQColor(isDoubtful ? colors.attention : colors.label));
+        item.setForeground(SnapshotMark, toQColor(colors.accent));
     }
 }
 
@@ -225,9 +228,9 @@ void SnapshotPanel::editName(int snapshotId)
 
 QTreeWidgetItem* SnapshotPanel::itemOf(int snapshotId) const
 {
-    for (QTreeWidgetItemIterator each(list_); *each; ++each) {
-        if ((*each)->data(SnapshotName, snapshotIdRole).toInt() == snapshotId) {
-            return *each;
+    for (QTreeWidgetItemIterator it(list_); *it; ++it) {
+        if ((*it)->data(SnapshotName, snapshotIdRole).toInt() == snapshotId) {
+            return *it;
         }
     }
     return nullptr;
@@ -292,10 +295,10 @@ void SnapshotPanel::showContextMenu(const QPoint& position)
 
 void SnapshotPanel::fitHeight()
 {
-    if (!showing_) {
+    if (!isUpdating_) {
         for (int i = 0; i < list_->topLevelItemCount(); ++i) {
             const QTreeWidgetItem* item = list_->topLevelItem(i);
-            areRunsUnfolded_ = item->childCount() > 0 ? item->isExpanded() : areRunsUnfolded_;
+            areRunsExpanded_ = item->childCount() > 0 ? item->isExpanded() : areRunsExpanded_;
         }
     }
     int rows = 0;

@@ -35,9 +35,9 @@ public:
     QTreeWidget* list() const { return list_; }
 
 signals:
-    void keepRequested();
+    void snapshotRequested();
     void compareRequested();
-    void wasPicked(int snapshotId);   ///< snapshot to display
+    void snapshotPicked(int snapshotId);   ///< snapshot to display
     void restoreRequested(int snapshotId);
     void renamed(int snapshotId, const QString& name);
     void removeRequested(const std::set<int>& snapshotIds);
@@ -63,8 +63,8 @@ private:
     QLabel* empty_;
     QPushButton* compare_;
     SnapshotMarks marks_;
-    bool areRunsUnfolded_ = false;
-    bool showing_ = false;   ///< true while the program, not the user, changes the list
+    bool areRunsExpanded_ = false;
+    bool isUpdating_ = false;   ///< true while the program, not the user, changes the list
 };
 
 }   // namespace angiopose::ui

@@ -1,7 +1,7 @@
 #include "ui/panels/solution_strip.h"
 
 #include "ui/actions/key_hint.h"
-#include "ui/words/spoken.h"
+#include "ui/words/retranslation.h"
 
 #include <QListWidget>
 #include <QScopedValueRollback>
@@ -9,7 +9,7 @@
 namespace angiopose::ui {
 namespace {
 
-constexpr int solutionPictureSize = 84;
+constexpr int solutionThumbnailSize = 84;
 
 QPixmap pixmapOf(const core::ColorImage& picture, double ratio)
 {
@@ -27,42 +27,42 @@ SolutionStrip::SolutionStrip(QWidget* parent)
           "solutions", [] { return tr("Solutions"); }, Folding::Foldable, parent),
       list_(new QListWidget)
 {
-    speak(this, [this] {
-        setHint(tr("%1: next · %2: accept").arg(keyOf(Command::NextSolution), keyOf(Command::TakeSolution)));
+    keepTranslated(this, [this] {
+        setHint(tr("%1: next · %2: accept").arg(keyOf(Command::NextSolution), keyOf(Command::AcceptSolution)));
     });
-    withName(list_, [] { return tr("Solutions of this registration"); });
+    withAccessibleName(list_, [] { return tr("Solutions of this registration"); });
     list_->setViewMode(QListView::IconMode);
     list_->setMovement(QListView::Static);
     list_->setFlow(QListView::LeftToRight);
     list_->setWrapping(false);
-    list_->setIconSize({solutionPictureSize, solutionPictureSize});
+    list_->setIconSize({solutionThumbnailSize, solutionThumbnailSize});
     list_->setSpacing(2);
     list_->setUniformItemSizes(true);
     list_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     list_->setFrameShape(QFrame::NoFrame);
     list_->setSelectionMode(QAbstractItemView::SingleSelection);
-    list_->setFixedHeight(solutionPictureSize + 2 * list_->fontMetrics().height() + 20);
+    list_->setFixedHeight(solutionThumbnailSize + 2 * list_->fontMetrics().height() + 20);
     contentLayout()->addWidget(list_);
     connect(list_, &QListWidget::currentRowChanged, this, [this](int row) {
-        if (!showing_ && row >= 0) {
-            emit wasPicked(row);
+        if (!isUpdating_ && row >= 0) {
+            emit solutionPicked(row);
         }
     });
     connect(list_, &QListWidget::itemActivated, this,
-            [this](const QListWidgetItem* item) { emit takeRequested(list_->row(item)); });
+            [this](const QListWidgetItem* item) { emit acceptRequested(list_->row(item)); });
     hide();
 }
 
-int SolutionStrip::pictureWidthPx() const
+int SolutionStrip::thumbnailWidthPx() const
 {
-    return static_cast<int>(solutionPictureSize * devicePixelRatioF());
+    return static_cast<int>(solutionThumbnailSize * devicePixelRatioF());
 }
 
 void SolutionStrip::showSolutions(const std::vector<SolutionLine>& solutions)
 {
-    const QScopedValueRollback quiet(showing_, true);
+    const QScopedValueRollback quiet(isUpdating_, true);
     list_->clear();
-    QPixmap empty(pictureWidthPx(), pictureWidthPx());
+    QPixmap empty(thumbnailWidthPx(), thumbnailWidthPx());
     empty.fill(Qt::black);
     empty.setDevicePixelRatio(devicePixelRatioF());
     for (const SolutionLine& solution : solutions) {
@@ -73,7 +73,7 @@ void SolutionStrip::showSolutions(const std::vector<SolutionLine>& solutions)
     setVisible(solutions.size() > 1);
 }
 
-void SolutionStrip::showPicture(int index, const core::ColorImage& picture)
+void SolutionStrip::showThumbnail(int index, const core::ColorImage& picture)
 {
     if (QListWidgetItem* item = list_->item(index)) {
         item->setIcon(QIcon(pixmapOf(picture, devicePixelRatioF())));
@@ -82,7 +82,7 @@ void SolutionStrip::showPicture(int index, const core::ColorImage& picture)
 
 void SolutionStrip::showCurrent(int index)
 {
-    const QScopedValueRollback quiet(showing_, true);
+    const QScopedValueRollback quiet(isUpdating_, true);
     list_->setCurrentRow(index);
 }
 

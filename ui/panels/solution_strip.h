@@ -23,18 +23,18 @@ public:
     explicit SolutionStrip(QWidget* parent = nullptr);
 
     void showSolutions(const std::vector<SolutionLine>& solutions);   ///< emits no signal; thumbnails follow
-    void showPicture(int index, const core::ColorImage& picture);
+    void showThumbnail(int index, const core::ColorImage& picture);
     void showCurrent(int index);   ///< emits no signal
-    int pictureWidthPx() const;   ///< thumbnail width in device pixels
+    int thumbnailWidthPx() const;   ///< thumbnail width in device pixels
     QListWidget* list() const { return list_; }
 
 signals:
-    void wasPicked(int index);   ///< solution to display; 0 is the registered pose
-    void takeRequested(int index);
+    void solutionPicked(int index);   ///< solution to display; 0 is the registered pose
+    void acceptRequested(int index);
 
 private:
     QListWidget* list_;
-    bool showing_ = false;
+    bool isUpdating_ = false;
 };
 
 }   // namespace angiopose::ui

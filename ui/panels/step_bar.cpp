@@ -63,14 +63,14 @@ void StepBar::fitHints()
     // Hides hints one by one, from the right, before any step name is clipped.
     int needed = 16 + 4 * (stepCount - 1);
     for (const StepButton* button : buttons_) {
-        needed += button->widthWith(HintRoom::Shown);
+        needed += button->widthWith(HintVisibility::Shown);
     }
     for (int i = stepCount - 1; i >= 0; --i) {
         StepButton* button = buttons_[static_cast<std::size_t>(i)];
         const bool fits = needed <= width();
-        button->setHintRoom(fits ? HintRoom::Shown : HintRoom::Dropped);
+        button->setHintVisibility(fits ? HintVisibility::Shown : HintVisibility::Dropped);
         if (!fits) {
-            needed -= button->widthWith(HintRoom::Shown) - button->widthWith(HintRoom::Dropped);
+            needed -= button->widthWith(HintVisibility::Shown) - button->widthWith(HintVisibility::Dropped);
         }
     }
 }

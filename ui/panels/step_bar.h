@@ -12,7 +12,7 @@ namespace angiopose::ui {
 enum class Step { Vessels, Angiogram, Geometry, InitialPose, Register, Review, Export };
 inline constexpr int stepCount = 7;
 
-enum class StepMark { Open, Done, Look };
+enum class StepMark { Open, Done, Attention };
 
 /// State of a workflow step: its mark, and a short hint about what has been done or is missing.
 struct StepState {

@@ -28,7 +28,7 @@ QString glyphOf(StepMark mark)
     switch (mark) {
         case StepMark::Done:
             return QStringLiteral("✓");
-        case StepMark::Look:
+        case StepMark::Attention:
             return QStringLiteral("!");
         case StepMark::Open:
             break;
@@ -38,7 +38,7 @@ QString glyphOf(StepMark mark)
 
 }   // namespace
 
-StepButton::StepButton(const Words& name, QWidget* parent) : QAbstractButton(parent)
+StepButton::StepButton(const LocalizedText& name, QWidget* parent) : QAbstractButton(parent)
 {
     withText(this, name);
     setCursor(Qt::PointingHandCursor);
@@ -51,9 +51,9 @@ void StepButton::showState(const StepState& state)
 {
     state_ = state;
     setToolTip(state.whyNotReady);
-    const QString spoken = state.mark == StepMark::Done   ? tr("done")
-                           : state.mark == StepMark::Look ? tr("check")
-                                                          : tr("to do");
+    const QString spoken = state.mark == StepMark::Done        ? tr("done")
+                           : state.mark == StepMark::Attention ? tr("check")
+                                                               : tr("to do");
     setAccessibleName(tr("%1: %2, %3").arg(text(), spoken, state.hint));
     updateGeometry();
     update();
@@ -65,14 +65,14 @@ void StepButton::setCurrent(bool current)
     update();
 }
 
-void StepButton::setHintRoom(HintRoom room)
+void StepButton::setHintVisibility(HintVisibility hintVisibility)
 {
-    room_ = room;
+    hintVisibility_ = hintVisibility;
     updateGeometry();
     update();
 }
 
-int StepButton::widthWith(HintRoom room) const
+int StepButton::widthWith(HintVisibility hintVisibility) const
 {
     // The current step has a bold name; reserving its width for every step keeps the layout stable.
     const QFontMetrics nameMetrics(nameFont(font(), QFont::DemiBold));
@@ -80,7 +80,7 @@ int StepButton::widthWith(HintRoom room) const
     if (state_.mark != StepMark::Open) {
         width += markWidth;
     }
-    if (room == HintRoom::Shown && !state_.hint.isEmpty()) {
+    if (hintVisibility == HintVisibility::Shown && !state_.hint.isEmpty()) {
         width += hintGap + QFontMetrics(hintFont(font())).horizontalAdvance(state_.hint);
     }
     return width;
@@ -88,15 +88,15 @@ int StepButton::widthWith(HintRoom room) const
 
 QSize StepButton::sizeHint() const
 {
-    return {widthWith(room_), 40};
+    return {widthWith(hintVisibility_), 40};
 }
 
 void StepButton::paintEvent(QPaintEvent*)
 {
-    const Palette& tones = activePalette();
+    const Palette& colors = activePalette();
     QPainter painter(this);
     if (underMouse()) {
-        painter.fillRect(rect(), toQColor(tones.accent, 0.06));
+        painter.fillRect(rect(), toQColor(colors.accent, 0.06));
     }
     int x = sideMargin;
     const auto write = [&](const QString& words, const Color& tone) {
@@ -107,22 +107,22 @@ void StepButton::paintEvent(QPaintEvent*)
         QFont bold = font();
         bold.setWeight(QFont::Bold);
         painter.setFont(bold);
-        write(glyphOf(state_.mark), state_.mark == StepMark::Done ? tones.fine : tones.attention);
+        write(glyphOf(state_.mark), state_.mark == StepMark::Done ? colors.fine : colors.attention);
         painter.setFont(font());
         x += markWidth;
     }
     painter.setFont(nameFont(font(), current_ ? QFont::DemiBold : QFont::Normal));
-    write(text(), current_ ? tones.textStrong : tones.text);
+    write(text(), current_ ? colors.textStrong : colors.text);
     x += painter.fontMetrics().horizontalAdvance(text()) + hintGap;
-    if (room_ == HintRoom::Shown) {
+    if (hintVisibility_ == HintVisibility::Shown) {
         painter.setFont(hintFont(font()));
-        write(state_.hint, tones.hint);
+        write(state_.hint, colors.hint);
     }
     if (current_) {
-        painter.fillRect(QRect(0, height() - 2, width(), 2), toQColor(tones.accent));
+        painter.fillRect(QRect(0, height() - 2, width(), 2), toQColor(colors.accent));
     }
     if (hasFocus()) {
-        painter.setPen(QPen(toQColor(tones.accent), 1.0));
+        painter.setPen(QPen(toQColor(colors.accent), 1.0));
         painter.drawRect(rect().adjusted(1, 1, -2, -4));
     }
 }

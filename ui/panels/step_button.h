@@ -1,24 +1,24 @@
 #pragma once
 
 #include "ui/panels/step_bar.h"
-#include "ui/words/spoken.h"
+#include "ui/words/retranslation.h"
 
 #include <QAbstractButton>
 
 namespace angiopose::ui {
 
-enum class HintRoom { Shown, Dropped };
+enum class HintVisibility { Shown, Dropped };
 
 /// Button of one workflow step with mark, name and hint; underlined in the accent color if current.
 class StepButton : public QAbstractButton {
     Q_OBJECT
 public:
-    explicit StepButton(const Words& name, QWidget* parent = nullptr);
+    explicit StepButton(const LocalizedText& name, QWidget* parent = nullptr);
 
     void showState(const StepState& state);
     void setCurrent(bool current);
-    void setHintRoom(HintRoom room);
-    int widthWith(HintRoom room) const;
+    void setHintVisibility(HintVisibility hintVisibility);
+    int widthWith(HintVisibility hintVisibility) const;
     QSize sizeHint() const override;
 
 protected:
@@ -26,7 +26,7 @@ protected:
 
 private:
     StepState state_;
-    HintRoom room_ = HintRoom::Shown;
+    HintVisibility hintVisibility_ = HintVisibility::Shown;
     bool current_ = false;
 };
 

@@ -2,46 +2,48 @@
 
 #include "ui/actions/key_hint.h"
 #include "ui/controls/section.h"
-#include "ui/words/spoken.h"
+#include "ui/words/retranslation.h"
 
 #include <QHBoxLayout>
 #include <QPushButton>
 
 namespace angiopose::ui {
 
-TrialBar::TrialBar(QWidget* parent) : QWidget(parent), words_(roleLabel("attention"))
+TrialBar::TrialBar(QWidget* parent) : QWidget(parent), label_(roleLabel("attention"))
 {
     setProperty("role", "column");
     setAttribute(Qt::WA_StyledBackground);
     auto* abandon = withText(new QPushButton, [] { return tr("Abandon"); });
-    withTip(abandon, [] { return tr("Ends the trial and logs it as abandoned."); });
-    auto* done = withText(new QPushButton, [] { return withKey(tr("Done"), Command::TrialDone); });
+    withToolTip(abandon, [] { return tr("Ends the trial and logs it as abandoned."); });
+    auto* done = withText(new QPushButton, [] { return withShortcut(tr("Done"), Command::FinishTrial); });
     done->setProperty("role", "primary");
-    withName(done, [] { return tr("Done"); });
-    withTip(done, [] { return tipWithKey(tr("Logs time and pose and shows the values again."), Command::TrialDone); });
+    withAccessibleName(done, [] { return tr("Done"); });
+    withToolTip(done, [] {
+        return tooltipWithShortcut(tr("Logs time and pose and shows the values again."), Command::FinishTrial);
+    });
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(14, 6, 14, 6);
     layout->setSpacing(10);
-    layout->addWidget(words_, 1);
+    layout->addWidget(label_, 1);
     layout->addWidget(abandon);
     layout->addWidget(done);
     connect(done, &QPushButton::clicked, this, &TrialBar::doneRequested);
     connect(abandon, &QPushButton::clicked, this, &TrialBar::abandonRequested);
     hide();
-    speak(this, [this] { sayWhoseTrial(); });
+    keepTranslated(this, [this] { updateText(); });
 }
 
 void TrialBar::showTrial(const QString& observer)
 {
     observer_ = observer;
-    sayWhoseTrial();
+    updateText();
     show();
 }
 
-void TrialBar::sayWhoseTrial()
+void TrialBar::updateText()
 {
-    words_->setText(
-        tr("Blind trial of %1: align the vessels with the image. Values reappear when you are done.").arg(observer_));
+    label_->setText(tr("Blind trial of %1: align the vessels with the image. Values are shown again when you are done.")
+                        .arg(observer_));
 }
 
 }   // namespace angiopose::ui

@@ -19,9 +19,9 @@ signals:
     void abandonRequested();
 
 private:
-    void sayWhoseTrial();
+    void updateText();
 
-    QLabel* words_;
+    QLabel* label_;
     QString observer_;
 };
 

@@ -1,7 +1,7 @@
 #include "ui/panels/view_strip.h"
 
 #include "ui/actions/key_hint.h"
-#include "ui/words/spoken.h"
+#include "ui/words/retranslation.h"
 
 #include <QHBoxLayout>
 #include <QKeyEvent>
@@ -15,16 +15,16 @@
 namespace angiopose::ui {
 namespace {
 
-constexpr int viewPictureSize = 52;
-constexpr int minPictureSize = 28;
+constexpr int viewThumbnailSize = 52;
+constexpr int minThumbnailSize = 28;
 constexpr int viewItemPadding = 32;   // padding around and between thumbnail and text
 constexpr int numberPadding = 22;   // padding around and between thumbnail and number
 constexpr int listRim = 4;   // padding of the list around its items
-constexpr int fewestWordsPx = 40;   // minimum width of readable text
+constexpr int minTextWidthPx = 40;   // minimum width of readable text
 
-QPixmap emptyPicture(double ratio)
+QPixmap emptyThumbnail(double ratio)
 {
-    const int side = static_cast<int>(viewPictureSize * ratio);
+    const int side = static_cast<int>(viewThumbnailSize * ratio);
     QPixmap empty(side, side);
     empty.fill(Qt::black);
     empty.setDevicePixelRatio(ratio);
@@ -40,8 +40,8 @@ ViewStrip::ViewStrip(QWidget* parent)
     setAttribute(Qt::WA_StyledBackground);
     auto* add = new QToolButton;
     add->setText(QStringLiteral("+"));
-    withName(add, [] { return tr("Add a view"); });
-    withTip(add, [] { return tr("Adds another angiogram of the same vessels (Ctrl+Shift+V)"); });
+    withAccessibleName(add, [] { return tr("Add a view"); });
+    withToolTip(add, [] { return tr("Adds another angiogram of the same vessels (Ctrl+Shift+V)"); });
     connect(add, &QToolButton::clicked, this, &ViewStrip::addRequested);
     setUpList();
 
@@ -49,26 +49,26 @@ ViewStrip::ViewStrip(QWidget* parent)
     layout->setContentsMargins(4, 2, 8, 2);
     layout->setSpacing(6);
     layout->addWidget(list_, 1);
-    layout->addLayout(placedSwitches());
+    layout->addLayout(makeSwitches());
     layout->addWidget(add);
     hide();
 }
 
 void ViewStrip::setUpList()
 {
-    withName(list_, [] { return tr("Views"); });
+    withAccessibleName(list_, [] { return tr("Views"); });
     list_->setFlow(QListView::LeftToRight);
     list_->setMovement(QListView::Static);
     list_->setWrapping(false);
-    list_->setIconSize({viewPictureSize, viewPictureSize});
+    list_->setIconSize({viewThumbnailSize, viewThumbnailSize});
     list_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     list_->setFrameShape(QFrame::NoFrame);
-    list_->setFixedHeight(viewPictureSize + 10);
+    list_->setFixedHeight(viewThumbnailSize + 10);
     list_->setContextMenuPolicy(Qt::CustomContextMenu);
     list_->installEventFilter(this);
     connect(list_, &QListWidget::currentRowChanged, this, [this](int row) {
-        if (!showing_ && row >= 0) {
+        if (!isUpdating_ && row >= 0) {
             emit viewPicked(row);
         }
     });
@@ -80,18 +80,19 @@ void ViewStrip::setUpList()
 }
 
 /// Stacks the toggle buttons vertically to leave more width to the thumbnails.
-QLayout* ViewStrip::placedSwitches()
+QLayout* ViewStrip::makeSwitches()
 {
     sideBySide_->setIcon(QIcon(QStringLiteral(":/icons/side_by_side.svg")));
     crosshair_->setIcon(QIcon(QStringLiteral(":/icons/crosshair.svg")));
     withText(sideBySide_, [] { return tr("Side by side"); });
-    withTip(sideBySide_,
-            [] { return tipWithKey(tr("Shows all views side by side or only the current one"), Command::SideBySide); });
+    withToolTip(sideBySide_, [] {
+        return tooltipWithShortcut(tr("Shows all views side by side or only the current one"), Command::SideBySide);
+    });
     withText(crosshair_, [] { return tr("Crosshair"); });
-    withTip(crosshair_, [] {
-        return tipWithKey(tr("Shows the point under the pointer as an epipolar line in the other views and as a point "
-                             "on the vessels"),
-                          Command::LinkedCrosshair);
+    withToolTip(crosshair_, [] {
+        return tooltipWithShortcut(tr("Shows the point under the mouse pointer as an epipolar line in the other views "
+                                      "and as a point on the vessels"),
+                                   Command::LinkedCrosshair);
     });
     crosshair_->hide();
     connect(crosshair_, &QToolButton::clicked, this, &ViewStrip::crosshairRequested);
@@ -119,9 +120,9 @@ bool ViewStrip::eventFilter(QObject* watched, QEvent* event)
     return true;
 }
 
-int ViewStrip::pictureWidthPx() const
+int ViewStrip::thumbnailWidthPx() const
 {
-    return static_cast<int>(viewPictureSize * devicePixelRatioF());
+    return static_cast<int>(viewThumbnailSize * devicePixelRatioF());
 }
 
 void ViewStrip::showSideBySide(bool on)
@@ -143,13 +144,13 @@ int ViewStrip::count() const
 
 void ViewStrip::showViews(const std::vector<ViewLine>& views, int shown)
 {
-    const QScopedValueRollback quiet(showing_, true);
+    const QScopedValueRollback quiet(isUpdating_, true);
     const int count = static_cast<int>(views.size());
     while (list_->count() > count) {
         delete list_->takeItem(list_->count() - 1);
     }
     while (list_->count() < count) {
-        new QListWidgetItem(QIcon(emptyPicture(devicePixelRatioF())), {}, list_);
+        new QListWidgetItem(QIcon(emptyThumbnail(devicePixelRatioF())), {}, list_);
     }
     views_ = views;
     list_->setCurrentRow(shown);
@@ -162,14 +163,14 @@ void ViewStrip::resizeEvent(QResizeEvent*)
     fit();
 }
 
-int ViewStrip::wordsWidthPx(int index) const
+int ViewStrip::textWidthPx(int index) const
 {
     const QStringList lines = views_[static_cast<std::size_t>(index)].words.split(QLatin1Char('\n'));
     int widest = 0;
     for (const QString& line : lines) {
         widest = std::max(widest, list_->fontMetrics().horizontalAdvance(line));
     }
-    return viewPictureSize + viewItemPadding + widest;
+    return viewThumbnailSize + viewItemPadding + widest;
 }
 
 /// Shows text on the toggle buttons if text still fits beside every thumbnail, otherwise icons.
@@ -184,24 +185,25 @@ void ViewStrip::fit()
         return (list_->width() - listRim) / count;
     };
     fitSwitches(true);
-    int room = roomFor();
-    if (room < viewPictureSize + viewItemPadding + fewestWordsPx) {
+    int availablePx = roomFor();
+    if (availablePx < viewThumbnailSize + viewItemPadding + minTextWidthPx) {
         fitSwitches(false);
-        room = roomFor();
+        availablePx = roomFor();
     }
-    const bool hasWords = room >= viewPictureSize + viewItemPadding + fewestWordsPx;
-    const int besideNumber = room - numberPadding - list_->fontMetrics().horizontalAdvance(QString::number(count));
-    const int side = hasWords ? viewPictureSize : std::clamp(besideNumber, minPictureSize, viewPictureSize);
+    const bool hasText = availablePx >= viewThumbnailSize + viewItemPadding + minTextWidthPx;
+    const int besideNumber =
+        availablePx - numberPadding - list_->fontMetrics().horizontalAdvance(QString::number(count));
+    const int side = hasText ? viewThumbnailSize : std::clamp(besideNumber, minThumbnailSize, viewThumbnailSize);
     list_->setIconSize({side, side});
     for (int i = 0; i < count; ++i) {
-        fitItem(i, hasWords ? std::min(wordsWidthPx(i), room) : 0);
+        fitItem(i, hasText ? std::min(textWidthPx(i), availablePx) : 0);
     }
 }
 
-void ViewStrip::fitSwitches(bool hasWords)
+void ViewStrip::fitSwitches(bool hasText)
 {
     for (QToolButton* button : {sideBySide_, crosshair_}) {
-        button->setToolButtonStyle(hasWords ? Qt::ToolButtonTextOnly : Qt::ToolButtonIconOnly);
+        button->setToolButtonStyle(hasText ? Qt::ToolButtonTextOnly : Qt::ToolButtonIconOnly);
     }
 }
 
@@ -209,16 +211,16 @@ void ViewStrip::fitSwitches(bool hasWords)
 void ViewStrip::fitItem(int index, int widthPx)
 {
     const ViewLine& view = views_[static_cast<std::size_t>(index)];
-    const bool isWhole = widthPx > 0 && wordsWidthPx(index) <= widthPx;
+    const bool isWhole = widthPx > 0 && textWidthPx(index) <= widthPx;
     const QString number = QString::number(index + 1);
     const int numberPx = list_->iconSize().width() + numberPadding + list_->fontMetrics().horizontalAdvance(number);
     QListWidgetItem* item = list_->item(index);
     item->setText(widthPx > 0 ? view.words : number);
     item->setToolTip(isWhole ? view.toolTip : view.words + QLatin1Char('\n') + view.toolTip);
-    item->setSizeHint({widthPx > 0 ? widthPx : numberPx, viewPictureSize + 6});
+    item->setSizeHint({widthPx > 0 ? widthPx : numberPx, viewThumbnailSize + 6});
 }
 
-void ViewStrip::showPicture(int index, const core::ColorImage& picture)
+void ViewStrip::showThumbnail(int index, const core::ColorImage& picture)
 {
     QListWidgetItem* item = list_->item(index);
     if (!item) {

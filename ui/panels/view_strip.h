@@ -26,8 +26,8 @@ public:
     explicit ViewStrip(QWidget* parent = nullptr);
 
     void showViews(const std::vector<ViewLine>& views, int shown);   ///< keeps thumbnails if the count is unchanged
-    void showPicture(int index, const core::ColorImage& picture);
-    int pictureWidthPx() const;   ///< thumbnail width in device pixels
+    void showThumbnail(int index, const core::ColorImage& picture);
+    int thumbnailWidthPx() const;   ///< thumbnail width in device pixels
     int count() const;
     void showSideBySide(bool on);   ///< sets the state of the side-by-side toggle
     void showCrosshair(bool on);   ///< sets the state of the linked crosshair toggle
@@ -46,17 +46,17 @@ protected:
 
 private:
     void setUpList();
-    QLayout* placedSwitches();
+    QLayout* makeSwitches();
     void fit();
-    void fitSwitches(bool hasWords);
+    void fitSwitches(bool hasText);
     void fitItem(int index, int widthPx);
-    int wordsWidthPx(int index) const;   ///< width of the item with thumbnail and full text
+    int textWidthPx(int index) const;   ///< width of the item with thumbnail and full text
 
     std::vector<ViewLine> views_;
     QListWidget* list_;
     QToolButton* sideBySide_;
     QToolButton* crosshair_;
-    bool showing_ = false;
+    bool isUpdating_ = false;
 };
 
 }   // namespace angiopose::ui

@@ -2,7 +2,7 @@
 
 #include "ui/actions/key_hint.h"
 #include "ui/controls/section.h"
-#include "ui/words/spoken.h"
+#include "ui/words/retranslation.h"
 
 #include <QHBoxLayout>
 #include <QPushButton>
@@ -33,10 +33,11 @@ WelcomePage::WelcomePage(QWidget* parent)
         label->setAlignment(Qt::AlignCenter);
         label->setWordWrap(true);
     }
-    auto* open = withText(new QPushButton, [] { return withKey(tr("Open…"), Command::Open); });
+    auto* open = withText(new QPushButton, [] { return withShortcut(tr("Open…"), Command::Open); });
     open->setProperty("role", "primary");
-    auto* folder = withText(new QPushButton, [] { return withKey(tr("Open DICOM folder/CD…"), Command::OpenFolder); });
-    withTip(folder, [] { return tr("Lists the patients, studies and series of a folder, a CD or a DICOMDIR."); });
+    auto* folder =
+        withText(new QPushButton, [] { return withShortcut(tr("Open DICOM folder/CD…"), Command::OpenFolder); });
+    withToolTip(folder, [] { return tr("Lists the patients, studies and series of a folder, a CD or a DICOMDIR."); });
     auto* sample = withText(new QPushButton, [] { return tr("Open the sample case"); });
     buttons_->addStretch(1);
     buttons_->addWidget(open);

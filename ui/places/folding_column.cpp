@@ -26,25 +26,28 @@ Command commandOf(ColumnSide side)
 
 constexpr qint32 layoutVersion = 1;
 
-int shareOf(int width, double share, int least, int most)
+int shareOf(int width, double fraction, int least, int most)
 {
-    return std::clamp(static_cast<int>(share * width), least, most);
+    return std::clamp(static_cast<int>(fraction * width), least, most);
 }
 
 }   // namespace
 
 void paintChevron(QPainter& painter, const QPointF& at, ColumnSide side)
 {
-    const double way = side == ColumnSide::Left ? -1.0 : 1.0;
+    const double sign = side == ColumnSide::Left ? -1.0 : 1.0;
     painter.drawPolyline(
-        QPolygonF({at + QPointF(-2.0 * way, -4.5), at + QPointF(2.0 * way, 0.0), at + QPointF(-2.0 * way, 4.5)}));
+        QPolygonF({at + QPointF(-2.0 * sign, -4.5), at + QPointF(2.0 * sign, 0.0), at + QPointF(-2.0 * sign, 4.5)}));
 }
 
-ColumnRail::ColumnRail(ColumnSide side, const Words& behind, QWidget* parent) : QAbstractButton(parent), side_(side)
+ColumnRail::ColumnRail(ColumnSide side, const LocalizedText& contentName, QWidget* parent)
+    : QAbstractButton(parent), side_(side)
 {
-    withText(this, behind);
-    withName(this, [behind] { return tr("Expand panel: %1").arg(behind()); });
-    withTip(this, [side, behind] { return tipWithKey(tr("Expand: %1").arg(behind()), commandOf(side)); });
+    withText(this, contentName);
+    withAccessibleName(this, [contentName] { return tr("Expand panel: %1").arg(contentName()); });
+    withToolTip(this, [side, contentName] {
+        return tooltipWithShortcut(tr("Expand: %1").arg(contentName()), commandOf(side));
+    });
     setCursor(Qt::PointingHandCursor);
     setFocusPolicy(Qt::TabFocus);   // avoids a focus rectangle after a click
     setAttribute(Qt::WA_Hover);
@@ -56,7 +59,7 @@ QSize ColumnRail::sizeHint() const
     return {railWidth, 320};
 }
 
-int ColumnRail::wordsRoomPx(int height)
+int ColumnRail::maxTextLengthPx(int height)
 {
     return height - wordsFromTop - 8;
 }
@@ -64,34 +67,35 @@ int ColumnRail::wordsRoomPx(int height)
 /// Draws the text along the rail, rotated clockwise.
 void ColumnRail::paintEvent(QPaintEvent*)
 {
-    const Palette& tones = activePalette();
+    const Palette& colors = activePalette();
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
-    painter.fillRect(rect(), toQColor(underMouse() ? mixed(tones.panel, tones.accent, 0.10) : tones.panel));
-    const QColor tone = toQColor(underMouse() || hasFocus() ? tones.textStrong : tones.label);
+    painter.fillRect(rect(), toQColor(underMouse() ? mixed(colors.panel, colors.accent, 0.10) : colors.panel));
+    const QColor tone = toQColor(underMouse() || hasFocus() ? colors.textStrong : colors.label);
     painter.setPen(QPen(tone, 1.6, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     paintChevron(painter, {0.5 * width(), chevronFromTop},
                  side_ == ColumnSide::Left ? ColumnSide::Right : ColumnSide::Left);
-    const int room = wordsRoomPx(height());
+    const int textLength = maxTextLengthPx(height());
     painter.save();
     painter.translate(0.5 * width(), wordsFromTop);
     painter.rotate(90.0);
-    painter.drawText(QRect(0, -width() / 2, room, width()), Qt::AlignLeft | Qt::AlignVCenter,
-                     painter.fontMetrics().elidedText(text(), Qt::ElideRight, room));
+    painter.drawText(QRect(0, -width() / 2, textLength, width()), Qt::AlignLeft | Qt::AlignVCenter,
+                     painter.fontMetrics().elidedText(text(), Qt::ElideRight, textLength));
     painter.restore();
     if (hasFocus()) {
         painter.setRenderHint(QPainter::Antialiasing, false);
-        painter.setPen(toQColor(tones.accent));
+        painter.setPen(toQColor(colors.accent));
         painter.drawRect(rect().adjusted(0, 0, -1, -1));
     }
 }
 
-FoldButton::FoldButton(ColumnSide side, const Words& folds, QWidget* parent) : QAbstractButton(parent), side_(side)
+FoldButton::FoldButton(ColumnSide side, const LocalizedText& folds, QWidget* parent)
+    : QAbstractButton(parent), side_(side)
 {
-    withName(this, [folds] { return tr("Collapse panel: %1").arg(folds()); });
-    withTip(this, [side, folds] {
-        return tipWithKey(tr("Collapse: %1").arg(folds()),
-                          side == ColumnSide::Left ? Command::FoldLeft : Command::FoldRight);
+    withAccessibleName(this, [folds] { return tr("Collapse panel: %1").arg(folds()); });
+    withToolTip(this, [side, folds] {
+        return tooltipWithShortcut(tr("Collapse: %1").arg(folds()),
+                                   side == ColumnSide::Left ? Command::FoldLeft : Command::FoldRight);
     });
     setCursor(Qt::PointingHandCursor);
     setFocusPolicy(Qt::TabFocus);   // avoids a focus rectangle after a click
@@ -106,25 +110,25 @@ QSize FoldButton::sizeHint() const
 
 void FoldButton::paintEvent(QPaintEvent*)
 {
-    const Palette& tones = activePalette();
+    const Palette& colors = activePalette();
     const bool isPointed = underMouse() || hasFocus();
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(Qt::NoPen);
-    painter.setBrush(toQColor(isPointed ? mixed(tones.panel, tones.accent, 0.25) : tones.line));
+    painter.setBrush(toQColor(isPointed ? mixed(colors.panel, colors.accent, 0.25) : colors.line));
     painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 3.0, 3.0);
     painter.setPen(
-        QPen(toQColor(isPointed ? tones.textStrong : tones.label), 1.4, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+        QPen(toQColor(isPointed ? colors.textStrong : colors.label), 1.4, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     paintChevron(painter, QRectF(rect()).center(), side_);
     if (hasFocus()) {
         painter.setBrush(Qt::NoBrush);
-        painter.setPen(toQColor(tones.accent));
+        painter.setPen(toQColor(colors.accent));
         painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 3.0, 3.0);
     }
 }
 
-FoldingColumn::FoldingColumn(ColumnSide side, QWidget& content, const Words& behind, QWidget* parent)
-    : QWidget(parent), side_(side), content_(&content), rail_(new ColumnRail(side, behind))
+FoldingColumn::FoldingColumn(ColumnSide side, QWidget& content, const LocalizedText& contentName, QWidget* parent)
+    : QWidget(parent), side_(side), content_(&content), rail_(new ColumnRail(side, contentName))
 {
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -137,7 +141,7 @@ FoldingColumn::FoldingColumn(ColumnSide side, QWidget& content, const Words& beh
 
 void FoldingColumn::placeButton(QSplitterHandle& border)
 {
-    const Words words = [rail = rail_] { return rail->text(); };
+    const LocalizedText words = [rail = rail_] { return rail->text(); };
     auto* button = new FoldButton(side_, words);
     connect(button, &QAbstractButton::clicked, this, [this] { setFolded(true); });
     auto* layout = new QVBoxLayout(&border);
@@ -164,7 +168,7 @@ void FoldingColumn::setFolded(bool folded)
     }
 }
 
-void FoldingColumn::holdOpen(bool hold)
+void FoldingColumn::setHeldOpen(bool hold)
 {
     if (hold != isHeldOpen_) {
         isHeldOpen_ = hold;
@@ -213,18 +217,18 @@ void FoldingColumn::resizeEvent(QResizeEvent* event)
     }
 }
 
-ColumnLayout columnsFor(Work work, int windowWidth)
+ColumnLayout defaultColumns(Activity work, int windowWidth)
 {
     ColumnLayout columns;
     switch (work) {
-        case Work::Tracing:   // enlarges the slices and the 3-D view
+        case Activity::Tracing:   // enlarges the slices and the 3-D view
             columns.leftWidth = shareOf(windowWidth, 0.34, 300, 760);
             columns.cornerShare = 0.68;
             columns.isRightFolded = true;
             break;
-        case Work::Registering:
+        case Activity::Registering:
             break;
-        case Work::Reviewing:   // enlarges the image and the result panel
+        case Activity::Reviewing:   // enlarges the image and the result panel
             columns.rightWidth = shareOf(windowWidth, 0.28, 320, 480);
             columns.isLeftFolded = true;
             break;
@@ -232,26 +236,26 @@ ColumnLayout columnsFor(Work work, int windowWidth)
     return columns;
 }
 
-QByteArray bytesOf(const WorkLayout& layout)
+QByteArray toBytes(const ActivityLayout& layout)
 {
     QByteArray bytes;
     QDataStream stream(&bytes, QIODevice::WriteOnly);
     const ColumnLayout& columns = layout.columns;
     stream << layoutVersion << qint32{columns.leftWidth} << qint32{columns.rightWidth} << columns.isLeftFolded
-           << columns.isRightFolded << columns.cornerShare << layout.areSlicesLarge << qint32{layout.cornerPlane};
+           << columns.isRightFolded << columns.cornerShare << layout.areSlicesEnlarged << qint32{layout.cornerPlane};
     return bytes;
 }
 
-std::optional<WorkLayout> workLayoutOf(const QByteArray& bytes)
+std::optional<ActivityLayout> activityLayoutFromBytes(const QByteArray& bytes)
 {
     QDataStream stream(bytes);
     qint32 version = 0;
     qint32 left = 0;
     qint32 right = 0;
     qint32 plane = 0;
-    WorkLayout layout;
+    ActivityLayout layout;
     stream >> version >> left >> right >> layout.columns.isLeftFolded >> layout.columns.isRightFolded >>
-        layout.columns.cornerShare >> layout.areSlicesLarge >> plane;
+        layout.columns.cornerShare >> layout.areSlicesEnlarged >> plane;
     const bool isSound = stream.status() == QDataStream::Ok && version == layoutVersion && left > 0 && right > 0 &&
                          plane >= 0 && plane <= 3 && layout.columns.cornerShare > 0.0 &&
                          layout.columns.cornerShare < 1.0;

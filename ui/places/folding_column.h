@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/words/spoken.h"
+#include "ui/words/retranslation.h"
 
 #include <QAbstractButton>
 #include <QByteArray>
@@ -17,11 +17,11 @@ enum class ColumnSide { Left, Right };
 class ColumnRail : public QAbstractButton {
     Q_OBJECT
 public:
-    ColumnRail(ColumnSide side, const Words& behind, QWidget* parent = nullptr);
+    ColumnRail(ColumnSide side, const LocalizedText& contentName, QWidget* parent = nullptr);
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override { return {sizeHint().width(), 80}; }
-    static int wordsRoomPx(int height);   ///< length available for text on a rail of this height
+    static int maxTextLengthPx(int height);   ///< length available for text on a rail of this height
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -37,7 +37,7 @@ void paintChevron(QPainter& painter, const QPointF& at, ColumnSide side);
 class FoldButton : public QAbstractButton {
     Q_OBJECT
 public:
-    FoldButton(ColumnSide side, const Words& folds, QWidget* parent = nullptr);
+    FoldButton(ColumnSide side, const LocalizedText& folds, QWidget* parent = nullptr);
 
     QSize sizeHint() const override;
 
@@ -53,11 +53,11 @@ class FoldingColumn : public QWidget {
     Q_OBJECT
 public:
     /// Takes ownership of the content, whose display name is `contentName`.
-    FoldingColumn(ColumnSide side, QWidget& content, const Words& behind, QWidget* parent = nullptr);
+    FoldingColumn(ColumnSide side, QWidget& content, const LocalizedText& contentName, QWidget* parent = nullptr);
 
     bool isFolded() const { return isFolded_; }
     void setFolded(bool folded);
-    void holdOpen(bool hold);   ///< while true, shows the content even if folded
+    void setHeldOpen(bool hold);   ///< while true, shows the content even if folded
 
     int openWidth() const { return openWidth_; }   ///< current width, or the width before folding
     void setOpenWidth(int width) { openWidth_ = width; }
@@ -100,22 +100,22 @@ struct ColumnLayout {
 };
 
 /// User activity that determines the layout: tracing a scan, registering vessels, or reviewing a result.
-enum class Work { Tracing, Registering, Reviewing };
+enum class Activity { Tracing, Registering, Reviewing };
 
 /// Returns the default columns for an activity in a window of this width.
-ColumnLayout columnsFor(Work work, int windowWidth);
+ColumnLayout defaultColumns(Activity work, int windowWidth);
 
 /// Window layout saved for one activity.
-struct WorkLayout {
+struct ActivityLayout {
     ColumnLayout columns;
-    bool areSlicesLarge = false;
+    bool areSlicesEnlarged = false;
     int cornerPlane = 0;   ///< 0 for the 3-D view, otherwise 1 + index into `core::bodyPlanes`
 
-    bool operator==(const WorkLayout&) const = default;
+    bool operator==(const ActivityLayout&) const = default;
 };
 
-/// Serialize and restore a layout; `workLayoutOf` returns no value for invalid bytes.
-QByteArray bytesOf(const WorkLayout& layout);
-std::optional<WorkLayout> workLayoutOf(const QByteArray& bytes);
+/// Serialize and restore a layout; `activityLayoutFromBytes` returns no value for invalid bytes.
+QByteArray toBytes(const ActivityLayout& layout);
+std::optional<ActivityLayout> activityLayoutFromBytes(const QByteArray& bytes);
 
 }   // namespace angiopose::ui

@@ -2,7 +2,7 @@
 
 #include "ui/controls/section.h"
 #include "ui/views/angiogram_view.h"
-#include "ui/words/spoken.h"
+#include "ui/words/retranslation.h"
 
 #include <QContextMenuEvent>
 #include <QGridLayout>
@@ -36,7 +36,7 @@ PaneTitle::PaneTitle(QWidget* parent)
     layout->addWidget(note_, 2);
 }
 
-void PaneTitle::showWords(const QString& title, const QString& note, const QString& tip)
+void PaneTitle::showTexts(const QString& title, const QString& note, const QString& tip)
 {
     title_->showText(title);
     note_->showText(note);
@@ -91,12 +91,12 @@ void PaneTitle::contextMenuEvent(QContextMenuEvent* event)
 ViewPane::ViewPane(QWidget* parent)
     : QWidget(parent),
       title_(new PaneTitle),
-      image_(new AngiogramView(ImageRole::Beside)),
+      image_(new AngiogramView(ImageRole::Secondary)),
       frames_(new QScrollBar(Qt::Horizontal))
 {
     setProperty("role", "canvas");
     setAttribute(Qt::WA_StyledBackground);
-    withName(frames_, [] { return tr("Frames of this view"); });
+    withAccessibleName(frames_, [] { return tr("Frames of this view"); });
     frames_->setPageStep(1);
     frames_->hide();
     auto* layout = new QVBoxLayout(this);
@@ -107,7 +107,7 @@ ViewPane::ViewPane(QWidget* parent)
     layout->addWidget(frames_);
     connect(title_, &PaneTitle::clicked, this, &ViewPane::chosen);
     connect(title_, &PaneTitle::menuRequested, this, &ViewPane::menuRequested);
-    connect(image_, &AngiogramView::roomRequested, this, &ViewPane::chosen);
+    connect(image_, &AngiogramView::enlargeRequested, this, &ViewPane::chosen);
     connect(image_, &AngiogramView::menuRequested, this, &ViewPane::menuRequested);
     connect(image_, &AngiogramView::frameStepRequested, this, &ViewPane::stepFrame);
     connect(frames_, &QScrollBar::valueChanged, this, &ViewPane::frameRequested);
@@ -125,17 +125,17 @@ void ViewPane::showFrame(int frame, int count)
 void ViewPane::stepFrame(int step)
 {
     const bool isEnd = step == INT_MIN || step == INT_MAX;
-    const int wanted = isEnd ? step : frames_->value() + step;
-    emit frameRequested(std::clamp(wanted, 0, frames_->maximum()));
+    const int target = isEnd ? step : frames_->value() + step;
+    emit frameRequested(std::clamp(target, 0, frames_->maximum()));
 }
 
 SideBySide::SideBySide(AngiogramView& shown, QWidget* parent)
     : QWidget(parent),
       title_(new PaneTitle),
       shown_(&shown),
-      others_(new QWidget),
-      grid_(new QGridLayout(others_)),
-      halves_(new QSplitter(Qt::Horizontal))
+      paneArea_(new QWidget),
+      grid_(new QGridLayout(paneArea_)),
+      splitter_(new QSplitter(Qt::Horizontal))
 {
     auto* working = new QWidget;
     auto* column = new QVBoxLayout(working);
@@ -147,14 +147,14 @@ SideBySide::SideBySide(AngiogramView& shown, QWidget* parent)
     title_->hide();
     grid_->setContentsMargins(0, 0, 0, 0);
     grid_->setSpacing(1);
-    others_->hide();
-    halves_->addWidget(working);
-    halves_->addWidget(others_);
-    halves_->setHandleWidth(1);
-    halves_->setChildrenCollapsible(false);
+    paneArea_->hide();
+    splitter_->addWidget(working);
+    splitter_->addWidget(paneArea_);
+    splitter_->setHandleWidth(1);
+    splitter_->setChildrenCollapsible(false);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(halves_);
+    layout->addWidget(splitter_);
     setFocusProxy(shown_);
 }
 
@@ -165,8 +165,8 @@ void SideBySide::setPaneCount(std::size_t count)
     }
     count_ = count;
     while (panes_.size() < count) {
-        panes_.push_back(new ViewPane(others_));
-        emit paneMade(panes_.back());
+        panes_.push_back(new ViewPane(paneArea_));
+        emit paneCreated(panes_.back());
     }
     place();
 }
@@ -183,10 +183,10 @@ void SideBySide::place()
         }
     }
     title_->setVisible(count_ > 0);
-    others_->setVisible(count_ > 0);
-    const int wide = std::max(2, halves_->width());
+    paneArea_->setVisible(count_ > 0);
+    const int wide = std::max(2, splitter_->width());
     const int forOthers = count_ == 0 ? 0 : count_ > 1 && columns == 1 ? wide / 3 : wide / 2;
-    halves_->setSizes({wide - forOthers, forOthers});
+    splitter_->setSizes({wide - forOthers, forOthers});
 }
 
 std::vector<AngiogramView*> SideBySide::images()

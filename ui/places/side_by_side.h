@@ -20,7 +20,7 @@ public:
     explicit PaneTitle(QWidget* parent = nullptr);
 
     /// Shows the title with `note` on the right; `tip` explains the note in full sentences.
-    void showWords(const QString& title, const QString& note, const QString& tip);
+    void showTexts(const QString& title, const QString& note, const QString& tip);
     void setShown(bool shown);   ///< marks the title of the current view: bold and not clickable
     QString title() const;
     QString note() const;
@@ -88,16 +88,16 @@ public:
     std::vector<AngiogramView*> images();   ///< current image first, then the images of the panes
 
 signals:
-    void paneMade(ui::ViewPane* pane);   ///< emitted once per pane, since hidden panes are reused
+    void paneCreated(ui::ViewPane* pane);   ///< emitted once per pane, since hidden panes are reused
 
 private:
     void place();
 
     PaneTitle* title_;
     AngiogramView* shown_;
-    QWidget* others_;
+    QWidget* paneArea_;
     QGridLayout* grid_;
-    QSplitter* halves_;
+    QSplitter* splitter_;
     std::vector<ViewPane*> panes_;   ///< includes hidden panes kept for reuse
     std::size_t count_ = 0;
 };

@@ -1,8 +1,8 @@
 #include "ui/places/view_frame.h"
 
-#include "ui/controls/screen_room.h"
+#include "ui/controls/screen_fit.h"
 #include "ui/controls/section.h"
-#include "ui/words/spoken.h"
+#include "ui/words/retranslation.h"
 
 #include <QCloseEvent>
 #include <QGuiApplication>
@@ -18,18 +18,18 @@ constexpr QSize usualSize(900, 760);
 
 }   // namespace
 
-ViewWindow::ViewWindow(QWidget* mainWindow, const Words& title) : QWidget(mainWindow, Qt::Window)
+ViewWindow::ViewWindow(QWidget* mainWindow, const LocalizedText& title) : QWidget(mainWindow, Qt::Window)
 {
-    speak(this, [this, title] { setWindowTitle(title()); });
+    keepTranslated(this, [this, title] { setWindowTitle(title()); });
     setProperty("role", "canvas");
     setAttribute(Qt::WA_StyledBackground);
     addActions(mainWindow->actions());
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
-    resizeOnScreen(*this, usualSize);
+    resizeWithinScreen(*this, usualSize);
 }
 
-void ViewWindow::hold(QWidget& view)
+void ViewWindow::setView(QWidget& view)
 {
     layout()->addWidget(&view);
     view.show();
@@ -52,56 +52,56 @@ void ViewWindow::closeEvent(QCloseEvent* event)
     emit closeRequested();
 }
 
-ViewFrame::ViewFrame(QWidget& view, const Words& title, QWidget* parent)
-    : QStackedWidget(parent), view_(&view), home_(new QWidget), absence_(makeAbsence()), title_(title)
+ViewFrame::ViewFrame(QWidget& view, const LocalizedText& title, QWidget* parent)
+    : QStackedWidget(parent), view_(&view), dockedPage_(new QWidget), placeholder_(makePlaceholder()), title_(title)
 {
-    auto* layout = new QVBoxLayout(home_);
+    auto* layout = new QVBoxLayout(dockedPage_);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(view_);
-    addWidget(home_);
-    addWidget(absence_);
+    addWidget(dockedPage_);
+    addWidget(placeholder_);
 }
 
-QWidget* ViewFrame::makeAbsence()
+QWidget* ViewFrame::makePlaceholder()
 {
     auto* absence = new QWidget;
     auto* layout = new QVBoxLayout(absence);
-    auto* words = withText(roleLabel("hint"), [] { return tr("Shown in a separate window"); });
-    words->setAlignment(Qt::AlignCenter);
+    auto* text = withText(roleLabel("hint"), [] { return tr("Shown in a separate window"); });
+    text->setAlignment(Qt::AlignCenter);
     auto* back = withText(new QPushButton, [] { return tr("Bring back"); });
     back->setProperty("role", "link");
-    connect(back, &QPushButton::clicked, this, [this] { setOut(false); });
+    connect(back, &QPushButton::clicked, this, [this] { setPoppedOut(false); });
     layout->addStretch(1);
-    layout->addWidget(words);
+    layout->addWidget(text);
     layout->addWidget(back, 0, Qt::AlignHCenter);
     layout->addStretch(1);
     return absence;
 }
 
-void ViewFrame::setOut(bool out)
+void ViewFrame::setPoppedOut(bool out)
 {
-    if (out == isOut_) {
+    if (out == isPoppedOut_) {
         return;
     }
-    isOut_ = out;
+    isPoppedOut_ = out;
     if (out) {
-        leave();
+        popOut();
     } else {
-        comeBack();
+        dock();
     }
     view_->setFocus(Qt::OtherFocusReason);
-    emit outChanged(out);
+    emit poppedOutChanged(out);
 }
 
-void ViewFrame::leave()
+void ViewFrame::popOut()
 {
     window_ = new ViewWindow(window(), title_);
-    connect(window_, &ViewWindow::closeRequested, this, [this] { setOut(false); });
-    window_->hold(*view_);
-    if (!window_->restoreGeometry(place_)) {
+    connect(window_, &ViewWindow::closeRequested, this, [this] { setPoppedOut(false); });
+    window_->setView(*view_);
+    if (!window_->restoreGeometry(savedGeometry_)) {
         window_->goToAnotherScreen();
     }
-    setCurrentWidget(absence_);
+    setCurrentWidget(placeholder_);
     const auto show = [own = window_] {
         own->show();
         own->activateWindow();
@@ -113,11 +113,11 @@ void ViewFrame::leave()
     }
 }
 
-void ViewFrame::comeBack()
+void ViewFrame::dock()
 {
-    place_ = window_->saveGeometry();
-    home_->layout()->addWidget(view_);
-    setCurrentWidget(home_);
+    savedGeometry_ = window_->saveGeometry();
+    dockedPage_->layout()->addWidget(view_);
+    setCurrentWidget(dockedPage_);
     view_->show();
     window_->hide();
     window_->deleteLater();   // deferred, since this may run inside the close event of `window_`
@@ -132,9 +132,9 @@ void ViewFrame::setFullScreen(bool on)
     }
 }
 
-QByteArray ViewFrame::windowPlace() const
+QByteArray ViewFrame::savedGeometry() const
 {
-    return window_ ? window_->saveGeometry() : place_;
+    return window_ ? window_->saveGeometry() : savedGeometry_;
 }
 
 }   // namespace angiopose::ui

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/words/spoken.h"
+#include "ui/words/retranslation.h"
 
 #include <QByteArray>
 #include <QStackedWidget>
@@ -13,9 +13,9 @@ namespace angiopose::ui {
 class ViewWindow : public QWidget {
     Q_OBJECT
 public:
-    ViewWindow(QWidget* mainWindow, const Words& title);
+    ViewWindow(QWidget* mainWindow, const LocalizedText& title);
 
-    void hold(QWidget& view);
+    void setView(QWidget& view);
     void goToAnotherScreen();   ///< no effect if there is only one screen
 
 signals:
@@ -33,30 +33,30 @@ class ViewFrame : public QStackedWidget {
     Q_OBJECT
 public:
     /// Takes ownership of the view; `title` is the title of the popped-out window.
-    ViewFrame(QWidget& view, const Words& title, QWidget* parent = nullptr);
+    ViewFrame(QWidget& view, const LocalizedText& title, QWidget* parent = nullptr);
 
-    bool isOut() const { return isOut_; }
-    void setOut(bool out);
+    bool isPoppedOut() const { return isPoppedOut_; }
+    void setPoppedOut(bool out);
     void setFullScreen(bool on);   ///< applies to the popped-out window; no effect while docked
 
-    QByteArray windowPlace() const;   ///< last geometry of its window; empty if never popped out
-    void setWindowPlace(const QByteArray& place) { place_ = place; }
+    QByteArray savedGeometry() const;   ///< last geometry of its window; empty if never popped out
+    void setSavedGeometry(const QByteArray& place) { savedGeometry_ = place; }
 
 signals:
-    void outChanged(bool out);
+    void poppedOutChanged(bool out);
 
 private:
-    QWidget* makeAbsence();
-    void leave();
-    void comeBack();
+    QWidget* makePlaceholder();
+    void popOut();
+    void dock();
 
     QWidget* view_;
-    QWidget* home_;
-    QWidget* absence_;
-    Words title_;
+    QWidget* dockedPage_;
+    QWidget* placeholder_;
+    LocalizedText title_;
     ViewWindow* window_ = nullptr;
-    QByteArray place_;
-    bool isOut_ = false;
+    QByteArray savedGeometry_;
+    bool isPoppedOut_ = false;
 };
 
 }   // namespace angiopose::ui

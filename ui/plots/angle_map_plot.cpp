@@ -1,7 +1,7 @@
 #include "ui/plots/angle_map_plot.h"
 
 #include "ui/theme/active_theme.h"
-#include "ui/words/spoken.h"
+#include "ui/words/retranslation.h"
 
 #include <QKeyEvent>
 #include <QMouseEvent>
@@ -46,14 +46,14 @@ QColor markTone()
     return toQColor(palette(ThemeMode::Dark).textStrong);
 }
 
-void drawOutlined(QPainter& painter, const QPointF& place, const QString& text, const Palette& tones)
+void drawOutlined(QPainter& painter, const QPointF& pos, const QString& text, const Palette& colors)
 {
-    painter.setPen(toQColor(tones.canvas));
+    painter.setPen(toQColor(colors.canvas));
     for (const QPointF& offset : {QPointF(-1, 0), QPointF(1, 0), QPointF(0, -1), QPointF(0, 1)}) {
-        painter.drawText(place + offset, text);
+        painter.drawText(pos + offset, text);
     }
     painter.setPen(markTone());
-    painter.drawText(place, text);
+    painter.drawText(pos, text);
 }
 
 }   // namespace
@@ -63,7 +63,7 @@ AngleMapPlot::AngleMapPlot(QWidget* parent) : QWidget(parent)
     setMinimumSize(360, 190);
     setFocusPolicy(Qt::StrongFocus);
     setCursor(Qt::CrossCursor);
-    withName(this, [] { return tr("Gantry angle map"); });
+    withAccessibleName(this, [] { return tr("Gantry angle map"); });
 }
 
 void AngleMapPlot::showMap(const std::optional<core::AngleMap>& map)
@@ -72,9 +72,9 @@ void AngleMapPlot::showMap(const std::optional<core::AngleMap>& map)
     update();
 }
 
-void AngleMapPlot::showNow(const std::optional<core::GantryAngles>& angles)
+void AngleMapPlot::showCurrent(const std::optional<core::GantryAngles>& angles)
 {
-    now_ = angles;
+    current_ = angles;
     update();
 }
 
@@ -89,36 +89,36 @@ QRectF AngleMapPlot::area() const
     return QRectF(rect()).adjusted(angleLabelWidth, 8, -30, -angleLabelHeight);
 }
 
-QPointF AngleMapPlot::placeOf(const core::GantryAngles& angles) const
+QPointF AngleMapPlot::positionOf(const core::GantryAngles& angles) const
 {
     const QRectF map = area();
-    const auto share = [](const std::vector<double>& grid, double deg) {
+    const auto fraction = [](const std::vector<double>& grid, double deg) {
         const double width = grid.back() - grid.front();
         return width > 0.0 ? (deg - grid.front()) / width : 0.5;
     };
-    return {map.left() + share(map_->primaryDeg, angles.primaryDeg) * map.width(),
-            map.bottom() - share(map_->secondaryDeg, angles.secondaryDeg) * map.height()};
+    return {map.left() + fraction(map_->primaryDeg, angles.primaryDeg) * map.width(),
+            map.bottom() - fraction(map_->secondaryDeg, angles.secondaryDeg) * map.height()};
 }
 
-core::GantryAngles AngleMapPlot::anglesAt(const QPointF& place) const
+core::GantryAngles AngleMapPlot::anglesAt(const QPointF& pos) const
 {
     const QRectF map = area();
-    const auto deg = [](const std::vector<double>& grid, double share) {
-        return grid.front() + std::clamp(share, 0.0, 1.0) * (grid.back() - grid.front());
+    const auto deg = [](const std::vector<double>& grid, double fraction) {
+        return grid.front() + std::clamp(fraction, 0.0, 1.0) * (grid.back() - grid.front());
     };
-    return {std::round(deg(map_->primaryDeg, (place.x() - map.left()) / map.width())),
-            std::round(deg(map_->secondaryDeg, (map.bottom() - place.y()) / map.height()))};
+    return {std::round(deg(map_->primaryDeg, (pos.x() - map.left()) / map.width())),
+            std::round(deg(map_->secondaryDeg, (map.bottom() - pos.y()) / map.height()))};
 }
 
 void AngleMapPlot::paintEvent(QPaintEvent*)
 {
-    const Palette& tones = activePalette();
+    const Palette& colors = activePalette();
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setRenderHint(QPainter::SmoothPixmapTransform);
     if (!map_) {
-        painter.fillRect(area(), toQColor(tones.field));
-        painter.setPen(toQColor(tones.hint));
+        painter.fillRect(area(), toQColor(colors.field));
+        painter.setPen(toQColor(colors.hint));
         painter.drawText(area(), Qt::AlignCenter, tr("no map yet"));
         return;
     }
@@ -137,13 +137,13 @@ void AngleMapPlot::paintAxes(QPainter& painter) const
         }
     };
     ticks(map_->primaryDeg, primaryTickDeg, [&](double deg) {
-        const double x = placeOf({deg, map_->secondaryDeg.front()}).x();
+        const double x = positionOf({deg, map_->secondaryDeg.front()}).x();
         painter.drawText(QRectF(x - 40, map.bottom() + 3, 80, angleLabelHeight - 3), Qt::AlignHCenter | Qt::AlignTop,
                          tickText(deg, "RAO", "LAO"));
     });
     ticks(map_->secondaryDeg, secondaryTickDeg, [&](double deg) {
-        const double place = placeOf({map_->primaryDeg.front(), deg}).y();
-        const double y = std::clamp(place, map.top() + 6.0, map.bottom() - 6.0);   // avoids the other axis
+        const double pos = positionOf({map_->primaryDeg.front(), deg}).y();
+        const double y = std::clamp(pos, map.top() + 6.0, map.bottom() - 6.0);   // avoids the other axis
         painter.drawText(QRectF(0, y - 10, angleLabelWidth - 8, 20), Qt::AlignRight | Qt::AlignVCenter,
                          tickText(deg, "CAU", "CRA"));
     });
@@ -151,25 +151,25 @@ void AngleMapPlot::paintAxes(QPainter& painter) const
 
 void AngleMapPlot::paintMarks(QPainter& painter) const
 {
-    const Palette& tones = activePalette();
+    const Palette& colors = activePalette();
     painter.setClipRect(area().adjusted(-4, -4, 4, 4));
     for (std::size_t i = 0; i < map_->best.size(); ++i) {
-        const QPointF at = placeOf(map_->best[i].angles);
+        const QPointF at = positionOf(map_->best[i].angles);
         const QString number = QString::number(i + 1);
         const double below = at.y() < area().top() + 20 ? 18.0 : -6.0;   // keeps the label inside the map
         const double beside = at.x() > area().right() - 20 ? -16.0 : 6.0;
-        painter.setPen(QPen(toQColor(tones.canvas), 3.0));
+        painter.setPen(QPen(toQColor(colors.canvas), 3.0));
         painter.drawPoint(at);
-        drawOutlined(painter, at + QPointF(beside, below), number, tones);
+        drawOutlined(painter, at + QPointF(beside, below), number, colors);
     }
-    if (now_) {
-        painter.setPen(QPen(toQColor(tones.canvas), 3.5));
-        painter.drawEllipse(placeOf(*now_), 6, 6);
+    if (current_) {
+        painter.setPen(QPen(toQColor(colors.canvas), 3.5));
+        painter.drawEllipse(positionOf(*current_), 6, 6);
         painter.setPen(QPen(markTone(), 1.5));
-        painter.drawEllipse(placeOf(*now_), 6, 6);
+        painter.drawEllipse(positionOf(*current_), 6, 6);
     }
-    const QPointF at = placeOf(picked_);
-    for (const auto& [color, width] : {std::pair{toQColor(tones.canvas), 4.0}, std::pair{markTone(), 1.5}}) {
+    const QPointF at = positionOf(picked_);
+    for (const auto& [color, width] : {std::pair{toQColor(colors.canvas), 4.0}, std::pair{markTone(), 1.5}}) {
         painter.setPen(QPen(color, width));
         painter.drawLine(at - QPointF(9, 0), at + QPointF(9, 0));
         painter.drawLine(at - QPointF(0, 9), at + QPointF(0, 9));

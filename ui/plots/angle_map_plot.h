@@ -16,7 +16,7 @@ public:
     explicit AngleMapPlot(QWidget* parent = nullptr);
 
     void showMap(const std::optional<core::AngleMap>& map);
-    void showNow(const std::optional<core::GantryAngles>& angles);   ///< marks the current gantry angles
+    void showCurrent(const std::optional<core::GantryAngles>& angles);   ///< marks the current gantry angles
     void showPicked(const core::GantryAngles& angles);
     QSize sizeHint() const override { return {440, 230}; }
 
@@ -31,13 +31,13 @@ protected:
 
 private:
     QRectF area() const;
-    QPointF placeOf(const core::GantryAngles& angles) const;
-    core::GantryAngles anglesAt(const QPointF& place) const;   ///< returns the nearest angles inside the map
+    QPointF positionOf(const core::GantryAngles& angles) const;
+    core::GantryAngles anglesAt(const QPointF& pos) const;   ///< returns the nearest angles inside the map
     void paintAxes(QPainter& painter) const;
     void paintMarks(QPainter& painter) const;
 
     std::optional<core::AngleMap> map_;
-    std::optional<core::GantryAngles> now_;
+    std::optional<core::GantryAngles> current_;
     core::GantryAngles picked_;
 };
 

@@ -1,9 +1,9 @@
 #include "ui/plots/convergence_plot.h"
 
-#include "ui/controls/lingering_height.h"
+#include "ui/controls/stable_minimum_height.h"
 #include "ui/theme/active_theme.h"
 #include "ui/words/number.h"
-#include "ui/words/spoken.h"
+#include "ui/words/retranslation.h"
 
 #include <QPainter>
 #include <QPolygonF>
@@ -15,7 +15,7 @@ namespace {
 
 constexpr double captionHeight = 17.0;
 constexpr double sampleWidth = 18.0;   // length of the line sample next to the caption
-constexpr double most = 4.0;   // maximum number of decades; smaller values are negligible
+constexpr double maxDecades = 4.0;   // maximum number of decades; smaller values are negligible
 
 /// Paints the caption of a lane above it, after a sample of the line.
 void paintCaption(QPainter& painter, const QRectF& area, const LogLane& lane)
@@ -24,22 +24,23 @@ void paintCaption(QPainter& painter, const QRectF& area, const LogLane& lane)
     painter.setPen(lane.pen);
     painter.drawLine(QPointF(area.left(), middle), QPointF(area.left() + sampleWidth, middle));
     painter.setPen(toQColor(activePalette().label));
-    const QRectF room(area.left() + sampleWidth + 6.0, area.top(), area.width() - sampleWidth - 6.0, captionHeight);
-    const QString words =
-        painter.fontMetrics().elidedText(lane.caption, Qt::ElideRight, static_cast<int>(room.width()));
-    painter.drawText(room, Qt::AlignLeft | Qt::AlignVCenter, words);
+    const QRectF captionRect(area.left() + sampleWidth + 6.0, area.top(), area.width() - sampleWidth - 6.0,
+                             captionHeight);
+    const QString text =
+        painter.fontMetrics().elidedText(lane.caption, Qt::ElideRight, static_cast<int>(captionRect.width()));
+    painter.drawText(captionRect, Qt::AlignLeft | Qt::AlignVCenter, text);
 }
 
 /// Paints a labeled grid line at every power of ten (10, 1, 0.1 …).
-void paintDecades(QPainter& painter, const QRectF& area, const LogSpan& span, const QString& unit)
+void paintDecades(QPainter& painter, const QRectF& area, const LogRange& span, const QString& unit)
 {
-    const Palette& tones = activePalette();
+    const Palette& colors = activePalette();
     for (double level = std::ceil(span.bottom); level <= span.top; level += 1.0) {
         const double y = std::round(area.bottom() - (level - span.bottom) / (span.top - span.bottom) * area.height());
-        painter.setPen(toQColor(tones.line));
+        painter.setPen(toQColor(colors.line));
         painter.drawLine(QPointF(area.left(), y), QPointF(area.right(), y));
         if (y - 15.0 >= area.top() - captionHeight) {
-            painter.setPen(toQColor(tones.hint));
+            painter.setPen(toQColor(colors.hint));
             painter.drawText(QRectF(area.right() - 80.0, y - 15.0, 78.0, 14.0), Qt::AlignRight | Qt::AlignBottom,
                              QStringLiteral("%1 %2").arg(briefNumber(std::pow(10.0, level), 3), unit));
         }
@@ -52,36 +53,36 @@ constexpr int emptyConvergenceHeight = 34;   // height before the first registra
 constexpr int fullConvergenceHeight = 148;
 
 /// Labels the first and the last step on the x axis.
-void paintAxis(QPainter& painter, const QRectF& room, int first, int last)
+void paintAxis(QPainter& painter, const QRectF& captionRect, int first, int last)
 {
     painter.setPen(toQColor(activePalette().hint));
-    painter.drawText(room, Qt::AlignLeft | Qt::AlignBottom, ConvergencePlot::tr("step %1").arg(first));
-    painter.drawText(room, Qt::AlignRight | Qt::AlignBottom, QString::number(last));
+    painter.drawText(captionRect, Qt::AlignLeft | Qt::AlignBottom, ConvergencePlot::tr("step %1").arg(first));
+    painter.drawText(captionRect, Qt::AlignRight | Qt::AlignBottom, QString::number(last));
 }
 
 }   // namespace
 
-LogSpan spanOf(std::span<const double> values)
+LogRange logRangeOf(std::span<const double> values)
 {
-    double lowest = INFINITY, highest = 0.0;
+    double lowest = INFINITY, maximum = 0.0;
     for (const double value : values) {
         if (value > 0.0) {
             lowest = std::min(lowest, value);
-            highest = std::max(highest, value);
+            maximum = std::max(maximum, value);
         }
     }
-    if (highest <= 0.0) {
+    if (maximum <= 0.0) {
         return {-1.0, 0.0};
     }
-    const double top = std::max(std::log10(highest), std::log10(lowest) + 0.9) + 0.05;
-    return {std::clamp(std::log10(lowest) - 0.05, top - most, top - 1.0), top};
+    const double top = std::max(std::log10(maximum), std::log10(lowest) + 0.9) + 0.05;
+    return {std::clamp(std::log10(lowest) - 0.05, top - maxDecades, top - 1.0), top};
 }
 
 void paintLane(QPainter& painter, const QRectF& area, const LogLane& lane)
 {
     paintCaption(painter, area, lane);
     const QRectF plot = area.adjusted(0.0, captionHeight, 0.0, 0.0);
-    const LogSpan span = spanOf(lane.values);
+    const LogRange span = logRangeOf(lane.values);
     paintDecades(painter, plot, span, lane.unit);
     if (lane.values.empty()) {
         return;
@@ -101,13 +102,13 @@ void paintLane(QPainter& painter, const QRectF& area, const LogLane& lane)
 }
 
 ConvergencePlot::ConvergencePlot(QWidget* parent)
-    : QWidget(parent), height_(new LingeringHeight(*this, emptyConvergenceHeight))
+    : QWidget(parent), height_(new StableMinimumHeight(*this, emptyConvergenceHeight))
 {
-    withName(this, [] { return tr("Convergence"); });
-    withTip(this, [] {
+    withAccessibleName(this, [] { return tr("Convergence"); });
+    withToolTip(this, [] {
         return tr(
-            "Top: half of the vessel points lie closer than this to the traced vessels.\nBottom: distance that a step "
-            "moved the vessels, root mean square over all points; the bottom line is zero.");
+            "Top: median distance of the vessel points to the traced vessels.\nBottom: displacement of the vessels in "
+            "each step (root mean square over all points); the lowest line is zero.");
     });
 }
 
@@ -116,7 +117,7 @@ void ConvergencePlot::showHistory(const std::vector<core::IterationReport>& hist
     iterations_.clear();
     medianPx_.clear();
     stepMm_.clear();
-    height_->ask(emptyConvergenceHeight);
+    height_->requestHeight(emptyConvergenceHeight);
     for (const core::IterationReport& report : history) {
         append(report);
     }
@@ -131,18 +132,18 @@ void ConvergencePlot::append(const core::IterationReport& report)
         stepMm_.push_back(report.stepMm);
     }
     if (iterations_.size() > 1) {
-        height_->ask(fullConvergenceHeight);
+        height_->requestHeight(fullConvergenceHeight);
     }
     update();
 }
 
 void ConvergencePlot::paintEvent(QPaintEvent*)
 {
-    const Palette& tones = activePalette();
+    const Palette& colors = activePalette();
     QPainter painter(this);
     const QRectF area = QRectF(rect()).adjusted(0, 0, 0, -2);
     if (iterations_.size() < 2) {
-        painter.setPen(toQColor(tones.hint));
+        painter.setPen(toQColor(colors.hint));
         painter.drawText(area, Qt::AlignCenter, tr("shown after a registration"));
         return;
     }
@@ -151,10 +152,11 @@ void ConvergencePlot::paintEvent(QPaintEvent*)
     painter.setFont(small);
     const double height = (area.height() - axisHeight - laneGap) / 2.0;
     const QRectF upper(area.left(), area.top(), area.width(), height);
-    paintLane(painter, upper,
-              {tr("median distance"), QStringLiteral("px"), QPen(toQColor(tones.accent), 1.5), iterations_, medianPx_});
+    paintLane(
+        painter, upper,
+        {tr("median distance"), QStringLiteral("px"), QPen(toQColor(colors.accent), 1.5), iterations_, medianPx_});
     paintLane(painter, upper.translated(0.0, height + laneGap),
-              {tr("vessel shift per step"), QStringLiteral("mm"), QPen(toQColor(tones.attention), 1.5, Qt::DashLine),
+              {tr("vessel shift per step"), QStringLiteral("mm"), QPen(toQColor(colors.attention), 1.5, Qt::DashLine),
                iterations_, stepMm_});
     paintAxis(painter, QRectF(area.left(), area.bottom() - axisHeight, area.width(), axisHeight), iterations_.front(),
               iterations_.back());

@@ -23,14 +23,14 @@ struct LogLane {
 };
 
 /// Range of a lane as powers of ten, at least one decade to keep small fluctuations from filling the lane.
-struct LogSpan {
+struct LogRange {
     double bottom = 0.0, top = 1.0;
 };
-LogSpan spanOf(std::span<const double> values);
+LogRange logRangeOf(std::span<const double> values);
 
 void paintLane(QPainter& painter, const QRectF& area, const LogLane& lane);
 
-class LingeringHeight;
+class StableMinimumHeight;
 
 /// Plot of the convergence of a registration in two logarithmic lanes with separate scales: median distance between the
 /// tree and the traced vessels, and movement of the tree, per step.
@@ -47,7 +47,7 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
-    LingeringHeight* height_;
+    StableMinimumHeight* height_;
     std::vector<int> iterations_;
     std::vector<double> medianPx_, stepMm_;
 };

@@ -2,7 +2,7 @@
 
 #include "ui/theme/active_theme.h"
 #include "ui/words/number.h"
-#include "ui/words/spoken.h"
+#include "ui/words/retranslation.h"
 
 #include <QKeyEvent>
 #include <QMouseEvent>
@@ -16,12 +16,12 @@ namespace angiopose::ui {
 namespace {
 
 constexpr double laneHeight = 9.0;   // height of the lane above the bars, px
-constexpr double grabPx = 7.0;
+constexpr double handleReachPx = 7.0;
 constexpr double gripWidth = 4.0;
 
-bool isInLane(const QPointF& place)
+bool isInLane(const QPointF& pos)
 {
-    return place.y() < laneHeight;
+    return pos.y() < laneHeight;
 }
 
 }   // namespace
@@ -36,7 +36,7 @@ QString describeFrame(const FrameCurve& curve, const std::vector<int>& masks, in
         parts << QStringLiteral("%1 %").arg(qRound(100.0 * curve.opacification[static_cast<std::size_t>(frame)]));
     }
     if (frame == curve.suggested) {
-        parts << FrameBars::tr("peak opacification frame");
+        parts << FrameBars::tr("peak-opacification frame");
     }
     if (std::ranges::find(masks, frame) != masks.end()) {
         parts << FrameBars::tr("mask");
@@ -52,14 +52,14 @@ FrameBars::FrameBars(QWidget* parent) : QWidget(parent)
     setMinimumHeight(40);
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
-    withName(this, [] { return tr("Opacification of the frames"); });
+    withAccessibleName(this, [] { return tr("Opacification of the frames"); });
 }
 
 void FrameBars::showFrames(const FrameCurve& curve)
 {
     curve_ = curve;
-    marking_.reset();
-    dragged_.reset();
+    markedRange_.reset();
+    draggedEnd_.reset();
     setCursor(curve_.opacification.size() > 1 ? Qt::PointingHandCursor : Qt::ArrowCursor);
     update();
 }
@@ -73,8 +73,8 @@ void FrameBars::showMasks(const std::vector<int>& frames, bool inUse)
 
 bool FrameBars::isMask(int frame) const
 {
-    if (marking_) {
-        const auto [low, high] = std::minmax(marking_->first, marking_->second);
+    if (markedRange_) {
+        const auto [low, high] = std::minmax(markedRange_->first, markedRange_->second);
         return frame >= low && frame <= high;
     }
     return std::ranges::find(masks_, frame) != masks_.end();
@@ -101,27 +101,27 @@ QRectF FrameBars::cellOf(int frame) const
 
 void FrameBars::paintCell(QPainter& painter, int frame) const
 {
-    const Palette& tones = activePalette();
+    const Palette& colors = activePalette();
     const QRectF cell = cellOf(frame);
     painter.setOpacity(loop_.contains(frame) ? 1.0 : 0.45);   // dims frames outside the playback range
-    painter.fillRect(cell, toQColor(tones.field));
+    painter.fillRect(cell, toQColor(colors.field));
     const double filled = std::clamp(curve_.opacification[static_cast<std::size_t>(frame)], 0.0, 1.0) * cell.height();
     painter.fillRect(QRectF(cell.left(), cell.bottom() - filled, cell.width(), filled),
-                     toQColor(tones.accent, frame == current_ ? 0.55 : 0.28));
+                     toQColor(colors.accent, frame == current_ ? 0.55 : 0.28));
     if (frame == curve_.suggested && cell.width() > 7.0) {
         painter.setPen(Qt::NoPen);
-        painter.setBrush(toQColor(tones.fine));
+        painter.setBrush(toQColor(colors.fine));
         painter.drawEllipse(QPointF(cell.center().x(), cell.top() + 6.0), 2.5, 2.5);
         painter.setBrush(Qt::NoBrush);
     }
     if (isMask(frame)) {
-        const double strength = masksInUse_ || marking_ ? 1.0 : 0.5;
+        const double strength = masksInUse_ || markedRange_ ? 1.0 : 0.5;
         painter.fillRect(QRectF(cell.left(), cell.bottom() - 3.0, cell.width(), 3.0),
-                         toQColor(tones.attention, strength));
+                         toQColor(colors.attention, strength));
     }
     painter.setOpacity(1.0);
     if (frame == current_) {
-        painter.setPen(QPen(toQColor(tones.accent), hasFocus() ? 2.0 : 1.5));
+        painter.setPen(QPen(toQColor(colors.accent), hasFocus() ? 2.0 : 1.5));
         painter.drawRoundedRect(cell, 2.0, 2.0);
     }
 }
@@ -129,11 +129,11 @@ void FrameBars::paintCell(QPainter& painter, int frame) const
 /// Paints the playback range as a line with a grip at each end.
 void FrameBars::paintLoop(QPainter& painter) const
 {
-    const Palette& tones = activePalette();
+    const Palette& colors = activePalette();
     const double from = cellOf(loop_.first).left();
     const double to = cellOf(loop_.last).right();
     const bool isPart = loop_.count() < frameCount();
-    const QColor tone = toQColor(isPart || dragged_ ? tones.accent : tones.hint);
+    const QColor tone = toQColor(isPart || draggedEnd_ ? colors.accent : colors.hint);
     painter.fillRect(QRectF(from, 0.5 * laneHeight - 1.0, to - from, 1.5), tone);
     painter.setPen(Qt::NoPen);
     painter.setBrush(tone);
@@ -190,14 +190,14 @@ void FrameBars::request(int frame)
     }
 }
 
-std::optional<FrameBars::LoopEnd> FrameBars::loopEndAt(const QPointF& place) const
+std::optional<FrameBars::LoopEnd> FrameBars::loopEndAt(const QPointF& pos) const
 {
-    if (!isInLane(place) || frameCount() < 2) {
+    if (!isInLane(pos) || frameCount() < 2) {
         return std::nullopt;
     }
-    const double toFirst = std::abs(place.x() - cellOf(loop_.first).left() - 0.5 * gripWidth);
-    const double toLast = std::abs(place.x() - cellOf(loop_.last).right() + 0.5 * gripWidth);
-    if (std::min(toFirst, toLast) > grabPx) {
+    const double toFirst = std::abs(pos.x() - cellOf(loop_.first).left() - 0.5 * gripWidth);
+    const double toLast = std::abs(pos.x() - cellOf(loop_.last).right() + 0.5 * gripWidth);
+    if (std::min(toFirst, toLast) > handleReachPx) {
         return std::nullopt;
     }
     return toFirst < toLast ? LoopEnd::First : LoopEnd::Last;
@@ -207,9 +207,9 @@ void FrameBars::dragLoop(int frame)
 {
     core::FrameRange range = loop_;
     if (range.count() == 1) {   // the drag direction selects one of two coincident grips
-        dragged_ = frame < range.first ? LoopEnd::First : LoopEnd::Last;
+        draggedEnd_ = frame < range.first ? LoopEnd::First : LoopEnd::Last;
     }
-    if (*dragged_ == LoopEnd::First) {
+    if (*draggedEnd_ == LoopEnd::First) {
         range.first = std::min(frame, loop_.last);
     } else {
         range.last = std::max(frame, loop_.first);
@@ -223,7 +223,7 @@ void FrameBars::dragLoop(int frame)
 void FrameBars::pressBars(int frame, Qt::KeyboardModifiers modifiers)
 {
     if (modifiers.testFlag(Qt::ShiftModifier)) {
-        marking_ = {frame, frame};
+        markedRange_ = {frame, frame};
         update();
     } else {
         request(frame);
@@ -235,7 +235,7 @@ void FrameBars::mousePressEvent(QMouseEvent* event)
     if (event->button() != Qt::LeftButton || curve_.opacification.empty()) {
         return;
     }
-    dragged_ = loopEndAt(event->position());
+    draggedEnd_ = loopEndAt(event->position());
     if (!isInLane(event->position()) || frameCount() < 2) {
         pressBars(frameAt(event->position().x()), event->modifiers());
     }
@@ -247,15 +247,16 @@ void FrameBars::mouseMoveEvent(QMouseEvent* event)
         return;
     }
     const int frame = frameAt(event->position().x());
-    const bool isAtGrip = dragged_ || loopEndAt(event->position());
+    const bool isAtGrip = draggedEnd_ || loopEndAt(event->position());
     setCursor(isAtGrip ? Qt::SizeHorCursor : frameCount() > 1 ? Qt::PointingHandCursor : Qt::ArrowCursor);
     setToolTip(describeFrame(curve_, masks_, frame) + QLatin1Char('\n') +
-               (isInLane(event->position()) ? tr("Drag the ends to play part of the run; double-click for all of it")
-                                            : tr("Shift+drag marks mask frames; double-click shows the curve")));
-    if (dragged_) {
+               (isInLane(event->position())
+                    ? tr("Drag the ends to play part of the run; double-click to play the whole run")
+                    : tr("Shift+drag marks mask frames; double-click shows the opacification curve")));
+    if (draggedEnd_) {
         dragLoop(frame);
-    } else if (marking_) {
-        marking_->second = frame;
+    } else if (markedRange_) {
+        markedRange_->second = frame;
         update();
     } else if (event->buttons() & Qt::LeftButton) {
         request(frame);
@@ -264,10 +265,10 @@ void FrameBars::mouseMoveEvent(QMouseEvent* event)
 
 void FrameBars::mouseReleaseEvent(QMouseEvent* event)
 {
-    if (event->button() == Qt::LeftButton && std::exchange(dragged_, std::nullopt)) {
+    if (event->button() == Qt::LeftButton && std::exchange(draggedEnd_, std::nullopt)) {
         update();
-    } else if (event->button() == Qt::LeftButton && marking_) {
-        const auto [from, to] = *std::exchange(marking_, std::nullopt);
+    } else if (event->button() == Qt::LeftButton && markedRange_) {
+        const auto [from, to] = *std::exchange(markedRange_, std::nullopt);
         const int low = std::min(from, to);
         const int high = std::max(from, to);
         emit maskRangeMarked(low, high);

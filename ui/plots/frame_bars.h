@@ -56,7 +56,7 @@ private:
     void paintBeats(QPainter& painter) const;
     int frameCount() const { return static_cast<int>(curve_.opacification.size()); }
     int frameAt(double x) const;
-    std::optional<LoopEnd> loopEndAt(const QPointF& place) const;
+    std::optional<LoopEnd> loopEndAt(const QPointF& pos) const;
     void dragLoop(int frame);
     void pressBars(int frame, Qt::KeyboardModifiers modifiers);
     void request(int frame);
@@ -66,9 +66,9 @@ private:
     FrameCurve curve_;
     std::vector<int> masks_;
     bool masksInUse_ = false;
-    std::optional<std::pair<int, int>> marking_;   ///< first and last frame of the range being marked
+    std::optional<std::pair<int, int>> markedRange_;   ///< first and last frame of the range being marked
     core::FrameRange loop_;
-    std::optional<LoopEnd> dragged_;
+    std::optional<LoopEnd> draggedEnd_;
     int current_ = 0;
 };
 

@@ -1,9 +1,9 @@
 #include "ui/plots/histogram_plot.h"
 
-#include "ui/controls/lingering_height.h"
+#include "ui/controls/stable_minimum_height.h"
 #include "ui/theme/active_theme.h"
 #include "ui/words/number.h"
-#include "ui/words/spoken.h"
+#include "ui/words/retranslation.h"
 
 #include <QPainter>
 
@@ -20,30 +20,30 @@ constexpr int fullHistogramHeight = 92;
 }   // namespace
 
 HistogramPlot::HistogramPlot(QWidget* parent)
-    : QWidget(parent), height_(new LingeringHeight(*this, emptyHistogramHeight))
+    : QWidget(parent), height_(new StableMinimumHeight(*this, emptyHistogramHeight))
 {
-    withName(this, [] { return tr("Histogram of residuals"); });
+    withAccessibleName(this, [] { return tr("Histogram of residuals"); });
 }
 
 void HistogramPlot::showValues(const std::vector<double>& valuesMm, double scaleMaximumMm)
 {
     scaleMaximumMm_ = scaleMaximumMm;
     counts_ = valuesMm.empty() ? std::vector<int>{} : binned(valuesMm, scaleMaximumMm, binCount);
-    height_->ask(counts_.empty() ? emptyHistogramHeight : fullHistogramHeight);
+    height_->requestHeight(counts_.empty() ? emptyHistogramHeight : fullHistogramHeight);
     update();
 }
 
 void HistogramPlot::paintEvent(QPaintEvent*)
 {
-    const Palette& tones = activePalette();
+    const Palette& colors = activePalette();
     QPainter painter(this);
     if (counts_.empty()) {
-        painter.setPen(toQColor(tones.hint));
+        painter.setPen(toQColor(colors.hint));
         painter.drawText(rect(), Qt::AlignCenter, tr("no residuals yet"));
         return;
     }
     const QRectF area = QRectF(rect()).adjusted(0, 2, 0, -histogramLabelHeight);
-    painter.setPen(toQColor(tones.line));
+    painter.setPen(toQColor(colors.line));
     painter.drawLine(area.bottomLeft(), area.bottomRight());
     const double tallest = std::max(1, *std::ranges::max_element(counts_));
     // Leaves one slot empty between the scale and the bar for larger values.
@@ -54,7 +54,7 @@ void HistogramPlot::paintEvent(QPaintEvent*)
         painter.fillRect(QRectF(left, area.bottom() - height, slot - 1.0, height),
                          toQColor(i < binCount ? residualColor((i + 0.5) / binCount) : residualColorAboveScale()));
     }
-    painter.setPen(toQColor(tones.hint));
+    painter.setPen(toQColor(colors.hint));
     const QRectF labels(area.left(), area.bottom() + 2, area.width(), histogramLabelHeight - 2);
     painter.drawText(labels, Qt::AlignLeft | Qt::AlignTop, QStringLiteral("0"));
     painter.drawText(labels, Qt::AlignHCenter | Qt::AlignTop, numberText(scaleMaximumMm_ / 2.0, 1));

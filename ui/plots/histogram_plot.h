@@ -6,7 +6,7 @@
 
 namespace angiopose::ui {
 
-class LingeringHeight;
+class StableMinimumHeight;
 
 /// Histogram of the residuals of all points, in the colors of the overlay; the last bar counts the values above the
 /// scale.
@@ -22,7 +22,7 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
-    LingeringHeight* height_;
+    StableMinimumHeight* height_;
     std::vector<int> counts_;
     double scaleMaximumMm_ = 0.0;
 };

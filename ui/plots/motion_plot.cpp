@@ -2,7 +2,7 @@
 
 #include "ui/theme/active_theme.h"
 #include "ui/words/number.h"
-#include "ui/words/spoken.h"
+#include "ui/words/retranslation.h"
 
 #include <QKeyEvent>
 #include <QMouseEvent>
@@ -18,7 +18,7 @@ namespace {
 
 constexpr int motionLabelHeight = 18;
 constexpr double dotPx = 2.2;
-constexpr double minHighestMm = 0.5;   // minimum range of the y axis, to keep noise from looking like motion
+constexpr double minAxisMm = 0.5;   // minimum range of the y axis, to keep noise from looking like motion
 
 }   // namespace
 
@@ -27,15 +27,15 @@ MotionPlot::MotionPlot(QWidget* parent) : QWidget(parent)
     setMinimumHeight(92);
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
-    withName(this, [] { return tr("Vessel motion by frame"); });
+    withAccessibleName(this, [] { return tr("Vessel motion by frame"); });
 }
 
 void MotionPlot::showMotion(const std::vector<FrameMotion>& motion)
 {
     motion_ = motion;
-    highestMm_ = minHighestMm;
+    maxMm_ = minAxisMm;
     for (const FrameMotion& frame : motion_) {
-        highestMm_ = std::max(highestMm_, frame.inPlaneMm);
+        maxMm_ = std::max(maxMm_, frame.inPlaneMm);
     }
     update();
 }
@@ -59,38 +59,38 @@ double MotionPlot::xOf(std::size_t index) const
 
 std::size_t MotionPlot::indexAt(double x) const
 {
-    const double share = std::clamp((x - area().left()) / std::max(1.0, area().width()), 0.0, 1.0);
-    return static_cast<std::size_t>(std::lround(share * static_cast<double>(motion_.size() - 1)));
+    const double fraction = std::clamp((x - area().left()) / std::max(1.0, area().width()), 0.0, 1.0);
+    return static_cast<std::size_t>(std::lround(fraction * static_cast<double>(motion_.size() - 1)));
 }
 
 void MotionPlot::paintLine(QPainter& painter) const
 {
-    const Palette& tones = activePalette();
+    const Palette& colors = activePalette();
     const QRectF plot = area();
-    const auto placeOf = [&](std::size_t i) {
-        return QPointF(xOf(i), plot.bottom() - motion_[i].inPlaneMm / highestMm_ * plot.height());
+    const auto positionOf = [&](std::size_t i) {
+        return QPointF(xOf(i), plot.bottom() - motion_[i].inPlaneMm / maxMm_ * plot.height());
     };
     QPolygonF line;
     for (std::size_t i = 0; i < motion_.size(); ++i) {
-        line << placeOf(i);
+        line << positionOf(i);
     }
     painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(QPen(toQColor(tones.accent), 1.5));
+    painter.setPen(QPen(toQColor(colors.accent), 1.5));
     painter.drawPolyline(line);
     for (std::size_t i = 0; i < motion_.size(); ++i) {
         const bool isSure = motion_[i].isTrustworthy;
-        painter.setPen(QPen(toQColor(isSure ? tones.accent : tones.attention), 1.3));
-        painter.setBrush(toQColor(isSure ? tones.accent : tones.panel));
-        painter.drawEllipse(placeOf(i), isSure ? dotPx : dotPx + 1.0, isSure ? dotPx : dotPx + 1.0);
+        painter.setPen(QPen(toQColor(isSure ? colors.accent : colors.attention), 1.3));
+        painter.setBrush(toQColor(isSure ? colors.accent : colors.panel));
+        painter.drawEllipse(positionOf(i), isSure ? dotPx : dotPx + 1.0, isSure ? dotPx : dotPx + 1.0);
     }
 }
 
 void MotionPlot::paintEvent(QPaintEvent*)
 {
-    const Palette& tones = activePalette();
+    const Palette& colors = activePalette();
     QPainter painter(this);
     const QRectF plot = area();
-    painter.setPen(toQColor(tones.line));
+    painter.setPen(toQColor(colors.line));
     painter.drawLine(plot.bottomLeft(), plot.bottomRight());
     if (motion_.empty()) {
         return;
@@ -101,13 +101,13 @@ void MotionPlot::paintEvent(QPaintEvent*)
         painter.drawLine(QPointF(x, plot.top()), QPointF(x, plot.bottom()));
     }
     paintLine(painter);
-    painter.setPen(toQColor(tones.hint));
+    painter.setPen(toQColor(colors.hint));
     const QRectF labels(plot.left(), plot.bottom() + 2, plot.width(), motionLabelHeight - 2);
     painter.drawText(labels, Qt::AlignLeft | Qt::AlignTop, tr("frame %1").arg(motion_.front().frame + 1));
     painter.drawText(labels, Qt::AlignRight | Qt::AlignTop, QString::number(motion_.back().frame + 1));
-    painter.drawText(plot, Qt::AlignLeft | Qt::AlignTop, tr("%1 mm").arg(numberText(highestMm_, 1)));
+    painter.drawText(plot, Qt::AlignLeft | Qt::AlignTop, tr("%1 mm").arg(numberText(maxMm_, 1)));
     if (hasFocus()) {
-        painter.setPen(toQColor(tones.accent));
+        painter.setPen(toQColor(colors.accent));
         painter.setBrush(Qt::NoBrush);
         painter.drawRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5));
     }
@@ -133,13 +133,13 @@ void MotionPlot::mouseMoveEvent(QMouseEvent* event)
         return;
     }
     const FrameMotion& at = motion_[indexAt(event->position().x())];
-    const QString words = tr("frame %1: %2 mm in plane, %3 mm in depth, %4°")
-                              .arg(at.frame + 1)
-                              .arg(numberText(at.inPlaneMm, 2))
-                              .arg(numberText(at.depthMm, 1))
-                              .arg(numberText(at.rotationDeg, 1));
+    const QString text = tr("frame %1: %2 mm in plane, %3 mm in depth, %4°")
+                             .arg(at.frame + 1)
+                             .arg(numberText(at.inPlaneMm, 2))
+                             .arg(numberText(at.depthMm, 1))
+                             .arg(numberText(at.rotationDeg, 1));
     QToolTip::showText(event->globalPosition().toPoint(),
-                       at.isTrustworthy ? words : tr("%1 (not explained by the vessels)").arg(words), this);
+                       at.isTrustworthy ? text : tr("%1 (not explained by the vessels)").arg(text), this);
     if (event->buttons().testFlag(Qt::LeftButton)) {
         request(indexAt(event->position().x()));
     }

@@ -43,7 +43,7 @@ private:
     void request(std::size_t index);
 
     std::vector<FrameMotion> motion_;
-    double highestMm_ = 1.0;
+    double maxMm_ = 1.0;
     int current_ = 0;
 };
 

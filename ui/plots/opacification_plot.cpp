@@ -2,7 +2,7 @@
 
 #include "ui/theme/active_theme.h"
 #include "ui/words/number.h"
-#include "ui/words/spoken.h"
+#include "ui/words/retranslation.h"
 
 #include <QKeyEvent>
 #include <QMouseEvent>
@@ -40,7 +40,7 @@ OpacificationPlot::OpacificationPlot(QWidget* parent) : QWidget(parent)
     setMouseTracking(true);
     setFocusPolicy(Qt::StrongFocus);
     setMinimumSize(360, 200);
-    withName(this, [] { return tr("Opacification by frame"); });
+    withAccessibleName(this, [] { return tr("Opacification by frame"); });
 }
 
 void OpacificationPlot::showFrames(const FrameCurve& curve)
@@ -73,8 +73,8 @@ QPointF OpacificationPlot::pointOf(int frame) const
     if (frame < 0 || frame > lastFrame()) {
         return part.bottomLeft();
     }
-    const double share = std::clamp(curve_.opacification[static_cast<std::size_t>(frame)], 0.0, 1.0);
-    return {part.left() + part.width() * frame / std::max(1, lastFrame()), part.bottom() - share * part.height()};
+    const double fraction = std::clamp(curve_.opacification[static_cast<std::size_t>(frame)], 0.0, 1.0);
+    return {part.left() + part.width() * frame / std::max(1, lastFrame()), part.bottom() - fraction * part.height()};
 }
 
 int OpacificationPlot::frameAt(double x) const
@@ -85,13 +85,13 @@ int OpacificationPlot::frameAt(double x) const
 
 void OpacificationPlot::paintAxes(QPainter& painter) const
 {
-    const Palette& tones = activePalette();
+    const Palette& colors = activePalette();
     const QRectF part = area();
     for (const int percent : {0, 50, 100}) {
         const double y = part.bottom() - 0.01 * percent * part.height();
-        painter.setPen(QPen(toQColor(tones.line), 1.0));
+        painter.setPen(QPen(toQColor(colors.line), 1.0));
         painter.drawLine(QPointF(part.left(), y), QPointF(part.right(), y));
-        painter.setPen(toQColor(tones.hint));
+        painter.setPen(toQColor(colors.hint));
         painter.drawText(QRectF(0.0, y - 9.0, leftMargin - 8.0, 18.0), Qt::AlignRight | Qt::AlignVCenter,
                          QStringLiteral("%1 %").arg(percent));
     }
@@ -109,27 +109,27 @@ void OpacificationPlot::paintAxes(QPainter& painter) const
 
 void OpacificationPlot::paintCurve(QPainter& painter) const
 {
-    const Palette& tones = activePalette();
+    const Palette& colors = activePalette();
     const QRectF part = area();
     const double halfSlot = 0.5 * part.width() / std::max(1, lastFrame());
     for (const int frame : masks_) {
         if (frame <= lastFrame()) {
             painter.fillRect(
                 QRectF(pointOf(frame).x() - halfSlot, part.top(), 2.0 * halfSlot, part.height()).intersected(part),
-                toQColor(tones.attention, 0.18));
+                toQColor(colors.attention, 0.18));
         }
     }
     QPainterPath path(pointOf(0));
     for (int frame = 1; frame <= lastFrame(); ++frame) {
         path.lineTo(pointOf(frame));
     }
-    painter.strokePath(path, QPen(toQColor(tones.accent), 1.5));
-    painter.setPen(QPen(toQColor(tones.accent), 1.0));
+    painter.strokePath(path, QPen(toQColor(colors.accent), 1.5));
+    painter.setPen(QPen(toQColor(colors.accent), 1.0));
     painter.drawLine(QPointF(pointOf(current_).x(), part.top()), QPointF(pointOf(current_).x(), part.bottom()));
     painter.setPen(Qt::NoPen);
-    painter.setBrush(toQColor(tones.fine));
+    painter.setBrush(toQColor(colors.fine));
     painter.drawEllipse(pointOf(std::clamp(curve_.suggested, 0, lastFrame())), 4.5, 4.5);
-    painter.setBrush(toQColor(tones.textStrong));
+    painter.setBrush(toQColor(colors.textStrong));
     painter.drawEllipse(pointOf(hovered_.value_or(current_)), 3.5, 3.5);
 }
 
@@ -140,7 +140,7 @@ void OpacificationPlot::paintEvent(QPaintEvent*)
     painter.fillRect(rect(), toQColor(activePalette().field));
     if (lastFrame() < 1) {
         painter.setPen(toQColor(activePalette().hint));
-        painter.drawText(rect(), Qt::AlignCenter, tr("Only runs with several frames have a curve"));
+        painter.drawText(rect(), Qt::AlignCenter, tr("The curve requires a run with several frames"));
         return;
     }
     if (current_ <= lastFrame()) {

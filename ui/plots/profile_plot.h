@@ -21,7 +21,7 @@ public:
 
 signals:
     void pointed(const std::optional<Eigen::Vector3d>& pointInPatient);   ///< empty once the pointer has left the plot
-    void placeRequested(const Eigen::Vector3d& pointInPatient);
+    void positionClicked(const Eigen::Vector3d& pointInPatient);
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -33,17 +33,17 @@ protected:
 private:
     using Value = double (*)(const core::ProfileSample& sample);
     QRectF area() const;
-    QPointF placeOf(const core::ProfileSample& sample, double share) const;
+    QPointF positionOf(const core::ProfileSample& sample, double fraction) const;
     std::size_t indexAt(double x) const;
     void point(std::size_t index);
-    void paintCurve(QPainter& painter, Value value, double highest, const QPen& pen) const;
+    void paintCurve(QPainter& painter, Value value, double maximum, const QPen& pen) const;
     void paintLabels(QPainter& painter) const;
-    QString wordsAt(std::size_t index) const;
+    QString textAt(std::size_t index) const;
 
     core::BranchProfile profile_;
-    double highestMm_ = 0.0;   ///< maximum of the diameter axis; 0 if diameters are unknown
-    double highestBend_ = 0.0;
-    std::optional<std::size_t> pointedAt_;
+    double maxMm_ = 0.0;   ///< maximum of the diameter axis; 0 if diameters are unknown
+    double maxCurvature_ = 0.0;
+    std::optional<std::size_t> hoveredIndex_;
 };
 
 }   // namespace angiopose::ui

@@ -25,13 +25,13 @@ struct Beam {
     std::array<Eigen::Vector3d, 4> detectorCorners() const;
 };
 
-struct BeamLook {
-    Palette tones;
+struct BeamStyle {
+    Palette colors;
     Eigen::Vector2d sizePx = Eigen::Vector2d::Zero();   ///< size of the view, device px
     double pixelScale = 1.0;
 };
 
 /// Adds the source dot, dashed beam edges and the detector border, clipped to the view.
-void addBeamStrokes(StrokeMesh& mesh, const Beam& beam, const ScreenFromPatient& toScreen, const BeamLook& look);
+void addBeamStrokes(StrokeMesh& mesh, const Beam& beam, const ScreenFromPatient& toScreen, const BeamStyle& style);
 
 }   // namespace angiopose::ui

@@ -17,11 +17,11 @@ struct BranchStyle {
     LinePattern pattern = LinePattern::Solid;
     Glow glow = Glow::None;
     bool hasEndDots = false;
-    int rank = 0;   ///< drawing order: higher values are drawn on top
+    int zOrder = 0;   ///< drawing order: higher values are drawn on top
 };
 
 /// Returns the style of a branch on a background whose palette is `colors`; images have a black background in every
 /// theme.
-BranchStyle branchStyle(int branchId, const BranchMarks& marks, const Palette& tones = palette(ThemeMode::Dark));
+BranchStyle branchStyle(int branchId, const BranchMarks& marks, const Palette& colors = palette(ThemeMode::Dark));
 
 }   // namespace angiopose::ui

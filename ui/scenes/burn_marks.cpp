@@ -28,69 +28,69 @@ void addMarkLine(StrokeMesh& mesh, const PixelLine& line, int heightPx, const Co
     stroke(tone, {.widthPx = widthPx});
 }
 
-void addMarks(StrokeMesh& mesh, const std::vector<ImageMark>& marks, const MarkPlace& placeOf, int heightPx,
+void addMarks(StrokeMesh& mesh, const std::vector<ImageMark>& marks, const PixelMapping& positionOf, int heightPx,
               const BurnSizes& sizes)
 {
     for (const ImageMark& mark : marks) {
-        for (const PixelLine& line : linesOf(mark, placeOf, 0.4 * sizes.textPx)) {
-            addMarkLine(mesh, line, heightPx, toneOf(mark, palette(ThemeMode::Dark)), sizes);
+        for (const PixelLine& line : linesOf(mark, positionOf, 0.4 * sizes.textPx)) {
+            addMarkLine(mesh, line, heightPx, markColor(mark, palette(ThemeMode::Dark)), sizes);
         }
     }
 }
 
 /// Returns the map from angiogram px to px of an exported image that shows `part`.
-MarkPlace placeIn(const auto& picture, const ViewRect& part)
+PixelMapping placeIn(const auto& image, const ViewRect& part)
 {
-    const Eigen::Vector2d scale(picture.width / part.width(), picture.height / part.height());
+    const Eigen::Vector2d scale(image.width / part.width(), image.height / part.height());
     return [scale, corner = Eigen::Vector2d(part.left, part.top)](const Eigen::Vector2d& pixel) -> Eigen::Vector2d {
         return (pixel - corner).cwiseProduct(scale);
     };
 }
 
 /// Returns the image corners that are reserved for the corner texts.
-std::vector<ViewRect> cornersOf(const auto& picture, const BurnSizes& sizes)
+std::vector<ViewRect> cornersOf(const auto& image, const BurnSizes& sizes)
 {
-    const double wide = 0.3 * picture.width;
+    const double wide = 0.3 * image.width;
     const double high = 4.5 * 1.4 * sizes.textPx + sizes.marginPx;
     return {{0.0, wide, 0.0, high},
-            {picture.width - wide, 1.0 * picture.width, 0.0, high},
-            {0.0, wide, picture.height - high, 1.0 * picture.height},
-            {picture.width - wide, 1.0 * picture.width, picture.height - high, 1.0 * picture.height}};
+            {image.width - wide, 1.0 * image.width, 0.0, high},
+            {0.0, wide, image.height - high, 1.0 * image.height},
+            {image.width - wide, 1.0 * image.width, image.height - high, 1.0 * image.height}};
 }
 
-void addLabels(auto& picture, const std::vector<ImageMark>& marks, const MarkPlace& placeOf, const BurnSizes& sizes,
+void addLabels(auto& image, const std::vector<ImageMark>& marks, const PixelMapping& positionOf, const BurnSizes& sizes,
                const std::vector<Eigen::Vector2d>& avoided)
 {
-    LabelGround ground{1.0 * picture.width, 1.0 * picture.height, cornersOf(picture, sizes), {}};
+    LabelObstacles obstacles{1.0 * image.width, 1.0 * image.height, cornersOf(image, sizes), {}};
     for (const Eigen::Vector2d& pixel : avoided) {
-        ground.avoided.push_back(placeOf(pixel));
+        obstacles.avoided.push_back(positionOf(pixel));
     }
     for (const ImageMark& mark : marks) {
         const double sizePx = 0.4 * sizes.textPx;
-        std::ranges::copy(pointsAlong(linesOf(mark, placeOf, sizePx), sizePx), std::back_inserter(ground.avoided));
+        std::ranges::copy(pointsAlong(linesOf(mark, positionOf, sizePx), sizePx),
+                          std::back_inserter(obstacles.avoided));
     }
-    std::vector<WantedLabel> labels;
+    std::vector<LabelRequest> labels;
     for (const ImageMark& mark : marks) {
-        labels.push_back({labelAnchor(mark, placeOf), burnedSize(mark.label, sizes), 0.7 * sizes.textPx});
+        labels.push_back({labelAnchor(mark, positionOf), burnedSize(mark.label, sizes), 0.7 * sizes.textPx});
     }
-    const std::vector<Eigen::Vector2d> corners = labelPlaces(labels, ground);
+    const std::vector<Eigen::Vector2d> corners = placeLabels(labels, obstacles);
     for (std::size_t i = 0; i < marks.size(); ++i) {
         if (!marks[i].label.empty()) {
-            burnLabel(picture, marks[i].label, corners[i], sizes);
+            burnLabel(image, marks[i].label, corners[i], sizes);
         }
     }
 }
 
 /// Draws the mesh onto a band of rows that starts at `top`; `band` is the temporary canvas.
-void fillBand(core::ColorImage& picture, const StrokeMesh& mesh, int top, std::vector<std::uint32_t>& band)
+void fillBand(core::ColorImage& image, const StrokeMesh& mesh, int top, std::vector<std::uint32_t>& band)
 {
-    const Canvas canvas{band.data(), picture.width, std::min(markBandHeight, picture.height - top)};
-    std::uint8_t* rgb =
-        picture.rgb.data() + 3 * static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(top);
+    const Canvas canvas{band.data(), image.width, std::min(markBandHeight, image.height - top)};
+    std::uint8_t* rgb = image.rgb.data() + 3 * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(top);
     for (std::size_t i = 0; i < canvas.pixelCount(); ++i) {
         band[i] = packed(rgb[3 * i], rgb[3 * i + 1], rgb[3 * i + 2]);
     }
-    fillStrokes(mesh, picture.height - top, canvas);
+    fillStrokes(mesh, image.height - top, canvas);
     for (std::size_t i = 0; i < canvas.pixelCount(); ++i) {
         rgb[3 * i] = static_cast<std::uint8_t>(band[i] >> 16U);
         rgb[3 * i + 1] = static_cast<std::uint8_t>(band[i] >> 8U);
@@ -100,31 +100,31 @@ void fillBand(core::ColorImage& picture, const StrokeMesh& mesh, int top, std::v
 
 }   // namespace
 
-void burnMarks(core::ColorImage& picture, const std::vector<ImageMark>& marks, const ViewRect& part,
+void burnMarks(core::ColorImage& image, const std::vector<ImageMark>& marks, const ViewRect& part,
                const BurnSizes& sizes, const std::vector<Eigen::Vector2d>& avoided)
 {
     if (marks.empty()) {
         return;
     }
-    const MarkPlace placeOf = placeIn(picture, part);
+    const PixelMapping positionOf = placeIn(image, part);
     StrokeMesh mesh;
-    addMarks(mesh, marks, placeOf, picture.height, sizes);
-    std::vector<std::uint32_t> band(static_cast<std::size_t>(picture.width) *
-                                    static_cast<std::size_t>(std::min(picture.height, markBandHeight)));
-    for (int top = 0; top < picture.height; top += markBandHeight) {
-        fillBand(picture, mesh, top, band);
+    addMarks(mesh, marks, positionOf, image.height, sizes);
+    std::vector<std::uint32_t> band(static_cast<std::size_t>(image.width) *
+                                    static_cast<std::size_t>(std::min(image.height, markBandHeight)));
+    for (int top = 0; top < image.height; top += markBandHeight) {
+        fillBand(image, mesh, top, band);
     }
-    addLabels(picture, marks, placeOf, sizes, avoided);
+    addLabels(image, marks, positionOf, sizes, avoided);
 }
 
-void burnMarks(VectorPicture& picture, const std::vector<ImageMark>& marks, const ViewRect& part,
-               const BurnSizes& sizes, const std::vector<Eigen::Vector2d>& avoided)
+void burnMarks(VectorImage& image, const std::vector<ImageMark>& marks, const ViewRect& part, const BurnSizes& sizes,
+               const std::vector<Eigen::Vector2d>& avoided)
 {
-    const MarkPlace placeOf = placeIn(picture, part);
+    const PixelMapping positionOf = placeIn(image, part);
     StrokeMesh mesh;
-    mesh.shapes = &picture.shapes;
-    addMarks(mesh, marks, placeOf, picture.height, sizes);
-    addLabels(picture, marks, placeOf, sizes, avoided);
+    mesh.shapes = &image.shapes;
+    addMarks(mesh, marks, positionOf, image.height, sizes);
+    addLabels(image, marks, positionOf, sizes, avoided);
 }
 
 }   // namespace angiopose::ui

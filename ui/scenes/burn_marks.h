@@ -9,10 +9,10 @@ namespace angiopose::ui {
 
 /// Draws marks with their labels onto an exported image that shows `part` of the angiogram. Labels stay inside the
 /// image and avoid each other, the corner texts, and the vessel points `avoided` (angiogram px).
-void burnMarks(core::ColorImage& picture, const std::vector<ImageMark>& marks, const ViewRect& part,
+void burnMarks(core::ColorImage& image, const std::vector<ImageMark>& marks, const ViewRect& part,
                const BurnSizes& sizes, const std::vector<Eigen::Vector2d>& avoided = {});
 
-void burnMarks(VectorPicture& picture, const std::vector<ImageMark>& marks, const ViewRect& part,
-               const BurnSizes& sizes, const std::vector<Eigen::Vector2d>& avoided = {});
+void burnMarks(VectorImage& image, const std::vector<ImageMark>& marks, const ViewRect& part, const BurnSizes& sizes,
+               const std::vector<Eigen::Vector2d>& avoided = {});
 
 }   // namespace angiopose::ui

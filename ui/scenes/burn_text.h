@@ -2,7 +2,7 @@
 
 #include "core/imaging/image2d.h"
 #include "ui/scenes/render_offscreen.h"
-#include "ui/scenes/vector_picture.h"
+#include "ui/scenes/vector_image.h"
 
 namespace angiopose::ui {
 
@@ -15,16 +15,16 @@ struct BurnSizes {
 /// Returns sizes in proportion to the image, readable when printed.
 BurnSizes burnSizes(int width, int height);
 
-void burnTexts(core::ColorImage& picture, const CornerTexts& texts, const BurnSizes& sizes);
-void burnTexts(VectorPicture& picture, const CornerTexts& texts, const BurnSizes& sizes);
+void burnTexts(core::ColorImage& image, const CornerTexts& texts, const BurnSizes& sizes);
+void burnTexts(VectorImage& image, const CornerTexts& texts, const BurnSizes& sizes);
 
 /// Draws one line of text with its upper left corner at `at`, shifted as needed to stay inside the image.
-void burnLabel(core::ColorImage& picture, const std::string& text, const Eigen::Vector2d& at, const BurnSizes& sizes);
-void burnLabel(VectorPicture& picture, const std::string& text, const Eigen::Vector2d& at, const BurnSizes& sizes);
+void burnLabel(core::ColorImage& image, const std::string& text, const Eigen::Vector2d& at, const BurnSizes& sizes);
+void burnLabel(VectorImage& image, const std::string& text, const Eigen::Vector2d& at, const BurnSizes& sizes);
 
 /// Draws the verdict as a prominent line in the attention color, centered at the top.
-void burnVerdict(core::ColorImage& picture, const std::string& text, const BurnSizes& sizes);
-void burnVerdict(VectorPicture& picture, const std::string& text, const BurnSizes& sizes);
+void burnVerdict(core::ColorImage& image, const std::string& text, const BurnSizes& sizes);
+void burnVerdict(VectorImage& image, const std::string& text, const BurnSizes& sizes);
 
 /// Returns the size in px of a burned-in line of text; zero if the text is empty.
 Eigen::Vector2d burnedSize(const std::string& text, const BurnSizes& sizes);
@@ -38,7 +38,7 @@ struct BurnScale {
 };
 
 /// Draws the color ramp with labeled end values at the right edge.
-void burnScale(core::ColorImage& picture, const BurnScale& scale, const BurnSizes& sizes);
-void burnScale(VectorPicture& picture, const BurnScale& scale, const BurnSizes& sizes);
+void burnScale(core::ColorImage& image, const BurnScale& scale, const BurnSizes& sizes);
+void burnScale(VectorImage& image, const BurnScale& scale, const BurnSizes& sizes);
 
 }   // namespace angiopose::ui

@@ -28,8 +28,8 @@ CutoutSpan spanOf(const Cutout& cutout, const Eigen::Vector2d& center, double ra
 
 }   // namespace
 
-void applyCutout(const Cutout& cutout, const ViewRect& rect, const std::vector<std::uint32_t>& bare, Canvas canvas,
-                 const Rows& rows)
+void applyCutout(const Cutout& cutout, const ViewRect& rect, const std::vector<std::uint32_t>& background,
+                 Canvas canvas, const Rows& rows)
 {
     if (cutout.shape == Cutout::Shape::None) {
         return;
@@ -43,7 +43,7 @@ void applyCutout(const Cutout& cutout, const ViewRect& rect, const std::vector<s
         if (span.from >= span.to) {
             continue;
         }
-        const std::uint32_t* source = bare.data() + static_cast<std::ptrdiff_t>(y) * canvas.width;
+        const std::uint32_t* source = background.data() + static_cast<std::ptrdiff_t>(y) * canvas.width;
         std::copy(source + span.from, source + span.to, canvas.row(y) + span.from);
         canvas.row(y)[span.from] = edge;
         if (cutout.shape == Cutout::Shape::Disc) {

@@ -22,7 +22,7 @@ struct Cutout {
 
 /// In the given rows, replaces the pixels inside the cutout with those of `background` and draws the edge of the
 /// cutout; `rect` is the part of the image that the canvas shows.
-void applyCutout(const Cutout& cutout, const ViewRect& rect, const std::vector<std::uint32_t>& bare, Canvas canvas,
-                 const Rows& rows);
+void applyCutout(const Cutout& cutout, const ViewRect& rect, const std::vector<std::uint32_t>& background,
+                 Canvas canvas, const Rows& rows);
 
 }   // namespace angiopose::ui

@@ -77,7 +77,8 @@ void DrrTint::blend(const Place& place, double opacity, Canvas canvas, const Row
             }
             const float above = upper[u.first] + u.shareOfSecond * (upper[u.second] - upper[u.first]);
             const float below = lower[u.first] + u.shareOfSecond * (lower[u.second] - lower[u.first]);
-            const float share = static_cast<float>(deepestTint * opacity) * (above + v.shareOfSecond * (below - above));
+            const float share =
+                static_cast<float>(maxTintOpacity * opacity) * (above + v.shareOfSecond * (below - above));
             if (share > 0.002F) {
                 row[x] = mixed(row[x], tone, share);
             }

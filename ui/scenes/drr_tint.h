@@ -10,7 +10,7 @@
 
 namespace angiopose::ui {
 
-inline constexpr double deepestTint = 0.75;   ///< the angiogram stays visible through the densest vessel
+inline constexpr double maxTintOpacity = 0.75;   ///< the angiogram stays visible through the densest vessel
 
 /// Tints the angiogram with the DRR of the vessels in the accent color, most strongly at the densest vessel.
 class DrrTint {

@@ -13,7 +13,7 @@ namespace angiopose::ui {
 namespace {
 
 /// Returns a rectangle that covers the viewport, in normalized device coordinates.
-vtkSmartPointer<vtkPolyData> wholePicture()
+vtkSmartPointer<vtkPolyData> wholeImage()
 {
     vtkNew<vtkPoints> points;
     for (const auto& [x, y] : {std::pair{-1.0, -1.0}, {1.0, -1.0}, {1.0, 1.0}, {-1.0, 1.0}}) {
@@ -59,13 +59,13 @@ void GrayTexture::show(const core::Image2d<std::uint8_t>& picture, std::uint64_t
     data_->Modified();
 }
 
-FrameLayer::FrameLayer() : ShaderActor(wholePicture(), frameShaders())
+FrameLayer::FrameLayer() : ShaderActor(wholeImage(), frameShaders())
 {
     actor()->GetProperty()->SetTexture("frame", frame_.texture());
     actor()->GetProperty()->SetTexture("radiograph", drr_.texture());
 }
 
-void FrameLayer::show(const OverlayContent& content, const PicturePlace& place)
+void FrameLayer::show(const OverlayContent& content, const ImagePlacement& placement)
 {
     if (!frame_.shows(content.frame.revision())) {
         frame_.show(content.frame.gray(), content.frame.revision());
@@ -73,8 +73,8 @@ void FrameLayer::show(const OverlayContent& content, const PicturePlace& place)
     if (!drr_.shows(content.drr.revision())) {
         drr_.show(bytesOf(content.drr.share()), content.drr.revision());
     }
-    showPlace(content.cutout, place);
-    const ViewRect part = place.seen();
+    setPlacementUniforms(content.cutout, placement);
+    const ViewRect part = placement.displayedRect();
     const std::array<float, 4> edges{static_cast<float>(part.left), static_cast<float>(part.right),
                                      static_cast<float>(part.top), static_cast<float>(part.bottom)};
     fragmentUniforms().SetUniform4f("part", edges.data());
@@ -93,13 +93,13 @@ void FrameLayer::showGray(const OverlayContent& content)
 
 void FrameLayer::showTint(const OverlayContent& content)
 {
-    const Palette& tones = palette(ThemeMode::Dark);
-    const bool isShown = !content.drr.isEmpty() && !content.isVeiled;
+    const Palette& colors = palette(ThemeMode::Dark);
+    const bool isShown = !content.drr.isEmpty() && !content.isOverlayHidden;
     vtkUniforms& uniforms = fragmentUniforms();
-    uniforms.SetUniformf("tintDepth", isShown ? static_cast<float>(deepestTint * content.opacity) : 0.0F);
-    uniforms.SetUniform3f("tintTone", floatTone(branchColors(tones).auxiliary).data());
-    uniforms.SetUniform3f("around", floatTone(tones.canvas).data());
-    uniforms.SetUniform3f("edgeTone", floatTone(tones.label).data());
+    uniforms.SetUniformf("tintDepth", isShown ? static_cast<float>(maxTintOpacity * content.opacity) : 0.0F);
+    uniforms.SetUniform3f("tintTone", floatColor(branchColors(colors).auxiliary).data());
+    uniforms.SetUniform3f("around", floatColor(colors.canvas).data());
+    uniforms.SetUniform3f("edgeTone", floatColor(colors.label).data());
 }
 
 }   // namespace angiopose::ui

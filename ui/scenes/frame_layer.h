@@ -26,7 +26,7 @@ private:
 class FrameLayer : public ShaderActor {
 public:
     FrameLayer();
-    void show(const OverlayContent& content, const PicturePlace& place);
+    void show(const OverlayContent& content, const ImagePlacement& placement);
 
 private:
     void showGray(const OverlayContent& content);

@@ -77,7 +77,7 @@ FrameQuad::FrameQuad()
     texture_->EdgeClampOn();   // prevents the opposite border from bleeding in at the edges
     texture_->SetColorModeToDirectScalars();
     texture_->InterpolateOn();
-    texture_->SetInputData(picture_);
+    texture_->SetInputData(image_);
 }
 
 void FrameQuad::show(const GrayFrame& frame, double devicePxPerImagePx)
@@ -89,14 +89,14 @@ void FrameQuad::show(const GrayFrame& frame, double devicePxPerImagePx)
     const int halvings = halvingsFor(devicePxPerImagePx);
     const bool isNew = std::exchange(shownRevision_, frame.revision()) != frame.revision();
     if (std::exchange(shownHalvings_, halvings) != halvings || isNew) {
-        showPicture(frame, halvings);
+        uploadTexture(frame, halvings);
         fitRectangle(frame.width(), frame.height(), halvings);
     }
     actor_->SetTexture(texture_);
     actor_->VisibilityOn();
 }
 
-void FrameQuad::showPicture(const GrayFrame& frame, int halvings)
+void FrameQuad::uploadTexture(const GrayFrame& frame, int halvings)
 {
     Gray smaller;
     for (int i = 0; i < halvings; ++i) {
@@ -105,15 +105,15 @@ void FrameQuad::showPicture(const GrayFrame& frame, int halvings)
     const Gray& gray = halvings == 0 ? frame.gray() : smaller;
     const int width = textureSize(gray.width);
     const int height = textureSize(gray.height);
-    picture_->SetDimensions(width, height, 1);
-    picture_->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
-    auto* texel = static_cast<std::uint8_t*>(picture_->GetScalarPointer());
+    image_->SetDimensions(width, height, 1);
+    image_->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
+    auto* texel = static_cast<std::uint8_t*>(image_->GetScalarPointer());
     for (int y = 0; y < height; ++y) {
         const std::uint8_t* row = gray.pixels.data() + gray.index(0, std::min(y, gray.height - 1));
         texel = std::copy_n(row, gray.width, texel);
         texel = std::fill_n(texel, width - gray.width, row[gray.width - 1]);
     }
-    picture_->Modified();
+    image_->Modified();
 }
 
 void FrameQuad::fitRectangle(int width, int height, int halvings)

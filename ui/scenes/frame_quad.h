@@ -21,10 +21,10 @@ public:
     vtkActor* actor() { return actor_; }
 
 private:
-    void showPicture(const GrayFrame& frame, int halvings);
+    void uploadTexture(const GrayFrame& frame, int halvings);
     void fitRectangle(int width, int height, int halvings);
 
-    vtkNew<vtkImageData> picture_;
+    vtkNew<vtkImageData> image_;
     vtkNew<vtkPolyData> rectangle_;
     vtkNew<vtkTexture> texture_;
     vtkNew<vtkActor> actor_;

@@ -45,13 +45,13 @@ void GlWindow::OpenGLInitContext()
     MaximumHardwareLineWidth = widths[1];
 }
 
-void GlWindow::takeOverState()
+void GlWindow::resetState()
 {
     GetState()->Reset();
     GetState()->vtkglDepthFunc(GL_LEQUAL);   // draws later lines of equal depth on top
 }
 
-void GlWindow::readPicture(Canvas canvas)
+void GlWindow::readPixels(Canvas canvas)
 {
     ReadPixels(vtkRecti(0, 0, canvas.width, canvas.height), 0, GL_BGRA, GL_UNSIGNED_INT_8_8_8_8_REV, canvas.pixels, 0);
     for (int top = 0, bottom = canvas.height - 1; top < bottom; ++top, --bottom) {   // OpenGL starts at the bottom row
@@ -63,7 +63,7 @@ void GlWindow::readPicture(Canvas canvas)
     });
 }
 
-void GlWindow::letGoOfOldBuffers()
+void GlWindow::releaseOldBuffers()
 {
     constexpr int scenesAtATime = 64;   // maximum number of scenes in flight in Mesa
     RenderFramebuffer->Bind();

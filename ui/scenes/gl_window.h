@@ -16,14 +16,14 @@ public:
     void Frame() override {}   // no-op: the base class would swap buffers of a nonexistent display
 
     /// Call before every rendering, because other code may have changed the OpenGL state that VTK caches.
-    void takeOverState();
+    void resetState();
 
     /// Copies the last rendered image to a canvas of the same size as the window.
-    void readPicture(Canvas canvas);
+    void readPixels(Canvas canvas);
 
     /// Call when rendering pauses. Software OpenGL keeps several scenes in flight, each with buffers of any earlier
     /// window size, until its slot is reused; drawing a few empty scenes releases them.
-    void letGoOfOldBuffers();
+    void releaseOldBuffers();
 
 protected:
     GlWindow();

@@ -8,7 +8,7 @@
 namespace angiopose::ui {
 namespace {
 
-std::optional<Eigen::Vector2d> wayBetween(const Eigen::Vector2d& from, const Eigen::Vector2d& to)
+std::optional<Eigen::Vector2d> directionBetween(const Eigen::Vector2d& from, const Eigen::Vector2d& to)
 {
     const double length = (to - from).norm();
     return length > 0.0 ? std::optional<Eigen::Vector2d>((to - from) / length) : std::nullopt;
@@ -17,8 +17,8 @@ std::optional<Eigen::Vector2d> wayBetween(const Eigen::Vector2d& from, const Eig
 /// Adds a bar across the `end` of the segment that starts at `inner`.
 void addEndBar(std::vector<PixelLine>& lines, const Eigen::Vector2d& inner, const Eigen::Vector2d& end, double sizePx)
 {
-    if (const auto way = wayBetween(inner, end)) {
-        const Eigen::Vector2d across(-way->y(), way->x());
+    if (const auto direction = directionBetween(inner, end)) {
+        const Eigen::Vector2d across(-direction->y(), direction->x());
         lines.push_back({end - sizePx * across, end + sizePx * across});
     }
 }
@@ -26,8 +26,8 @@ void addEndBar(std::vector<PixelLine>& lines, const Eigen::Vector2d& inner, cons
 /// Adds the shorter arc between the two legs of an angle.
 void addArc(std::vector<PixelLine>& lines, const PixelLine& legs, double sizePx)
 {
-    const auto one = wayBetween(legs[1], legs[0]);
-    const auto other = wayBetween(legs[1], legs[2]);
+    const auto one = directionBetween(legs[1], legs[0]);
+    const auto other = directionBetween(legs[1], legs[2]);
     if (!one || !other) {
         return;
     }
@@ -63,9 +63,9 @@ void addCross(std::vector<PixelLine>& lines, const Eigen::Vector2d& at, double a
 
 void addHead(std::vector<PixelLine>& lines, const Eigen::Vector2d& from, const Eigen::Vector2d& tip, double sizePx)
 {
-    if (const auto way = wayBetween(from, tip)) {
-        const Eigen::Vector2d across(-way->y(), way->x());
-        const Eigen::Vector2d back = tip - 2.0 * sizePx * *way;
+    if (const auto direction = directionBetween(from, tip)) {
+        const Eigen::Vector2d across(-direction->y(), direction->x());
+        const Eigen::Vector2d back = tip - 2.0 * sizePx * *direction;
         lines.push_back({back + sizePx * across, tip, back - sizePx * across});
     }
 }
@@ -86,16 +86,16 @@ std::vector<PixelLine> signsOf(const ImageMark& mark, const PixelLine& places, d
 
 }   // namespace
 
-std::vector<PixelLine> linesOf(const ImageMark& mark, const MarkPlace& placeOf, double sizePx)
+std::vector<PixelLine> linesOf(const ImageMark& mark, const PixelMapping& positionOf, double sizePx)
 {
     PixelLine line;
     for (const Eigen::Vector2d& pixel : mark.pixels) {
-        line.push_back(placeOf(pixel));
+        line.push_back(positionOf(pixel));
     }
     if (mark.shape == MarkShape::Point || mark.shape == MarkShape::Cross) {
         return signsOf(mark, line, sizePx);
     }
-    if (line.size() < 2 || mark.shape == MarkShape::Words) {
+    if (line.size() < 2 || mark.shape == MarkShape::Text) {
         return {};
     }
     std::vector<PixelLine> lines{line};
@@ -135,19 +135,19 @@ std::vector<Eigen::Vector2d> pointsAlong(const std::vector<PixelLine>& lines, do
     return points;
 }
 
-Eigen::Vector2d labelAnchor(const ImageMark& mark, const MarkPlace& placeOf)
+Eigen::Vector2d labelAnchor(const ImageMark& mark, const PixelMapping& positionOf)
 {
     if (mark.pixels.empty()) {
         return Eigen::Vector2d::Zero();
     }
     const bool isAtVertex = mark.shape == MarkShape::Angle && mark.pixels.size() > 1;
-    const bool isAtTail = mark.shape == MarkShape::Arrow || mark.shape == MarkShape::Words;
-    return placeOf(isAtTail ? mark.pixels.front() : isAtVertex ? mark.pixels[1] : mark.pixels.back());
+    const bool isAtTail = mark.shape == MarkShape::Arrow || mark.shape == MarkShape::Text;
+    return positionOf(isAtTail ? mark.pixels.front() : isAtVertex ? mark.pixels[1] : mark.pixels.back());
 }
 
-Color toneOf(const ImageMark& mark, const Palette& tones)
+Color markColor(const ImageMark& mark, const Palette& colors)
 {
-    return mark.isChosen ? tones.accent : mark.tone == MarkTone::Place ? tones.fine : tones.textStrong;
+    return mark.isChosen ? colors.accent : mark.tone == MarkTone::Place ? colors.fine : colors.textStrong;
 }
 
 }   // namespace angiopose::ui

@@ -17,7 +17,7 @@ enum class MarkShape {
     Point,   ///< circle around each point
     Cross,   ///< cross at each point
     Arrow,   ///< arrow with its tip at the last point
-    Words,   ///< label only, at the first point
+    Text,   ///< label only, at the first point
 };
 
 /// Plain is used for manual measurements and drawings, Place for locations on the vessels.
@@ -35,18 +35,18 @@ struct ImageMark {
 using PixelLine = std::vector<Eigen::Vector2d>;
 
 /// Maps image pixels to positions in the drawing, y down.
-using MarkPlace = std::function<Eigen::Vector2d(const Eigen::Vector2d& pixel)>;
+using PixelMapping = std::function<Eigen::Vector2d(const Eigen::Vector2d& pixel)>;
 
 /// Returns the lines that draw a mark; `sizePx` is the size of bars, circles, crosses and arrowheads in the drawing.
-std::vector<PixelLine> linesOf(const ImageMark& mark, const MarkPlace& placeOf, double sizePx);
+std::vector<PixelLine> linesOf(const ImageMark& mark, const PixelMapping& positionOf, double sizePx);
 
 /// Samples lines at intervals of `stepPx`; labels avoid the resulting points.
 std::vector<Eigen::Vector2d> pointsAlong(const std::vector<PixelLine>& lines, double stepPx);
 
 /// Returns the anchor of the label: the vertex of an angle, the tail of an arrow, otherwise the last point.
-Eigen::Vector2d labelAnchor(const ImageMark& mark, const MarkPlace& placeOf);
+Eigen::Vector2d labelAnchor(const ImageMark& mark, const PixelMapping& positionOf);
 
 /// Returns the color of a mark on a background whose palette is `colors`.
-Color toneOf(const ImageMark& mark, const Palette& tones);
+Color markColor(const ImageMark& mark, const Palette& colors);
 
 }   // namespace angiopose::ui

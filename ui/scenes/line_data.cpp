@@ -53,7 +53,7 @@ void LineData::addNeighbor(vtkFloatArray& place, vtkFloatArray& direction, const
     direction.InsertNextTuple3(neighbor->direction.x(), neighbor->direction.y(), neighbor->direction.z());
 }
 
-void LineData::add(const std::vector<LinePoint>& line, const LineLook& look)
+void LineData::add(const std::vector<LinePoint>& line, const LineStyle& style)
 {
     if (line.size() < 2) {
         return;
@@ -69,10 +69,10 @@ void LineData::add(const std::vector<LinePoint>& line, const LineLook& look)
                     i + 1 < line.size() ? &line[i + 1] : nullptr);
         const std::array<double, 3> tone = point.tone.unit();
         arrays_[LineArray::Tone]->InsertNextTuple3(tone[0], tone[1], tone[2]);
-        arrays_[LineArray::Look]->InsertNextTuple4(look.widthFactor, look.opacity, look.isDashed ? 1.0 : 0.0,
-                                                   (look.hasEndDots ? 1.0 : 0.0) + (look.hasEdges ? 2.0 : 0.0));
-        arrays_[LineArray::Way]->InsertNextTuple3(point.wayPx[0], point.wayPx[1], point.wayPx[2]);
-        const std::array<float, 3>& end = line.back().wayPx;
+        arrays_[LineArray::Look]->InsertNextTuple4(style.widthFactor, style.opacity, style.isDashed ? 1.0 : 0.0,
+                                                   (style.hasEndDots ? 1.0 : 0.0) + (style.hasEdges ? 2.0 : 0.0));
+        arrays_[LineArray::Way]->InsertNextTuple3(point.arcLengthPx[0], point.arcLengthPx[1], point.arcLengthPx[2]);
+        const std::array<float, 3>& end = line.back().arcLengthPx;
         arrays_[LineArray::WayEnd]->InsertNextTuple3(end[0], end[1], end[2]);
     }
 }

@@ -20,10 +20,10 @@ struct LinePoint {
     Eigen::Vector3d direction = Eigen::Vector3d::Zero();   ///< direction of the vessel, perpendicular to its edges
     double radiusMm = 0.0;
     Color tone;
-    std::array<float, 3> wayPx{};   ///< length from the start along left edge, center and right edge, image px
+    std::array<float, 3> arcLengthPx{};   ///< length from the start along left edge, center and right edge, image px
 };
 
-struct LineLook {
+struct LineStyle {
     double widthFactor = 1.0;
     double opacity = 1.0;
     bool isDashed = false;
@@ -37,7 +37,7 @@ class LineData {
 public:
     LineData();
     void clear();
-    void add(const std::vector<LinePoint>& line, const LineLook& look);
+    void add(const std::vector<LinePoint>& line, const LineStyle& style);
     void commit();   ///< publishes the data; call after adding the last line
     vtkPolyData* polyData() { return polyData_; }
     bool isEmpty() const { return points_->GetNumberOfPoints() == 0; }

@@ -15,22 +15,22 @@ LineLayer::LineLayer(LineData& data) : ShaderActor(data.polyData(), lineShaders(
     }
 }
 
-void LineLayer::show(const LinePass& pass, const OverlayContent& content, const PicturePlace& place)
+void LineLayer::show(const LinePass& pass, const OverlayContent& content, const ImagePlacement& placement)
 {
     actor()->VisibilityOn();
-    showPlace(content.cutout, place);
-    showPen(pass);
+    setPlacementUniforms(content.cutout, placement);
+    setPenUniforms(pass);
     showDepth(pass);
-    const std::array<float, 2> size{static_cast<float>(place.width), static_cast<float>(place.height)};
+    const std::array<float, 2> size{static_cast<float>(placement.width), static_cast<float>(placement.height)};
     vertexUniforms().SetUniform2f("viewport", size.data());
-    vertexUniforms().SetUniformf("handed", place.isMirrored ? -1.0F : 1.0F);
-    vertexUniforms().SetUniformf("radiusScale", static_cast<float>(std::abs(content.camera.fx) * place.scale()));
+    vertexUniforms().SetUniformf("handed", placement.isMirrored ? -1.0F : 1.0F);
+    vertexUniforms().SetUniformf("radiusScale", static_cast<float>(std::abs(content.camera.fx) * placement.scale()));
     geometryUniforms().SetUniform2f("viewport", size.data());
-    geometryUniforms().SetUniformf("wayScale", static_cast<float>(place.scale()));
+    geometryUniforms().SetUniformf("wayScale", static_cast<float>(placement.scale()));
     fragmentUniforms().SetUniformf("opacity", static_cast<float>(pass.opacity));
 }
 
-void LineLayer::showPen(const LinePass& pass)
+void LineLayer::setPenUniforms(const LinePass& pass)
 {
     vtkUniforms& pen = geometryUniforms();
     pen.SetUniformi("mode", static_cast<int>(pass.shape));
@@ -41,7 +41,7 @@ void LineLayer::showPen(const LinePass& pass)
     pen.SetUniformf("fadePx", static_cast<float>(pass.fadePx));
     pen.SetUniformf("fadeGain", static_cast<float>(pass.fadeGain));
     pen.SetUniformf("opacityGain", static_cast<float>(pass.opacityGain));
-    const std::array<float, 3> tone = floatTone(pass.shade.value_or(Color{}));
+    const std::array<float, 3> tone = floatColor(pass.shade.value_or(Color{}));
     const std::array<float, 4> shade{tone[0], tone[1], tone[2], pass.shade ? 1.0F : 0.0F};
     pen.SetUniform4f("shade", shade.data());
     pen.SetUniform2f("dashPx", pass.dashPx.data());
@@ -49,13 +49,13 @@ void LineLayer::showPen(const LinePass& pass)
 
 void LineLayer::showDepth(const LinePass& pass)
 {
-    const Palette& tones = palette(ThemeMode::Dark);
+    const Palette& colors = palette(ThemeMode::Dark);
     const DepthRange range = pass.depth.value_or(DepthRange{});
     const double spanMm = pass.depth ? std::max(1.0, range.farMm - range.nearMm) : 0.0;
     vertexUniforms().SetUniformf("nearMm", static_cast<float>(range.nearMm));
     vertexUniforms().SetUniformf("spanMm", static_cast<float>(spanMm));
-    vertexUniforms().SetUniform3f("nearTone", floatTone(tones.textStrong).data());
-    vertexUniforms().SetUniform3f("farTone", floatTone(tones.canvas).data());
+    vertexUniforms().SetUniform3f("nearTone", floatColor(colors.textStrong).data());
+    vertexUniforms().SetUniform3f("farTone", floatColor(colors.canvas).data());
 }
 
 }   // namespace angiopose::ui

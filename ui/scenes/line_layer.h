@@ -28,10 +28,10 @@ struct LinePass {
 class LineLayer : public ShaderActor {
 public:
     explicit LineLayer(LineData& data);
-    void show(const LinePass& pass, const OverlayContent& content, const PicturePlace& place);
+    void show(const LinePass& pass, const OverlayContent& content, const ImagePlacement& placement);
 
 private:
-    void showPen(const LinePass& pass);
+    void setPenUniforms(const LinePass& pass);
     void showDepth(const LinePass& pass);
 };
 

@@ -58,7 +58,7 @@ struct OverlayContent {
 
     BranchMarks marks;
     OverlayMode mode = OverlayMode::Centerline;
-    bool isVeiled = false;   ///< hides the tree and the traced curves
+    bool isOverlayHidden = false;   ///< hides the tree and the traced curves
     DepthCue depthCue = DepthCue::None;
     double opacity = 1.0;
     double lineWidthPx = 2.0;   ///< line width, device px

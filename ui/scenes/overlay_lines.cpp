@@ -2,7 +2,7 @@
 
 #include "ui/scenes/branch_style.h"
 #include "ui/scenes/overlay_pens.h"
-#include "ui/scenes/point_tones.h"
+#include "ui/scenes/point_colors.h"
 
 #include <algorithm>
 #include <vector>
@@ -10,38 +10,39 @@
 namespace angiopose::ui {
 namespace {
 
-using LineWays = std::vector<std::array<float, 3>>;
+using ArcLengths = std::vector<std::array<float, 3>>;
 
 /// Returns, for every tree point, the length along left edge, center and right edge, image px, from the first point
 /// of the visible run to which the point belongs.
-LineWays waysOf(const ProjectedTree& tree, int branchId, std::size_t pointCount)
+ArcLengths arcLengthsOf(const ProjectedTree& tree, int branchId, std::size_t pointCount)
 {
-    LineWays ways(pointCount, {0.0F, 0.0F, 0.0F});
+    ArcLengths arcLengths(pointCount, {0.0F, 0.0F, 0.0F});
     const auto branch = std::ranges::find(tree, branchId, &ProjectedBranch::id);
     if (branch == tree.end()) {
-        return ways;
+        return arcLengths;
     }
     for (const auto& run : branch->runs) {
-        std::array<double, 3> way{};
+        std::array<double, 3> lengthPx{};
         for (std::size_t i = 1; i < run.size(); ++i) {
             for (std::size_t k = 0; k < 3; ++k) {
                 const double side = 1.0 - static_cast<double>(k);
-                way[k] += (run[i].edgePx(side) - run[i - 1].edgePx(side)).norm();
-                ways[run[i].index][k] = static_cast<float>(way[k]);
+                lengthPx[k] += (run[i].edgePx(side) - run[i - 1].edgePx(side)).norm();
+                arcLengths[run[i].index][k] = static_cast<float>(lengthPx[k]);
             }
         }
     }
-    return ways;
+    return arcLengths;
 }
 
-std::vector<LinePoint> linePointsOf(const core::VesselBranch& branch, const PointTones& tones, const LineWays& ways)
+std::vector<LinePoint> linePointsOf(const core::VesselBranch& branch, const PointColors& colors,
+                                    const ArcLengths& arcLengths)
 {
     const std::vector<Eigen::Vector3d> directions = vesselDirections(branch.pointsInPatient);
     std::vector<LinePoint> points;
     points.reserve(directions.size());
     for (std::size_t i = 0; i < directions.size(); ++i) {
         points.push_back({branch.pointsInPatient[i], directions[i], branch.radiusMm.empty() ? 0.0 : branch.radiusMm[i],
-                          tones.flat(i), ways.empty() ? std::array<float, 3>{} : ways[i]});
+                          colors.flat(i), arcLengths.empty() ? std::array<float, 3>{} : arcLengths[i]});
     }
     return points;
 }
@@ -55,8 +56,9 @@ void addTreeLine(LineData& lines, const core::VesselBranch& branch, const Branch
                  const OverlayContent& content)
 {
     const bool isDashed = style.pattern == LinePattern::Dashed;
-    const LineWays ways = isDashed ? waysOf(content.projected, branch.id, branch.pointsInPatient.size()) : LineWays{};
-    lines.add(linePointsOf(branch, PointTones(content, branch.id, style.color), ways),
+    const ArcLengths arcLengths =
+        isDashed ? arcLengthsOf(content.projected, branch.id, branch.pointsInPatient.size()) : ArcLengths{};
+    lines.add(linePointsOf(branch, PointColors(content, branch.id, style.color), arcLengths),
               {style.widthFactor, style.opacity, isDashed, style.hasEndDots, hasRadii(branch)});
 }
 
@@ -72,10 +74,10 @@ void fillTreeLines(LineData& lines, const OverlayContent& content)
     for (const core::VesselBranch& branch : content.tree.branches) {
         ranked.push_back({&branch, branchStyle(branch.id, content.marks)});
     }
-    std::ranges::stable_sort(ranked, {}, [](const Ranked& each) { return each.style.rank; });
+    std::ranges::stable_sort(ranked, {}, [](const Ranked& entry) { return entry.style.zOrder; });
     lines.clear();
-    for (const Ranked& each : ranked) {
-        addTreeLine(lines, *each.branch, each.style, content);
+    for (const Ranked& entry : ranked) {
+        addTreeLine(lines, *entry.branch, entry.style, content);
     }
     lines.commit();
 }
@@ -100,12 +102,12 @@ void fillTracedLines(LineData& lines, const core::Centerline2d& traced, const co
     lines.clear();
     for (const core::Curve2d& curve : traced.curves) {
         std::vector<LinePoint> points;
-        double wayPx = 0.0;
+        double arcLengthPx = 0.0;
         for (const Eigen::Vector2d& px : curve.pointsPx) {
-            wayPx += points.empty() ? 0.0 : (px - curve.pointsPx[points.size() - 1]).norm();
+            arcLengthPx += points.empty() ? 0.0 : (px - curve.pointsPx[points.size() - 1]).norm();
             const Eigen::Vector3d at((px.x() - camera.cx) / camera.fx, (px.y() - camera.cy) / camera.fy, 1.0);
             points.push_back(
-                {depthMm * at, Eigen::Vector3d::Zero(), 0.0, tone, {0.0F, static_cast<float>(wayPx), 0.0F}});
+                {depthMm * at, Eigen::Vector3d::Zero(), 0.0, tone, {0.0F, static_cast<float>(arcLengthPx), 0.0F}});
         }
         lines.add(points, {.isDashed = true});
     }

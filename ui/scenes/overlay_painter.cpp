@@ -48,10 +48,10 @@ void OverlayPainter::drawRows(const OverlayScene& scene, Canvas canvas, int firs
     part.bottom = part.top + rowHeight * canvas.height;
     const std::vector<std::uint32_t>& bare = backdropOf(content, part, canvas);
     const StrokeMesh& mesh = strokesOf(content, canvas.width, rowCount);
-    forBands(canvas.height, [&](const Rows& rows) {
+    forEachBand(canvas.height, [&](const Rows& rows) {
         std::copy(bare.data() + (canvas.row(rows.from) - canvas.pixels),
                   bare.data() + (canvas.row(rows.to) - canvas.pixels), canvas.row(rows.from));
-        if (!content.isVeiled) {
+        if (!content.isOverlayHidden) {
             content.drr.blend({content.frame.width(), content.frame.height(), part}, content.opacity, canvas, rows);
         }
         fillStrokes(mesh, rowCount - firstRow, canvas, rows);

@@ -116,9 +116,9 @@ OverlayMode OverlayScene::mode() const
     return parts_->content.mode;
 }
 
-void OverlayScene::setVeiled(bool veiled)
+void OverlayScene::setOverlayHidden(bool veiled)
 {
-    parts_->content.isVeiled = veiled;
+    parts_->content.isOverlayHidden = veiled;
     parts_->content.revision = nextRevision();
 }
 
@@ -199,18 +199,18 @@ void OverlayScene::clearResiduals()
     setResiduals({}, 0.0);
 }
 
-void OverlayScene::takeLookOf(const OverlayScene& other)
+void OverlayScene::copyAppearance(const OverlayScene& other)
 {
     OverlayContent& own = parts_->content;
-    const OverlayContent& wanted = other.parts_->content;
-    const auto look = [](auto& content) {
+    const OverlayContent& source = other.parts_->content;
+    const auto appearance = [](auto& content) {
         return std::tie(content.marks, content.depthCue, content.opacity, content.isTracedShown);
     };
-    if (look(own) != look(wanted)) {
-        look(own) = look(wanted);
+    if (appearance(own) != appearance(source)) {
+        appearance(own) = appearance(source);
         parts_->markLinesStale();
     }
-    own.frame.setInverted(wanted.frame.isInverted());
+    own.frame.setInverted(source.frame.isInverted());
 }
 
 void OverlayScene::setViewRect(const ViewRect& rect)
@@ -260,10 +260,10 @@ std::optional<ViewRect> OverlayScene::extentOf(int branchId) const
     return ui::extentOf(parts_->content.projected, branchId);
 }
 
-bool OverlayScene::treePasses(const ViewRect& part) const
+bool OverlayScene::treeIntersects(const ViewRect& part) const
 {
     parts_->project();
-    return parts_->content.mode != OverlayMode::Hidden && passesThrough(parts_->content.projected, part);
+    return parts_->content.mode != OverlayMode::Hidden && intersectsRect(parts_->content.projected, part);
 }
 
 }   // namespace angiopose::ui

@@ -27,7 +27,7 @@ public:
     void setPose(const core::RigidTransform& cameraFromPatient);
     void setMarks(const BranchMarks& marks);
     void setMode(OverlayMode mode);
-    void setVeiled(bool veiled);   ///< temporarily hides tree and traced curves
+    void setOverlayHidden(bool veiled);   ///< temporarily hides tree and traced curves
     void setDepthCue(DepthCue cue);
     void setOpacity(double opacity);
     /// Sets the DRR of the vessels, bright on 0, which covers the whole frame at any resolution and is shown in every
@@ -46,7 +46,7 @@ public:
 
     /// Copies marks, depth cueing, opacity, visibility of the traced curves and inversion from another scene, but
     /// neither content nor mode.
-    void takeLookOf(const OverlayScene& other);
+    void copyAppearance(const OverlayScene& other);
 
     void setViewRect(const ViewRect& rect);
     const core::ImageF& frame() const;
@@ -79,7 +79,7 @@ public:
     std::optional<ViewRect> extentOf(int branchId) const;
 
     /// True if the visible projected tree passes through this part of the image.
-    bool treePasses(const ViewRect& part) const;
+    bool treeIntersects(const ViewRect& part) const;
 
 private:
     struct Parts;

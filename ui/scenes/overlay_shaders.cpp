@@ -357,16 +357,16 @@ void main()
 
 }   // namespace
 
-const ShaderTexts& lineShaders()
+const ShaderSources& lineShaders()
 {
-    static const ShaderTexts texts{lineVertexText, lineGeometryText,
-                                   std::string(lineHeadText) + cutoutText + lineMainText};
+    static const ShaderSources texts{lineVertexText, lineGeometryText,
+                                     std::string(lineHeadText) + cutoutText + lineMainText};
     return texts;
 }
 
-const ShaderTexts& frameShaders()
+const ShaderSources& frameShaders()
 {
-    static const ShaderTexts texts{frameVertexText, "", std::string(frameHeadText) + cutoutText + frameMainText};
+    static const ShaderSources texts{frameVertexText, "", std::string(frameHeadText) + cutoutText + frameMainText};
     return texts;
 }
 

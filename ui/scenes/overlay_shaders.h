@@ -6,14 +6,14 @@ namespace angiopose::ui {
 
 /// GLSL that draws lines in space with the same result as the painter: projected by VTK's camera, given a width on the
 /// screen, mitered up to 60°, rounded at sharper turns and at the ends, with faded edges.
-struct ShaderTexts {
+struct ShaderSources {
     std::string vertex;
     std::string geometry;
     std::string fragment;
 };
-const ShaderTexts& lineShaders();
+const ShaderSources& lineShaders();
 
 /// Returns GLSL that shows the angiogram, resampled in the same way as by the painter, with a DRR tint.
-const ShaderTexts& frameShaders();
+const ShaderSources& frameShaders();
 
 }   // namespace angiopose::ui

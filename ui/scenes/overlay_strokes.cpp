@@ -2,7 +2,7 @@
 
 #include "ui/scenes/branch_style.h"
 #include "ui/scenes/overlay_pens.h"
-#include "ui/scenes/point_tones.h"
+#include "ui/scenes/point_colors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,7 +33,7 @@ Box boxAround(const DeviceFromImage& device, double marginPx)
 }
 
 /// Returns the left (+1) or right (−1) edge of the vessel, or its centerline (0).
-StrokeLine edgeOf(const std::vector<ProjectedPoint>& run, const DeviceFromImage& device, const PointTones& tones,
+StrokeLine edgeOf(const std::vector<ProjectedPoint>& run, const DeviceFromImage& device, const PointColors& tones,
                   double side)
 {
     StrokeLine line;
@@ -75,7 +75,7 @@ std::vector<StrokeLine> visibleParts(const StrokeLine& line, LinePattern pattern
 BranchLines linesOf(const ProjectedBranch& branch, const OverlayContent& content, const DeviceFromImage& device)
 {
     BranchLines result{&branch, branchStyle(branch.id, content.marks), {}, {}};
-    const PointTones tones(content, branch.id, result.style.color);
+    const PointColors tones(content, branch.id, result.style.color);
     for (const auto& run : branch.runs) {
         const bool asOutline = content.mode != OverlayMode::Centerline && hasRadius(run);
         for (const double side : asOutline ? std::vector<double>{1.0, -1.0} : std::vector<double>{0.0}) {
@@ -157,7 +157,7 @@ void addTubes(StrokeMesh& mesh, const std::vector<BranchLines>& branches, const 
 {
     for (const BranchLines& branch : branches) {
         const BranchStyle& style = branch.style;
-        const PointTones tones(content, branch.source->id, style.color);
+        const PointColors tones(content, branch.source->id, style.color);
         for (const auto& run : branch.source->runs) {
             if (hasRadius(run)) {
                 addRibbon(mesh, edgeOf(run, device, tones, 1.0), edgeOf(run, device, tones, -1.0),
@@ -179,7 +179,7 @@ void fade(StrokeMesh& mesh, double opacity)
 
 void addOverlay(StrokeMesh& mesh, const OverlayContent& content, const DeviceFromImage& device)
 {
-    if (content.isVeiled) {
+    if (content.isOverlayHidden) {
         return;
     }
     if (content.mode != OverlayMode::Hidden) {
@@ -189,7 +189,7 @@ void addOverlay(StrokeMesh& mesh, const OverlayContent& content, const DeviceFro
             branches.push_back(linesOf(branch, content, device));
         }
         std::stable_sort(branches.begin(), branches.end(),
-                         [](const BranchLines& a, const BranchLines& b) { return a.style.rank < b.style.rank; });
+                         [](const BranchLines& a, const BranchLines& b) { return a.style.zOrder < b.style.zOrder; });
         const double modeFactor = content.mode == OverlayMode::Centerline ? 1.0 : edgeWidth;
         const auto widthOf = [&](const BranchLines& branch) {
             return modeFactor * branch.style.widthFactor * content.lineWidthPx;

@@ -24,9 +24,9 @@ StrokeLine arc(const Eigen::Vector2d& center, double radius, double startRad, do
     return line;
 }
 
-StrokeLine arc(const PoseHandleLook& look, double startRad, double sweepRad, const Color& color)
+StrokeLine arc(const PoseHandleState& state, double startRad, double sweepRad, const Color& color)
 {
-    return arc(look.center, look.radius, startRad, sweepRad, color);
+    return arc(state.center, state.radius, startRad, sweepRad, color);
 }
 
 void addWithShade(StrokeMesh& mesh, const StrokeLine& line, double widthPx)
@@ -39,34 +39,35 @@ void addWithShade(StrokeMesh& mesh, const StrokeLine& line, double widthPx)
     addLine(mesh, line, {widthPx});
 }
 
-void addRing(StrokeMesh& mesh, const PoseHandleLook& look)
+void addRing(StrokeMesh& mesh, const PoseHandleState& state)
 {
-    const Palette& tones = palette(ThemeMode::Dark);
-    const bool isHot = look.hot == PoseHandle::Roll || look.active == PoseHandle::Roll;
-    const double width = (isHot ? 2.0 : 1.3) * look.pixelScale;
-    const StrokeLine ring = arc(look, 0.0, 2.0 * std::numbers::pi, isHot ? tones.textStrong : tones.text);
-    for (const StrokeLine& dash : dashed(ring, {4.0 * look.pixelScale, 5.5 * look.pixelScale})) {
+    const Palette& colors = palette(ThemeMode::Dark);
+    const bool isHot = state.hovered == PoseHandle::Roll || state.active == PoseHandle::Roll;
+    const double width = (isHot ? 2.0 : 1.3) * state.pixelScale;
+    const StrokeLine ring = arc(state, 0.0, 2.0 * std::numbers::pi, isHot ? colors.textStrong : colors.text);
+    for (const StrokeLine& dash : dashed(ring, {4.0 * state.pixelScale, 5.5 * state.pixelScale})) {
         addWithShade(mesh, dash, width);
     }
-    if (look.active == PoseHandle::Roll) {
-        addWithShade(mesh, arc(look, look.rollStartRad, look.rollSweepRad, tones.attention), 3.5 * look.pixelScale);
-        const Eigen::Vector2d grip(std::cos(look.rollStartRad + look.rollSweepRad),
-                                   std::sin(look.rollStartRad + look.rollSweepRad));
-        addDot(mesh, {look.center + look.radius * grip, tones.attention}, 5.0 * look.pixelScale, 1.0);
-    } else if (look.hot == PoseHandle::Roll) {
-        addWithShade(mesh, arc(look, look.rollStartRad - 0.22, 0.44, tones.attention), 3.0 * look.pixelScale);
+    if (state.active == PoseHandle::Roll) {
+        addWithShade(mesh, arc(state, state.rollStartRad, state.rollSweepRad, colors.attention),
+                     3.5 * state.pixelScale);
+        const Eigen::Vector2d grip(std::cos(state.rollStartRad + state.rollSweepRad),
+                                   std::sin(state.rollStartRad + state.rollSweepRad));
+        addDot(mesh, {state.center + state.radius * grip, colors.attention}, 5.0 * state.pixelScale, 1.0);
+    } else if (state.hovered == PoseHandle::Roll) {
+        addWithShade(mesh, arc(state, state.rollStartRad - 0.22, 0.44, colors.attention), 3.0 * state.pixelScale);
     }
 }
 
-void addCross(StrokeMesh& mesh, const PoseHandleLook& look)
+void addCross(StrokeMesh& mesh, const PoseHandleState& state)
 {
-    const Palette& tones = palette(ThemeMode::Dark);
-    const bool isActive = look.active == PoseHandle::Shift;
-    const Color tone = isActive ? tones.attention : tones.textStrong;
-    const double arm = crossArm * look.radius;
+    const Palette& colors = palette(ThemeMode::Dark);
+    const bool isActive = state.active == PoseHandle::Shift;
+    const Color tone = isActive ? colors.attention : colors.textStrong;
+    const double arm = crossArm * state.radius;
     for (const Eigen::Vector2d& direction : {Eigen::Vector2d(1.0, 0.0), Eigen::Vector2d(0.0, 1.0)}) {
-        addWithShade(mesh, {{look.center - arm * direction, tone}, {look.center + arm * direction, tone}},
-                     (isActive ? 2.2 : 1.3) * look.pixelScale);
+        addWithShade(mesh, {{state.center - arm * direction, tone}, {state.center + arm * direction, tone}},
+                     (isActive ? 2.2 : 1.3) * state.pixelScale);
     }
 }
 
@@ -89,53 +90,53 @@ void addDoubleArrow(StrokeMesh& mesh, const StrokeLine& shaft, double widthPx, d
 }
 
 /// Returns the shaft of an outer handle, from its left or lower end.
-StrokeLine outerShaft(const PoseHandleLook& look, PoseHandle handle, const Color& tone)
+StrokeLine outerShaft(const PoseHandleState& state, PoseHandle handle, const Color& tone)
 {
     constexpr double below = -0.5 * std::numbers::pi;
-    const double radius = look.radius + outerHandleGapPx * look.pixelScale;
+    const double radius = state.radius + outerHandleGapPx * state.pixelScale;
     if (handle == PoseHandle::Depth) {
         const double half = radius * std::sin(outerHandleHalfRad);
-        return {{look.center + Eigen::Vector2d(-radius, -half), tone},
-                {look.center + Eigen::Vector2d(-radius, half), tone}};
+        return {{state.center + Eigen::Vector2d(-radius, -half), tone},
+                {state.center + Eigen::Vector2d(-radius, half), tone}};
     }
     const double middle = handle == PoseHandle::LaoRao ? below : 0.0;
-    return arc(look.center, radius, middle - outerHandleHalfRad, 2.0 * outerHandleHalfRad, tone);
+    return arc(state.center, radius, middle - outerHandleHalfRad, 2.0 * outerHandleHalfRad, tone);
 }
 
 /// Position of the knob of the active handle: at the center, moved by the drag within the shaft.
-Eigen::Vector2d knobOf(const PoseHandleLook& look, PoseHandle handle)
+Eigen::Vector2d knobOf(const PoseHandleState& state, PoseHandle handle)
 {
-    const double radius = look.radius + outerHandleGapPx * look.pixelScale;
-    const double angle = std::clamp(look.slidePx / radius, -outerHandleHalfRad, outerHandleHalfRad);
+    const double radius = state.radius + outerHandleGapPx * state.pixelScale;
+    const double angle = std::clamp(state.slidePx / radius, -outerHandleHalfRad, outerHandleHalfRad);
     if (handle == PoseHandle::Depth) {
-        return look.center + radius * Eigen::Vector2d(-1.0, std::sin(angle));
+        return state.center + radius * Eigen::Vector2d(-1.0, std::sin(angle));
     }
-    return look.center + radius * directionOf(handle == PoseHandle::LaoRao ? angle - 0.5 * std::numbers::pi : angle);
+    return state.center + radius * directionOf(handle == PoseHandle::LaoRao ? angle - 0.5 * std::numbers::pi : angle);
 }
 
-void addOuterHandles(StrokeMesh& mesh, const PoseHandleLook& look)
+void addOuterHandles(StrokeMesh& mesh, const PoseHandleState& state)
 {
-    const Palette& tones = palette(ThemeMode::Dark);
+    const Palette& colors = palette(ThemeMode::Dark);
     for (const PoseHandle handle : {PoseHandle::LaoRao, PoseHandle::CraCau, PoseHandle::Depth}) {
-        const bool isActive = look.active == handle;
-        const bool isHot = isActive || (look.hot == handle && look.active == PoseHandle::None);
-        const Color& tone = isHot ? tones.attention : tones.text;
-        addDoubleArrow(mesh, outerShaft(look, handle, tone), (isHot ? 2.0 : 1.3) * look.pixelScale, look.pixelScale);
+        const bool isActive = state.active == handle;
+        const bool isHot = isActive || (state.hovered == handle && state.active == PoseHandle::None);
+        const Color& tone = isHot ? colors.attention : colors.text;
+        addDoubleArrow(mesh, outerShaft(state, handle, tone), (isHot ? 2.0 : 1.3) * state.pixelScale, state.pixelScale);
         if (isActive) {
-            addDot(mesh, {knobOf(look, handle), tones.attention}, 5.0 * look.pixelScale, 1.0);
+            addDot(mesh, {knobOf(state, handle), colors.attention}, 5.0 * state.pixelScale, 1.0);
         }
     }
 }
 
 }   // namespace
 
-StrokeMesh poseHandleStrokes(const PoseHandleLook& look)
+StrokeMesh poseHandleStrokes(const PoseHandleState& state)
 {
     StrokeMesh mesh;
-    if (look.radius > 0.0) {
-        addRing(mesh, look);
-        addCross(mesh, look);
-        addOuterHandles(mesh, look);
+    if (state.radius > 0.0) {
+        addRing(mesh, state);
+        addCross(mesh, state);
+        addOuterHandles(mesh, state);
     }
     return mesh;
 }

@@ -11,11 +11,11 @@ inline constexpr double outerHandleGapPx = 30.0;   ///< gap between ring and han
 inline constexpr double outerHandleHalfRad = 0.5;   ///< half the angle that a handle spans as seen from the center
 
 /// State of the handles to draw; lengths in device px, y up.
-struct PoseHandleLook {
+struct PoseHandleState {
     Eigen::Vector2d center = Eigen::Vector2d::Zero();
     double radius = 0.0;   ///< radius of the roll ring; all handles are hidden if 0
     double pixelScale = 1.0;
-    PoseHandle hot = PoseHandle::None;   ///< handle under the pointer
+    PoseHandle hovered = PoseHandle::None;   ///< handle under the pointer
     PoseHandle active = PoseHandle::None;   ///< handle being dragged
     double rollStartRad = 0.0;   ///< counterclockwise from the +x axis
     double rollSweepRad = 0.0;
@@ -23,6 +23,6 @@ struct PoseHandleLook {
 };
 
 /// Returns the cross, ring, arcs and slider with which the user moves the pose on the image.
-StrokeMesh poseHandleStrokes(const PoseHandleLook& look);
+StrokeMesh poseHandleStrokes(const PoseHandleState& state);
 
 }   // namespace angiopose::ui

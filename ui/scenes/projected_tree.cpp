@@ -76,9 +76,9 @@ std::optional<int> nearestBranch(const ProjectedTree& tree, const Eigen::Vector2
     double distance = tolerancePx;
     for (const ProjectedBranch& branch : tree) {
         for (const auto& run : branch.runs) {
-            const double here = distanceToRun(imagePoint, run);
-            if (here <= distance) {
-                distance = here;
+            const double candidate = distanceToRun(imagePoint, run);
+            if (candidate <= distance) {
+                distance = candidate;
                 nearest = branch.id;
             }
         }
@@ -106,7 +106,7 @@ std::optional<ViewRect> extentOf(const ProjectedTree& tree, int branchId)
     return box;
 }
 
-bool passesThrough(const ProjectedTree& tree, const ViewRect& part)
+bool intersectsRect(const ProjectedTree& tree, const ViewRect& part)
 {
     const auto isInside = [&part](const ProjectedPoint& point) {
         return point.px.x() >= part.left && point.px.x() <= part.right && point.px.y() >= part.top &&

@@ -40,6 +40,6 @@ std::optional<int> nearestBranch(const ProjectedTree& tree, const Eigen::Vector2
 /// Returns the bounding box of a branch, in image px.
 std::optional<ViewRect> extentOf(const ProjectedTree& tree, int branchId);
 
-bool passesThrough(const ProjectedTree& tree, const ViewRect& part);
+bool intersectsRect(const ProjectedTree& tree, const ViewRect& part);
 
 }   // namespace angiopose::ui

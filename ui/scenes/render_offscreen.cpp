@@ -4,7 +4,7 @@
 #include "ui/scenes/burn_text.h"
 #include "ui/scenes/overlay_painter.h"
 #include "ui/scenes/overlay_strokes.h"
-#include "ui/scenes/vector_picture.h"
+#include "ui/scenes/vector_image.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -13,23 +13,24 @@
 namespace angiopose::ui {
 namespace {
 
-constexpr int largestPicturePx = 16384;
+constexpr int maxImagePx = 16384;
 constexpr int bandHeight = 1024;
 constexpr double lineWidthShare = 0.0022;   // as a fraction of the shorter side
 
 /// Restores view rectangle and line width of the scene on destruction.
-class ViewKeeper {
+class ViewRestorer {
 public:
-    explicit ViewKeeper(OverlayScene& scene) : scene_(scene), rect_(scene.viewRect()), lineWidthPx_(scene.lineWidthPx())
+    explicit ViewRestorer(OverlayScene& scene)
+        : scene_(scene), rect_(scene.viewRect()), lineWidthPx_(scene.lineWidthPx())
     {
     }
-    ~ViewKeeper()
+    ~ViewRestorer()
     {
         scene_.setViewRect(rect_);
         scene_.setLineWidthPx(lineWidthPx_);
     }
-    ViewKeeper(const ViewKeeper&) = delete;
-    ViewKeeper& operator=(const ViewKeeper&) = delete;
+    ViewRestorer(const ViewRestorer&) = delete;
+    ViewRestorer& operator=(const ViewRestorer&) = delete;
 
 private:
     OverlayScene& scene_;
@@ -49,35 +50,35 @@ void copyRows(const std::vector<std::uint32_t>& rows, std::size_t pixelCount, st
 /// Draws the view rectangle of the scene in bands, which limits memory use at any image size.
 core::ColorImage drawBands(const OverlayScene& scene, int width, int height)
 {
-    core::ColorImage picture{width, height, {}};
+    core::ColorImage image{width, height, {}};
     const auto rowLength = static_cast<std::size_t>(width);
-    picture.rgb.resize(3 * rowLength * static_cast<std::size_t>(height));
+    image.rgb.resize(3 * rowLength * static_cast<std::size_t>(height));
     std::vector<std::uint32_t> band(rowLength * static_cast<std::size_t>(std::min(height, bandHeight)));
     OverlayPainter painter;
     for (int top = 0; top < height; top += bandHeight) {
         const Canvas canvas{band.data(), width, std::min(bandHeight, height - top)};
         painter.drawRows(scene, canvas, top, height);
-        copyRows(band, canvas.pixelCount(), picture.rgb.data() + 3 * rowLength * static_cast<std::size_t>(top));
+        copyRows(band, canvas.pixelCount(), image.rgb.data() + 3 * rowLength * static_cast<std::size_t>(top));
     }
-    return picture;
+    return image;
 }
 
 bool isDrawable(int width, int height)
 {
-    return width >= 1 && height >= 1 && width <= largestPicturePx && height <= largestPicturePx;
+    return width >= 1 && height >= 1 && width <= maxImagePx && height <= maxImagePx;
 }
 
-void annotate(auto& picture, const CornerTexts& texts, double scaleMaximumPx, double scaleMaximumMm)
+void annotate(auto& image, const CornerTexts& texts, double scaleMaximumPx, double scaleMaximumMm)
 {
-    const BurnSizes sizes = burnSizes(picture.width, picture.height);
-    burnTexts(picture, texts, sizes);
+    const BurnSizes sizes = burnSizes(image.width, image.height);
+    burnTexts(image, texts, sizes);
     if (scaleMaximumPx > 0.0) {
-        burnScale(picture, {scaleMaximumPx, scaleMaximumMm, texts.decimalSign, texts.scaleHeading}, sizes);
+        burnScale(image, {scaleMaximumPx, scaleMaximumMm, texts.decimalSign, texts.scaleHeading}, sizes);
     }
 }
 
 /// Returns the frame at native resolution without vessels, with the DRR if the scene shows one.
-core::ColorImage bareFrame(OverlayScene& scene)
+core::ColorImage plainFrame(OverlayScene& scene)
 {
     const OverlayMode mode = scene.mode();
     const Cutout cutout = scene.cutout();
@@ -95,31 +96,31 @@ core::Result<core::ColorImage> renderOffscreen(OverlayScene& scene, int width, i
                                                const CornerTexts& texts, double scaleMaximumPx, double scaleMaximumMm)
 {
     if (!isDrawable(width, height)) {
-        return core::Error(core::messages::pictureSize(largestPicturePx));
+        return core::Error(core::messages::imageSizeOutOfRange(maxImagePx));
     }
-    const ViewKeeper keeper(scene);
+    const ViewRestorer keeper(scene);
     scene.setLineWidthPx(std::max(1.5, lineWidthShare * std::min(width, height)));
     scene.setViewRect(viewRect);
-    core::ColorImage picture = drawBands(scene, width, height);
-    annotate(picture, texts, scaleMaximumPx, scaleMaximumMm);
-    return picture;
+    core::ColorImage image = drawBands(scene, width, height);
+    annotate(image, texts, scaleMaximumPx, scaleMaximumMm);
+    return image;
 }
 
-core::Result<VectorPicture> drawVectors(OverlayScene& scene, int width, int height, const ViewRect& viewRect,
-                                        const CornerTexts& texts, double scaleMaximumPx, double scaleMaximumMm)
+core::Result<VectorImage> drawVectors(OverlayScene& scene, int width, int height, const ViewRect& viewRect,
+                                      const CornerTexts& texts, double scaleMaximumPx, double scaleMaximumMm)
 {
     if (!isDrawable(width, height)) {
-        return core::Error(core::messages::pictureSize(largestPicturePx));
+        return core::Error(core::messages::imageSizeOutOfRange(maxImagePx));
     }
-    const ViewKeeper keeper(scene);
+    const ViewRestorer keeper(scene);
     scene.setViewRect(viewRect);
     scene.setLineWidthPx(std::max(1.5, lineWidthShare * std::min(width, height)));
-    VectorPicture picture{width, height, {}, {}, {}, {}};
-    picture.backdrops.push_back({bareFrame(scene), 0.0, 1.0 * width});
-    picture.shapes = visibleShapes(overlayShapes(scene.content(), {viewRect, width, height}), picture,
-                                   scene.hasDrr() ? Cutout{} : scene.cutout(), viewRect);
-    annotate(picture, texts, scaleMaximumPx, scaleMaximumMm);
-    return picture;
+    VectorImage image{width, height, {}, {}, {}, {}};
+    image.backdrops.push_back({plainFrame(scene), 0.0, 1.0 * width});
+    image.shapes = visibleShapes(overlayShapes(scene.content(), {viewRect, width, height}), image,
+                                 scene.hasDrr() ? Cutout{} : scene.cutout(), viewRect);
+    annotate(image, texts, scaleMaximumPx, scaleMaximumMm);
+    return image;
 }
 
 }   // namespace angiopose::ui

@@ -22,12 +22,12 @@ core::Result<core::ColorImage> renderOffscreen(OverlayScene& scene, int width, i
                                                const CornerTexts& texts = {}, double scaleMaximumPx = 0.0,
                                                double scaleMaximumMm = 0.0);
 
-struct VectorPicture;
+struct VectorImage;
 
 /// Returns the rendering of `renderOffscreen` as vector graphics on top of the frame (including the DRR if the scene
 /// shows one) at native resolution.
-core::Result<VectorPicture> drawVectors(OverlayScene& scene, int width, int height, const ViewRect& viewRect,
-                                        const CornerTexts& texts = {}, double scaleMaximumPx = 0.0,
-                                        double scaleMaximumMm = 0.0);
+core::Result<VectorImage> drawVectors(OverlayScene& scene, int width, int height, const ViewRect& viewRect,
+                                      const CornerTexts& texts = {}, double scaleMaximumPx = 0.0,
+                                      double scaleMaximumMm = 0.0);
 
 }   // namespace angiopose::ui

@@ -61,10 +61,10 @@ void blendRows(const core::Image2d<std::uint8_t>& gray, const Taps& down, const 
 {
     std::fill(line.begin(), line.end(), 0.5F);   // 0.5 rounds the later conversion to integers
     for (int k = 0; k < target.count; ++k) {
-        const float share = down.weights[target.weights + static_cast<std::size_t>(k)];
+        const float fraction = down.weights[target.weights + static_cast<std::size_t>(k)];
         const std::uint8_t* source = gray.pixels.data() + gray.index(0, target.first + k);
         for (std::size_t x = 0; x < line.size(); ++x) {
-            line[x] += share * static_cast<float>(source[x]);
+            line[x] += fraction * static_cast<float>(source[x]);
         }
     }
 }
@@ -94,7 +94,7 @@ void resampleFrame(const core::Image2d<std::uint8_t>& gray, const ViewRect& rect
     const std::uint32_t outside = packed(around);
     const Taps across = tapsOf(rect.left, rect.right, canvas.width, gray.width, interpolation);
     const Taps down = tapsOf(rect.top, rect.bottom, canvas.height, gray.height, interpolation);
-    forBands(canvas.height, [&](const Rows& rows) {
+    forEachBand(canvas.height, [&](const Rows& rows) {
         std::vector<float> line(static_cast<std::size_t>(gray.width));
         for (int y = rows.from; y < rows.to; ++y) {
             const Taps::Target& target = down.targets[static_cast<std::size_t>(y)];

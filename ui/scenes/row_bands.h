@@ -16,7 +16,7 @@ struct Rows {
 /// Calls `draw` for bands that cover all rows of a canvas, on several threads. Drawing a row must not depend on other
 /// rows; the result is then the same for any number of threads.
 template <class Draw>
-void forBands(int height, const Draw& draw)
+void forEachBand(int height, const Draw& draw)
 {
     constexpr int bandRows = 160;   // large, because each band traverses all triangles
     constexpr int maxThreads = 4;

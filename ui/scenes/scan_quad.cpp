@@ -35,28 +35,28 @@ ScanQuad::ScanQuad()
     texture_->SetColorModeToDirectScalars();
     texture_->SetPremultipliedAlpha(true);
     texture_->InterpolateOn();
-    texture_->SetInputData(picture_);
+    texture_->SetInputData(image_);
 }
 
-void ScanQuad::show(const ScanPicture& picture)
+void ScanQuad::show(const ScanRendering& image)
 {
-    const core::ParallelSight& sight = picture.sight;
-    if (picture.pixels.isEmpty()) {
+    const core::ParallelProjection& sight = image.sight;
+    if (image.pixels.isEmpty()) {
         actor_->VisibilityOff();
         return;
     }
-    picture_->SetDimensions(picture.pixels.width, picture.pixels.height, 1);
-    picture_->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
-    std::copy_n(picture.pixels.pixels.data()->data(), 4 * picture.pixels.pixels.size(),
-                static_cast<std::uint8_t*>(picture_->GetScalarPointer()));
-    picture_->Modified();
+    image_->SetDimensions(image.pixels.width, image.pixels.height, 1);
+    image_->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
+    std::copy_n(image.pixels.pixels.data()->data(), 4 * image.pixels.pixels.size(),
+                static_cast<std::uint8_t*>(image_->GetScalarPointer()));
+    image_->Modified();
     const Eigen::Vector3d right = 0.5 * sight.width * sight.mmPerPx * sight.right;
     const Eigen::Vector3d up = 0.5 * sight.height * sight.mmPerPx * sight.up;
     vtkNew<vtkPoints> points;
     points->SetDataTypeToDouble();
-    for (const Eigen::Vector3d& way : {Eigen::Vector3d(-right - up), Eigen::Vector3d(right - up),
-                                       Eigen::Vector3d(right + up), Eigen::Vector3d(up - right)}) {
-        points->InsertNextPoint((sight.centerInPatient + way).eval().data());
+    for (const Eigen::Vector3d& offset : {Eigen::Vector3d(-right - up), Eigen::Vector3d(right - up),
+                                          Eigen::Vector3d(right + up), Eigen::Vector3d(up - right)}) {
+        points->InsertNextPoint((sight.centerInPatient + offset).eval().data());
     }
     rectangle_->SetPoints(points);
     actor_->SetTexture(texture_);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/scenes/scan_picture.h"
+#include "ui/scenes/scan_rendering.h"
 
 #include <vtkActor.h>
 #include <vtkFloatArray.h>
@@ -17,11 +17,11 @@ class ScanQuad {
 public:
     ScanQuad();
 
-    void show(const ScanPicture& picture);   ///< an empty image hides the plane
+    void show(const ScanRendering& image);   ///< an empty image hides the plane
     vtkActor* actor() { return actor_; }
 
 private:
-    vtkNew<vtkImageData> picture_;
+    vtkNew<vtkImageData> image_;
     vtkNew<vtkPolyData> rectangle_;
     vtkNew<vtkTexture> texture_;
     vtkNew<vtkActor> actor_;

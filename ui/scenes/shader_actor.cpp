@@ -6,7 +6,7 @@
 
 namespace angiopose::ui {
 
-ShaderActor::ShaderActor(vtkPolyData* data, const ShaderTexts& shaders)
+ShaderActor::ShaderActor(vtkPolyData* data, const ShaderSources& shaders)
 {
     mapper_->SetInputData(data);
     mapper_->SetVBOShiftScaleMethod(0);   // keeps vertices in the coordinates in which the shaders read their neighbors
@@ -39,20 +39,20 @@ vtkUniforms& ShaderActor::fragmentUniforms()
     return *actor_->GetShaderProperty()->GetFragmentCustomUniforms();
 }
 
-void ShaderActor::showPlace(const Cutout& cutout, const PicturePlace& place)
+void ShaderActor::setPlacementUniforms(const Cutout& cutout, const ImagePlacement& placement)
 {
-    const double scale = place.scale();
+    const double scale = placement.scale();
     const std::array<float, 4> where{
-        static_cast<float>(cutout.shape), static_cast<float>((cutout.at.x() - place.rect.left) * scale),
-        static_cast<float>((cutout.at.y() - place.rect.top) * place.height / place.rect.height()),
+        static_cast<float>(cutout.shape), static_cast<float>((cutout.at.x() - placement.rect.left) * scale),
+        static_cast<float>((cutout.at.y() - placement.rect.top) * placement.height / placement.rect.height()),
         static_cast<float>(cutout.radiusPx * scale)};
-    const std::array<float, 2> size{static_cast<float>(place.width), static_cast<float>(place.height)};
+    const std::array<float, 2> size{static_cast<float>(placement.width), static_cast<float>(placement.height)};
     fragmentUniforms().SetUniform4f("cutout", where.data());
     fragmentUniforms().SetUniform2f("viewport", size.data());
-    fragmentUniforms().SetUniformf("handed", place.isMirrored ? -1.0F : 1.0F);
+    fragmentUniforms().SetUniformf("handed", placement.isMirrored ? -1.0F : 1.0F);
 }
 
-std::array<float, 3> floatTone(const Color& color)
+std::array<float, 3> floatColor(const Color& color)
 {
     const std::array<double, 3> tone = color.unit();
     return {static_cast<float>(tone[0]), static_cast<float>(tone[1]), static_cast<float>(tone[2])};

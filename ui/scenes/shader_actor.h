@@ -1,8 +1,8 @@
 #pragma once
 
+#include "ui/scenes/image_placement.h"
 #include "ui/scenes/overlay_content.h"
 #include "ui/scenes/overlay_shaders.h"
-#include "ui/scenes/picture_place.h"
 
 #include <vtkActor.h>
 #include <vtkNew.h>
@@ -17,7 +17,7 @@ namespace angiopose::ui {
 /// VTK actor that draws poly data with custom GLSL shaders.
 class ShaderActor {
 public:
-    ShaderActor(vtkPolyData* data, const ShaderTexts& shaders);
+    ShaderActor(vtkPolyData* data, const ShaderSources& shaders);
     vtkActor* actor() { return actor_; }
 
 protected:
@@ -27,13 +27,13 @@ protected:
     vtkUniforms& fragmentUniforms();
 
     /// Sets the uniforms of cutout and view, which every fragment shader uses.
-    void showPlace(const Cutout& cutout, const PicturePlace& place);
+    void setPlacementUniforms(const Cutout& cutout, const ImagePlacement& placement);
 
 private:
     vtkNew<vtkOpenGLPolyDataMapper> mapper_;
     vtkNew<vtkActor> actor_;
 };
 
-std::array<float, 3> floatTone(const Color& color);
+std::array<float, 3> floatColor(const Color& color);
 
 }   // namespace angiopose::ui

@@ -227,7 +227,7 @@ std::vector<StrokeLine> dashed(const StrokeLine& line, const DashPattern& patter
 {
     std::vector<StrokeLine> parts;
     bool isDrawing = true;
-    double left = pattern.drawnPx;
+    double left = pattern.dashPx;
     if (!line.empty()) {
         parts.push_back({line.front()});
     }
@@ -243,7 +243,7 @@ std::vector<StrokeLine> dashed(const StrokeLine& line, const DashPattern& patter
                 parts.push_back({change});
             }
             isDrawing = !isDrawing;
-            left = isDrawing ? pattern.drawnPx : pattern.gapPx;
+            left = isDrawing ? pattern.dashPx : pattern.gapPx;
         }
         left -= length - done;
         if (isDrawing) {

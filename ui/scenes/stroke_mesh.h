@@ -42,7 +42,7 @@ struct StrokeMesh {
 };
 
 struct DashPattern {
-    double drawnPx = 0.0;
+    double dashPx = 0.0;
     double gapPx = 0.0;
 };
 

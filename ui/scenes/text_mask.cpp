@@ -20,22 +20,22 @@ struct FontFace {
 };
 
 /// Returns the font that best matches the pattern; frees the pattern.
-FontFace faceFor(FcPattern* wanted)
+FontFace faceFor(FcPattern* pattern)
 {
-    FcConfigSubstitute(nullptr, wanted, FcMatchPattern);
-    FcDefaultSubstitute(wanted);
+    FcConfigSubstitute(nullptr, pattern, FcMatchPattern);
+    FcDefaultSubstitute(pattern);
     FcResult outcome = FcResultNoMatch;
-    FcPattern* found = FcFontMatch(nullptr, wanted, &outcome);
+    FcPattern* match = FcFontMatch(nullptr, pattern, &outcome);
     FontFace face;
     FcChar8* name = nullptr;
-    if (found && FcPatternGetString(found, FC_FILE, 0, &name) == FcResultMatch) {
+    if (match && FcPatternGetString(match, FC_FILE, 0, &name) == FcResultMatch) {
         face.file = reinterpret_cast<const char*>(name);
-        FcPatternGetInteger(found, FC_INDEX, 0, &face.index);
+        FcPatternGetInteger(match, FC_INDEX, 0, &face.index);
     }
-    if (found) {
-        FcPatternDestroy(found);
+    if (match) {
+        FcPatternDestroy(match);
     }
-    FcPatternDestroy(wanted);
+    FcPatternDestroy(pattern);
     return face;
 }
 
@@ -54,14 +54,14 @@ const FontFace& interfaceFont()
 /// Returns a fallback font for characters that the interface font lacks, e.g. Chinese.
 FontFace fontWith(const std::vector<char32_t>& signs)
 {
-    FcPattern* wanted = patternOf("sans-serif:style=Regular:outline=true:lang=zh-cn");
+    FcPattern* pattern = patternOf("sans-serif:style=Regular:outline=true:lang=zh-cn");
     FcCharSet* needed = FcCharSetCreate();
     for (const char32_t sign : signs) {
         FcCharSetAddChar(needed, sign);
     }
-    FcPatternAddCharSet(wanted, FC_CHARSET, needed);
+    FcPatternAddCharSet(pattern, FC_CHARSET, needed);
     FcCharSetDestroy(needed);
-    return faceFor(wanted);
+    return faceFor(pattern);
 }
 
 struct FreeFace {

@@ -4,7 +4,7 @@
 #include "ui/scenes/beam.h"
 #include "ui/scenes/frame_quad.h"
 #include "ui/scenes/orbit.h"
-#include "ui/scenes/orientation_sign.h"
+#include "ui/scenes/orientation_marker.h"
 #include "ui/scenes/scan_quad.h"
 #include "ui/scenes/stroke_actor.h"
 #include "ui/scenes/tree_tubes.h"
@@ -74,7 +74,7 @@ struct TreeScene::Parts {
     core::VesselTree tree;
     Beam beam;
     BranchMarks marks;
-    Palette tones = palette(ThemeMode::Dark);
+    Palette colors = palette(ThemeMode::Dark);
     double pixelScale = 1.0;
     bool isTreeStale = false;
     bool isGrayStale = false;   // the gray range still belongs to the previous frame
@@ -82,11 +82,11 @@ struct TreeScene::Parts {
     ViewExtent extent = ViewExtent::Everything;
     bool isTouched = false;   // the user rotated, moved or zoomed the view since framing
     double framedAspect = 0.0;   // aspect ratio for which the view was framed
-    unsigned long watch = 0;
+    unsigned long observerTag = 0;
 
-    void showNext(ViewExtent wanted)
+    void showNext(ViewExtent newExtent)
     {
-        extent = wanted;
+        extent = newExtent;
         isViewStale = true;
     }
     vtkCamera& camera() { return *ground->GetActiveCamera(); }
@@ -96,7 +96,7 @@ struct TreeScene::Parts {
     void showDetector();
     void update();
     StrokeMesh groundStrokes(const ScreenFromPatient& toScreen) const;
-    OrientationSign sign(const ScreenFromPatient& toScreen) const;
+    OrientationMarker sign(const ScreenFromPatient& toScreen) const;
     double detectorScale() const;
 };
 
@@ -106,7 +106,7 @@ ScreenFromPatient TreeScene::Parts::screen() const
     return screenFromPatient(*ground->GetActiveCamera(), size[0], size[1]);
 }
 
-OrientationSign TreeScene::Parts::sign(const ScreenFromPatient& toScreen) const
+OrientationMarker TreeScene::Parts::sign(const ScreenFromPatient& toScreen) const
 {
     return {toScreen, ground->GetSize()[0], pixelScale};
 }
@@ -122,8 +122,8 @@ StrokeMesh TreeScene::Parts::groundStrokes(const ScreenFromPatient& toScreen) co
     if (isEmpty()) {
         return mesh;   // without vessels and scan, no beam is shown
     }
-    addBeamStrokes(mesh, beam, toScreen, {tones, 2.0 * toScreen.centerPx, pixelScale});
-    addOrientationSign(mesh, sign(toScreen), tones);
+    addBeamStrokes(mesh, beam, toScreen, {colors, 2.0 * toScreen.centerPx, pixelScale});
+    addOrientationMarker(mesh, sign(toScreen), colors);
     return mesh;
 }
 
@@ -136,11 +136,11 @@ const core::VesselTree& TreeScene::Parts::subject() const
 void TreeScene::Parts::showDetector()
 {
     const GrayFrame& shown = detectorPicture.width() > 0 ? detectorPicture : frame;
-    const bool isThere = beam.hasDetector() && shown.width() > 0;
-    const double pxPerPx = !isThere || &shown == &frame ? 1.0 : beam.camera.width / (1.0 * shown.width());
+    const bool isVisible = beam.hasDetector() && shown.width() > 0;
+    const double pxPerPx = !isVisible || &shown == &frame ? 1.0 : beam.camera.width / (1.0 * shown.width());
     detector.show(shown, pxPerPx * detectorScale());
-    detector.actor()->SetVisibility(isThere && !isEmpty());
-    if (!isThere) {
+    detector.actor()->SetVisibility(isVisible && !isEmpty());
+    if (!isVisible) {
         return;
     }
     Eigen::Affine3d larger = Eigen::Affine3d::Identity();
@@ -155,12 +155,12 @@ void TreeScene::Parts::showDetector()
 void TreeScene::Parts::update()
 {
     if (std::exchange(isTreeStale, false)) {
-        tubes.show(tree, marks, tones);
+        tubes.show(tree, marks, colors);
     }
     if (std::exchange(isGrayStale, false)) {
         frame.setRange(core::displayRange(frame.pixels()));
     }
-    const auto back = tones.field.unit();
+    const auto back = colors.field.unit();
     ground->SetBackground(back[0], back[1], back[2]);
     showDetector();
     const int* size = ground->GetSize();
@@ -201,12 +201,12 @@ TreeScene::TreeScene() : parts_(std::make_unique<Parts>())
     vtkNew<vtkCallbackCommand> refresh;
     refresh->SetClientData(parts_.get());
     refresh->SetCallback([](vtkObject*, unsigned long, void* client, void*) { static_cast<Parts*>(client)->update(); });
-    p.watch = p.ground->AddObserver(vtkCommand::StartEvent, refresh);
+    p.observerTag = p.ground->AddObserver(vtkCommand::StartEvent, refresh);
 }
 
 TreeScene::~TreeScene()
 {
-    parts_->ground->RemoveObserver(parts_->watch);
+    parts_->ground->RemoveObserver(parts_->observerTag);
     if (vtkRenderWindow* window = parts_->ground->GetRenderWindow()) {
         window->RemoveRenderer(parts_->front);
         window->RemoveRenderer(parts_->middle);
@@ -244,11 +244,11 @@ void TreeScene::setFrame(const core::ImageF& frame)
     parts_->isGrayStale = true;
 }
 
-void TreeScene::setDetectorPicture(const core::ImageF& picture)
+void TreeScene::setDetectorImage(const core::ImageF& image)
 {
-    parts_->detectorPicture.setPixels(picture);
-    if (!picture.isEmpty()) {
-        parts_->detectorPicture.setRange(core::displayRange(picture));
+    parts_->detectorPicture.setPixels(image);
+    if (!image.isEmpty()) {
+        parts_->detectorPicture.setRange(core::displayRange(image));
     }
 }
 
@@ -262,12 +262,12 @@ void TreeScene::setScanBox(const std::optional<Eigen::AlignedBox3d>& boxInPatien
     }
 }
 
-void TreeScene::setScanPicture(const ScanPicture& picture)
+void TreeScene::setScanRendering(const ScanRendering& image)
 {
-    parts_->scan.show(picture);
+    parts_->scan.show(image);
 }
 
-core::ParallelSight TreeScene::sight(int maxPx) const
+core::ParallelProjection TreeScene::sight(int maxPx) const
 {
     const ScreenFromPatient toScreen = parts_->screen();
     const int* size = parts_->ground->GetSize();
@@ -277,7 +277,7 @@ core::ParallelSight TreeScene::sight(int maxPx) const
         const int side = std::max(3, static_cast<int>(std::lround(share * px)));
         return std::has_single_bit(static_cast<unsigned>(side)) ? side + 1 : side;
     };
-    core::ParallelSight sight;
+    core::ParallelProjection sight;
     sight.centerInPatient = toScreen.focalPoint;
     sight.right = toScreen.rotation.row(0);
     sight.up = toScreen.rotation.row(1);
@@ -293,9 +293,9 @@ void TreeScene::setMarks(const BranchMarks& marks)
     parts_->marks = marks;
 }
 
-void TreeScene::setTones(const Palette& tones)
+void TreeScene::setColors(const Palette& colors)
 {
-    parts_->tones = tones;
+    parts_->colors = colors;
     parts_->isTreeStale = true;
 }
 
@@ -318,7 +318,7 @@ void TreeScene::nextView()
     parts_->showNext(showsAll ? ViewExtent::Vessels : ViewExtent::Everything);
 }
 
-void TreeScene::frameAgain()
+void TreeScene::reframe()
 {
     parts_->isViewStale = parts_->isViewStale || !parts_->isTouched;
 }
@@ -358,9 +358,9 @@ std::optional<TreePick> TreeScene::pickAt(int xDevicePx, int yDevicePxFromBottom
     double distance = treePickTolerancePx * parts_->pixelScale;
     for (const core::VesselBranch& branch : parts_->tree.branches) {
         for (const Eigen::Vector3d& point : branch.pointsInPatient) {
-            const double here = (toScreen * point - mouse).norm();
-            if (here < distance) {
-                distance = here;
+            const double candidate = (toScreen * point - mouse).norm();
+            if (candidate < distance) {
+                distance = candidate;
                 nearest = TreePick{branch.id, point};
             }
         }

@@ -4,9 +4,9 @@
 #include "core/geometry/rigid_transform.h"
 #include "core/imaging/image2d.h"
 #include "core/vessel/vessel_tree.h"
-#include "ui/scenes/orientation_sign.h"
+#include "ui/scenes/orientation_marker.h"
 #include "ui/scenes/overlay_scene.h"
-#include "ui/scenes/scan_picture.h"
+#include "ui/scenes/scan_rendering.h"
 #include "ui/theme/theme.h"
 
 #include <Eigen/Geometry>
@@ -38,21 +38,22 @@ public:
     void setPose(const core::RigidTransform& cameraFromPatient);
     void setFrame(const core::ImageF& frame);
     /// Replaces the frame with an image of any resolution that covers it completely; empty restores the frame.
-    void setDetectorPicture(const core::ImageF& picture);
+    void setDetectorImage(const core::ImageF& image);
     /// Sets the extent of the scan, to which the view is framed if there is no tree; without a value, no scan is shown.
     void setScanBox(const std::optional<Eigen::AlignedBox3d>& boxInPatient);
-    void setScanPicture(const ScanPicture& picture);   ///< sets the rendering for `sight()`; an empty image shows none
+    void setScanRendering(
+        const ScanRendering& image);   ///< sets the rendering for `sight()`; an empty image shows none
     /// Returns the current view, for rendering an image of at most `maxPx` pixels.
-    core::ParallelSight sight(int maxPx) const;
+    core::ParallelProjection sight(int maxPx) const;
     void setMarks(const BranchMarks& marks);
-    void setTones(const Palette& tones);
+    void setColors(const Palette& colors);
     void setPixelScale(double devicePxPerPx);   ///< scales the line widths and the orientation marker
     void attachTo(vtkRenderWindow* window);   ///< call once
 
     /// Views the beam from the side, with the X-ray source at the top and everything in view; the next call shows only
     /// the vessels.
     void nextView();
-    void frameAgain();   ///< brings all content into view unless the user has changed the view
+    void reframe();   ///< brings all content into view unless the user has changed the view
     void turnBy(double rightDeg, double downDeg);   ///< rotates the scene by a mouse movement
     void zoomBy(double factor);
     void panBy(double rightDevicePx, double upDevicePx);

@@ -69,22 +69,22 @@ void addDashes(TubeLines& lines, const std::vector<Eigen::Vector3d>& line, const
     }
 }
 
-void addBranch(TubeLines& lines, const core::VesselBranch& branch, const BranchMarks& marks, const Palette& tones,
+void addBranch(TubeLines& lines, const core::VesselBranch& branch, const BranchMarks& marks, const Palette& colors,
                double extent)
 {
     if (branch.pointsInPatient.size() < 2) {
         return;
     }
-    const BranchStyle style = branchStyle(branch.id, marks, tones);
-    const double thinnestMm = 0.0055 * extent;   // minimum radius: thinner tubes would break up into separate pixels
+    const BranchStyle style = branchStyle(branch.id, marks, colors);
+    const double minRadiusMm = 0.0055 * extent;   // minimum radius: thinner tubes would break up into separate pixels
     const auto stations = core::evenStations<3>(branch.pointsInPatient, 0.008 * extent);
     const std::vector<Eigen::Vector3d> line = core::interpolate(branch.pointsInPatient, stations);
-    std::vector<double> radiusMm(line.size(), thinnestMm);
+    std::vector<double> radiusMm(line.size(), minRadiusMm);
     if (!branch.radiusMm.empty()) {
         radiusMm = core::interpolate(branch.radiusMm, stations);
     }
     for (double& radius : radiusMm) {
-        radius = style.widthFactor * std::clamp(radius, thinnestMm, 0.02 * extent);
+        radius = style.widthFactor * std::clamp(radius, minRadiusMm, 0.02 * extent);
     }
     if (style.pattern == LinePattern::Dashed) {
         addDashes(lines, line, radiusMm, style.color);
@@ -113,12 +113,12 @@ TreeTubes::TreeTubes()
     actor_->VisibilityOff();
 }
 
-void TreeTubes::show(const core::VesselTree& tree, const BranchMarks& marks, const Palette& tones)
+void TreeTubes::show(const core::VesselTree& tree, const BranchMarks& marks, const Palette& colors)
 {
     TubeLines lines;
     const double extent = extentMm(tree);
     for (const core::VesselBranch& branch : tree.branches) {
-        addBranch(lines, branch, marks, tones, extent);
+        addBranch(lines, branch, marks, colors, extent);
     }
     lines_->SetPoints(lines.points);
     lines_->SetLines(lines.cells);

@@ -14,7 +14,7 @@ namespace angiopose::ui {
 class TreeTubes {
 public:
     TreeTubes();
-    void show(const core::VesselTree& tree, const BranchMarks& marks, const Palette& tones);
+    void show(const core::VesselTree& tree, const BranchMarks& marks, const Palette& colors);
     vtkActor* actor() { return actor_; }
 
 private:

@@ -71,8 +71,8 @@ struct VtkOverlay::Parts {
     std::array<LineLayer*, 6> layers() { return {&inside, &glow, &halo, &core, &tracedShade, &tracedDots}; }
     void updateLines(const OverlayContent& content);
     void placeTraced(const OverlayContent& content);
-    void showTree(const OverlayContent& content, const PicturePlace& place);
-    void showTraced(const OverlayContent& content, const PicturePlace& place);
+    void showTree(const OverlayContent& content, const ImagePlacement& placement);
+    void showTraced(const OverlayContent& content, const ImagePlacement& placement);
 };
 
 void VtkOverlay::Parts::updateLines(const OverlayContent& content)
@@ -101,7 +101,7 @@ void VtkOverlay::Parts::placeTraced(const OverlayContent& content)
     tracedDots.actor()->SetUserMatrix(patientFromCamera);
 }
 
-void VtkOverlay::Parts::showTree(const OverlayContent& content, const PicturePlace& place)
+void VtkOverlay::Parts::showTree(const OverlayContent& content, const ImagePlacement& placement)
 {
     const bool isTube = content.mode == OverlayMode::Tube;
     const bool isCenter = content.mode == OverlayMode::Centerline;
@@ -128,18 +128,18 @@ void VtkOverlay::Parts::showTree(const OverlayContent& content, const PicturePla
     insidePass.opacityGain = insideOpacity;
     pass.hasEndDots = true;
     if (!tree.isEmpty()) {
-        halo.show(haloPass, content, place);
-        core.show(pass, content, place);
+        halo.show(haloPass, content, placement);
+        core.show(pass, content, placement);
     }
     if (!glowing.isEmpty()) {
-        glow.show(glowPass, content, place);
+        glow.show(glowPass, content, placement);
     }
     if (isTube && !tree.isEmpty()) {
-        inside.show(insidePass, content, place);
+        inside.show(insidePass, content, placement);
     }
 }
 
-void VtkOverlay::Parts::showTraced(const OverlayContent& content, const PicturePlace& place)
+void VtkOverlay::Parts::showTraced(const OverlayContent& content, const ImagePlacement& placement)
 {
     if (traced.isEmpty()) {
         return;
@@ -153,8 +153,8 @@ void VtkOverlay::Parts::showTraced(const OverlayContent& content, const PictureP
     shade.widthExtraPx = shade.fadePx = tracedShadePx;
     shade.opacityGain = tracedShadeOpacity;
     shade.shade = palette(ThemeMode::Dark).canvas;
-    tracedShade.show(shade, content, place);
-    tracedDots.show(dots, content, place);
+    tracedShade.show(shade, content, placement);
+    tracedDots.show(dots, content, placement);
 }
 
 VtkOverlay::VtkOverlay() : parts_(std::make_unique<Parts>())
@@ -187,31 +187,32 @@ void VtkOverlay::show(const OverlayScene& scene, bool isMirrored, const StrokeMe
     Parts& p = *parts_;
     const OverlayContent& content = scene.content();
     const int* size = p.window->GetSize();
-    const PicturePlace place{content.viewRect, size[0], size[1], isMirrored};
-    setPinhole(*p.renderer->GetActiveCamera(), usableCamera(content.camera), content.cameraFromPatient, place.seen());
-    p.frame.show(content, place);
+    const ImagePlacement placement{content.viewRect, size[0], size[1], isMirrored};
+    setPinhole(*p.renderer->GetActiveCamera(), usableCamera(content.camera), content.cameraFromPatient,
+               placement.displayedRect());
+    p.frame.show(content, placement);
     p.updateLines(content);
     for (LineLayer* layer : p.layers()) {
         layer->actor()->VisibilityOff();
     }
     const bool hasCamera = !core::findProblem(content.camera);
-    if (hasCamera && content.mode != OverlayMode::Hidden && !content.isVeiled) {
-        p.showTree(content, place);
+    if (hasCamera && content.mode != OverlayMode::Hidden && !content.isOverlayHidden) {
+        p.showTree(content, placement);
     }
-    if (content.isTracedShown && !content.isVeiled) {
-        p.showTraced(content, place);
+    if (content.isTracedShown && !content.isOverlayHidden) {
+        p.showTraced(content, placement);
     }
     p.above.show(above);
     p.aboveVertices = above.vertexCount();
 }
 
-VtkOverlay::Work VtkOverlay::work() const
+VtkOverlay::RenderStats VtkOverlay::renderStats() const
 {
-    Work work{4 + parts_->aboveVertices, parts_->aboveVertices > 0 ? 2U : 1U};
-    const auto add = [&work](LineLayer& layer, LineData& data) {
+    RenderStats renderStats{4 + parts_->aboveVertices, parts_->aboveVertices > 0 ? 2U : 1U};
+    const auto add = [&renderStats](LineLayer& layer, LineData& data) {
         if (layer.actor()->GetVisibility()) {
-            work.vertices += static_cast<std::size_t>(data.polyData()->GetNumberOfPoints());
-            ++work.drawCalls;
+            renderStats.vertices += static_cast<std::size_t>(data.polyData()->GetNumberOfPoints());
+            ++renderStats.drawCalls;
         }
     };
     add(parts_->inside, parts_->tree);
@@ -220,7 +221,7 @@ VtkOverlay::Work VtkOverlay::work() const
     add(parts_->core, parts_->tree);
     add(parts_->tracedShade, parts_->traced);
     add(parts_->tracedDots, parts_->traced);
-    return work;
+    return renderStats;
 }
 
 }   // namespace angiopose::ui

@@ -25,11 +25,11 @@ public:
     void show(const OverlayScene& scene, bool isMirrored = false, const StrokeMesh& above = {});
 
     /// OpenGL workload of the displayed image.
-    struct Work {
+    struct RenderStats {
         std::size_t vertices = 0;
         std::size_t drawCalls = 0;
     };
-    Work work() const;
+    RenderStats renderStats() const;
 
 private:
     struct Parts;

@@ -3,7 +3,7 @@
 #include "ui/actions/key_hint.h"
 #include "ui/views/scan_bar.h"
 #include "ui/views/tree_view.h"
-#include "ui/words/spoken.h"
+#include "ui/words/retranslation.h"
 
 #include <QEvent>
 #include <QHBoxLayout>
@@ -19,8 +19,8 @@ CornerViews::CornerViews(TreeView* treeView, SliceModel& model, QWidget* parent)
     : QWidget(parent),
       model_(model),
       bar_(new QWidget),
-      allSlices_(makeTool(
-          QStringLiteral("⊞"), [] { return tr("Show all slices enlarged"); }, Command::SlicesLarge)),
+      allSlices_(makeToolButton(
+          QStringLiteral("⊞"), [] { return tr("Enlarge all slices"); }, Command::SlicesLarge)),
       stack_(new QStackedWidget),
       treeView_(treeView),
       slice_(new SliceView(model, core::BodyPlane::Axial)),
@@ -39,19 +39,21 @@ CornerViews::CornerViews(TreeView* treeView, SliceModel& model, QWidget* parent)
         tabs->addWidget(tab);
     }
     tabs->addStretch(1);
-    QToolButton* alone = makeTool(
+    QToolButton* alone = makeToolButton(
         QStringLiteral("⤢"), [] { return tr("Show only this view, or restore"); }, Command::CornerOnly);
-    QToolButton* window = makeTool(
+    QToolButton* window = makeToolButton(
         QStringLiteral("↗"), [] { return tr("Move to a separate window, or back"); }, Command::CornerWindow);
-    connect(allSlices_, &QToolButton::clicked, this, &CornerViews::roomRequested);
-    connect(alone, &QToolButton::clicked, this, &CornerViews::aloneRequested);
-    connect(window, &QToolButton::clicked, this, &CornerViews::windowRequested);
-    connect(slice_, &SliceView::roomRequested, this, &CornerViews::roomRequested);
-    connect(treeView_, &TreeView::roomRequested, this, &CornerViews::aloneRequested);
+    connect(allSlices_, &QToolButton::clicked, this, &CornerViews::enlargeRequested);
+    connect(alone, &QToolButton::clicked, this, &CornerViews::maximizeRequested);
+    connect(window, &QToolButton::clicked, this, &CornerViews::popOutRequested);
+    connect(slice_, &SliceView::enlargeRequested, this, &CornerViews::enlargeRequested);
+    connect(treeView_, &TreeView::enlargeRequested, this, &CornerViews::maximizeRequested);
     for (QToolButton* tool : {allSlices_, alone, window}) {
         tabs->addWidget(tool);
     }
-    withTip(bar_, [] { return tipWithKey(tr("Double-click: show only this view, or restore"), Command::CornerOnly); });
+    withToolTip(bar_, [] {
+        return tooltipWithShortcut(tr("Double-click: show only this view, or restore"), Command::CornerOnly);
+    });
     bar_->installEventFilter(this);
 
     auto* layout = new QVBoxLayout(this);
@@ -64,26 +66,26 @@ CornerViews::CornerViews(TreeView* treeView, SliceModel& model, QWidget* parent)
     followScan();
 }
 
-QToolButton* CornerViews::makeTool(const QString& sign, const Words& name, Command command)
+QToolButton* CornerViews::makeToolButton(const QString& sign, const LocalizedText& name, Command command)
 {
     auto* tool = new QToolButton;
     tool->setText(sign);
     tool->setProperty("role", "tabTool");
-    withName(tool, name);
-    withTip(tool, [name, command] { return tipWithKey(name(), command); });
+    withAccessibleName(tool, name);
+    withToolTip(tool, [name, command] { return tooltipWithShortcut(name(), command); });
     return tool;
 }
 
 bool CornerViews::eventFilter(QObject* watched, QEvent* event)
 {
     if (watched == bar_ && event->type() == QEvent::MouseButtonDblClick) {
-        emit aloneRequested();
+        emit maximizeRequested();
         return true;
     }
     return QWidget::eventFilter(watched, event);
 }
 
-QToolButton* CornerViews::makeTab(const Words& text, std::optional<core::BodyPlane> plane)
+QToolButton* CornerViews::makeTab(const LocalizedText& text, std::optional<core::BodyPlane> plane)
 {
     auto* tab = new QToolButton;
     withText(tab, text);
@@ -96,13 +98,13 @@ QToolButton* CornerViews::makeTab(const Words& text, std::optional<core::BodyPla
 
 std::optional<core::BodyPlane> CornerViews::shownPlane() const
 {
-    return model_.hasScan() ? wanted_ : std::nullopt;
+    return model_.hasScan() ? requestedPlane_ : std::nullopt;
 }
 
 void CornerViews::showPlane(std::optional<core::BodyPlane> plane)
 {
-    if (plane != wanted_) {
-        wanted_ = plane;
+    if (plane != requestedPlane_) {
+        requestedPlane_ = plane;
         emit planeChanged(plane);
     }
     const auto shown = shownPlane();
@@ -120,8 +122,8 @@ void CornerViews::showPlane(std::optional<core::BodyPlane> plane)
 void CornerViews::showNext()
 {
     const auto& planes = core::bodyPlanes;
-    const auto now = wanted_ ? std::find(planes.begin(), planes.end(), *wanted_) : planes.end();
-    const auto next = now == planes.end() ? planes.begin() : now + 1;
+    const auto current = requestedPlane_ ? std::find(planes.begin(), planes.end(), *requestedPlane_) : planes.end();
+    const auto next = current == planes.end() ? planes.begin() : current + 1;
     showPlane(next == planes.end() ? std::nullopt : std::optional(*next));
 }
 
@@ -131,7 +133,7 @@ void CornerViews::followScan()
         tabs_[i]->setVisible(model_.hasScan());
     }
     allSlices_->setVisible(model_.hasScan());
-    showPlane(wanted_);
+    showPlane(requestedPlane_);
 }
 
 }   // namespace angiopose::ui

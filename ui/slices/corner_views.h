@@ -2,7 +2,7 @@
 
 #include "ui/actions/command.h"
 #include "ui/slices/slice_view.h"
-#include "ui/words/spoken.h"
+#include "ui/words/retranslation.h"
 
 #include <QWidget>
 
@@ -31,16 +31,16 @@ public:
 
 signals:
     void planeChanged(std::optional<core::BodyPlane> plane);
-    void roomRequested();   ///< requests enlarging all slices
-    void aloneRequested();   ///< requests maximizing this area, or restoring the layout
-    void windowRequested();   ///< requests popping out this area, or docking it
+    void enlargeRequested();   ///< requests enlarging all slices
+    void maximizeRequested();   ///< requests maximizing this area, or restoring the layout
+    void popOutRequested();   ///< requests popping out this area, or docking it
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    QToolButton* makeTool(const QString& sign, const Words& name, Command command);
-    QToolButton* makeTab(const Words& text, std::optional<core::BodyPlane> plane);
+    QToolButton* makeToolButton(const QString& sign, const LocalizedText& name, Command command);
+    QToolButton* makeTab(const LocalizedText& text, std::optional<core::BodyPlane> plane);
     void followScan();
 
     SliceModel& model_;
@@ -51,7 +51,7 @@ private:
     SliceView* slice_;
     ScanBar* scanBar_;
     std::array<QToolButton*, 4> tabs_{};   ///< 3-D first, then in the order of `core::bodyPlanes`
-    std::optional<core::BodyPlane> wanted_;
+    std::optional<core::BodyPlane> requestedPlane_;
 };
 
 }   // namespace angiopose::ui

@@ -3,7 +3,7 @@
 #include "ui/controls/section.h"
 #include "ui/theme/active_theme.h"
 #include "ui/words/number.h"
-#include "ui/words/spoken.h"
+#include "ui/words/retranslation.h"
 
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -46,9 +46,9 @@ QString volumeText(double volumeMl)
     return LabelChoice::tr("%1 ml").arg(numberText(volumeMl, volumeMl < 10.0 ? 2 : volumeMl < 100.0 ? 1 : 0));
 }
 
-QPushButton* link(const Words& text, const Words& tip)
+QPushButton* link(const LocalizedText& text, const LocalizedText& tip)
 {
-    auto* button = withTip(withText(new QPushButton, text), tip);
+    auto* button = withToolTip(withText(new QPushButton, text), tip);
     button->setProperty("role", "link");
     return button;
 }
@@ -64,11 +64,12 @@ QString textOf(const LabelRow& row)
 LabelChoice::LabelChoice(QWidget* parent)
     : QWidget(parent),
       all_(link([] { return tr("All"); }, [] { return tr("Selects all labels in the list"); })),
-      none_(link([] { return tr("None"); }, [] { return tr("Clears all labels in the list"); })),
-      vessels_(link([] { return tr("Vessels"); }, [] { return tr("Selects the labels whose names denote vessels"); })),
+      none_(link([] { return tr("None"); }, [] { return tr("Deselects all labels in the list"); })),
+      vessels_(
+          link([] { return tr("Vessels"); }, [] { return tr("Selects the labels whose names indicate vessels"); })),
       filter_(new QLineEdit),
       list_(new QTreeWidget),
-      sum_(roleLabel("hint"))
+      totalLabel_(roleLabel("hint"))
 {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -76,10 +77,10 @@ LabelChoice::LabelChoice(QWidget* parent)
     layout->addLayout(headRow());
     layout->addWidget(filter_);
     layout->addWidget(list_);
-    layout->addWidget(sum_);
+    layout->addWidget(totalLabel_);
     filter_->setClearButtonEnabled(true);
-    withName(filter_, [] { return tr("Find a label"); });
-    withName(list_, [] { return tr("Vessel labels"); });
+    withAccessibleName(filter_, [] { return tr("Find a label"); });
+    withAccessibleName(list_, [] { return tr("Vessel labels"); });
     list_->setRootIsDecorated(false);
     list_->setIndentation(0);
     list_->setUniformRowHeights(true);
@@ -91,17 +92,17 @@ LabelChoice::LabelChoice(QWidget* parent)
     list_->header()->setSectionResizeMode(LabelName, QHeaderView::Stretch);
     list_->header()->setSectionResizeMode(LabelVolume, QHeaderView::ResizeToContents);
     connect(filter_, &QLineEdit::textChanged, this, &LabelChoice::filter);
-    connect(list_, &QTreeWidget::itemChanged, this, &LabelChoice::takeTicks);
+    connect(list_, &QTreeWidget::itemChanged, this, &LabelChoice::readCheckStates);
     connect(list_, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* item) {
         if (item) {
-            emit rowShown(list_->indexOfTopLevelItem(item));
+            emit currentRowChanged(list_->indexOfTopLevelItem(item));
         }
     });
-    sum_->setWordWrap(true);
+    totalLabel_->setWordWrap(true);
     showNothing();
-    speak(this, [this] {
+    keepTranslated(this, [this] {
         filter_->setPlaceholderText(tr("Find a label"));
-        sayTexts();
+        updateTexts();
     });
 }
 
@@ -161,12 +162,12 @@ void LabelChoice::replaceRows(std::vector<LabelRow> rows, std::set<int> suggeste
 void LabelChoice::showChosen(const std::set<int>& labels)
 {
     chosen_ = labels;
-    setTicks();
-    showFirstTicked();
+    applyCheckStates();
+    scrollToFirstChecked();
 }
 
 /// Scrolls a long list to the first checked label, unless there is a current row.
-void LabelChoice::showFirstTicked()
+void LabelChoice::scrollToFirstChecked()
 {
     const auto first = std::ranges::find_if(rows_, [this](const LabelRow& row) { return chosen_.contains(row.label); });
     if (first != rows_.end() && !list_->currentItem()) {
@@ -204,7 +205,7 @@ void LabelChoice::fill()
         filter_->clear();
     }
     fitHeight();
-    setTicks();
+    applyCheckStates();
 }
 
 void LabelChoice::fitHeight()
@@ -225,7 +226,7 @@ void LabelChoice::filter(const QString& text)
 
 void LabelChoice::choose(std::optional<bool> ticked)
 {
-    std::set<int> wanted = ticked ? chosen_ : suggested_;
+    std::set<int> selection = ticked ? chosen_ : suggested_;
     for (int i = 0; ticked && i < list_->topLevelItemCount(); ++i) {
         const QTreeWidgetItem* item = list_->topLevelItem(i);
         const int label = item->data(LabelName, labelRole).toInt();
@@ -233,18 +234,18 @@ void LabelChoice::choose(std::optional<bool> ticked)
             continue;
         }
         if (*ticked) {
-            wanted.insert(label);
+            selection.insert(label);
         } else {
-            wanted.erase(label);
+            selection.erase(label);
         }
     }
-    if (wanted != chosen_) {
-        showChosen(wanted);
-        emit chosenEdited(chosen_);
+    if (selection != chosen_) {
+        showChosen(selection);
+        emit selectionEdited(chosen_);
     }
 }
 
-void LabelChoice::takeTicks()
+void LabelChoice::readCheckStates()
 {
     std::set<int> ticked;
     for (int i = 0; i < list_->topLevelItemCount(); ++i) {
@@ -255,12 +256,12 @@ void LabelChoice::takeTicks()
     }
     if (ticked != chosen_) {
         chosen_ = std::move(ticked);
-        sayTexts();
-        emit chosenEdited(chosen_);
+        updateTexts();
+        emit selectionEdited(chosen_);
     }
 }
 
-void LabelChoice::setTicks()
+void LabelChoice::applyCheckStates()
 {
     const QSignalBlocker quiet(list_);
     for (std::size_t i = 0; i < rows_.size(); ++i) {
@@ -268,10 +269,10 @@ void LabelChoice::setTicks()
             ->setCheckState(LabelName, chosen_.contains(rows_[i].label) ? Qt::Checked : Qt::Unchecked);
     }
     list_->viewport()->update();   // repaints explicitly, since signals are blocked
-    sayTexts();
+    updateTexts();
 }
 
-void LabelChoice::sayTexts()
+void LabelChoice::updateTexts()
 {
     const QSignalBlocker quiet(list_);
     double volumeMl = 0.0;
@@ -286,10 +287,10 @@ void LabelChoice::sayTexts()
         volumeMl += isChosen ? row.volumeMl : 0.0;
         count += isChosen ? 1 : 0;
     }
-    sum_->setText(isReading_ ? tr("Reading the labels…")
-                  : !problem_.isEmpty()
-                      ? problem_
-                      : tr("%1 of %2 selected, %3").arg(count).arg(rows_.size()).arg(volumeText(volumeMl)));
+    totalLabel_->setText(isReading_ ? tr("Reading the labels…")
+                         : !problem_.isEmpty()
+                             ? problem_
+                             : tr("%1 of %2 selected, %3").arg(count).arg(rows_.size()).arg(volumeText(volumeMl)));
 }
 
 }   // namespace angiopose::ui

@@ -47,19 +47,19 @@ public:
     void focusList();
 
 signals:
-    void chosenEdited(const std::set<int>& labels);
-    void rowShown(int row);   ///< the current row changed
+    void selectionEdited(const std::set<int>& labels);
+    void currentRowChanged(int row);   ///< the current row changed
 
 private:
     QLayout* headRow();
     void replaceRows(std::vector<LabelRow> rows, std::set<int> suggested);
     void fill();
     void filter(const QString& text);
-    void takeTicks();
+    void readCheckStates();
     void choose(std::optional<bool> ticked);   ///< for all filtered rows; empty checks the suggested ones
-    void setTicks();
-    void showFirstTicked();
-    void sayTexts();
+    void applyCheckStates();
+    void scrollToFirstChecked();
+    void updateTexts();
     void fitHeight();
 
     std::vector<LabelRow> rows_;
@@ -72,7 +72,7 @@ private:
     QPushButton* vessels_;
     QLineEdit* filter_;
     QTreeWidget* list_;
-    QLabel* sum_;
+    QLabel* totalLabel_;
 };
 
 }   // namespace angiopose::ui

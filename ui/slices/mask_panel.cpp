@@ -3,7 +3,7 @@
 #include "ui/actions/key_hint.h"
 #include "ui/controls/number_field.h"
 #include "ui/controls/section.h"
-#include "ui/words/spoken.h"
+#include "ui/words/retranslation.h"
 
 #include <QAction>
 #include <QCheckBox>
@@ -25,9 +25,9 @@ enum Tool { Paint, Erase, Cut };
 MaskPanel::MaskPanel(QWidget* parent)
     : QWidget(parent),
       opacity_(new QSlider(Qt::Horizontal)),
-      tools_{modeButton([] { return tr("Paint"); }, Command::PaintMask),
-             modeButton([] { return tr("Erase"); }, Command::EraseMask),
-             modeButton([] { return tr("Scissors"); }, Command::CutMask)},
+      tools_{makeModeButton([] { return tr("Paint"); }, Command::PaintMask),
+             makeModeButton([] { return tr("Erase"); }, Command::EraseMask),
+             makeModeButton([] { return tr("Scissors"); }, Command::CutMask)},
       radius_(new NumberField({0.2, 25.0, 1, QStringLiteral("mm"), 0.5})),
       ball_(withText(new QCheckBox, [] { return tr("3-D brush"); })),
       above_(withText(new QCheckBox, [] { return tr("Paint only above the threshold"); })),
@@ -48,15 +48,17 @@ MaskPanel::MaskPanel(QWidget* parent)
     auto* buttons = new QHBoxLayout;
     buttons->addWidget(trace_, 3);
     buttons->addWidget(save_, 2);
-    withTip(trace_, [] { return tipWithKey(tr("Recreates the vessels from the current mask."), Command::TraceMask); });
-    withTip(save_, [] { return tr("Writes the mask as a label image."); });
+    withToolTip(trace_, [] {
+        return tooltipWithShortcut(tr("Recreates the vessels from the current mask."), Command::TraceMask);
+    });
+    withToolTip(save_, [] { return tr("Writes the mask as a label image."); });
     rows->addLayout(buttons);
     note_->setWordWrap(true);
     rows->addWidget(note_);
     connectParts();
-    speak(this, [this] {
-        setWords(*depth_, {tr("this slice"), tr("neighboring slices"), tr("all slices")});
-        sayState();
+    keepTranslated(this, [this] {
+        setItemTexts(*depth_, {tr("this slice"), tr("neighboring slices"), tr("all slices")});
+        updateState();
     });
     showSettings({});
     showThreshold(false);
@@ -64,8 +66,8 @@ MaskPanel::MaskPanel(QWidget* parent)
 
 QLayout* MaskPanel::opacityRow()
 {
-    withName(opacity_, [] { return tr("Mask over the slices"); });
-    withTip(opacity_, [] { return tr("Sets the opacity of the mask over the slices."); });
+    withAccessibleName(opacity_, [] { return tr("Mask over the slices"); });
+    withToolTip(opacity_, [] { return tr("Sets the opacity of the mask over the slices."); });
     opacity_->setRange(0, 100);
     auto* row = new QHBoxLayout;
     row->addWidget(withText(roleLabel("label"), [] { return tr("Opacity"); }), 1);
@@ -84,7 +86,7 @@ QLayout* MaskPanel::toolRow()
 
 QLayout* MaskPanel::brushRows()
 {
-    withName(radius_, [] { return tr("Radius of the brush"); });
+    withAccessibleName(radius_, [] { return tr("Radius of the brush"); });
     auto* rows = new QVBoxLayout;
     rows->setSpacing(4);
     auto* row = new QHBoxLayout;
@@ -98,8 +100,8 @@ QLayout* MaskPanel::brushRows()
 
 QLayout* MaskPanel::cutRow()
 {
-    withName(depth_, [] { return tr("Scissors depth"); });
-    withName(range_, [] { return tr("Depth on both sides of the slice"); });
+    withAccessibleName(depth_, [] { return tr("Scissors depth"); });
+    withAccessibleName(range_, [] { return tr("Depth on both sides of the slice"); });
     auto* row = new QHBoxLayout;
     row->addWidget(depth_, 3);
     row->addWidget(range_, 2);
@@ -145,31 +147,31 @@ void MaskPanel::showSettings(const MaskSettings& settings)
     const QSignalBlocker quietAbove(above_);
     opacity_->setValue(static_cast<int>(std::lround(100.0 * settings.opacity)));
     radius_->showValue(settings.radiusMm);
-    ball_->setChecked(settings.isBall);
+    ball_->setChecked(settings.is3d);
     above_->setChecked(settings.isAboveThreshold);
     depth_->setCurrentIndex(static_cast<int>(settings.depth));
     range_->showValue(settings.rangeMm);
     range_->setVisible(settings.depth == CutDepth::Range);
 }
 
-void MaskPanel::showThreshold(bool isThere)
+void MaskPanel::showThreshold(bool hasThreshold)
 {
-    above_->setEnabled(isThere);
+    above_->setEnabled(hasThreshold);
 }
 
 void MaskPanel::showState(const MaskState& state)
 {
     state_ = state;
-    sayState();
+    updateState();
 }
 
-void MaskPanel::sayState()
+void MaskPanel::updateState()
 {
-    const int open = state_.openStrokes;
+    const int open = state_.pendingStrokes;
     setRole(note_, open > 0 && !state_.isRunning ? "attention" : "hint");
-    note_->setText(state_.isRunning  ? tr("Tracing the mask…")
-                   : open == 1       ? tr("1 mask change is not in the vessels yet: trace the mask.")
-                   : open > 1        ? tr("%1 mask changes are not in the vessels yet: trace the mask.").arg(open)
+    note_->setText(state_.isRunning ? tr("Tracing the mask…")
+                   : open == 1      ? tr("1 mask change is not yet reflected in the vessels: trace the mask.")
+                   : open > 1 ? tr("%1 mask changes are not yet reflected in the vessels: trace the mask.").arg(open)
                    : state_.isEdited ? tr("The vessels come from a manually edited mask.")
                                      : tr("Paint and cut, then trace the mask. Each stroke can be undone."));
 }

@@ -22,7 +22,7 @@ enum class CutDepth { Slice, Range, Whole };
 struct MaskSettings {
     double opacity = 0.28;   ///< opacity of the mask on the slices
     double radiusMm = 2.0;   ///< brush radius
-    bool isBall = false;   ///< 3-D brush: also paints neighboring slices
+    bool is3d = false;   ///< 3-D brush: also paints neighboring slices
     bool isAboveThreshold = false;   ///< paints only voxels above the threshold
     CutDepth depth = CutDepth::Slice;
     double rangeMm = 10.0;   ///< depth of a range cut on each side of the slice
@@ -32,7 +32,7 @@ struct MaskSettings {
 
 /// State of mask editing.
 struct MaskState {
-    int openStrokes = 0;   ///< number of strokes not yet included in the traced vessels
+    int pendingStrokes = 0;   ///< number of strokes not yet included in the traced vessels
     bool isRunning = false;   ///< tracing is running
     bool isEdited = false;   ///< the vessels were traced from a manually edited mask
 };
@@ -46,7 +46,7 @@ public:
 
     void bind(QAction& paint, QAction& erase, QAction& cut, QAction& trace, QAction& save);
     void showSettings(const MaskSettings& settings);   ///< emits no signal
-    void showThreshold(bool isThere);   ///< `isThere` enables painting above the threshold
+    void showThreshold(bool hasThreshold);   ///< `hasThreshold` enables painting above the threshold
     void showState(const MaskState& state);
 
 signals:
@@ -59,7 +59,7 @@ private:
     QLayout* cutRow();
     void connectParts();
     void edit();
-    void sayState();
+    void updateState();
 
     MaskSettings settings_;
     MaskState state_;

@@ -12,30 +12,30 @@
 namespace angiopose::ui {
 namespace {
 
-using core::MaskAim;
+using core::BrushMode;
 
 constexpr double brushGrowth = 1.15;   // factor of the radius per wheel step
-constexpr double smallestStepPx = 2.0;
-constexpr std::size_t fewestCorners = 3;
+constexpr double minStepPx = 2.0;
+constexpr std::size_t minVertices = 3;
 
-const Palette& tones()
+const Palette& colors()
 {
     return palette(ThemeMode::Dark);   // images have a dark background in every theme
 }
 
 }   // namespace
 
-MaskBrushTool::MaskBrushTool(MaskAim aim, SliceModel& model) : SliceTool(model), aim_(aim), now_(aim) {}
+MaskBrushTool::MaskBrushTool(BrushMode aim, SliceModel& model) : SliceTool(model), aim_(aim), strokeAim_(aim) {}
 
 void MaskBrushTool::setRadiusMm(double radiusMm)
 {
     radiusMm_ = radiusMm;
-    lookAgain();
+    requestRepaint();
 }
 
 QString MaskBrushTool::caption() const
 {
-    return (aim_ == MaskAim::Paint ? tr("Paint: drag, Ctrl erases") : tr("Erase: drag, Ctrl paints")) +
+    return (aim_ == BrushMode::Paint ? tr("Paint: drag, Ctrl erases") : tr("Erase: drag, Ctrl paints")) +
            QStringLiteral(" · ") + tr("Shift+wheel, + and − change the brush size");
 }
 
@@ -44,21 +44,22 @@ void MaskBrushTool::end()
     if (std::exchange(isStroking_, false)) {
         emit strokeEnded();
     }
-    under_ = nullptr;
+    hoveredView_ = nullptr;
 }
 
 void MaskBrushTool::brushTo(const SlicePointer& pointer)
 {
-    under_ = &pointer.view;
+    hoveredView_ = &pointer.view;
     pointer_ = pointer.position;
-    emit brushed(now_, pointer.view.grid(), {std::exchange(last_, pointer.pointInPatient), pointer.pointInPatient});
-    lookAgain();
+    emit brushed(strokeAim_, pointer.view.grid(),
+                 {std::exchange(last_, pointer.pointInPatient), pointer.pointInPatient});
+    requestRepaint();
 }
 
 bool MaskBrushTool::startDrag(const SlicePointer& pressed)
 {
     const bool isOther = pressed.modifiers.testFlag(Qt::ControlModifier);
-    now_ = isOther == (aim_ == MaskAim::Paint) ? MaskAim::Erase : MaskAim::Paint;
+    strokeAim_ = isOther == (aim_ == BrushMode::Paint) ? BrushMode::Erase : BrushMode::Paint;
     isStroking_ = true;
     last_ = pressed.pointInPatient;
     brushTo(pressed);
@@ -91,15 +92,15 @@ bool MaskBrushTool::click(const SlicePointer& pointer)
 
 void MaskBrushTool::hover(const SlicePointer& pointer)
 {
-    under_ = &pointer.view;
+    hoveredView_ = &pointer.view;
     pointer_ = pointer.position;
-    lookAgain();
+    requestRepaint();
 }
 
 void MaskBrushTool::leave()
 {
-    under_ = nullptr;
-    lookAgain();
+    hoveredView_ = nullptr;
+    requestRepaint();
 }
 
 bool MaskBrushTool::wheel(const SlicePointer& pointer, double steps)
@@ -107,7 +108,7 @@ bool MaskBrushTool::wheel(const SlicePointer& pointer, double steps)
     if (!pointer.modifiers.testFlag(Qt::ShiftModifier)) {
         return false;
     }
-    emit radiusWanted(radiusMm_ * std::pow(brushGrowth, steps));
+    emit radiusRequested(radiusMm_ * std::pow(brushGrowth, steps));
     return true;
 }
 
@@ -120,10 +121,10 @@ bool MaskBrushTool::takesKey(const QKeyEvent& event) const
 
 void MaskBrushTool::keyPress(const QKeyEvent& event)
 {
-    emit radiusWanted(radiusMm_ * (event.key() == Qt::Key_Minus ? 1.0 / brushGrowth : brushGrowth));
+    emit radiusRequested(radiusMm_ * (event.key() == Qt::Key_Minus ? 1.0 / brushGrowth : brushGrowth));
 }
 
-bool MaskBrushTool::takeBack()
+bool MaskBrushTool::undoStep()
 {
     const bool wasStroking = std::exchange(isStroking_, false);
     if (wasStroking) {
@@ -134,25 +135,26 @@ bool MaskBrushTool::takeBack()
 
 void MaskBrushTool::paint(QPainter& painter, SliceView& view) const
 {
-    if (under_ != &view) {
+    if (hoveredView_ != &view) {
         return;
     }
     const double radiusPx = radiusMm_ * view.pxPerMm();
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(toQColor(tones().canvas, 0.7), 3.0));
+    painter.setPen(QPen(toQColor(colors().canvas, 0.7), 3.0));
     painter.drawEllipse(pointer_, radiusPx, radiusPx);
-    const bool erases = (isStroking_ ? now_ : aim_) == MaskAim::Erase;   // erasing is shown by dashes as well as color
+    const bool erases =
+        (isStroking_ ? strokeAim_ : aim_) == BrushMode::Erase;   // erasing is shown by dashes as well as color
     painter.setPen(
-        QPen(toQColor(erases ? tones().attention : tones().accent), 1.5, erases ? Qt::DashLine : Qt::SolidLine));
+        QPen(toQColor(erases ? colors().attention : colors().accent), 1.5, erases ? Qt::DashLine : Qt::SolidLine));
     painter.drawEllipse(pointer_, radiusPx, radiusPx);
     painter.restore();
 }
 
 QString MaskCutTool::caption() const
 {
-    return tr("Scissors: draw around the region to remove · Shift keeps the inside");
+    return tr("Scissors: draw around the region to remove · Shift keeps only the inside");
 }
 
 void MaskCutTool::end()
@@ -170,18 +172,17 @@ bool MaskCutTool::startDrag(const SlicePointer& pressed)
 
 void MaskCutTool::drag(const SlicePointer& pointer)
 {
-    if (!outline_.empty() &&
-        (pointer.pointInPatient - outline_.back()).norm() * pointer.view.pxPerMm() >= smallestStepPx) {
+    if (!outline_.empty() && (pointer.pointInPatient - outline_.back()).norm() * pointer.view.pxPerMm() >= minStepPx) {
         outline_.push_back(pointer.pointInPatient);
-        lookAgain();
+        requestRepaint();
     }
 }
 
 void MaskCutTool::finishDrag(const SlicePointer& pointer)
 {
     const std::vector<Eigen::Vector3d> outline = std::exchange(outline_, {});
-    lookAgain();
-    if (outline.size() < fewestCorners) {
+    requestRepaint();
+    if (outline.size() < minVertices) {
         return;
     }
     core::MaskCut whole;
@@ -193,11 +194,11 @@ void MaskCutTool::finishDrag(const SlicePointer& pointer)
     emit cut(whole);
 }
 
-bool MaskCutTool::takeBack()
+bool MaskCutTool::undoStep()
 {
     const bool isDrawn = !outline_.empty();
     end();
-    lookAgain();
+    requestRepaint();
     return isDrawn;
 }
 
@@ -212,8 +213,8 @@ void MaskCutTool::paint(QPainter& painter, SliceView& view) const
     }
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(QPen(toQColor(tones().attention), 1.5, Qt::DashLine));
-    painter.setBrush(toQColor(tones().attention, 0.12));
+    painter.setPen(QPen(toQColor(colors().attention), 1.5, Qt::DashLine));
+    painter.setBrush(toQColor(colors().attention, 0.12));
     painter.drawPolygon(shown);
     painter.restore();
 }

@@ -13,7 +13,7 @@ namespace angiopose::ui {
 class MaskBrushTool : public SliceTool {
     Q_OBJECT
 public:
-    MaskBrushTool(core::MaskAim aim, SliceModel& model);
+    MaskBrushTool(core::BrushMode aim, SliceModel& model);
 
     void setRadiusMm(double radiusMm);
     QString caption() const override;
@@ -28,24 +28,24 @@ public:
     bool wheel(const SlicePointer& pointer, double steps) override;
     bool takesKey(const QKeyEvent& event) const override;
     void keyPress(const QKeyEvent& event) override;
-    bool takeBack() override;
+    bool undoStep() override;
     QCursor cursor() const override { return Qt::CrossCursor; }
     void paint(QPainter& painter, SliceView& view) const override;
 
 signals:
-    void brushed(core::MaskAim aim, const core::SliceGrid& slice, const core::BrushStep& step);
+    void brushed(core::BrushMode aim, const core::SliceGrid& slice, const core::BrushStep& step);
     void strokeEnded();
-    void radiusWanted(double radiusMm);
+    void radiusRequested(double radiusMm);
 
 private:
     void brushTo(const SlicePointer& pointer);
 
-    core::MaskAim aim_;
-    core::MaskAim now_;   ///< paint or erase, fixed for the current stroke
+    core::BrushMode aim_;
+    core::BrushMode strokeAim_;   ///< paint or erase, fixed for the current stroke
     double radiusMm_ = 2.0;
     bool isStroking_ = false;
     Eigen::Vector3d last_ = Eigen::Vector3d::Zero();
-    const SliceView* under_ = nullptr;   ///< slice view under the pointer; null outside
+    const SliceView* hoveredView_ = nullptr;   ///< slice view under the pointer; null outside
     QPointF pointer_;
 };
 
@@ -60,7 +60,7 @@ public:
     bool startDrag(const SlicePointer& pressed) override;
     void drag(const SlicePointer& pointer) override;
     void finishDrag(const SlicePointer& pointer) override;
-    bool takeBack() override;
+    bool undoStep() override;
     void paint(QPainter& painter, SliceView& view) const override;
 
 signals:

@@ -13,9 +13,9 @@ namespace angiopose::ui {
 namespace {
 
 constexpr double endRadiusPx = 5.0;
-constexpr double wayWidthPx = 2.0;
-constexpr double nearSlices = 1.5;   // in slice thicknesses; more distant points are drawn fainter
-constexpr double faintWay = 0.35;
+constexpr double pathWidthPx = 2.0;
+constexpr double visibleSlices = 1.5;   // in slice thicknesses; more distant points are drawn fainter
+constexpr double faintPathOpacity = 0.35;
 
 }   // namespace
 
@@ -26,14 +26,15 @@ PathTool::PathTool(SliceModel& model) : SliceTool(model)
 
 QString PathTool::caption() const
 {
-    return from_ ? tr("One vessel: click its end · Esc starts over") : tr("One vessel: click its start, then its end");
+    return from_ ? tr("One vessel: click its end point · Esc starts over")
+                 : tr("One vessel: click its start point, then its end point");
 }
 
-void PathTool::showWay(std::vector<Eigen::Vector3d> pointsInPatient)
+void PathTool::showPath(std::vector<Eigen::Vector3d> pointsInPatient)
 {
     if (from_) {
-        way_ = std::move(pointsInPatient);
-        lookAgain();
+        path_ = std::move(pointsInPatient);
+        requestRepaint();
     }
 }
 
@@ -47,7 +48,7 @@ bool PathTool::click(const SlicePointer& pointer)
         drop();
         emit chosen(from, pointer.pointInPatient);
     }
-    lookAgain();
+    requestRepaint();
     return true;
 }
 
@@ -60,11 +61,11 @@ void PathTool::hover(const SlicePointer& pointer)
 
 void PathTool::leave()
 {
-    way_.clear();
-    lookAgain();
+    path_.clear();
+    requestRepaint();
 }
 
-bool PathTool::takeBack()
+bool PathTool::undoStep()
 {
     const bool hadBegun = from_.has_value();
     drop();
@@ -74,9 +75,9 @@ bool PathTool::takeBack()
 void PathTool::drop()
 {
     from_.reset();
-    way_.clear();
+    path_.clear();
     emit begun();
-    lookAgain();
+    requestRepaint();
 }
 
 void PathTool::paint(QPainter& painter, SliceView& view) const
@@ -86,18 +87,18 @@ void PathTool::paint(QPainter& painter, SliceView& view) const
     }
     const core::SliceGrid& grid = view.grid();
     const auto isNear = [&grid](const Eigen::Vector3d& point) {
-        return std::abs(grid.distanceMm(point)) <= nearSlices * grid.thicknessMm;
+        return std::abs(grid.distanceMm(point)) <= visibleSlices * grid.thicknessMm;
     };
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setBrush(Qt::NoBrush);
-    for (std::size_t n = 1; n < way_.size(); ++n) {
-        const bool isHere = isNear(way_[n]) || isNear(way_[n - 1]);
-        painter.setPen(
-            QPen(toQColor(tones().attention, isHere ? 1.0 : faintWay), wayWidthPx, Qt::SolidLine, Qt::RoundCap));
-        painter.drawLine(view.widgetFromPatient(way_[n - 1]), view.widgetFromPatient(way_[n]));
+    for (std::size_t n = 1; n < path_.size(); ++n) {
+        const bool isHere = isNear(path_[n]) || isNear(path_[n - 1]);
+        painter.setPen(QPen(toQColor(colors().attention, isHere ? 1.0 : faintPathOpacity), pathWidthPx, Qt::SolidLine,
+                            Qt::RoundCap));
+        painter.drawLine(view.widgetFromPatient(path_[n - 1]), view.widgetFromPatient(path_[n]));
     }
-    painter.setPen(QPen(toQColor(tones().attention, isNear(*from_) ? 1.0 : faintWay), wayWidthPx));
+    painter.setPen(QPen(toQColor(colors().attention, isNear(*from_) ? 1.0 : faintPathOpacity), pathWidthPx));
     painter.drawEllipse(view.widgetFromPatient(*from_), endRadiusPx, endRadiusPx);
     painter.restore();
 }

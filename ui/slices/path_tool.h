@@ -14,14 +14,14 @@ class PathTool : public SliceTool {
 public:
     explicit PathTool(SliceModel& model);
 
-    void showWay(std::vector<Eigen::Vector3d> pointsInPatient);   ///< path to the mouse position of the request
+    void showPath(std::vector<Eigen::Vector3d> pointsInPatient);   ///< path to the mouse position of the request
 
     QString caption() const override;
     void end() override { drop(); }
     bool click(const SlicePointer& pointer) override;
     void hover(const SlicePointer& pointer) override;
     void leave() override;
-    bool takeBack() override;
+    bool undoStep() override;
     void paint(QPainter& painter, SliceView& view) const override;
 
 signals:
@@ -33,7 +33,7 @@ private:
     void drop();
 
     std::optional<Eigen::Vector3d> from_;
-    std::vector<Eigen::Vector3d> way_;
+    std::vector<Eigen::Vector3d> path_;
 };
 
 }   // namespace angiopose::ui

@@ -2,7 +2,7 @@
 
 #include "ui/controls/number_field.h"
 #include "ui/words/number.h"
-#include "ui/words/spoken.h"
+#include "ui/words/retranslation.h"
 
 #include <QCheckBox>
 #include <QHBoxLayout>
@@ -19,9 +19,9 @@ namespace {
 
 constexpr int maxRows = 4;   // maximum number of visible rows
 
-QPushButton* switchButton(const Words& text, const Words& tip)
+QPushButton* makeToggleButton(const LocalizedText& text, const LocalizedText& tip)
 {
-    auto* button = withTip(withText(new QPushButton, text), tip);
+    auto* button = withToolTip(withText(new QPushButton, text), tip);
     button->setCheckable(true);
     return button;
 }
@@ -35,21 +35,21 @@ QString pointText(const QString& kind, const Eigen::Vector3d& point)
         .arg(numberText(point.z(), 1));
 }
 
-constexpr double usualHu = 200.0;   // HU; initial manual threshold without an automatic one
+constexpr double typicalHu = 200.0;   // HU; initial manual threshold without an automatic one
 
 }   // namespace
 
 SeedList::SeedList(QWidget* parent)
     : QWidget(parent),
-      pickSeed_(
-          switchButton([] { return tr("Seeds"); },
-                       [] { return tr("Click vessels in a slice. Only vessels connected to a seed are traced."); })),
-      pickAvoid_(switchButton([] { return tr("Avoid"); },
-                              [] {
-                                  return tr(
-                                      "Click heart, veins or bone in a slice. Regions reached from there through wider "
-                                      "passages are excluded.");
-                              })),
+      pickSeed_(makeToggleButton(
+          [] { return tr("Seeds"); },
+          [] { return tr("Click vessels in a slice. Only vessels connected to a seed are traced."); })),
+      pickAvoid_(makeToggleButton([] { return tr("Avoid"); },
+                                  [] {
+                                      return tr(
+                                          "Click the heart, veins or bone in a slice. Regions reached from there "
+                                          "through wider passages are excluded.");
+                                  })),
       remove_(withText(new QPushButton, [] { return tr("Remove"); })),
       points_(new QListWidget)
 {
@@ -57,12 +57,12 @@ SeedList::SeedList(QWidget* parent)
     rows->setContentsMargins(0, 0, 0, 0);
     rows->setSpacing(6);
     rows->addLayout(buttonRow());
-    withName(points_, [] { return tr("Seeds and points to avoid"); });
+    withAccessibleName(points_, [] { return tr("Seeds and points to avoid"); });
     points_->setFrameShape(QFrame::NoFrame);
     points_->installEventFilter(this);
     rows->addWidget(points_);
     connect(points_, &QListWidget::currentRowChanged, this, &SeedList::choose);
-    speak(this, [this] { fill(); });
+    keepTranslated(this, [this] { fill(); });
 }
 
 QLayout* SeedList::buttonRow()
@@ -72,9 +72,9 @@ QLayout* SeedList::buttonRow()
     row->addWidget(pickAvoid_);
     row->addWidget(remove_);
     connect(pickSeed_, &QPushButton::toggled, this,
-            [this](bool on) { emit pickWanted(on ? TracingPick::Seed : TracingPick::Nothing); });
+            [this](bool on) { emit pickRequested(on ? TracingPick::Seed : TracingPick::Nothing); });
     connect(pickAvoid_, &QPushButton::toggled, this,
-            [this](bool on) { emit pickWanted(on ? TracingPick::Avoid : TracingPick::Nothing); });
+            [this](bool on) { emit pickRequested(on ? TracingPick::Avoid : TracingPick::Nothing); });
     connect(remove_, &QPushButton::clicked, this, &SeedList::removeChosen);
     return row;
 }
@@ -127,7 +127,7 @@ void SeedList::fill()
     remove_->setEnabled(false);
 }
 
-SeedList::Points& SeedList::holderOf(int& row)
+SeedList::Points& SeedList::listOf(int& row)
 {
     const auto seeds = static_cast<int>(seeds_.size());
     if (row < seeds) {
@@ -141,8 +141,8 @@ void SeedList::choose(int row)
 {
     remove_->setEnabled(row >= 0 && !running_);
     if (row >= 0) {
-        const Points& points = holderOf(row);
-        emit placeChosen(points[static_cast<std::size_t>(row)]);
+        const Points& points = listOf(row);
+        emit pointSelected(points[static_cast<std::size_t>(row)]);
     }
 }
 
@@ -152,7 +152,7 @@ void SeedList::removeChosen()
     if (row < 0 || running_) {
         return;
     }
-    Points& points = holderOf(row);
+    Points& points = listOf(row);
     points.erase(points.begin() + row);
     fill();
     emit edited(seeds_, avoid_);
@@ -185,20 +185,21 @@ ThresholdField::ThresholdField(QWidget* parent)
     rows->addLayout(valueRow());
     rows->addWidget(preview_);
     connect(automatic_, &QCheckBox::toggled, this, [this](bool automatic) {
-        choose(automatic ? std::nullopt : std::optional(found_.value_or(value_->value().value_or(usualHu))));
+        choose(automatic ? std::nullopt
+                         : std::optional(automaticThreshold_.value_or(value_->value().value_or(typicalHu))));
     });
     connect(slider_, &QSlider::valueChanged, this, [this](int value) { choose(value); });
     connect(value_, &NumberField::edited, this, [this](double value) { choose(value); });
     connect(preview_, &QCheckBox::toggled, this, &ThresholdField::previewChanged);
-    speak(value_, [this] { value_->setUnit(isHounsfield_ ? tr("HU") : QString()); });
+    keepTranslated(value_, [this] { value_->setUnit(isHounsfield_ ? tr("HU") : QString()); });
 }
 
 QLayout* ThresholdField::valueRow()
 {
     auto* row = new QHBoxLayout;
-    withName(slider_, [] { return tr("Threshold"); });
-    withName(value_, [] { return tr("Threshold"); });
-    withTip(value_, [] { return tr("Voxels above this intensity of the scan count as vessel."); });
+    withAccessibleName(slider_, [] { return tr("Threshold"); });
+    withAccessibleName(value_, [] { return tr("Threshold"); });
+    withToolTip(value_, [] { return tr("Voxels above this scan intensity are treated as vessel."); });
     row->addWidget(slider_, 2);
     row->addWidget(value_, 1);
     return row;
@@ -215,13 +216,13 @@ void ThresholdField::showRange(std::pair<double, double> range, bool isHounsfiel
 
 void ThresholdField::showChosen(std::optional<double> threshold)
 {
-    chosen_ = threshold;
+    manualThreshold_ = threshold;
     showValues();
 }
 
-void ThresholdField::showFound(std::optional<double> threshold)
+void ThresholdField::showAutomatic(std::optional<double> threshold)
 {
-    found_ = threshold;
+    automaticThreshold_ = threshold;
     showValues();
     emit previewChanged();
 }
@@ -233,15 +234,15 @@ bool ThresholdField::isPreviewWanted() const
 
 std::optional<double> ThresholdField::shown() const
 {
-    return chosen_ ? chosen_ : found_;
+    return manualThreshold_ ? manualThreshold_ : automaticThreshold_;
 }
 
 void ThresholdField::choose(std::optional<double> threshold)
 {
-    if (threshold == chosen_) {
+    if (threshold == manualThreshold_) {
         return;
     }
-    chosen_ = threshold;
+    manualThreshold_ = threshold;
     showValues();
     preview_->setChecked(preview_->isChecked() || threshold);   // entering a threshold turns the preview on
     emit chosen(threshold);
@@ -252,9 +253,9 @@ void ThresholdField::showValues()
 {
     const QSignalBlocker quietBox(automatic_);
     const QSignalBlocker quietSlider(slider_);
-    automatic_->setChecked(!chosen_);
-    value_->setEnabled(chosen_.has_value());
-    slider_->setEnabled(chosen_.has_value());
+    automatic_->setChecked(!manualThreshold_);
+    value_->setEnabled(manualThreshold_.has_value());
+    slider_->setEnabled(manualThreshold_.has_value());
     value_->showValue(shown());
     if (shown()) {
         slider_->setValue(static_cast<int>(std::lround(*shown())));

@@ -31,8 +31,8 @@ public:
     bool isPicking() const;
 
 signals:
-    void pickWanted(ui::TracingPick pick);
-    void placeChosen(const Eigen::Vector3d& pointInPatient);
+    void pickRequested(ui::TracingPick pick);
+    void pointSelected(const Eigen::Vector3d& pointInPatient);
     void edited(const Points& seedsInPatient, const Points& avoidInPatient);
 
 protected:
@@ -43,7 +43,7 @@ private:
     void fill();
     void choose(int row);
     void removeChosen();
-    Points& holderOf(int& row);   ///< returns the list that contains the row, and makes `row` an index into that list
+    Points& listOf(int& row);   ///< returns the list that contains the row, and makes `row` an index into that list
 
     Points seeds_;
     Points avoid_;
@@ -66,7 +66,7 @@ public:
     /// Sets the range of the threshold in HU, or in the intensity units of the scan.
     void showRange(std::pair<double, double> range, bool isHounsfield);
     void showChosen(std::optional<double> threshold);   ///< manual threshold; automatic without a value
-    void showFound(std::optional<double> threshold);   ///< shows the automatic threshold, if known
+    void showAutomatic(std::optional<double> threshold);   ///< shows the automatic threshold, if known
     bool isPreviewWanted() const;
     std::optional<double> shown() const;   ///< threshold in use, manual or automatic
 
@@ -79,8 +79,8 @@ private:
     void choose(std::optional<double> threshold);
     void showValues();
 
-    std::optional<double> chosen_;
-    std::optional<double> found_;
+    std::optional<double> manualThreshold_;
+    std::optional<double> automaticThreshold_;
     bool isHounsfield_ = true;
     QCheckBox* automatic_;
     NumberField* value_;

@@ -14,7 +14,7 @@
 namespace angiopose::ui {
 namespace {
 
-constexpr double farthestMm = 3.0;
+constexpr double maxDistanceMm = 3.0;
 constexpr int letterPx = 12;
 constexpr double letterWidthPx = 16.0;
 constexpr double letterHeightPx = 16.0;
@@ -76,8 +76,8 @@ void paintBranch(QPainter& painter, const SliceOverlay& overlay, const core::Ves
         QColor color = toQColor(style.color, style.opacity * (crosses ? 1.0 : 0.15 + 0.75 * (1.0 - nearest / reach)));
         drawWithHalo(painter, {from, to}, color, 1.6 * style.widthFactor);
         if (crosses) {
-            const double share = before / (before - after);
-            const QPointF at = from + share * (to - from);
+            const double fraction = before / (before - after);
+            const QPointF at = from + fraction * (to - from);
             painter.setPen(QPen(toQColor(sliceTones().canvas, 0.7), 1.0));
             painter.setBrush(toQColor(style.color));
             const double radius = 2.6 * style.widthFactor;
@@ -121,18 +121,18 @@ void paintMark(QPainter& painter, const QPointF& at, SliceMarkKind kind, const Q
 }
 
 /// Returns the middle of an edge; moves right if a corner text reaches it, or inwards if that text fills the edge.
-QRectF letterBox(const QRectF& area, double top, const QRectF& taken)
+QRectF letterBox(const QRectF& area, double top, const QRectF& occupied)
 {
     QRectF box(area.center().x() - 0.5 * letterWidthPx, top, letterWidthPx, letterHeightPx);
-    if (!box.intersects(taken)) {
+    if (!box.intersects(occupied)) {
         return box;
     }
-    if (taken.right() + letterGapPx + letterWidthPx <= area.right()) {
-        box.moveLeft(taken.right() + letterGapPx);
+    if (occupied.right() + letterGapPx + letterWidthPx <= area.right()) {
+        box.moveLeft(occupied.right() + letterGapPx);
     } else if (top > area.center().y()) {
-        box.moveBottom(taken.top() - letterGapPx);
+        box.moveBottom(occupied.top() - letterGapPx);
     } else {
-        box.moveTop(taken.bottom() + letterGapPx);
+        box.moveTop(occupied.bottom() + letterGapPx);
     }
     return box;
 }
@@ -141,7 +141,7 @@ QRectF letterBox(const QRectF& area, double top, const QRectF& taken)
 
 double visibleDistanceMm(const core::SliceGrid& grid)
 {
-    return std::max(farthestMm, grid.thicknessMm);
+    return std::max(maxDistanceMm, grid.thicknessMm);
 }
 
 void paintBranches(QPainter& painter, const SliceOverlay& overlay)
@@ -183,7 +183,7 @@ void paintCrosshair(QPainter& painter, const SliceOverlay& overlay)
     painter.drawLine(QLineF(at.x(), at.y() + crosshairGapPx, at.x(), area.bottom()));
 }
 
-void paintSides(QPainter& painter, const SliceOverlay& overlay, const CornerRoom& taken)
+void paintSides(QPainter& painter, const SliceOverlay& overlay, const CornerAreas& occupied)
 {
     const core::PlaneAxes axes = core::axesOf(overlay.plane);
     QFont font = painter.font();
@@ -194,12 +194,12 @@ void paintSides(QPainter& painter, const SliceOverlay& overlay, const CornerRoom
     const QColor color = toQColor(sliceTones().text);
     drawOutlined(painter, area, Qt::AlignLeft | Qt::AlignVCenter, sideOf(-axes.right), color);
     drawOutlined(painter, area, Qt::AlignRight | Qt::AlignVCenter, sideOf(axes.right), color);
-    drawOutlined(painter, letterBox(area, area.top(), taken.top), Qt::AlignCenter, sideOf(-axes.down), color);
-    drawOutlined(painter, letterBox(area, area.bottom() - letterHeightPx, taken.bottom), Qt::AlignCenter,
+    drawOutlined(painter, letterBox(area, area.top(), occupied.top), Qt::AlignCenter, sideOf(-axes.down), color);
+    drawOutlined(painter, letterBox(area, area.bottom() - letterHeightPx, occupied.bottom), Qt::AlignCenter,
                  sideOf(axes.down), color);
 }
 
-CornerRoom paintTexts(QPainter& painter, const QRectF& area, const QStringList& top, const QStringList& bottom)
+CornerAreas paintTexts(QPainter& painter, const QRectF& area, const QStringList& top, const QStringList& bottom)
 {
     QFont font = painter.font();
     font.setPixelSize(textPx);

@@ -29,15 +29,15 @@ void paintPoints(QPainter& painter, const SliceOverlay& overlay);
 void paintCrosshair(QPainter& painter, const SliceOverlay& overlay);
 
 /// Areas covered by the corner texts.
-struct CornerRoom {
+struct CornerAreas {
     QRectF top;
     QRectF bottom;
 };
 
 /// Draws lines of text in the upper left and lower left corners, readable on any image; returns the areas covered.
-CornerRoom paintTexts(QPainter& painter, const QRectF& area, const QStringList& top, const QStringList& bottom);
+CornerAreas paintTexts(QPainter& painter, const QRectF& area, const QStringList& top, const QStringList& bottom);
 
 /// Draws the orientation letters (patient's sides) at the middle of the edges, clear of the corner texts.
-void paintSides(QPainter& painter, const SliceOverlay& overlay, const CornerRoom& taken);
+void paintSides(QPainter& painter, const SliceOverlay& overlay, const CornerAreas& occupied);
 
 }   // namespace angiopose::ui

@@ -19,7 +19,7 @@ using core::SliceMeasurement;
 constexpr double measureReachPx = 8.0;
 constexpr std::size_t maxOutlinePoints = 1000;   // maximum of the case file format
 
-double awayPx(const QPointF& a, const QPointF& b)
+double distancePx(const QPointF& a, const QPointF& b)
 {
     return std::hypot(a.x() - b.x(), a.y() - b.y());
 }
@@ -53,25 +53,26 @@ QString SliceMeasureTool::caption() const
     return tr("Area: click along the outline; double-click or Enter closes it · points can be moved");
 }
 
-std::optional<SliceMeasureTool::Held> SliceMeasureTool::heldAt(const SlicePointer& pointer) const
+std::optional<SliceMeasureTool::DraggedPoint> SliceMeasureTool::draggableAt(const SlicePointer& pointer) const
 {
-    const std::vector<MeasuredSlice>& there = model().measured();
-    std::optional<Held> nearest;
+    const std::vector<LabeledMeasurement>& measurements = model().measured();
+    std::optional<DraggedPoint> nearest;
     double nearestPx = measureReachPx;
-    for (std::size_t m = 0; m < there.size(); ++m) {
-        const SliceMeasurement& each = there[m].measurement;
-        for (std::size_t p = 0; p < each.pointsInPatient.size(); ++p) {
-            const double away = awayPx(pointer.view.widgetFromPatient(each.pointsInPatient[p]), pointer.position);
-            if (away < nearestPx && isInSlice(each, pointer.view.plane(), pointer.view.grid())) {
-                nearestPx = away;
-                nearest = Held{m, p, each.pointsInPatient[p], each};
+    for (std::size_t m = 0; m < measurements.size(); ++m) {
+        const SliceMeasurement& candidate = measurements[m].measurement;
+        for (std::size_t p = 0; p < candidate.pointsInPatient.size(); ++p) {
+            const double distance =
+                distancePx(pointer.view.widgetFromPatient(candidate.pointsInPatient[p]), pointer.position);
+            if (distance < nearestPx && isInSlice(candidate, pointer.view.plane(), pointer.view.grid())) {
+                nearestPx = distance;
+                nearest = DraggedPoint{m, p, candidate.pointsInPatient[p], candidate};
             }
         }
     }
     return nearest;
 }
 
-bool SliceMeasureTool::isOfShownSlice(SliceView& view) const
+bool SliceMeasureTool::isInShownSlice(SliceView& view) const
 {
     return isInSlice(next_, view.plane(), view.grid());
 }
@@ -79,8 +80,8 @@ bool SliceMeasureTool::isOfShownSlice(SliceView& view) const
 bool SliceMeasureTool::startDrag(const SlicePointer& pressed)
 {
     const bool isFresh = next_.pointsInPatient.empty();
-    held_ = isFresh ? heldAt(pressed) : std::nullopt;
-    isDrawing_ = !held_ && isFresh && kind_ == MeasurementKind::Length;
+    dragged_ = isFresh ? draggableAt(pressed) : std::nullopt;
+    isDrawing_ = !dragged_ && isFresh && kind_ == MeasurementKind::Length;
     if (isDrawing_) {
         addPoint(pressed);
     }
@@ -89,24 +90,25 @@ bool SliceMeasureTool::startDrag(const SlicePointer& pressed)
 
 void SliceMeasureTool::drag(const SlicePointer& pointer)
 {
-    mouse_ = pointer.pointInPatient;
-    if (held_) {
-        held_->at = pointer.pointInPatient;
+    pointer_ = pointer.pointInPatient;
+    if (dragged_) {
+        dragged_->at = pointer.pointInPatient;
     }
-    lookAgain();
+    requestRepaint();
 }
 
 void SliceMeasureTool::finishDrag(const SlicePointer& pointer)
 {
-    if (const auto held = std::exchange(held_, std::nullopt)) {
-        const bool isThere = isStillThere(*held);
-        const bool isInPlace = isThere && isInSlice(model().measured()[held->measurement].measurement,
-                                                    pointer.view.plane(), pointer.view.grid());
+    if (const auto dragged = std::exchange(dragged_, std::nullopt)) {
+        const bool exists = stillExists(*dragged);
+        const bool isInPlace = exists && isInSlice(model().measured()[dragged->measurement].measurement,
+                                                   pointer.view.plane(), pointer.view.grid());
         if (!isInPlace) {   // the measurement was removed by undo or is no longer in the displayed slice
             drop();
             return;
         }
-        emit pointMoved(static_cast<int>(held->measurement), static_cast<int>(held->point), pointer.pointInPatient);
+        emit pointMoved(static_cast<int>(dragged->measurement), static_cast<int>(dragged->point),
+                        pointer.pointInPatient);
     } else if (std::exchange(isDrawing_, false)) {
         addPoint(pointer);
         finish();
@@ -116,16 +118,16 @@ void SliceMeasureTool::finishDrag(const SlicePointer& pointer)
 }
 
 /// True if the measurement being dragged still exists unchanged.
-bool SliceMeasureTool::isStillThere(const Held& held) const
+bool SliceMeasureTool::stillExists(const DraggedPoint& dragged) const
 {
-    const auto& there = model().measured();
-    return held.measurement < there.size() && there[held.measurement].measurement == held.whole;
+    const auto& measurements = model().measured();
+    return dragged.measurement < measurements.size() && measurements[dragged.measurement].measurement == dragged.whole;
 }
 
 void SliceMeasureTool::addPoint(const SlicePointer& pointer)
 {
     std::vector<Eigen::Vector3d>& points = next_.pointsInPatient;
-    if (!isOfShownSlice(pointer.view)) {
+    if (!isInShownSlice(pointer.view)) {
         points.clear();
         next_.plane = pointer.view.plane();
     }
@@ -137,8 +139,8 @@ void SliceMeasureTool::addPoint(const SlicePointer& pointer)
 bool SliceMeasureTool::click(const SlicePointer& pointer)
 {
     std::vector<Eigen::Vector3d>& points = next_.pointsInPatient;
-    const bool closes = kind_ == MeasurementKind::Area && points.size() > 2 && isOfShownSlice(pointer.view) &&
-                        awayPx(pointer.view.widgetFromPatient(points.front()), pointer.position) < measureReachPx;
+    const bool closes = kind_ == MeasurementKind::Area && points.size() > 2 && isInShownSlice(pointer.view) &&
+                        distancePx(pointer.view.widgetFromPatient(points.front()), pointer.position) < measureReachPx;
     if (!closes) {
         addPoint(pointer);
     }
@@ -148,7 +150,7 @@ bool SliceMeasureTool::click(const SlicePointer& pointer)
     if (closes || points.size() == whole) {
         finish();
     }
-    lookAgain();
+    requestRepaint();
     return true;
 }
 
@@ -162,16 +164,16 @@ bool SliceMeasureTool::doubleClick(const SlicePointer&)
 
 void SliceMeasureTool::hover(const SlicePointer& pointer)
 {
-    mouse_ = isOfShownSlice(pointer.view) ? std::optional(pointer.pointInPatient) : std::nullopt;
+    pointer_ = isInShownSlice(pointer.view) ? std::optional(pointer.pointInPatient) : std::nullopt;
     if (!next_.pointsInPatient.empty()) {
-        lookAgain();
+        requestRepaint();
     }
 }
 
 void SliceMeasureTool::leave()
 {
-    mouse_.reset();
-    lookAgain();
+    pointer_.reset();
+    requestRepaint();
 }
 
 bool SliceMeasureTool::takesKey(const QKeyEvent& event) const
@@ -192,12 +194,12 @@ void SliceMeasureTool::keyPress(const QKeyEvent& event)
     } else if (kind_ == MeasurementKind::Area) {
         finish();
     }
-    lookAgain();
+    requestRepaint();
 }
 
-bool SliceMeasureTool::takeBack()
+bool SliceMeasureTool::undoStep()
 {
-    const bool hadPoints = !next_.pointsInPatient.empty() || held_;
+    const bool hadPoints = !next_.pointsInPatient.empty() || dragged_;
     drop();
     return hadPoints;
 }
@@ -211,57 +213,57 @@ void SliceMeasureTool::finish()
     SliceMeasurement whole = next_;
     next_.pointsInPatient.clear();
     emit drawn(whole);
-    lookAgain();
+    requestRepaint();
 }
 
 void SliceMeasureTool::drop()
 {
-    held_.reset();
+    dragged_.reset();
     isDrawing_ = false;
     next_.pointsInPatient.clear();
-    mouse_.reset();
-    lookAgain();
+    pointer_.reset();
+    requestRepaint();
 }
 
-SliceMeasurement SliceMeasureTool::seen() const
+SliceMeasurement SliceMeasureTool::currentMeasurement() const
 {
-    if (held_ && isStillThere(*held_)) {
-        SliceMeasurement moved = model().measured()[held_->measurement].measurement;
-        moved.pointsInPatient.at(held_->point) = held_->at;
+    if (dragged_ && stillExists(*dragged_)) {
+        SliceMeasurement moved = model().measured()[dragged_->measurement].measurement;
+        moved.pointsInPatient.at(dragged_->point) = dragged_->at;
         return moved;
     }
     SliceMeasurement drawn = next_;
-    if (!drawn.pointsInPatient.empty() && mouse_ && drawn.pointsInPatient.back() != *mouse_) {
-        drawn.pointsInPatient.push_back(*mouse_);
+    if (!drawn.pointsInPatient.empty() && pointer_ && drawn.pointsInPatient.back() != *pointer_) {
+        drawn.pointsInPatient.push_back(*pointer_);
     }
     return drawn;
 }
 
 void SliceMeasureTool::paint(QPainter& painter, SliceView& view) const
 {
-    const auto placeOf = [&view](const Eigen::Vector3d& point) -> Eigen::Vector2d {
+    const auto positionOf = [&view](const Eigen::Vector3d& point) -> Eigen::Vector2d {
         const QPointF at = view.widgetFromPatient(point);
         return {at.x(), at.y()};
     };
     painter.save();
-    for (const MeasuredSlice& measured : model().measured()) {
+    for (const LabeledMeasurement& measured : model().measured()) {
         if (isInSlice(measured.measurement, view.plane(), view.grid())) {
             for (const Eigen::Vector3d& point : measured.measurement.pointsInPatient) {
-                paintHandle(painter, placeOf(point), false);
+                paintHandle(painter, positionOf(point), false);
             }
         }
     }
-    const SliceMeasurement now = seen();
-    if (!isInSlice(now, view.plane(), view.grid())) {
+    const SliceMeasurement current = currentMeasurement();
+    if (!isInSlice(current, view.plane(), view.grid())) {
         painter.restore();
         return;
     }
-    ImageMark mark{shapeOf(now), {}, {}, true};
-    for (const Eigen::Vector3d& point : now.pointsInPatient) {
-        mark.pixels.push_back(placeOf(point));
+    ImageMark mark{shapeOf(current), {}, {}, true};
+    for (const Eigen::Vector3d& point : current.pointsInPatient) {
+        mark.pixels.push_back(positionOf(point));
     }
-    if (now.pointsInPatient.size() > 1) {
-        mark.label = words_ ? words_(now).toStdString() : std::string();
+    if (current.pointsInPatient.size() > 1) {
+        mark.label = labelFunction_ ? labelFunction_(current).toStdString() : std::string();
         paintMarks(painter, {mark}, [](const Eigen::Vector2d& at) { return at; });
     }
     for (const Eigen::Vector2d& at : mark.pixels) {

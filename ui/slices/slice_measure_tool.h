@@ -17,7 +17,10 @@ public:
     SliceMeasureTool(core::MeasurementKind kind, SliceModel& model);
 
     /// Sets the function that labels a measurement being drawn.
-    void setWords(std::function<QString(const core::SliceMeasurement&)> words) { words_ = std::move(words); }
+    void setLabelFunction(std::function<QString(const core::SliceMeasurement&)> label)
+    {
+        labelFunction_ = std::move(label);
+    }
 
     QString caption() const override;
     void end() override { drop(); }
@@ -30,7 +33,7 @@ public:
     void leave() override;
     bool takesKey(const QKeyEvent& event) const override;
     void keyPress(const QKeyEvent& event) override;
-    bool takeBack() override;
+    bool undoStep() override;
     void paint(QPainter& painter, SliceView& view) const override;
 
 signals:
@@ -39,25 +42,26 @@ signals:
     void removeRequested();   ///< requests removal of the selected measurement, or of the last one without a selection
 
 private:
-    struct Held {
+    struct DraggedPoint {
         std::size_t measurement = 0;
         std::size_t point = 0;
         Eigen::Vector3d at = Eigen::Vector3d::Zero();
         core::SliceMeasurement whole;   ///< measurement at the start of the drag
     };
-    std::optional<Held> heldAt(const SlicePointer& pointer) const;
-    bool isStillThere(const Held& held) const;
-    bool isOfShownSlice(SliceView& view) const;
+    std::optional<DraggedPoint> draggableAt(const SlicePointer& pointer) const;
+    bool stillExists(const DraggedPoint& dragged) const;
+    bool isInShownSlice(SliceView& view) const;
     void addPoint(const SlicePointer& pointer);
     void finish();
     void drop();
-    core::SliceMeasurement seen() const;   ///< measurement being drawn (including the pointer position) or moved
+    core::SliceMeasurement currentMeasurement()
+        const;   ///< measurement being drawn (including the pointer position) or moved
 
     core::MeasurementKind kind_;
-    std::function<QString(const core::SliceMeasurement&)> words_;
+    std::function<QString(const core::SliceMeasurement&)> labelFunction_;
     core::SliceMeasurement next_;   ///< measurement being drawn, with the points set so far
-    std::optional<Eigen::Vector3d> mouse_;
-    std::optional<Held> held_;
+    std::optional<Eigen::Vector3d> pointer_;
+    std::optional<DraggedPoint> dragged_;
     bool isDrawing_ = false;   ///< a length is being drawn by dragging
 };
 

@@ -18,13 +18,13 @@ using core::SliceMeasurement;
 constexpr double faint = 0.35;
 constexpr double captionMarginPx = 20.0;
 
-double awayMm(const SliceMeasurement& measurement, const core::SliceGrid& grid)
+double offsetMm(const SliceMeasurement& measurement, const core::SliceGrid& grid)
 {
     return std::abs(grid.distanceMm(measurement.pointsInPatient.front()));
 }
 
 /// Converts a measurement to a mark in widget px.
-ImageMark markOf(const MeasuredSlice& measured, const SliceOverlay& overlay)
+ImageMark markOf(const LabeledMeasurement& measured, const SliceOverlay& overlay)
 {
     const SliceMeasurement& what = measured.measurement;
     ImageMark mark;
@@ -44,29 +44,29 @@ ImageMark markOf(const MeasuredSlice& measured, const SliceOverlay& overlay)
 bool isInSlice(const SliceMeasurement& measurement, core::BodyPlane plane, const core::SliceGrid& grid)
 {
     return measurement.plane == plane && !measurement.pointsInPatient.empty() &&
-           awayMm(measurement, grid) <= 0.5 * grid.thicknessMm;
+           offsetMm(measurement, grid) <= 0.5 * grid.thicknessMm;
 }
 
 void paintMeasurements(QPainter& painter, const SliceOverlay& overlay)
 {
-    std::vector<ImageMark> here;
+    std::vector<ImageMark> marks;
     std::vector<ImageMark> near;
-    for (const MeasuredSlice& measured : overlay.model.measured()) {
+    for (const LabeledMeasurement& measured : overlay.model.measured()) {
         const SliceMeasurement& what = measured.measurement;
         if (isInSlice(what, overlay.plane, overlay.grid)) {
-            here.push_back(markOf(measured, overlay));
-            here.back().label = measured.label.toStdString();
+            marks.push_back(markOf(measured, overlay));
+            marks.back().label = measured.label.toStdString();
         } else if (what.plane == overlay.plane && !what.pointsInPatient.empty() &&
-                   awayMm(what, overlay.grid) <= visibleDistanceMm(overlay.grid)) {
+                   offsetMm(what, overlay.grid) <= visibleDistanceMm(overlay.grid)) {
             near.push_back(markOf(measured, overlay));
         }
     }
-    const auto asItIs = [](const Eigen::Vector2d& at) { return at; };
+    const auto identity = [](const Eigen::Vector2d& at) { return at; };
     painter.save();
     painter.setOpacity(faint);
-    paintMarks(painter, near, asItIs);
+    paintMarks(painter, near, identity);
     painter.setOpacity(1.0);
-    paintMarks(painter, here, asItIs);
+    paintMarks(painter, marks, identity);
     painter.restore();
 }
 
@@ -86,8 +86,8 @@ void paintRing(QPainter& painter, const SliceOverlay& overlay, const std::vector
             pieces.emplace_back(overlay.widgetFromPatient(from), overlay.widgetFromPatient(to));
         }
         if ((before <= 0.0) != (after <= 0.0)) {
-            const Eigen::Vector3d cut = from + before / (before - after) * (to - from);
-            crossings.push_back(overlay.widgetFromPatient(cut));
+            const Eigen::Vector3d crossing = from + before / (before - after) * (to - from);
+            crossings.push_back(overlay.widgetFromPatient(crossing));
         }
     }
     for (const auto& [color, width] : {std::pair(rim, 4.0), std::pair(tone, 2.0)}) {

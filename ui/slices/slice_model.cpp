@@ -51,7 +51,7 @@ QString nameOf(core::BodyPlane plane)
     }
 }
 
-GrayWindow windowOfValues(const core::Volume& volume)
+GrayWindow autoWindow(const core::Volume& volume)
 {
     const std::vector<double> values = sampledValues(volume);
     if (values.empty()) {
@@ -68,19 +68,19 @@ void SliceModel::setScan(std::shared_ptr<const core::Volume> volume, std::shared
         return;
     }
     const core::VolumeGeometry* before = geometry();
-    const core::VolumeGeometry kept = before ? *before : core::VolumeGeometry{};   // empty if there was no scan
+    const core::VolumeGeometry previous = before ? *before : core::VolumeGeometry{};   // empty if there was no scan
     const bool isNewVolume = volume != volume_;
     volume_ = std::move(volume);
     lumen_ = std::move(lumen);
     if (isNewVolume && volume_) {
         const std::vector<double> values = sampledValues(*volume_);
         isHounsfield_ = !values.empty() && values.front() < airHu;
-        window_ = isHounsfield_ ? windowPresets().front().window : windowOfValues(*volume_);
+        window_ = isHounsfield_ ? windowPresets().front().window : autoWindow(*volume_);
     }
-    const core::VolumeGeometry* now = geometry();
-    const bool isSamePlace = now && core::isSameGrid(kept, *now);
-    if (now && !isSamePlace) {
-        crosshair_ = core::centerOf(*now);
+    const core::VolumeGeometry* updated = geometry();
+    const bool isSamePlace = updated && core::isSameGrid(previous, *updated);
+    if (updated && !isSamePlace) {
+        crosshair_ = core::centerOf(*updated);
     }
     if (isSamePlace && !isNewVolume) {
         emit maskChanged();   // unlike scanChanged, keeps zoom and position
@@ -110,10 +110,10 @@ void SliceModel::setDraft(std::shared_ptr<const core::VoxelMask> draft)
     }
 }
 
-void SliceModel::touchDraft(const core::TouchedBox& box)
+void SliceModel::notifyDraftChanged(const core::BoundingBox& box)
 {
     if (draft_) {
-        emit maskTouched(box);
+        emit maskEdited(box);
     }
 }
 
@@ -171,10 +171,10 @@ void SliceModel::setPoints(SliceMarkKind kind, std::vector<SliceMark> points)
     }
 }
 
-void SliceModel::setMeasured(std::vector<MeasuredSlice> measured)
+void SliceModel::setMeasurements(std::vector<LabeledMeasurement> measured)
 {
-    if (measured != measured_) {
-        measured_ = std::move(measured);
+    if (measured != measurements_) {
+        measurements_ = std::move(measured);
         emit overlayChanged();
     }
 }
@@ -196,7 +196,7 @@ void SliceModel::setCrosshair(const Eigen::Vector3d& pointInPatient)
     if (!where) {
         return;
     }
-    const Eigen::Vector3d inside = core::clampedTo(*where, pointInPatient);
+    const Eigen::Vector3d inside = core::clampToVolume(*where, pointInPatient);
     if (inside != crosshair_) {
         crosshair_ = inside;
         emit crosshairChanged();

@@ -5,7 +5,7 @@
 #include "core/imaging/volume_slice.h"
 #include "core/vessel/vessel_tree.h"
 #include "ui/scenes/overlay_scene.h"
-#include "ui/slices/slice_picture.h"
+#include "ui/slices/slice_image.h"
 
 #include <QObject>
 #include <QStringList>
@@ -31,12 +31,12 @@ struct SliceMark {
 };
 
 /// Measurement in a slice with its displayed label.
-struct MeasuredSlice {
+struct LabeledMeasurement {
     core::SliceMeasurement measurement;
     QString label;
     bool isChosen = false;
 
-    bool operator==(const MeasuredSlice&) const = default;
+    bool operator==(const LabeledMeasurement&) const = default;
 };
 
 /// Labels of a label image, tinted in different colors in the slices.
@@ -60,12 +60,12 @@ public:
     void setLabels(LabelLayer labels);   ///< shows labels in place of the lumen; empty `rows` shows the lumen again
     /// Shows a mask being edited in place of lumen and labels; null shows lumen and labels again.
     void setDraft(std::shared_ptr<const core::VoxelMask> draft);
-    void touchDraft(const core::TouchedBox& box);   ///< reports that the draft changed inside `box`
+    void notifyDraftChanged(const core::BoundingBox& box);   ///< reports that the draft changed inside `box`
     void setMaskOpacity(double opacity);   ///< opacity of the mask on a scan
     void setTree(std::shared_ptr<const core::VesselTree> tree);
     void setMarks(const BranchMarks& marks);
     void setPoints(SliceMarkKind kind, std::vector<SliceMark> points);   ///< replaces all points of this kind
-    void setMeasured(std::vector<MeasuredSlice> measured);
+    void setMeasurements(std::vector<LabeledMeasurement> measured);
     void setTool(SliceTool* tool);   ///< tool for the left button in all slices; null for the crosshair
     void setCrosshair(const Eigen::Vector3d& pointInPatient);   ///< clamps the point to the scan
     void setWindow(const GrayWindow& window);
@@ -84,7 +84,7 @@ public:
     const core::VesselTree* tree() const { return tree_.get(); }
     const BranchMarks& marks() const { return marks_; }
     const std::map<SliceMarkKind, std::vector<SliceMark>>& points() const { return points_; }
-    const std::vector<MeasuredSlice>& measured() const { return measured_; }
+    const std::vector<LabeledMeasurement>& measured() const { return measurements_; }
     SliceTool* tool() const { return tool_; }
     const Eigen::Vector3d& crosshair() const { return crosshair_; }
     const GrayWindow& window() const { return window_; }
@@ -94,12 +94,12 @@ public:
 signals:
     void scanChanged();
     void maskChanged();   ///< lumen, labels or draft were replaced
-    void maskTouched(const core::TouchedBox& box);   ///< the mask changed in place, inside `box`
+    void maskEdited(const core::BoundingBox& box);   ///< the mask changed in place, inside `box`
     void crosshairChanged();
     void lookChanged();   ///< window or threshold preview changed
     void overlayChanged();   ///< branches, points or measurements changed
     void toolChanged();
-    void toolLookChanged();   ///< the tool draws something else
+    void toolAppearanceChanged();   ///< the tool draws something else
 
 private:
     std::shared_ptr<const core::Volume> volume_;
@@ -110,7 +110,7 @@ private:
     std::shared_ptr<const core::VesselTree> tree_;
     BranchMarks marks_;
     std::map<SliceMarkKind, std::vector<SliceMark>> points_;
-    std::vector<MeasuredSlice> measured_;
+    std::vector<LabeledMeasurement> measurements_;
     SliceTool* tool_ = nullptr;
     Eigen::Vector3d crosshair_ = Eigen::Vector3d::Zero();
     GrayWindow window_;
@@ -127,6 +127,6 @@ struct WindowPreset {
 const std::vector<WindowPreset>& windowPresets();
 
 /// Returns a window that covers most values of a scan.
-GrayWindow windowOfValues(const core::Volume& volume);
+GrayWindow autoWindow(const core::Volume& volume);
 
 }   // namespace angiopose::ui

@@ -8,10 +8,10 @@ namespace angiopose::ui {
 
 SliceTool::SliceTool(SliceModel& model) : QObject(&model), model_(model) {}
 
-void SliceTool::lookAgain()
+void SliceTool::requestRepaint()
 {
     if (model_.tool() == this) {
-        emit model_.toolLookChanged();
+        emit model_.toolAppearanceChanged();
     }
 }
 

@@ -48,14 +48,14 @@ public:
 
     virtual bool takesKey(const QKeyEvent&) const { return false; }   ///< takes precedence over window shortcuts
     virtual void keyPress(const QKeyEvent&) {}   ///< called only for keys accepted by `takesKey`
-    virtual bool takeBack() { return false; }   ///< called on Esc; true if this canceled an action
+    virtual bool undoStep() { return false; }   ///< called on Esc; true if this canceled an action
 
     virtual QCursor cursor() const { return Qt::CrossCursor; }
     virtual void paint(QPainter&, SliceView&) const {}   ///< draws in widget px, on top of everything else
 
 protected:
     SliceModel& model() const { return model_; }
-    void lookAgain();   ///< repaints all slices
+    void requestRepaint();   ///< repaints all slices
 
 private:
     SliceModel& model_;

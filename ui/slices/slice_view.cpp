@@ -5,7 +5,7 @@
 #include "ui/slices/slice_tool.h"
 #include "ui/theme/active_theme.h"
 #include "ui/words/number.h"
-#include "ui/words/spoken.h"
+#include "ui/words/retranslation.h"
 
 #include <QPainter>
 
@@ -41,7 +41,7 @@ SliceView::SliceView(SliceModel& model, core::BodyPlane plane, QWidget* parent)
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setAttribute(Qt::WA_OpaquePaintEvent);
-    speak(this, [this] {
+    keepTranslated(this, [this] {
         setAccessibleName(nameOf(plane_));
         update();
     });
@@ -53,13 +53,13 @@ SliceView::SliceView(SliceModel& model, core::BodyPlane plane, QWidget* parent)
         isContentStale_ = true;
         update();
     });
-    connect(&model, &SliceModel::maskTouched, this, &SliceView::retint);
+    connect(&model, &SliceModel::maskEdited, this, &SliceView::updateMaskTint);
     connect(&model, &SliceModel::crosshairChanged, this, qOverload<>(&QWidget::update));
     connect(&model, &SliceModel::overlayChanged, this, qOverload<>(&QWidget::update));
     connect(&model, &SliceModel::toolChanged, this, &SliceView::followTool);
-    connect(&model, &SliceModel::toolLookChanged, this, qOverload<>(&QWidget::update));
+    connect(&model, &SliceModel::toolAppearanceChanged, this, qOverload<>(&QWidget::update));
     connect(&model, &SliceModel::lookChanged, this, [this] {
-        isPictureStale_ = true;
+        isImageStale_ = true;
         update();
     });
 }
@@ -76,24 +76,24 @@ void SliceView::setPlane(core::BodyPlane plane)
 
 void SliceView::fit()
 {
-    cut();
+    resample();
     const core::SliceGrid& grid = content_.grid;
     if (grid.width > 0) {
-        const double unitMm = unitMmOf(grid);
+        const double unitMm = pixelSizeMm(grid);
         viewport_.setImageSize(static_cast<int>(std::lround(grid.width * grid.columnStep.norm() / unitMm)),
                                static_cast<int>(std::lround(grid.height * grid.rowStep.norm() / unitMm)));
     }
     viewport_.fit();
-    isPictureStale_ = true;
+    isImageStale_ = true;
     update();
 }
 
-void SliceView::cut()
+void SliceView::resample()
 {
     const core::VolumeGeometry* geometry = model_.geometry();
     if (!geometry) {
         content_ = {};
-        isPictureStale_ = true;
+        isImageStale_ = true;
         return;
     }
     const core::SliceGrid grid = core::sliceThrough(*geometry, plane_, model_.crosshair());
@@ -104,44 +104,44 @@ void SliceView::cut()
     content_.values = model_.volume() ? core::sliceValues(*model_.volume(), grid) : std::vector<float>{};
     content_.mask = model_.mask() ? core::sliceMask(*model_.mask(), grid) : std::vector<std::uint8_t>{};
     isContentStale_ = false;
-    isPictureStale_ = true;
+    isImageStale_ = true;
 }
 
 const core::SliceGrid& SliceView::grid()
 {
-    cut();
+    resample();
     return content_.grid;
 }
 
-void SliceView::drawPicture()
+void SliceView::renderImage()
 {
     const double ratio = devicePixelRatio();
     const QSize deviceSize = (QSizeF(size()) * ratio).toSize();
-    if (!isPictureStale_ && picture_.size() == deviceSize) {
+    if (!isImageStale_ && image_.size() == deviceSize) {
         return;
     }
-    picture_ = slicePicture(content_, model_.window(), tints(), viewport_, deviceSize, ratio);
-    picture_.setDevicePixelRatio(ratio);
-    isPictureStale_ = false;
+    image_ = sliceImage(content_, model_.window(), tints(), viewport_, deviceSize, ratio);
+    image_.setDevicePixelRatio(ratio);
+    isImageStale_ = false;
 }
 
 SliceTints SliceView::tints() const
 {
-    const Palette& tones = ui::palette(ThemeMode::Dark);
+    const Palette& colors = ui::palette(ThemeMode::Dark);
     const double opacity = content_.values.empty() ? aloneOpacity : model_.maskOpacity();
     std::vector<MaskTint> mask = model_.labelTints();
     for (MaskTint& tint : mask) {   // label opacities apply to display without a scan
         tint.opacity *= opacity / aloneOpacity;
     }
     if (mask.empty()) {
-        mask.push_back({tones.accent, opacity});
+        mask.push_back({colors.accent, opacity});
     }
     const double previewOpacity = content_.values.empty() ? aloneOpacity : tintOpacity;
-    return {std::move(mask), {tones.attention, previewOpacity}, model_.previewFrom()};
+    return {std::move(mask), {colors.attention, previewOpacity}, model_.previewFrom()};
 }
 
 /// Resamples only the mask and repaints only the screen rows where the mask changed.
-void SliceView::retint(const core::TouchedBox& box)
+void SliceView::updateMaskTint(const core::BoundingBox& box)
 {
     const core::SliceGrid& grid = content_.grid;
     if (isContentStale_ || !model_.mask() || grid.width == 0) {
@@ -153,27 +153,27 @@ void SliceView::retint(const core::TouchedBox& box)
         return;
     }
     content_.mask = core::sliceMask(*model_.mask(), grid);
-    if (!isPictureStale_ && !picture_.isNull()) {
+    if (!isImageStale_ && !image_.isNull()) {
         const double ratio = devicePixelRatio();
         const double a = widgetFromPatient(box.lowInPatient).y() * ratio;
         const double b = widgetFromPatient(box.highInPatient).y() * ratio;
         const int margin = static_cast<int>(std::ceil(2.0 * pxPerMm() * ratio * grid.rowStep.norm()));
-        const int first = std::clamp(static_cast<int>(std::floor(std::min(a, b))) - margin, 0, picture_.height());
-        const int end = std::clamp(static_cast<int>(std::ceil(std::max(a, b))) + margin, 0, picture_.height());
-        repaintSliceRows(picture_, {first, end}, content_, model_.window(), tints(), viewport_, ratio);
+        const int first = std::clamp(static_cast<int>(std::floor(std::min(a, b))) - margin, 0, image_.height());
+        const int end = std::clamp(static_cast<int>(std::ceil(std::max(a, b))) + margin, 0, image_.height());
+        repaintSliceRows(image_, {first, end}, content_, model_.window(), tints(), viewport_, ratio);
     }
     update();
 }
 
 void SliceView::paintEvent(QPaintEvent*)
 {
-    cut();
-    drawPicture();
+    resample();
+    renderImage();
     QPainter painter(this);
-    painter.drawImage(QPointF(0, 0), picture_);
-    const Palette& tones = ui::palette(ThemeMode::Dark);
+    painter.drawImage(QPointF(0, 0), image_);
+    const Palette& colors = ui::palette(ThemeMode::Dark);
     if (!model_.hasScan()) {
-        painter.setPen(toQColor(tones.label));
+        painter.setPen(toQColor(colors.label));
         painter.drawText(rect(), Qt::AlignCenter, tr("No scan"));
         return;
     }
@@ -184,13 +184,13 @@ void SliceView::paintEvent(QPaintEvent*)
     paintPoints(painter, overlay);
     paintMeasurements(painter, overlay);
     paintCrosshair(painter, overlay);
-    const CornerRoom taken = paintTexts(painter, rect(), topTexts(), placeTexts());
-    paintSides(painter, overlay, taken);
+    const CornerAreas occupied = paintTexts(painter, rect(), topTexts(), placeTexts());
+    paintSides(painter, overlay, occupied);
     if (const SliceTool* tool = model_.tool()) {
         tool->paint(painter, *this);
     }
     if (hasFocus()) {
-        painter.setPen(QPen(toQColor(tones.accent, 0.7), 1.0));
+        painter.setPen(QPen(toQColor(colors.accent, 0.7), 1.0));
         painter.setBrush(Qt::NoBrush);
         painter.drawRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5));
     }
@@ -235,13 +235,13 @@ QStringList SliceView::placeTexts() const
 
 double SliceView::pxPerMm() const
 {
-    return viewport_.zoom() / unitMmOf(content_.grid);
+    return viewport_.zoom() / pixelSizeMm(content_.grid);
 }
 
 QPointF SliceView::widgetFromPatient(const Eigen::Vector3d& pointInPatient) const
 {
     const core::SliceGrid& grid = content_.grid;
-    const double unitMm = unitMmOf(grid);
+    const double unitMm = pixelSizeMm(grid);
     const Eigen::Vector2d pixel = grid.pixelOf(pointInPatient);
     const Eigen::Vector2d at = viewport_.widgetFromImage(
         {pixel.x() * grid.columnStep.norm() / unitMm, pixel.y() * grid.rowStep.norm() / unitMm});
@@ -251,7 +251,7 @@ QPointF SliceView::widgetFromPatient(const Eigen::Vector3d& pointInPatient) cons
 Eigen::Vector3d SliceView::patientFromWidget(const QPointF& position) const
 {
     const core::SliceGrid& grid = content_.grid;
-    const double unitMm = unitMmOf(grid);
+    const double unitMm = pixelSizeMm(grid);
     const Eigen::Vector2d at = viewport_.imageFromWidget(pointVector(position));
     return grid.pointAt({at.x() * unitMm / grid.columnStep.norm(), at.y() * unitMm / grid.rowStep.norm()});
 }

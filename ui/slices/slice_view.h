@@ -36,7 +36,7 @@ signals:
     void branchHovered(std::optional<int> branchId);
     void branchClicked(int branchId, Qt::KeyboardModifiers modifiers);
     void menuRequested(const Eigen::Vector3d& pointInPatient, const QPoint& globalPosition);
-    void roomRequested();
+    void enlargeRequested();
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -52,12 +52,12 @@ protected:
     bool event(QEvent* event) override;
 
 private:
-    void cut();   ///< resamples if the crosshair has left the displayed slice
-    void drawPicture();
+    void resample();   ///< resamples if the crosshair has left the displayed slice
+    void renderImage();
     SliceTints tints() const;
-    void retint(const core::TouchedBox& box);   ///< updates the displayed slice where the mask changed
+    void updateMaskTint(const core::BoundingBox& box);   ///< updates the displayed slice where the mask changed
     void changeWindow(const QPointF& step);
-    bool goThroughSlices(const QKeyEvent& event);   ///< false if the key does not scroll
+    bool scrollSlices(const QKeyEvent& event);   ///< false if the key does not scroll
     bool moveCrosshair(int key);
     std::optional<int> branchAt(const QPointF& position) const;
     void hover(const std::optional<QPointF>& position);
@@ -73,12 +73,12 @@ private:
     core::BodyPlane plane_;
     SliceContent content_;
     ImageViewport viewport_;
-    QImage picture_;
+    QImage image_;
     bool isContentStale_ = true;
-    bool isPictureStale_ = true;
+    bool isImageStale_ = true;
     Qt::MouseButton pressed_ = Qt::NoButton;
     bool isDragging_ = false;
-    bool isToolsDrag_ = false;
+    bool isToolDrag_ = false;
     QPointF pressedAt_;
     QPointF lastAt_;
     double wheelSteps_ = 0.0;

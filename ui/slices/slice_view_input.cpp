@@ -40,7 +40,7 @@ void SliceView::resizeEvent(QResizeEvent* event)
 {
     QWidget::resizeEvent(event);
     viewport_.setWidgetSize(width(), height());
-    isPictureStale_ = true;
+    isImageStale_ = true;
 }
 
 void SliceView::mousePressEvent(QMouseEvent* event)
@@ -56,13 +56,13 @@ void SliceView::mousePressEvent(QMouseEvent* event)
 void SliceView::mouseMoveEvent(QMouseEvent* event)
 {
     const QPointF step = event->position() - lastAt_;
-    const QPointF way = event->position() - pressedAt_;
+    const QPointF offset = event->position() - pressedAt_;
     if (pressed_ == Qt::NoButton) {
         hover(event->position());
         return;
     }
     const bool isStart = !isDragging_;
-    isDragging_ = isDragging_ || 2.0 * way.manhattanLength() >= QApplication::startDragDistance();
+    isDragging_ = isDragging_ || 2.0 * offset.manhattanLength() >= QApplication::startDragDistance();
     if (!isDragging_) {
         return;
     }
@@ -76,7 +76,7 @@ void SliceView::mouseMoveEvent(QMouseEvent* event)
         model_.setCrosshair(patientFromWidget(event->position()));
     } else if (pressed_ == Qt::MiddleButton) {
         viewport_.panBy(toVector(step));
-        isPictureStale_ = true;
+        isImageStale_ = true;
     } else if (pressed_ == Qt::RightButton) {
         changeWindow(step);
     }
@@ -86,9 +86,9 @@ void SliceView::mouseMoveEvent(QMouseEvent* event)
 /// Adjusts window/level by a drag: right widens the window, down darkens. The step is proportional to the window width.
 void SliceView::changeWindow(const QPointF& step)
 {
-    const GrayWindow& now = model_.window();
-    const double perPx = std::max(1.0, now.width / 300.0);
-    model_.setWindow({now.width + perPx * step.x(), now.level + perPx * step.y()});
+    const GrayWindow& current = model_.window();
+    const double perPx = std::max(1.0, current.width / 300.0);
+    model_.setWindow({current.width + perPx * step.x(), current.level + perPx * step.y()});
 }
 
 void SliceView::mouseReleaseEvent(QMouseEvent* event)
@@ -98,7 +98,7 @@ void SliceView::mouseReleaseEvent(QMouseEvent* event)
     }
     pressed_ = Qt::NoButton;
     SliceTool* tool = event->button() == Qt::LeftButton ? model_.tool() : nullptr;
-    if (std::exchange(isToolsDrag_, false) && tool) {
+    if (std::exchange(isToolDrag_, false) && tool) {
         tool->finishDrag(pointerAt(event->position(), event->modifiers()));
         return;
     }
@@ -122,7 +122,7 @@ void SliceView::mouseDoubleClickEvent(QMouseEvent* event)
     SliceTool* tool = model_.hasScan() ? model_.tool() : nullptr;
     const bool isLeft = event->button() == Qt::LeftButton;
     if (isLeft && !(tool && tool->doubleClick(pointerAt(event->position(), event->modifiers())))) {
-        emit roomRequested();
+        emit enlargeRequested();
     }
 }
 
@@ -136,7 +136,7 @@ void SliceView::wheelEvent(QWheelEvent* event)
     }
     if (event->modifiers().testFlag(Qt::ControlModifier)) {
         viewport_.zoomAt(toVector(event->position()), std::pow(sliceZoomPerWheelStep, steps));
-        isPictureStale_ = true;
+        isImageStale_ = true;
         update();
         return;
     }
@@ -152,12 +152,12 @@ void SliceView::keyPressEvent(QKeyEvent* event)
         return;
     }
     if (!model_.hasScan() ||
-        !(event->modifiers().testFlag(Qt::ControlModifier) ? moveCrosshair(event->key()) : goThroughSlices(*event))) {
+        !(event->modifiers().testFlag(Qt::ControlModifier) ? moveCrosshair(event->key()) : scrollSlices(*event))) {
         QWidget::keyPressEvent(event);
     }
 }
 
-bool SliceView::goThroughSlices(const QKeyEvent& event)
+bool SliceView::scrollSlices(const QKeyEvent& event)
 {
     const int stride = event.modifiers().testFlag(Qt::ShiftModifier) ? fastSlices : 1;
     switch (event.key()) {
@@ -217,7 +217,7 @@ std::optional<int> SliceView::branchAt(const QPointF& position) const
         return std::nullopt;
     }
     const double reach = visibleDistanceMm(content_.grid);
-    const double pxPerMm = viewport_.zoom() / unitMmOf(content_.grid);
+    const double pxPerMm = viewport_.zoom() / pixelSizeMm(content_.grid);
     std::optional<int> nearest;
     double least = std::numeric_limits<double>::infinity();
     for (const core::VesselBranch& branch : tree->branches) {
@@ -226,10 +226,10 @@ std::optional<int> SliceView::branchAt(const QPointF& position) const
         }
         for (const Eigen::Vector3d& point : branch.pointsInPatient) {
             const double beforeMm = content_.grid.distanceMm(point);
-            const QPointF way = widgetFromPatient(point) - position;
-            const double asidePx = std::hypot(way.x(), way.y());
-            const double farPx = std::hypot(asidePx, beforeMm * pxPerMm);   // prefers points in the slice
-            if (std::abs(beforeMm) <= reach && asidePx < slicePickTolerancePx && farPx < least) {
+            const QPointF offset = widgetFromPatient(point) - position;
+            const double distancePx = std::hypot(offset.x(), offset.y());
+            const double farPx = std::hypot(distancePx, beforeMm * pxPerMm);   // prefers points in the slice
+            if (std::abs(beforeMm) <= reach && distancePx < slicePickTolerancePx && farPx < least) {
                 least = farPx;
                 nearest = branch.id;
             }

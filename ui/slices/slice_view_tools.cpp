@@ -9,7 +9,7 @@ namespace angiopose::ui {
 
 SlicePointer SliceView::pointerAt(const QPointF& position, Qt::KeyboardModifiers modifiers)
 {
-    cut();
+    resample();
     return {*this, position, patientFromWidget(position), modifiers};
 }
 
@@ -21,12 +21,12 @@ bool SliceView::dragTool(const QMouseEvent& event, bool isStart)
         return false;
     }
     if (isStart) {
-        isToolsDrag_ = tool->startDrag(pointerAt(pressedAt_, event.modifiers()));
+        isToolDrag_ = tool->startDrag(pointerAt(pressedAt_, event.modifiers()));
     }
-    if (isToolsDrag_) {
+    if (isToolDrag_) {
         tool->drag(pointerAt(event.position(), event.modifiers()));
     }
-    return isToolsDrag_;
+    return isToolDrag_;
 }
 
 /// True if a tool is active and accepts the key.
@@ -43,18 +43,18 @@ bool SliceView::filterToolKey(QKeyEvent& event)
         return false;
     }
     const bool isEscape = event.key() == Qt::Key_Escape;
-    const bool isTools = tool->takesKey(event);
-    if (!isEscape && !isTools) {
+    const bool isToolKey = tool->takesKey(event);
+    if (!isEscape && !isToolKey) {
         return false;
     }
     if (event.type() == QEvent::ShortcutOverride) {
         event.accept();   // makes Qt deliver the key as KeyPress instead of triggering a shortcut
-    } else if (isTools) {
+    } else if (isToolKey) {
         tool->keyPress(event);
     } else {
-        isToolsDrag_ = false;
+        isToolDrag_ = false;
         pressed_ = Qt::NoButton;   // ignores the remaining events of the drag
-        if (!tool->takeBack()) {
+        if (!tool->undoStep()) {
             model_.setTool(nullptr);
         }
     }
@@ -71,7 +71,7 @@ bool SliceView::event(QEvent* event)
 
 void SliceView::followTool()
 {
-    isToolsDrag_ = false;
+    isToolDrag_ = false;
     if (const SliceTool* tool = model_.tool()) {
         setCursor(tool->cursor());
     } else {

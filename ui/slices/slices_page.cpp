@@ -24,10 +24,10 @@ SlicesPage::SlicesPage(SliceModel& model, QWidget* parent)
 {
     for (const core::BodyPlane plane : core::bodyPlanes) {
         views_[plane] = new SliceView(model, plane);
-        connect(views_[plane], &SliceView::roomRequested, this, &SlicesPage::closeRequested);
+        connect(views_[plane], &SliceView::enlargeRequested, this, &SlicesPage::closeRequested);
     }
     connect(bar_, &WindowBar::closeRequested, this, &SlicesPage::closeRequested);
-    connect(bar_, &WindowBar::windowRequested, this, &SlicesPage::windowRequested);
+    connect(bar_, &WindowBar::popOutRequested, this, &SlicesPage::popOutRequested);
     auto* upright = new QVBoxLayout;
     upright->setSpacing(gapPx);
     upright->addWidget(views_[core::BodyPlane::Coronal]);

@@ -27,7 +27,7 @@ public:
 
 signals:
     void closeRequested();
-    void windowRequested();   ///< requests popping out the page, or docking it
+    void popOutRequested();   ///< requests popping out the page, or docking it
 
 protected:
     void resizeEvent(QResizeEvent* event) override;

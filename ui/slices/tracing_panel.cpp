@@ -5,7 +5,7 @@
 #include "ui/slices/label_choice.h"
 #include "ui/slices/mask_panel.h"
 #include "ui/slices/seed_list.h"
-#include "ui/words/spoken.h"
+#include "ui/words/retranslation.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -18,7 +18,7 @@ namespace {
 
 constexpr int minWidth = 250;
 
-QLayout* labelled(const Words& text, QWidget* field)
+QLayout* withLabel(const LocalizedText& text, QWidget* field)
 {
     auto* row = new QHBoxLayout;
     row->addWidget(withText(roleLabel("label"), text), 1);
@@ -35,22 +35,22 @@ TracingPanel::TracingPanel(QWidget* parent)
       mask_(new MaskPanel),
       threshold_(new ThresholdField),
       seeds_(new SeedList),
-      tubes_(withTip(withText(new QCheckBox, [] { return tr("Thin vessels only (needs seeds)"); }),
-                     [] {
-                         return tr(
-                             "For coronary arteries next to opacified chambers or hepatic arteries next to the portal "
-                             "vein: tracing stops at structures wider than 1 cm. Needs seeds.");
-                     })),
-      path_(modeButton([] { return tr("Trace between two points"); }, Command::TraceBetween)),
+      tubes_(withToolTip(withText(new QCheckBox, [] { return tr("Thin vessels only (requires seeds)"); }),
+                         [] {
+                             return tr(
+                                 "For coronary arteries next to opacified chambers or hepatic arteries next to the "
+                                 "portal vein: tracing stops at structures wider than 1 cm. Requires seeds.");
+                         })),
+      path_(makeModeButton([] { return tr("Trace between two points"); }, Command::TraceBetween)),
       minLength_(new NumberField({0.0, 1000.0, 1, QStringLiteral("mm"), 1.0})),
       minRadius_(new NumberField({0.0, 1000.0, 2, QStringLiteral("mm"), 0.1})),
-      pieces_(new QComboBox),
+      components_(new QComboBox),
       keepLoops_(withText(new QCheckBox, [] { return tr("Keep loops"); })),
       trace_(withText(new QPushButton, [] { return tr("Trace"); })),
       stop_(withText(new QPushButton, [] { return tr("Stop"); })),
       note_(roleLabel("hint")),
       lumenWarning_(roleLabel("attentionBox")),
-      lumenCard_(lumenCard())
+      lumenCard_(makeLumenWarning())
 {
     contentLayout()->setSpacing(8);
     contentLayout()->addWidget(lumenCard_);
@@ -68,11 +68,11 @@ TracingPanel::TracingPanel(QWidget* parent)
     reportThreshold();
     showOptions({});
     showRange(std::nullopt);
-    speak(this, [this] { updateButtons(); });
+    keepTranslated(this, [this] { updateButtons(); });
 }
 
 /// Creates the warning about a second lumen with buttons that apply the remedy.
-QWidget* TracingPanel::lumenCard()
+QWidget* TracingPanel::makeLumenWarning()
 {
     auto* card = new QWidget;
     auto* rows = new QVBoxLayout(card);
@@ -82,19 +82,19 @@ QWidget* TracingPanel::lumenCard()
     auto* buttons = new QHBoxLayout;
     auto* show = withText(new QPushButton, [] { return tr("Show"); });
     auto* seed = withText(new QPushButton, [] { return tr("Add seed"); });
-    withTip(show, [] { return tr("Shows the untraced vessel in the slices."); });
-    withTip(seed, [] { return tr("Places a seed in this vessel and one in the traced vessel next to it."); });
+    withToolTip(show, [] { return tr("Shows the untraced vessel in the slices."); });
+    withToolTip(seed, [] { return tr("Places a seed in this vessel and one in the traced vessel next to it."); });
     buttons->addWidget(show);
     buttons->addWidget(seed);
     buttons->addStretch(1);
     rows->addLayout(buttons);
-    connect(show, &QPushButton::clicked, this, &TracingPanel::otherLumenWanted);
-    connect(seed, &QPushButton::clicked, this, &TracingPanel::otherLumenSeedWanted);
+    connect(show, &QPushButton::clicked, this, &TracingPanel::falseLumenRequested);
+    connect(seed, &QPushButton::clicked, this, &TracingPanel::falseLumenSeedRequested);
     card->hide();
     return card;
 }
 
-void TracingPanel::showOtherLumen(const QString& warning)
+void TracingPanel::showFalseLumen(const QString& warning)
 {
     lumenWarning_->setText(warning);
     lumenCard_->setVisible(!warning.isEmpty());
@@ -107,8 +107,8 @@ QLayout* TracingPanel::seedRows()
     rows->addWidget(seeds_);
     rows->addWidget(tubes_);
     rows->addWidget(path_);
-    connect(seeds_, &SeedList::pickWanted, this, &TracingPanel::pickWanted);
-    connect(seeds_, &SeedList::placeChosen, this, &TracingPanel::placeChosen);
+    connect(seeds_, &SeedList::pickRequested, this, &TracingPanel::pickRequested);
+    connect(seeds_, &SeedList::pointSelected, this, &TracingPanel::pointSelected);
     connect(seeds_, &SeedList::edited, this, [this](const SeedList::Points& seeds, const SeedList::Points& avoid) {
         options_.seedsInPatient = seeds;
         options_.avoidInPatient = avoid;
@@ -125,13 +125,14 @@ QLayout* TracingPanel::limitRows()
 {
     auto* rows = new QVBoxLayout;
     rows->setSpacing(4);
-    withName(minLength_, [] { return tr("Min. length"); });
-    withTip(minLength_,
-            [] { return tr("Removes branches that extend less than this beyond the wall of their parent vessel."); });
-    withName(minRadius_, [] { return tr("Min. mean radius"); });
-    withTip(minRadius_, [] { return tr("Removes branches with a smaller mean radius."); });
-    rows->addLayout(labelled([] { return tr("Min. length"); }, minLength_));
-    rows->addLayout(labelled([] { return tr("Min. mean radius"); }, minRadius_));
+    withAccessibleName(minLength_, [] { return tr("Min. length"); });
+    withToolTip(minLength_, [] {
+        return tr("Removes branches that extend less than this beyond the wall of their parent vessel.");
+    });
+    withAccessibleName(minRadius_, [] { return tr("Min. mean radius"); });
+    withToolTip(minRadius_, [] { return tr("Removes branches with a smaller mean radius."); });
+    rows->addLayout(withLabel([] { return tr("Min. length"); }, minLength_));
+    rows->addLayout(withLabel([] { return tr("Min. mean radius"); }, minRadius_));
     connect(minLength_, &NumberField::edited, this, [this](double value) {
         options_.minBranchLengthMm = value;
         emit optionsEdited(options_);
@@ -147,19 +148,18 @@ QLayout* TracingPanel::shapeRows()
 {
     auto* rows = new QVBoxLayout;
     rows->setSpacing(4);
-    withName(pieces_, [] { return tr("Components"); });
-    withTip(pieces_, [] {
+    withAccessibleName(components_, [] { return tr("Components"); });
+    withToolTip(components_, [] {
         return tr(
-            "Used without seeds. Default: in a mask all components; in a scan the one of the aorta or main artery. "
-            "All: in a scan the components of every great vessel.");
+            "Applies without seeds. Default: in a mask, all components; in a scan, the component of the aorta or main "
+            "artery. All: in a scan, the components of all great vessels.");
     });
-    speak(pieces_, [this] { setWords(*pieces_, {tr("Default"), tr("All"), tr("Largest")}); });
-    withTip(keepLoops_, [] {
-        return tr("Keeps vessels that form a loop closed; otherwise each loop is cut at its narrowest point.");
-    });
-    rows->addLayout(labelled([] { return tr("Components"); }, pieces_));
+    keepTranslated(components_, [this] { setItemTexts(*components_, {tr("Default"), tr("All"), tr("Largest")}); });
+    withToolTip(keepLoops_,
+                [] { return tr("Keeps vessel loops closed; otherwise, each loop is cut at its narrowest point."); });
+    rows->addLayout(withLabel([] { return tr("Components"); }, components_));
     rows->addWidget(keepLoops_);
-    connect(pieces_, &QComboBox::activated, this, [this](int index) {
+    connect(components_, &QComboBox::activated, this, [this](int index) {
         options_.pieces = static_cast<core::TracedPieces>(index);
         emit optionsEdited(options_);
     });
@@ -174,7 +174,7 @@ QLayout* TracingPanel::buttonRow()
 {
     auto* row = new QHBoxLayout;
     trace_->setProperty("role", "primary");
-    withTip(stop_, [] { return tr("Cancels tracing; the vessels stay unchanged."); });
+    withToolTip(stop_, [] { return tr("Cancels tracing; the vessels stay unchanged."); });
     row->addWidget(trace_, 5);
     row->addWidget(stop_, 2);
     connect(trace_, &QPushButton::clicked, this, &TracingPanel::traceRequested);
@@ -205,8 +205,8 @@ void TracingPanel::showOptions(const core::VesselTracingOptions& options)
     seeds_->showPoints(options.seedsInPatient, options.avoidInPatient);
     minLength_->showValue(options.minBranchLengthMm);
     minRadius_->showValue(options.minBranchRadiusMm);
-    pieces_->setCurrentIndex(static_cast<int>(options.pieces));
-    pieces_->setEnabled(options.seedsInPatient.empty());
+    components_->setCurrentIndex(static_cast<int>(options.pieces));
+    components_->setEnabled(options.seedsInPatient.empty());
     keepLoops_->setChecked(options.loops == core::VesselLoops::Kept);
 }
 
@@ -220,9 +220,9 @@ void TracingPanel::showRange(std::optional<std::pair<double, double>> range, boo
     }
 }
 
-void TracingPanel::showFound(std::optional<double> threshold)
+void TracingPanel::showAutomatic(std::optional<double> threshold)
 {
-    threshold_->showFound(threshold);
+    threshold_->showAutomatic(threshold);
 }
 
 void TracingPanel::showPick(TracingPick pick)
@@ -231,9 +231,9 @@ void TracingPanel::showPick(TracingPick pick)
     updateButtons();
 }
 
-void TracingPanel::showWhyNot(const QString& reason)
+void TracingPanel::showBlockingReason(const QString& reason)
 {
-    whyNot_ = reason;
+    blockingReason_ = reason;
     updateButtons();
 }
 
@@ -255,14 +255,14 @@ std::optional<double> TracingPanel::thresholdShown() const
 
 void TracingPanel::updateButtons()
 {
-    trace_->setEnabled(!running_ && whyNot_.isEmpty());
+    trace_->setEnabled(!running_ && blockingReason_.isEmpty());
     trace_->setText(running_ ? tr("Tracing…") : tr("Trace"));
     stop_->setEnabled(running_);
     labels_->setRunning(running_);
     seeds_->setRunning(running_);
-    note_->setText(!whyNot_.isEmpty()    ? whyNot_
-                   : seeds_->isPicking() ? tr("Click in a slice to place a point; Esc ends.")
-                                         : tr("The traced vessels replace the current tree; undo restores it."));
+    note_->setText(!blockingReason_.isEmpty() ? blockingReason_
+                   : seeds_->isPicking()      ? tr("Click in a slice to place a point; Esc ends.")
+                                              : tr("The traced vessels replace the current tree; can be undone."));
 }
 
 }   // namespace angiopose::ui

@@ -31,26 +31,26 @@ public:
     LabelChoice& labels() { return *labels_; }
     MaskPanel& mask() { return *mask_; }
     void bindPath(QAction& action);   ///< connects the action for tracing between two clicks
-    void showFound(std::optional<double> threshold);   ///< shows the automatic threshold, if known
+    void showAutomatic(std::optional<double> threshold);   ///< shows the automatic threshold, if known
     void showPick(TracingPick pick);
-    void showOtherLumen(const QString& warning);   ///< an empty text hides the warning
-    void showWhyNot(const QString& reason);   ///< reason why tracing is disabled; an empty text enables it
+    void showFalseLumen(const QString& warning);   ///< an empty text hides the warning
+    void showBlockingReason(const QString& reason);   ///< reason why tracing is disabled; an empty text enables it
     void setRunning(bool running);
     bool isPreviewWanted() const;
     std::optional<double> thresholdShown() const;   ///< threshold in use, manual or automatic
 
 signals:
     void optionsEdited(const core::VesselTracingOptions& options);
-    void pickWanted(ui::TracingPick pick);
+    void pickRequested(ui::TracingPick pick);
     void previewChanged();
-    void placeChosen(const Eigen::Vector3d& pointInPatient);
+    void pointSelected(const Eigen::Vector3d& pointInPatient);
     void traceRequested();
     void stopRequested();
-    void otherLumenWanted();   ///< requests display of the possible false lumen
-    void otherLumenSeedWanted();
+    void falseLumenRequested();   ///< requests display of the possible false lumen
+    void falseLumenSeedRequested();
 
 private:
-    QWidget* lumenCard();
+    QWidget* makeLumenWarning();
     QLayout* seedRows();
     QLayout* limitRows();
     QLayout* shapeRows();
@@ -59,7 +59,7 @@ private:
     void updateButtons();
 
     core::VesselTracingOptions options_;
-    QString whyNot_;
+    QString blockingReason_;
     bool running_ = false;
     bool hasValues_ = false;
     LabelChoice* labels_;
@@ -70,7 +70,7 @@ private:
     QPushButton* path_;
     NumberField* minLength_;
     NumberField* minRadius_;
-    QComboBox* pieces_;
+    QComboBox* components_;
     QCheckBox* keepLoops_;
     QPushButton* trace_;
     QPushButton* stop_;

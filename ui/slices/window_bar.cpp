@@ -2,7 +2,7 @@
 
 #include "ui/controls/section.h"
 #include "ui/words/number.h"
-#include "ui/words/spoken.h"
+#include "ui/words/retranslation.h"
 
 #include <QCoreApplication>
 #include <QEvent>
@@ -16,7 +16,7 @@ namespace {
 constexpr int marginPx = 10;
 constexpr int spacingPx = 4;
 
-QPushButton* linkButton(const Words& text)
+QPushButton* makeLinkButton(const LocalizedText& text)
 {
     auto* button = withText(new QPushButton, text);
     button->setProperty("role", "link");
@@ -30,40 +30,40 @@ WindowBar::WindowBar(SliceModel& model, QWidget* parent)
       model_(model),
       presets_(new QWidget),
       row_(new QHBoxLayout(presets_)),
-      folded_(withText(new QPushButton, [] { return tr("Window"); })),
+      menuButton_(withText(new QPushButton, [] { return tr("Window"); })),
       menu_(new QMenu(this)),
-      ownWindow_(linkButton([] { return tr("Pop out"); })),
-      back_(linkButton([] { return tr("Show angiogram"); }))
+      popOut_(makeLinkButton([] { return tr("Pop out"); })),
+      back_(makeLinkButton([] { return tr("Show angiogram"); }))
 {
     row_->setContentsMargins(0, 0, 0, 0);
     row_->setSpacing(spacingPx);
     row_->addWidget(withText(roleLabel("label"), [] { return tr("Window"); }));
     fillPresets();
-    folded_->setProperty("role", "quiet");
-    folded_->setMenu(menu_);
-    folded_->hide();
+    menuButton_->setProperty("role", "quiet");
+    menuButton_->setMenu(menu_);
+    menuButton_->hide();
     menu_->setToolTipsVisible(true);
-    withTip(ownWindow_, [] { return tr("Opens the slices in a separate window and brings them back (F9)"); });
-    connect(ownWindow_, &QPushButton::clicked, this, &WindowBar::windowRequested);
+    withToolTip(popOut_, [] { return tr("Opens the slices in a separate window and brings them back (F9)"); });
+    connect(popOut_, &QPushButton::clicked, this, &WindowBar::popOutRequested);
     connect(back_, &QPushButton::clicked, this, &WindowBar::closeRequested);
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(marginPx, 4, marginPx, 4);
     layout->setSpacing(spacingPx);
     layout->addWidget(presets_);
-    layout->addWidget(folded_);
+    layout->addWidget(menuButton_);
     layout->addStretch(1);
-    layout->addWidget(ownWindow_);
+    layout->addWidget(popOut_);
     layout->addWidget(back_);
 }
 
 void WindowBar::fillPresets()
 {
-    const auto add = [&](const Words& name, const Words& tip, auto choose) {
-        auto* button = withTip(withText(new QPushButton, name), tip);
+    const auto add = [&](const LocalizedText& name, const LocalizedText& tip, auto choose) {
+        auto* button = withToolTip(withText(new QPushButton, name), tip);
         button->setProperty("role", "quiet");
         connect(button, &QPushButton::clicked, this, choose);
         row_->addWidget(button);
-        QAction* action = withTip(withText(menu_->addAction(QString()), name), tip);
+        QAction* action = withToolTip(withText(menu_->addAction(QString()), name), tip);
         connect(action, &QAction::triggered, this, choose);
         return std::pair(button, action);
     };
@@ -82,26 +82,29 @@ void WindowBar::fillPresets()
         connect(&model_, &SliceModel::scanChanged, this, followScan);
     }
     add([] { return tr("Automatic"); },
-        [] { return tr("Set from the values of this scan; right-drag in a slice to adjust it manually."); },
+        [] {
+            return tr("Set automatically from the values of this scan; right-drag in a slice to adjust it manually.");
+        },
         [this] {
             if (model_.volume()) {
-                model_.setWindow(windowOfValues(*model_.volume()));
+                model_.setWindow(autoWindow(*model_.volume()));
             }
         });
     menu_->addSeparator();
     connect(withText(menu_->addAction(QString()), [] { return tr("Pop out"); }), &QAction::triggered, this,
-            &WindowBar::windowRequested);
+            &WindowBar::popOutRequested);
 }
 
 QSize WindowBar::minimumSizeHint() const
 {
-    return {2 * marginPx + spacingPx + folded_->sizeHint().width() + back_->sizeHint().width(), sizeHint().height()};
+    return {2 * marginPx + spacingPx + menuButton_->sizeHint().width() + back_->sizeHint().width(),
+            sizeHint().height()};
 }
 
 void WindowBar::resizeEvent(QResizeEvent* event)
 {
     QWidget::resizeEvent(event);
-    fold();
+    collapse();
 }
 
 /// Updates the width after a language change.
@@ -109,19 +112,19 @@ bool WindowBar::event(QEvent* event)
 {
     const bool isDone = QWidget::event(event);
     if (event->type() == QEvent::LayoutRequest) {
-        fold();
+        collapse();
     }
     return isDone;
 }
 
-void WindowBar::fold()
+void WindowBar::collapse()
 {
-    const int wanted = 2 * marginPx + 3 * spacingPx + presets_->sizeHint().width() + ownWindow_->sizeHint().width() +
-                       back_->sizeHint().width();
-    const bool isNarrow = width() < wanted;
+    const int requiredWidth = 2 * marginPx + 3 * spacingPx + presets_->sizeHint().width() +
+                              popOut_->sizeHint().width() + back_->sizeHint().width();
+    const bool isNarrow = width() < requiredWidth;
     presets_->setVisible(!isNarrow);
-    ownWindow_->setVisible(!isNarrow);
-    folded_->setVisible(isNarrow);
+    popOut_->setVisible(!isNarrow);
+    menuButton_->setVisible(isNarrow);
 }
 
 }   // namespace angiopose::ui

@@ -21,7 +21,7 @@ public:
 
 signals:
     void closeRequested();
-    void windowRequested();   ///< requests popping out the slices, or docking them
+    void popOutRequested();   ///< requests popping out the slices, or docking them
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -29,14 +29,14 @@ protected:
 
 private:
     void fillPresets();
-    void fold();
+    void collapse();
 
     SliceModel& model_;
     QWidget* presets_;
     QBoxLayout* row_;   ///< layout of the preset buttons
-    QPushButton* folded_;
+    QPushButton* menuButton_;
     QMenu* menu_;
-    QPushButton* ownWindow_;
+    QPushButton* popOut_;
     QPushButton* back_;
 };
 

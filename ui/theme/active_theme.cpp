@@ -81,33 +81,33 @@ void replaceAll(std::string& text, const std::string& name, const Color& color)
 }
 
 /// Returns the style sheet of the panels, which sets colors by the `role` property of labels, buttons and fields.
-std::string panelStyleSheet(const Palette& tones)
+std::string panelStyleSheet(const Palette& colors)
 {
     const std::array<std::pair<const char*, Color>, 24> named{{
-        {"title", tones.title},
-        {"window", tones.window},
-        {"panel", tones.panel},
-        {"field", tones.field},
-        {"line", tones.line},
-        {"textStrong", tones.textStrong},
-        {"text", tones.text},
-        {"label", tones.label},
-        {"hint", tones.hint},
-        {"accent", tones.accent},
-        {"accentHover", mixed(tones.accent, tones.textStrong, 0.2)},
-        {"onAccent", mixed(tones.window, tones.title, 0.5)},
-        {"attention", tones.attention},
-        {"canvas", tones.canvas},
-        {"fineBack", mixed(tones.panel, tones.fine, 0.10)},
-        {"fineLine", mixed(tones.panel, tones.fine, 0.30)},
-        {"fineText", mixed(tones.text, tones.fine, 0.55)},
-        {"attentionBack", mixed(tones.panel, tones.attention, 0.10)},
-        {"attentionLine", mixed(tones.panel, tones.attention, 0.35)},
-        {"attentionText", mixed(tones.text, tones.attention, 0.60)},
-        {"fine", tones.fine},
-        {"errorBack", mixed(tones.panel, tones.error, 0.10)},
-        {"errorLine", mixed(tones.panel, tones.error, 0.35)},
-        {"errorText", mixed(tones.text, tones.error, 0.60)},
+        {"title", colors.title},
+        {"window", colors.window},
+        {"panel", colors.panel},
+        {"field", colors.field},
+        {"line", colors.line},
+        {"textStrong", colors.textStrong},
+        {"text", colors.text},
+        {"label", colors.label},
+        {"hint", colors.hint},
+        {"accent", colors.accent},
+        {"accentHover", mixed(colors.accent, colors.textStrong, 0.2)},
+        {"onAccent", mixed(colors.window, colors.title, 0.5)},
+        {"attention", colors.attention},
+        {"canvas", colors.canvas},
+        {"fineBack", mixed(colors.panel, colors.fine, 0.10)},
+        {"fineLine", mixed(colors.panel, colors.fine, 0.30)},
+        {"fineText", mixed(colors.text, colors.fine, 0.55)},
+        {"attentionBack", mixed(colors.panel, colors.attention, 0.10)},
+        {"attentionLine", mixed(colors.panel, colors.attention, 0.35)},
+        {"attentionText", mixed(colors.text, colors.attention, 0.60)},
+        {"fine", colors.fine},
+        {"errorBack", mixed(colors.panel, colors.error, 0.10)},
+        {"errorLine", mixed(colors.panel, colors.error, 0.35)},
+        {"errorText", mixed(colors.text, colors.error, 0.60)},
     }};
     std::string sheet = panelStylePattern;
     for (const auto& [name, color] : named) {
@@ -118,22 +118,22 @@ std::string panelStyleSheet(const Palette& tones)
 
 ThemeMode current = ThemeMode::Dark;
 
-QPalette qtPalette(const Palette& tones)
+QPalette qtPalette(const Palette& colors)
 {
     QPalette result;
-    result.setColor(QPalette::Window, toQColor(tones.window));
-    result.setColor(QPalette::Base, toQColor(tones.field));
-    result.setColor(QPalette::AlternateBase, toQColor(tones.panel));
-    result.setColor(QPalette::Button, toQColor(tones.panel));
-    result.setColor(QPalette::ToolTipBase, toQColor(tones.title));
-    result.setColor(QPalette::Highlight, toQColor(tones.accent));
-    result.setColor(QPalette::HighlightedText, toQColor(tones.window));
-    result.setColor(QPalette::Link, toQColor(tones.accent));
-    result.setColor(QPalette::PlaceholderText, toQColor(tones.hint));
+    result.setColor(QPalette::Window, toQColor(colors.window));
+    result.setColor(QPalette::Base, toQColor(colors.field));
+    result.setColor(QPalette::AlternateBase, toQColor(colors.panel));
+    result.setColor(QPalette::Button, toQColor(colors.panel));
+    result.setColor(QPalette::ToolTipBase, toQColor(colors.title));
+    result.setColor(QPalette::Highlight, toQColor(colors.accent));
+    result.setColor(QPalette::HighlightedText, toQColor(colors.window));
+    result.setColor(QPalette::Link, toQColor(colors.accent));
+    result.setColor(QPalette::PlaceholderText, toQColor(colors.hint));
     for (const auto role :
          {QPalette::WindowText, QPalette::Text, QPalette::ButtonText, QPalette::ToolTipText, QPalette::BrightText}) {
-        result.setColor(role, toQColor(tones.text));
-        result.setColor(QPalette::Disabled, role, toQColor(tones.hint));
+        result.setColor(role, toQColor(colors.text));
+        result.setColor(QPalette::Disabled, role, toQColor(colors.hint));
     }
     return result;
 }
@@ -143,9 +143,9 @@ QFont interfaceFont(QFont font)
     QStringList families;
     // Inter has no Chinese glyphs. The fallback font is fixed, since a font chosen by the system might show Japanese
     // glyph variants.
-    for (const QString& wanted : {QStringLiteral("Inter"), QStringLiteral("Noto Sans CJK SC")}) {
-        if (QFontDatabase::families().contains(wanted)) {
-            families << wanted;
+    for (const QString& preferredFont : {QStringLiteral("Inter"), QStringLiteral("Noto Sans CJK SC")}) {
+        if (QFontDatabase::families().contains(preferredFont)) {
+            families << preferredFont;
         }
     }
     font.setFamilies(families << font.family());
@@ -168,11 +168,11 @@ const Palette& activePalette()
 void applyTheme(QApplication& application, ThemeMode mode)
 {
     current = mode;
-    const Palette& tones = palette(mode);
+    const Palette& colors = palette(mode);
     QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
-    QApplication::setPalette(qtPalette(tones));
+    QApplication::setPalette(qtPalette(colors));
     QApplication::setFont(interfaceFont(QApplication::font()));
-    application.setStyleSheet(QString::fromStdString(styleSheet(tones) + panelStyleSheet(tones)));
+    application.setStyleSheet(QString::fromStdString(styleSheet(colors) + panelStyleSheet(colors)));
 }
 
 ThemeMode systemTheme(const QApplication& application)

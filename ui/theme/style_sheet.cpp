@@ -107,7 +107,7 @@ QGroupBox { border: none; margin-top: 18px; color: @label@; }
 QGroupBox::title { subcontrol-origin: margin; left: 0; color: @label@; }
 )";
 
-std::vector<std::pair<std::string, Color>> tones(const Palette& p)
+std::vector<std::pair<std::string, Color>> colors(const Palette& p)
 {
     return {{"title", p.title},
             {"window", p.window},
@@ -135,7 +135,7 @@ std::string styleSheet(const Palette& palette)
 {
     std::string sheet;
     const std::string source = styleSheetPattern;
-    const auto named = tones(palette);
+    const auto named = colors(palette);
     std::size_t at = 0;
     while (at < source.size()) {
         const std::size_t open = source.find('@', at);

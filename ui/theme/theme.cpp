@@ -80,9 +80,9 @@ const Palette& palette(ThemeMode mode)
     return mode == ThemeMode::Dark ? dark : light;
 }
 
-Color mixed(const Color& a, const Color& b, double shareOfB)
+Color mixed(const Color& a, const Color& b, double fractionOfB)
 {
-    const double share = std::clamp(shareOfB, 0.0, 1.0);
+    const double share = std::clamp(fractionOfB, 0.0, 1.0);
     const auto mix = [share](std::uint8_t x, std::uint8_t y) {
         return static_cast<std::uint8_t>(std::lround((1.0 - share) * x + share * y));
     };
@@ -99,17 +99,17 @@ void setColorScheme(ColorScheme scheme)
     activeScheme = scheme;
 }
 
-BranchColors branchColors(const Palette& tones)
+BranchColors branchColors(const Palette& colors)
 {
     switch (colorScheme()) {
         case ColorScheme::BlueRed:
-            return {mixed(tones.text, tones.label, 0.3), blueRed.fits, blueRed.end};
+            return {mixed(colors.text, colors.label, 0.3), blueRed.fits, blueRed.end};
         case ColorScheme::Brightness:
-            return {tones.label, tones.text, tones.textStrong};
+            return {colors.label, colors.text, colors.textStrong};
         case ColorScheme::BlueAmber:
             break;
     }
-    return {mixed(tones.text, tones.accent, 0.45), tones.accent, tones.accent};
+    return {mixed(colors.text, colors.accent, 0.45), colors.accent, colors.accent};
 }
 
 Color residualColor(double fraction)
@@ -119,10 +119,10 @@ Color residualColor(double fraction)
     return f < 0.5 ? mixed(ramp.fits, ramp.middle, 2.0 * f) : mixed(ramp.middle, ramp.end, 2.0 * f - 1.0);
 }
 
-Color labelColor(std::size_t place)
+Color labelColor(std::size_t index)
 {
-    const Color& own = labelColors[place % labelColors.size()];
-    switch (place / labelColors.size() % 3) {   // uses lighter and darker variants before repeating colors
+    const Color& own = labelColors[index % labelColors.size()];
+    switch (index / labelColors.size() % 3) {   // uses lighter and darker variants before repeating colors
         case 0:
             return own;
         case 1:

@@ -32,8 +32,8 @@ enum class ThemeMode { Dark, Light };
 
 const Palette& palette(ThemeMode mode);
 
-/// Mixes two colors in sRGB; `shareOfB` is 0 for `a` and 1 for `b`.
-Color mixed(const Color& a, const Color& b, double shareOfB);
+/// Mixes two colors in sRGB; `fractionOfB` is 0 for `a` and 1 for `b`.
+Color mixed(const Color& a, const Color& b, double fractionOfB);
 
 /// Color scheme of vessels and residuals. Every scheme is safe for color-blind users; the last uses brightness only.
 enum class ColorScheme { BlueAmber, BlueRed, Brightness };
@@ -53,7 +53,7 @@ struct ScanColors {
 ScanColors scanColors();
 
 /// Returns the colors of branches on a background whose palette is `colors`.
-BranchColors branchColors(const Palette& tones);
+BranchColors branchColors(const Palette& colors);
 
 /// Residual color for `fraction` 0…1 in the current scheme: by default from accent blue over green-gray to amber.
 Color residualColor(double fraction);
@@ -63,7 +63,7 @@ Color residualColorAboveScale();
 
 /// Returns the color of a label by its index in the list, distinguishable on black and on panels. Colors repeat only at
 /// distant indices.
-Color labelColor(std::size_t place);
+Color labelColor(std::size_t index);
 
 /// Returns the style sheet of the application for a palette.
 std::string styleSheet(const Palette& palette);

@@ -93,24 +93,25 @@ void paintRuler(QPainter& painter, const QSizeF& size, const QRectF& blockBelow,
 }
 
 /// Returns the area that the residual scale covers, including its labels.
-QRectF scaleRoom(const QRectF& bar)
+QRectF scaleArea(const QRectF& bar)
 {
     return bar.adjusted(-58.0, -34.0, 6.0, 12.0);
 }
 
 /// Returns the rectangle of the residual scale: in the middle of the right edge, or at the nearest position along the
 /// edge where it covers no vessels.
-QRectF scaleBar(const QSizeF& size, const Ground& ground, const std::vector<QRectF>& corners)
+QRectF scaleBar(const QSizeF& size, const ViewContent& content, const std::vector<QRectF>& corners)
 {
     const double height = std::round(std::clamp(0.2 * size.height(), 80.0, 180.0));
     const QRectF middle(size.width() - annotationMarginPx - 10.0, std::round(0.5 * (size.height() - height)), 10.0,
                         height);
-    for (const double share : {0.0, 0.08, -0.08, 0.16, -0.16, 0.24, -0.24, 0.32, -0.32}) {
-        const QRectF bar = middle.translated(0.0, std::round(share * size.height()));
-        const QRectF room = scaleRoom(bar);
-        const auto meets = [&room](const QRectF& each) { return each.intersects(room); };
-        const bool isInside = room.top() >= 0.0 && room.bottom() <= size.height();
-        if (isInside && std::ranges::none_of(corners, meets) && !ground.isTaken(room) && !ground.hasVessels(room)) {
+    for (const double fraction : {0.0, 0.08, -0.08, 0.16, -0.16, 0.24, -0.24, 0.32, -0.32}) {
+        const QRectF bar = middle.translated(0.0, std::round(fraction * size.height()));
+        const QRectF scaleRect = scaleArea(bar);
+        const auto meets = [&scaleRect](const QRectF& occupiedRect) { return occupiedRect.intersects(scaleRect); };
+        const bool isInside = scaleRect.top() >= 0.0 && scaleRect.bottom() <= size.height();
+        if (isInside && std::ranges::none_of(corners, meets) && !content.isTaken(scaleRect) &&
+            !content.hasVessels(scaleRect)) {
             return bar;
         }
     }
@@ -185,31 +186,31 @@ void paintMode(QPainter& painter, const QSizeF& size, const ModeLabel& mode, con
 }
 
 /// Returns the y at which the top or bottom letter avoids the corner texts, searched in steps.
-double clearHeight(double middle, double wanted, const std::vector<QRectF>& taken, double step)
+double clearHeight(double middle, double centerY, const std::vector<QRectF>& occupied, double step)
 {
     const auto covers = [&](const QRectF& block) {
-        return block.intersects(QRectF(middle - 10.0, wanted - 9.0, 20.0, 18.0));
+        return block.intersects(QRectF(middle - 10.0, centerY - 9.0, 20.0, 18.0));
     };
-    const auto block = std::ranges::find_if(taken, covers);
-    return block == taken.end() ? wanted : clearHeight(middle, wanted + step, taken, step);
+    const auto block = std::ranges::find_if(occupied, covers);
+    return block == occupied.end() ? centerY : clearHeight(middle, centerY + step, occupied, step);
 }
 
 /// Returns the y of the orientation letter at the right edge: in the middle, or above or below the residual scale,
 /// where it avoids the corner texts.
-double besideScale(const QSizeF& size, const QRectF& scale, const std::vector<QRectF>& taken)
+double besideScale(const QSizeF& size, const QRectF& scale, const std::vector<QRectF>& occupied)
 {
     if (scale.isEmpty()) {
         return 0.5 * size.height();
     }
     const double above = scale.top() - 56.0;
     const QRectF letter(size.width() - 40.0, above - 9.0, 40.0, 18.0);
-    const bool isFree = std::ranges::none_of(taken, [&](const QRectF& block) { return block.intersects(letter); });
+    const bool isFree = std::ranges::none_of(occupied, [&](const QRectF& block) { return block.intersects(letter); });
     return isFree && letter.top() >= 0.0 ? above : scale.bottom() + 26.0;
 }
 
 /// Draws an orientation letter (patient's side) at the middle of every edge.
 void paintSides(QPainter& painter, const QSizeF& size, const AngiogramAnnotations& annotations, const QRectF& scale,
-                const std::vector<QRectF>& taken)
+                const std::vector<QRectF>& occupied)
 {
     painter.setFont(sized(painter.font(), 12));
     const auto letter = [&painter](const QPointF& center, const std::string& text) {
@@ -218,7 +219,7 @@ void paintSides(QPainter& painter, const QSizeF& size, const AngiogramAnnotation
     };
     constexpr double step = 8.0;
     const double middle = 0.5 * size.width();
-    const double below = clearHeight(middle, annotations.mode.text.isEmpty() ? 18.0 : 34.0, taken, step);
+    const double below = clearHeight(middle, annotations.mode.text.isEmpty() ? 18.0 : 34.0, occupied, step);
     letter({middle, below}, annotations.sides.top);
     if (!annotations.sideMark.isEmpty()) {
         const double width = QFontMetricsF(painter.font()).horizontalAdvance(annotations.sideMark) + 16.0;
@@ -227,9 +228,9 @@ void paintSides(QPainter& painter, const QSizeF& size, const AngiogramAnnotation
         drawShadowedText(painter, QRectF(0.0, below + 10.0, size.width(), 18.0), Qt::AlignCenter, annotations.sideMark,
                          colorOf(annotationTones().attention));
     }
-    letter({middle, clearHeight(middle, size.height() - 18.0, taken, -step)}, annotations.sides.bottom);
+    letter({middle, clearHeight(middle, size.height() - 18.0, occupied, -step)}, annotations.sides.bottom);
     letter({20.0, 0.5 * size.height()}, annotations.sides.left);
-    letter({size.width() - 20.0, besideScale(size, scale, taken)}, annotations.sides.right);
+    letter({size.width() - 20.0, besideScale(size, scale, occupied)}, annotations.sides.right);
 }
 
 }   // namespace
@@ -237,18 +238,18 @@ void paintSides(QPainter& painter, const QSizeF& size, const AngiogramAnnotation
 void paintAnnotations(QPainter& painter, const QSizeF& size, const AngiogramAnnotations& annotations,
                       const ImageViewport& viewport, const OverlayScene& scene)
 {
-    const Ground ground(viewport, scene, annotations.taken);
+    const ViewContent content(viewport, scene, annotations.occupied);
     const CornerTexts& texts = annotations.texts;
-    const QRectF bars = barsOnTop(size, annotations.taken);
+    const QRectF bars = barsOnTop(size, annotations.occupied);
     const QRectF mode = modeBox(painter, size, annotations.mode, bars);
     const CornerLines lines{toLines(texts.topLeft), toLines(texts.topRight), ownLines(annotations, viewport.zoom()),
                             toLines(texts.bottomRight)};
-    const auto [topLeft, topRight, below, beside] = paintCorners(painter, size, lines, ground, mode.united(bars));
+    const auto [topLeft, topRight, below, beside] = paintCorners(painter, size, lines, content, mode.united(bars));
     if (annotations.mmPerImagePx > 0.0) {
         paintRuler(painter, size, below, viewport.zoom() / annotations.mmPerImagePx);
     }
-    const bool hasScale = annotations.scaleMaximumPx > 0.0 && !annotations.hidesScale;
-    const QRectF scale = hasScale ? scaleBar(size, ground, {topRight, beside}) : QRectF();
+    const bool hasScale = annotations.scaleMaximumPx > 0.0 && !annotations.isScaleHidden;
+    const QRectF scale = hasScale ? scaleBar(size, content, {topRight, beside}) : QRectF();
     paintSides(painter, size, annotations, scale, {topLeft, topRight, beside, below, mode.united(bars)});
     if (hasScale) {
         paintScale(painter, scale, annotations);

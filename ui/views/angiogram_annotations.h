@@ -35,8 +35,8 @@ struct AngiogramAnnotations {
     QString sideMark;   ///< note that the image or the view is mirrored; empty in the detector view
     ImageSides sides;   ///< letters at the edges; empty if the orientation is unknown
     ModeLabel mode;
-    bool hidesScale = false;   ///< hides the residual scale while no residuals are visible
-    std::vector<QRectF> taken;   ///< areas of other items, which texts avoid
+    bool isScaleHidden = false;   ///< hides the residual scale while no residuals are visible
+    std::vector<QRectF> occupied;   ///< areas of other items, which texts avoid
 };
 
 /// Paints the annotations over a widget of this size. Texts next to the image appear in full; texts over the image

@@ -18,7 +18,7 @@ struct AngiogramView::Interaction {
     bool hasFrame = false;
     std::pair<int, int> frame{0, 0};   ///< index of the frame, and number of frames
     Cutout cutout;   ///< cutout at its current position
-    QImage keptOut;   ///< hatching over excluded pixels, at frame resolution; null if none
+    QImage excludedArea;   ///< hatching over excluded pixels, at frame resolution; null if none
     bool isOrientationKnown = false;
     std::pair<int, int> frameSize{0, 0};
     core::ProjectionCamera camera;

@@ -2,7 +2,7 @@
 
 #include "ui/views/angiogram_interaction.h"
 #include "ui/views/gl_overlay.h"
-#include "ui/words/spoken.h"
+#include "ui/words/retranslation.h"
 
 #include <algorithm>
 #include <utility>
@@ -28,9 +28,9 @@ AngiogramView::AngiogramView(ImageRole role, QWidget* parent)
     setFocusPolicy(Qt::StrongFocus);
     setMinimumSize(80, 80);
     setAttribute(Qt::WA_OpaquePaintEvent);
-    turnTimer_.setSingleShot(true);
-    connect(&turnTimer_, &QTimer::timeout, this, &AngiogramView::takeTurn);
-    speak(this, [this] {
+    drawTimer_.setSingleShot(true);
+    connect(&drawTimer_, &QTimer::timeout, this, &AngiogramView::drawNext);
+    keepTranslated(this, [this] {
         setAccessibleName(tr("Angiogram with the projected vessel tree"));
         redraw();
     });
@@ -154,15 +154,15 @@ const ImageCrosshair& AngiogramView::crosshair() const
     return interaction_->crosshair;
 }
 
-void AngiogramView::setAbsence(const QString& words)
+void AngiogramView::setPlaceholderText(const QString& text)
 {
-    interaction_->absence = words;
+    interaction_->absence = text;
     redraw();
 }
 
-void AngiogramView::takeLookOf(const AngiogramView& other)
+void AngiogramView::copyAppearance(const AngiogramView& other)
 {
-    scene_.takeLookOf(other.scene_);
+    scene_.copyAppearance(other.scene_);
     interaction_->mouse = other.interaction_->mouse;
     interaction_->lineWidth = other.interaction_->lineWidth;
     interaction_->viewport.setMirrored(other.isFromSource());
@@ -270,7 +270,7 @@ const Eigen::Vector3d& AngiogramView::pivotInPatient() const
     return interaction_->pickedPivot ? *interaction_->pickedPivot : interaction_->pivotInPatient;
 }
 
-std::optional<QPointF> AngiogramView::placeOf(const Eigen::Vector3d& pointInPatient) const
+std::optional<QPointF> AngiogramView::positionOf(const Eigen::Vector3d& pointInPatient) const
 {
     const auto pixel =
         !core::findProblem(camera()) ? core::project(camera(), cameraFromPatient() * pointInPatient) : std::nullopt;

@@ -22,7 +22,7 @@ class GlOverlay;
 class ImageTool;
 
 /// Working is the current image, on which all tools act; Secondary is another image next to it.
-enum class ImageRole { Working, Beside };
+enum class ImageRole { Working, Secondary };
 
 /// Linked crosshair in this image, mapped from the pointer position in this or another image.
 struct ImageCrosshair {
@@ -54,7 +54,7 @@ public:
     ImageTool* tool() const;
     void addBar(QWidget* bar);   ///< adds the toolbar of a tool, at the bottom center of the image
     bool filterToolKey(QKeyEvent& event);   ///< true if the tool handles the key, or if Esc cancels or ends the tool
-    void setKeptOut(const core::Mask2d& fieldMask);   ///< hatches pixels with value 0; empty hatches none
+    void setExcludedArea(const core::Mask2d& fieldMask);   ///< hatches pixels with value 0; empty hatches none
     void setMousePreset(const MousePreset& preset);
     void setResidualScale(double maximumPx, double maximumMm);   ///< `maximumPx` = 0 hides the scale
     void setLineWidth(double px);   ///< width in device-independent px
@@ -64,8 +64,9 @@ public:
     const std::vector<ImageMark>& marks() const;
     void setPlacedMarks(std::vector<ImageMark> marks);   ///< vessel locations, arrows and texts, drawn like marks
     const std::vector<ImageMark>& placedMarks() const;
-    void setAbsence(const QString& words);   ///< sets the text shown without an image
-    void takeLookOf(const AngiogramView& other);   ///< copies lines, marks, mirroring, mouse preset; not the content
+    void setPlaceholderText(const QString& text);   ///< sets the text shown without an image
+    void copyAppearance(
+        const AngiogramView& other);   ///< copies lines, marks, mirroring, mouse preset; not the content
     void setCutout(Cutout::Shape shape);   ///< the cutout follows the pointer
     Cutout::Shape cutout() const { return cutout_; }
     void setOrientationKnown(bool known);   ///< if known, orientation letters appear at the edges
@@ -83,7 +84,8 @@ public:
     const core::ProjectionCamera& camera() const;
     const core::RigidTransform& cameraFromPatient() const;
     const Eigen::Vector3d& pivotInPatient() const;   ///< picked pivot, or the centroid
-    std::optional<QPointF> placeOf(const Eigen::Vector3d& pointInPatient) const;   ///< widget px; empty if not visible
+    std::optional<QPointF> positionOf(
+        const Eigen::Vector3d& pointInPatient) const;   ///< widget px; empty if not visible
     int renderCount() const { return renderCount_; }   ///< number of renderings so far
     QSize sizeHint() const override { return {480, 360}; }
     QSize minimumSizeHint() const override { return {80, 80}; }
@@ -96,7 +98,7 @@ signals:
     void branchHovered(std::optional<int> branchId);
     void branchClicked(int branchId, Qt::KeyboardModifiers modifiers);
     void backgroundClicked();
-    void roomRequested();   ///< emitted on a double-click that no tool handles, to toggle maximizing
+    void enlargeRequested();   ///< emitted on a double-click that no tool handles, to toggle maximizing
     void menuRequested(const QPoint& globalPosition, std::optional<int> branchId);
     void toolChanged();   ///< `tool` returns the new tool
     void windowLevelChanged(double window, double level);
@@ -120,26 +122,26 @@ protected:
 
 private:
     struct Interaction;
-    enum class Turn { Picture, Whole };
-    void takeTurn();
-    bool drawPicture();
-    void drawWhole();
+    enum class DrawStep { Image, Annotated };
+    void drawNext();
+    bool renderImage();
+    void drawAnnotated();
     void paintOver(QPainter& painter);
-    void bringAnnotationsUpToDate();
+    void updateAnnotations();
     void render(Canvas canvas, const StrokeMesh& above);
     void placeCutout(const QPointF& position);
     QSize deviceSize() const;
     QString sideMark() const;
     QString frameText() const;
     QString keyText() const;
-    std::vector<QRectF> barPlaces() const;
+    std::vector<QRectF> barRects() const;
     void dragBy(const QPointF& position, Qt::KeyboardModifiers modifiers);
     void startDrag();
     void paintPivot(QPainter& painter) const;
-    void paintAbsence(QPainter& painter) const;
+    void paintPlaceholder(QPainter& painter) const;
     void paintCrosshair(QPainter& painter) const;
     void paintAllMarks(QPainter& painter) const;
-    std::vector<ImageMark> seenMarks() const;
+    std::vector<ImageMark> visibleMarks() const;
     void strokeMarks();
     bool showsVessels() const;
     void adjustWindowLevel(const QPointF& step);
@@ -155,21 +157,21 @@ private:
 
     OverlayScene scene_;
     /// State of scene and view for which the image was rendered.
-    struct PictureState {
+    struct ImageState {
         OverlayScene::Stamp scene;
         bool isMirrored = false;
 
-        bool operator==(const PictureState&) const = default;
+        bool operator==(const ImageState&) const = default;
     };
     OverlayPainter painter_;
     std::unique_ptr<GlOverlay> gl_;   ///< replaces the painter if VTK renders
     bool isRendererKnown_ = false;
-    QImage picture_;   ///< angiogram with tree and handles, in device px
-    std::optional<PictureState> drawn_;   ///< empty while a tool is active, since its strokes change at any time
-    QImage whole_;   ///< image with annotations, as painted; null if not drawn since the view was hidden
-    std::vector<QRectF> barsInWhole_;   ///< areas of the bars when `whole_` was drawn
-    QTimer turnTimer_;
-    Turn nextTurn_ = Turn::Picture;
+    QImage image_;   ///< angiogram with tree and handles, in device px
+    std::optional<ImageState> drawn_;   ///< empty while a tool is active, since its strokes change at any time
+    QImage annotated_;   ///< image with annotations, as painted; null if not drawn since the view was hidden
+    std::vector<QRectF> annotatedBars_;   ///< areas of the bars when `annotated_` was drawn
+    QTimer drawTimer_;
+    DrawStep nextStep_ = DrawStep::Image;
     bool isRedrawDue_ = false;   ///< content changed since the last rendering started
     int renderCount_ = 0;
     std::unique_ptr<Interaction> interaction_;

@@ -51,8 +51,8 @@ void AngiogramView::mouseMoveEvent(QMouseEvent* event)
     if (i.isCancelled) {
         return;
     }
-    const QPointF way = event->position() - i.pressedAt;
-    if (!i.isDragging && std::hypot(way.x(), way.y()) >= clickReachPx) {
+    const QPointF offset = event->position() - i.pressedAt;
+    if (!i.isDragging && std::hypot(offset.x(), offset.y()) >= clickReachPx) {
         startDrag();
     }
     if (i.isDragging) {
@@ -179,7 +179,7 @@ void AngiogramView::mouseDoubleClickEvent(QMouseEvent* event)
         redraw();
         return;
     }
-    emit roomRequested();
+    emit enlargeRequested();
 }
 
 void AngiogramView::zoomAt(const QPointF& position, double factor)

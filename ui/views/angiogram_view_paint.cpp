@@ -37,12 +37,12 @@ QPainterPath cutoutPath(const Cutout& cutout, const ImageViewport& viewport, con
 /// Draws the edge of the swipe or lens, where the overlay ends.
 void paintCutoutEdge(QPainter& painter, const QPainterPath& path)
 {
-    const Palette& tones = palette(ThemeMode::Dark);   // images have a dark background in every theme
+    const Palette& colors = palette(ThemeMode::Dark);   // images have a dark background in every theme
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(toQColor(tones.canvas, 0.6), 3.0));
+    painter.setPen(QPen(toQColor(colors.canvas, 0.6), 3.0));
     painter.drawPath(path);
-    painter.setPen(QPen(toQColor(tones.textStrong, 0.8), 1.2));
+    painter.setPen(QPen(toQColor(colors.textStrong, 0.8), 1.2));
     painter.drawPath(path);
 }
 
@@ -64,20 +64,21 @@ QImage hatched(const core::Mask2d& fieldMask)
 
 }   // namespace
 
-void AngiogramView::setKeptOut(const core::Mask2d& fieldMask)
+void AngiogramView::setExcludedArea(const core::Mask2d& fieldMask)
 {
-    interaction_->keptOut = fieldMask.isEmpty() ? QImage() : hatched(fieldMask);
+    interaction_->excludedArea = fieldMask.isEmpty() ? QImage() : hatched(fieldMask);
     redraw();
 }
 
 bool AngiogramView::showsVessels() const
 {
-    return scene_.treePasses(interaction_->viewport.imageRectOf({0.0, 0.0}, {1.0 * width(), 1.0 * height()}));
+    return scene_.treeIntersects(interaction_->viewport.imageRectOf({0.0, 0.0}, {1.0 * width(), 1.0 * height()}));
 }
 
 void AngiogramView::paintPivot(QPainter& painter) const
 {
-    const auto place = interaction_->pickedPivot && showsVessels() ? placeOf(*interaction_->pickedPivot) : std::nullopt;
+    const auto place =
+        interaction_->pickedPivot && showsVessels() ? positionOf(*interaction_->pickedPivot) : std::nullopt;
     if (place) {
         paintPivotMark(painter, *place, ui::palette(ThemeMode::Dark));
     }
@@ -86,19 +87,19 @@ void AngiogramView::paintPivot(QPainter& painter) const
 void AngiogramView::paintCrosshair(QPainter& painter) const
 {
     const ImageCrosshair& crosshair = interaction_->crosshair;
-    const auto place = crosshair.pointInPatient ? placeOf(*crosshair.pointInPatient) : std::nullopt;
+    const auto place = crosshair.pointInPatient ? positionOf(*crosshair.pointInPatient) : std::nullopt;
     if (crosshair.linePx) {
         paintEpipolarLine(painter,
                           {widgetFromImage(crosshair.linePx->beginPx), widgetFromImage(crosshair.linePx->endPx)},
                           ui::palette(ThemeMode::Dark));
     }
     if (place) {
-        paintPlaceMark(painter, *place, ui::palette(ThemeMode::Dark));
+        paintCrosshairMark(painter, *place, ui::palette(ThemeMode::Dark));
     }
 }
 
 /// Returns measurements and placed marks in one list, since their labels must avoid each other and the vessels.
-std::vector<ImageMark> AngiogramView::seenMarks() const
+std::vector<ImageMark> AngiogramView::visibleMarks() const
 {
     if (!interaction_->hasFrame || (interaction_->tool && interaction_->tool->hidesOverlay())) {
         return {};
@@ -111,31 +112,33 @@ std::vector<ImageMark> AngiogramView::seenMarks() const
 /// Paints the labels of the marks; `strokeMarks` has already drawn the lines.
 void AngiogramView::paintAllMarks(QPainter& painter) const
 {
-    const std::vector<ImageMark> all = seenMarks();
+    const std::vector<ImageMark> all = visibleMarks();
     if (all.empty()) {
         return;
     }
-    const auto placeOf = [this](const Eigen::Vector2d& pixel) { return interaction_->viewport.widgetFromImage(pixel); };
-    MarkGround ground;
-    ground.hasLines = true;
-    ground.width = width();
-    ground.height = height();
-    for (const QRectF& bar : barPlaces()) {
-        ground.taken.push_back({bar.left(), bar.right(), bar.top(), bar.bottom()});
+    const auto positionOf = [this](const Eigen::Vector2d& pixel) {
+        return interaction_->viewport.widgetFromImage(pixel);
+    };
+    MarkBackground obstacles;
+    obstacles.hasLines = true;
+    obstacles.width = width();
+    obstacles.height = height();
+    for (const QRectF& bar : barRects()) {
+        obstacles.occupied.push_back({bar.left(), bar.right(), bar.top(), bar.bottom()});
     }
     if (scene_.mode() != OverlayMode::Hidden) {
         for (const ProjectedBranch& branch : scene_.content().projected) {
             for (const std::vector<ProjectedPoint>& run : branch.runs) {
                 for (const ProjectedPoint& point : run) {
-                    ground.avoided.push_back(placeOf(point.px));
+                    obstacles.avoided.push_back(positionOf(point.px));
                 }
             }
         }
     }
-    paintMarks(painter, all, placeOf, std::move(ground));
+    paintMarks(painter, all, positionOf, std::move(obstacles));
 }
 
-void AngiogramView::paintAbsence(QPainter& painter) const
+void AngiogramView::paintPlaceholder(QPainter& painter) const
 {
     const bool isWorking = interaction_->role == ImageRole::Working;
     const int margin = std::min(24, width() / 12);
@@ -156,7 +159,7 @@ QString AngiogramView::keyText() const
     return {};
 }
 
-std::vector<QRectF> AngiogramView::barPlaces() const
+std::vector<QRectF> AngiogramView::barRects() const
 {
     std::vector<QRectF> places;
     for (const QWidget* bar : findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly)) {
@@ -171,18 +174,19 @@ QString AngiogramView::sideMark() const
 {
     const bool isMirroredImage = interaction_->camera.fx > 0.0;
     if (isFromSource()) {
-        return isMirroredImage ? tr("Mirrored image, unmirrored by the view") : tr("View from the source: mirrored");
+        return isMirroredImage ? tr("Mirrored image, mirrored back in this view")
+                               : tr("View from the source: mirrored");
     }
     return isMirroredImage ? tr("Mirrored image: seen from the source") : QString();
 }
 
-void AngiogramView::bringAnnotationsUpToDate()
+void AngiogramView::updateAnnotations()
 {
     AngiogramAnnotations& annotations = interaction_->annotations;
     const ImageTool* tool = interaction_->tool;
     annotations.mmPerImagePx = interaction_->mmPerImagePx();
-    annotations.hidesScale = scene_.hasDrr() || (tool && tool->hidesOverlay());
-    annotations.taken = barsInWhole_;
+    annotations.isScaleHidden = scene_.hasDrr() || (tool && tool->hidesOverlay());
+    annotations.occupied = annotatedBars_;
     annotations.sides = interaction_->isOrientationKnown
                             ? imageSides(interaction_->camera, interaction_->cameraFromPatient)
                             : ImageSides{};
@@ -197,15 +201,15 @@ void AngiogramView::bringAnnotationsUpToDate()
 
 void AngiogramView::paintOver(QPainter& painter)
 {
-    if (!interaction_->keptOut.isNull()) {
+    if (!interaction_->excludedArea.isNull()) {
         const QPointF topLeft = widgetFromImage({-0.5, -0.5});
-        const QSizeF covered = QSizeF(interaction_->keptOut.size()) * zoom();
-        painter.drawImage(QRectF(topLeft, covered), interaction_->keptOut);
+        const QSizeF covered = QSizeF(interaction_->excludedArea.size()) * zoom();
+        painter.drawImage(QRectF(topLeft, covered), interaction_->excludedArea);
     }
     if (cutout_ != Cutout::Shape::None) {
         paintCutoutEdge(painter, cutoutPath(interaction_->cutout, interaction_->viewport, size()));
     }
-    bringAnnotationsUpToDate();
+    updateAnnotations();
     ui::paintAnnotations(painter, size(), interaction_->annotations, interaction_->viewport, scene_);
     paintPivot(painter);
     paintCrosshair(painter);

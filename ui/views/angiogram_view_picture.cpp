@@ -24,55 +24,55 @@ QSize AngiogramView::deviceSize() const
 void AngiogramView::redraw()
 {
     if (!isVisible()) {
-        whole_ = {};   // discards the outdated image
+        annotated_ = {};   // discards the outdated image
         return;
     }
     isRedrawDue_ = true;
-    if (!turnTimer_.isActive()) {
-        turnTimer_.start(0);
+    if (!drawTimer_.isActive()) {
+        drawTimer_.start(0);
     }
 }
 
 /// Completes an update in progress first; otherwise continuous mouse movement would block all updates.
-void AngiogramView::takeTurn()
+void AngiogramView::drawNext()
 {
-    if (nextTurn_ == Turn::Picture) {
+    if (nextStep_ == DrawStep::Image) {
         isRedrawDue_ = false;
-        if (drawPicture()) {
-            nextTurn_ = Turn::Whole;
-            turnTimer_.start(0);
+        if (renderImage()) {
+            nextStep_ = DrawStep::Annotated;
+            drawTimer_.start(0);
             return;
         }
     }
-    nextTurn_ = Turn::Picture;
-    drawWhole();
+    nextStep_ = DrawStep::Image;
+    drawAnnotated();
     update();
     if (isRedrawDue_) {
-        turnTimer_.start(0);
+        drawTimer_.start(0);
     }
 }
 
 /// Draws the angiogram with the tree; returns false if the image is already up to date.
-bool AngiogramView::drawPicture()
+bool AngiogramView::renderImage()
 {
     const double ratio = devicePixelRatio();
     const QSize device = deviceSize();
-    const bool isNew = picture_.size() != device;
+    const bool isNew = image_.size() != device;
     if (isNew) {
-        picture_ = QImage(device, QImage::Format_RGB32);
+        image_ = QImage(device, QImage::Format_RGB32);
     }
-    picture_.setDevicePixelRatio(ratio);
-    const Canvas canvas{reinterpret_cast<std::uint32_t*>(picture_.bits()), device.width(), device.height()};
+    image_.setDevicePixelRatio(ratio);
+    const Canvas canvas{reinterpret_cast<std::uint32_t*>(image_.bits()), device.width(), device.height()};
     scene_.setLineWidthPx(interaction_->lineWidth * ratio);
     // At fractional scale factors, the image size is rounded to whole device px and differs from size × ratio.
     scene_.setViewRect(
         interaction_->viewport.imageRectOf({0.0, 0.0}, {device.width() / ratio, device.height() / ratio}));
-    const std::optional<PictureState> wanted =
-        interaction_->tool ? std::nullopt : std::optional(PictureState{scene_.stamp(), isFromSource()});
-    if (wanted && wanted == drawn_ && !isNew) {
+    const std::optional<ImageState> requested =
+        interaction_->tool ? std::nullopt : std::optional(ImageState{scene_.stamp(), isFromSource()});
+    if (requested && requested == drawn_ && !isNew) {
         return false;   // only annotations may have changed
     }
-    drawn_ = wanted;
+    drawn_ = requested;
     render(canvas, interaction_->tool ? interaction_->tool->strokes(canvas.height) : StrokeMesh{});
     return true;
 }
@@ -92,36 +92,38 @@ void AngiogramView::render(Canvas canvas, const StrokeMesh& above)
             std::reverse(canvas.row(row), canvas.row(row) + canvas.width);
         }
     }
-    forBands(canvas.height, [&](const Rows& rows) { fillStrokes(above, canvas.height, canvas, rows); });
+    forEachBand(canvas.height, [&](const Rows& rows) { fillStrokes(above, canvas.height, canvas, rows); });
 }
 
 void AngiogramView::strokeMarks()
 {
-    const auto placeOf = [this](const Eigen::Vector2d& pixel) { return interaction_->viewport.widgetFromImage(pixel); };
-    const Canvas canvas{reinterpret_cast<std::uint32_t*>(whole_.bits()), whole_.width(), whole_.height()};
-    const MarkPicture picture{{1.0 * canvas.width, 1.0 * canvas.height}, whole_.devicePixelRatio()};
-    const Palette& tones = annotationTones();
-    const StrokeMesh strokes = markStrokes(seenMarks(), placeOf, picture, tones, tones.canvas);
+    const auto positionOf = [this](const Eigen::Vector2d& pixel) {
+        return interaction_->viewport.widgetFromImage(pixel);
+    };
+    const Canvas canvas{reinterpret_cast<std::uint32_t*>(annotated_.bits()), annotated_.width(), annotated_.height()};
+    const MarkCanvas picture{{1.0 * canvas.width, 1.0 * canvas.height}, annotated_.devicePixelRatio()};
+    const Palette& colors = annotationTones();
+    const StrokeMesh strokes = markStrokes(visibleMarks(), positionOf, picture, colors, colors.canvas);
     fillStrokes(strokes, canvas.height, canvas);
 }
 
 /// Copies the rendering and draws all annotations over the copy.
-void AngiogramView::drawWhole()
+void AngiogramView::drawAnnotated()
 {
     ++renderCount_;
-    if (whole_.size() != picture_.size()) {
-        whole_ = QImage(picture_.size(), picture_.format());
+    if (annotated_.size() != image_.size()) {
+        annotated_ = QImage(image_.size(), image_.format());
     }
-    whole_.setDevicePixelRatio(picture_.devicePixelRatio());
-    barsInWhole_ = barPlaces();
-    std::copy_n(picture_.constBits(), picture_.sizeInBytes(), whole_.bits());
+    annotated_.setDevicePixelRatio(image_.devicePixelRatio());
+    annotatedBars_ = barRects();
+    std::copy_n(image_.constBits(), image_.sizeInBytes(), annotated_.bits());
     strokeMarks();
-    QPainter painter(&whole_);
+    QPainter painter(&annotated_);
     painter.setFont(font());
     if (interaction_->hasFrame) {
         paintOver(painter);
     } else {
-        paintAbsence(painter);
+        paintPlaceholder(painter);
     }
 }
 
@@ -131,17 +133,18 @@ void AngiogramView::paintEvent(QPaintEvent*)
     QPainter painter(this);
     const bool isOnScreen = backingStore() && painter.paintEngine()->paintDevice() == backingStore()->paintDevice();
     if (!isOnScreen) {
-        (void)drawPicture();
-        drawWhole();
-    } else if (whole_.size() != deviceSize() || barsInWhole_ != barPlaces()) {
+        (void)renderImage();
+        drawAnnotated();
+    } else if (annotated_.size() != deviceSize() || annotatedBars_ != barRects()) {
         redraw();
     }
-    if (whole_.isNull()) {
+    if (annotated_.isNull()) {
         painter.fillRect(rect(), toQColor(ui::palette(ThemeMode::Dark).canvas));
     } else {
-        painter.drawImage(
-            whole_.size() == deviceSize() ? QRectF(QPointF(0.0, 0.0), whole_.deviceIndependentSize()) : QRectF(rect()),
-            whole_);
+        painter.drawImage(annotated_.size() == deviceSize()
+                              ? QRectF(QPointF(0.0, 0.0), annotated_.deviceIndependentSize())
+                              : QRectF(rect()),
+                          annotated_);
     }
 }
 

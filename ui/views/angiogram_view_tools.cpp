@@ -19,7 +19,7 @@ void AngiogramView::setTool(ImageTool* tool)
         former->end();
     }
     i.tool = tool;
-    scene_.setVeiled(tool && tool->hidesOverlay());
+    scene_.setOverlayHidden(tool && tool->hidesOverlay());
     hover(std::nullopt);
     if (tool) {
         tool->begin();
@@ -54,7 +54,7 @@ bool AngiogramView::escape()
         return true;
     }
     ImageTool* tool = interaction_->tool;
-    if (tool && !tool->takeBack()) {
+    if (tool && !tool->undoStep()) {
         setTool(nullptr);
     }
     redraw();

@@ -55,12 +55,12 @@ QStringList fitted(QStringList lines, const QFont& font, double widthPx)
 }
 
 /// Moves a block toward the middle of its edge if it would overlap the block `occupied`.
-QRectF clearOf(const QRectF& taken, QRectF block, Corner corner)
+QRectF clearOf(const QRectF& occupied, QRectF block, Corner corner)
 {
     constexpr double gap = 6.0;
-    if (taken.adjusted(-gap, -gap, gap, gap).intersects(block)) {
-        block.translate(0.0,
-                        isBottom(corner) ? taken.top() - gap - block.bottom() : taken.bottom() + gap - block.top());
+    if (occupied.adjusted(-gap, -gap, gap, gap).intersects(block)) {
+        block.translate(
+            0.0, isBottom(corner) ? occupied.top() - gap - block.bottom() : occupied.bottom() + gap - block.top());
     }
     return block;
 }
@@ -69,20 +69,20 @@ struct Block {
     Corner corner;
     QStringList lines;
     QFont font;
-    QRectF place;
+    QRectF rect;
 };
 
 /// Returns the laid-out block, or empty if its lines would cover vessels, other items or (at full font size) the image.
 std::optional<Block> placed(const QSizeF& size, Corner corner, const QStringList& lines, const QFont& font,
-                            const Ground& ground, const QRectF& taken)
+                            const ViewContent& content, const QRectF& occupied)
 {
     const QStringList shown = fitted(lines, font, size.width() - 2.0 * annotationMarginPx);
-    const QRectF place = clearOf(taken, blockRect(size, corner, shown, font), corner);
-    const bool coversPicture = font.pixelSize() == fullSizePx && ground.hasPicture(place);
-    if (coversPicture || ground.isTaken(place) || ground.hasVessels(place)) {
+    const QRectF rect = clearOf(occupied, blockRect(size, corner, shown, font), corner);
+    const bool coversImage = font.pixelSize() == fullSizePx && content.hasImage(rect);
+    if (coversImage || content.isTaken(rect) || content.hasVessels(rect)) {
         return std::nullopt;
     }
-    return Block{corner, shown, font, place};
+    return Block{corner, shown, font, rect};
 }
 
 void paint(QPainter& painter, const Block& block)
@@ -91,7 +91,7 @@ void paint(QPainter& painter, const Block& block)
     const int flags = (isRight(block.corner) ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter | Qt::TextSingleLine;
     const double height = lineHeight(block.font);
     for (int i = 0; i < block.lines.size(); ++i) {
-        const QRectF box(block.place.left() - 2.0, block.place.top() + i * height, block.place.width() + 4.0, height);
+        const QRectF box(block.rect.left() - 2.0, block.rect.top() + i * height, block.rect.width() + 4.0, height);
         drawShadowedText(painter, box, flags, block.lines[i], colorOf(annotationTones().text));
     }
 }
@@ -99,7 +99,7 @@ void paint(QPainter& painter, const Block& block)
 /// Lays out all blocks in one font size. If a block does not fit, returns empty, unless `mayFold` is set: then the
 /// block collapses to one line or is omitted.
 std::optional<std::vector<Block>> layOut(const QSizeF& size, const CornerLines& lines, const QFont& font,
-                                         const Ground& ground, const QRectF& mode, bool mayFold)
+                                         const ViewContent& content, const QRectF& mode, bool mayFold)
 {
     std::vector<Block> blocks;
     std::array<QRectF, 4> places;
@@ -112,15 +112,15 @@ std::optional<std::vector<Block>> layOut(const QSizeF& size, const CornerLines& 
                               : corner == Corner::BottomLeft ? places[static_cast<std::size_t>(Corner::BottomRight)]
                               : corner == Corner::TopLeft    ? mode
                                                              : QRectF();
-        auto block = placed(size, corner, own, font, ground, beside);
+        auto block = placed(size, corner, own, font, content, beside);
         if (!block && !mayFold) {
             return std::nullopt;
         }
         if (!block) {
-            block = placed(size, corner, {isBottom(corner) ? own.back() : own.front()}, font, ground, beside);
+            block = placed(size, corner, {isBottom(corner) ? own.back() : own.front()}, font, content, beside);
         }
         if (block) {
-            places[static_cast<std::size_t>(corner)] = block->place;
+            places[static_cast<std::size_t>(corner)] = block->rect;
             blocks.push_back(std::move(*block));
         }
     }
@@ -130,16 +130,16 @@ std::optional<std::vector<Block>> layOut(const QSizeF& size, const CornerLines& 
 }   // namespace
 
 std::array<QRectF, 4> paintCorners(QPainter& painter, const QSizeF& size, const CornerLines& lines,
-                                   const Ground& ground, const QRectF& mode)
+                                   const ViewContent& content, const QRectF& mode)
 {
-    auto blocks = layOut(size, lines, sized(painter.font(), fullSizePx), ground, mode, false);
+    auto blocks = layOut(size, lines, sized(painter.font(), fullSizePx), content, mode, false);
     if (!blocks) {
-        blocks = layOut(size, lines, sized(painter.font(), smallSizePx), ground, mode, true);
+        blocks = layOut(size, lines, sized(painter.font(), smallSizePx), content, mode, true);
     }
     std::array<QRectF, 4> places;
     for (const Block& block : *blocks) {
         paint(painter, block);
-        places[static_cast<std::size_t>(block.corner)] = block.place;
+        places[static_cast<std::size_t>(block.corner)] = block.rect;
     }
     return places;
 }

@@ -17,26 +17,27 @@ namespace angiopose::ui {
 enum class Corner { TopLeft, TopRight, BottomLeft, BottomRight };
 
 /// Determines what a part of the widget contains: vessels, image or other items.
-class Ground {
+class ViewContent {
 public:
     /// `occupied` holds the areas of other items over the image, in widget px.
-    Ground(const ImageViewport& viewport, const OverlayScene& scene, const std::vector<QRectF>& taken)
-        : viewport_(viewport), scene_(scene), taken_(taken)
+    ViewContent(const ImageViewport& viewport, const OverlayScene& scene, const std::vector<QRectF>& occupied)
+        : viewport_(viewport), scene_(scene), occupied_(occupied)
     {
     }
 
     bool isTaken(const QRectF& part) const
     {
-        return std::ranges::any_of(taken_, [&part](const QRectF& each) { return each.intersects(part); });
+        return std::ranges::any_of(occupied_,
+                                   [&part](const QRectF& occupiedRect) { return occupiedRect.intersects(part); });
     }
 
     bool hasVessels(const QRectF& part) const
     {
         const QRectF wide = part.adjusted(-4.0, -4.0, 4.0, 4.0);
-        return scene_.treePasses(viewport_.imageRectOf({wide.left(), wide.top()}, {wide.right(), wide.bottom()}));
+        return scene_.treeIntersects(viewport_.imageRectOf({wide.left(), wide.top()}, {wide.right(), wide.bottom()}));
     }
 
-    bool hasPicture(const QRectF& part) const
+    bool hasImage(const QRectF& part) const
     {
         const core::ImageF& frame = scene_.frame();
         const Eigen::Vector2d topLeft = viewport_.widgetFromImage({-0.5, -0.5});
@@ -48,7 +49,7 @@ public:
 private:
     const ImageViewport& viewport_;
     const OverlayScene& scene_;
-    const std::vector<QRectF>& taken_;
+    const std::vector<QRectF>& occupied_;
 };
 
 using CornerLines = std::array<QStringList, 4>;   ///< indexed by `Corner`
@@ -57,6 +58,6 @@ using CornerLines = std::array<QStringList, 4>;   ///< indexed by `Corner`
 /// the mode label at the top. If a block would cover vessels, the image or other items, all blocks shrink; a block that
 /// still does not fit collapses to one line or is omitted.
 std::array<QRectF, 4> paintCorners(QPainter& painter, const QSizeF& size, const CornerLines& lines,
-                                   const Ground& ground, const QRectF& mode = {});
+                                   const ViewContent& content, const QRectF& mode = {});
 
 }   // namespace angiopose::ui

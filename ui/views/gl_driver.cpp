@@ -17,7 +17,7 @@ QString glTextOf(QOpenGLFunctions& functions, GLenum name)
     return QString::fromUtf8(reinterpret_cast<const char*>(functions.glGetString(name)));
 }
 
-GlDriver askedDriver()
+GlDriver queryDriver()
 {
     OffscreenContext context;
     if (!context.create() || !context.makeCurrent()) {
@@ -36,14 +36,14 @@ bool GlDriver::isAccelerated() const
     static const std::array<QString, 6> bySoftware{QStringLiteral("llvmpipe"), QStringLiteral("softpipe"),
                                                    QStringLiteral("swrast"),   QStringLiteral("SWR"),
                                                    QStringLiteral("software"), QStringLiteral("SwiftShader")};
-    return isThere() && std::ranges::none_of(bySoftware, [this](const QString& name) {
+    return isAvailable() && std::ranges::none_of(bySoftware, [this](const QString& name) {
                return renderer.contains(name, Qt::CaseInsensitive);
            });
 }
 
 const GlDriver& glDriver()
 {
-    static const GlDriver driver = askedDriver();
+    static const GlDriver driver = queryDriver();
     return driver;
 }
 
@@ -57,7 +57,7 @@ Renderer chosenRenderer()
     if (rendererChoice == RendererChoice::Auto) {
         return glDriver().isAccelerated() ? Renderer::Vtk : Renderer::Painter;
     }
-    return rendererChoice == RendererChoice::Vtk && glDriver().isThere() ? Renderer::Vtk : Renderer::Painter;
+    return rendererChoice == RendererChoice::Vtk && glDriver().isAvailable() ? Renderer::Vtk : Renderer::Painter;
 }
 
 }   // namespace angiopose::ui

@@ -10,7 +10,7 @@ struct GlDriver {
     QString renderer;
     QString version;
 
-    bool isThere() const { return !renderer.isEmpty(); }
+    bool isAvailable() const { return !renderer.isEmpty(); }
     bool isAccelerated() const;   ///< true if a graphics card renders, false if the CPU does
 };
 

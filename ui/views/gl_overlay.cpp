@@ -35,7 +35,7 @@ GlOverlay::GlOverlay() : parts_(std::make_unique<Parts>())
     p.overlay.attachTo(p.window);
     p.isReady = p.context.create() && p.context.makeCurrent();
     if (p.isReady) {
-        p.window->takeOverState();
+        p.window->resetState();
         p.window->SetReadyForRendering(true);
         p.window->OpenGLInitContext();
         p.context.doneCurrent();
@@ -62,15 +62,15 @@ void GlOverlay::draw(const OverlayScene& scene, bool isMirrored, const StrokeMes
     p.context.makeCurrent();
     p.window->SetSize(canvas.width, canvas.height);
     p.overlay.show(scene, isMirrored, above);
-    p.window->takeOverState();
+    p.window->resetState();
     p.window->Render();
-    p.window->readPicture(canvas);
+    p.window->readPixels(canvas);
     p.context.doneCurrent();
 }
 
-VtkOverlay::Work GlOverlay::work() const
+VtkOverlay::RenderStats GlOverlay::renderStats() const
 {
-    return parts_->overlay.work();
+    return parts_->overlay.renderStats();
 }
 
 }   // namespace angiopose::ui

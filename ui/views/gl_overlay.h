@@ -20,7 +20,7 @@ public:
 
     /// Draws the view rectangle of the scene over the whole canvas.
     void draw(const OverlayScene& scene, bool isMirrored, const StrokeMesh& above, Canvas canvas);
-    VtkOverlay::Work work() const;   ///< OpenGL workload of the last rendering
+    VtkOverlay::RenderStats renderStats() const;   ///< OpenGL workload of the last rendering
 
 private:
     struct Parts;

@@ -49,7 +49,7 @@ public:
 
     virtual bool takesKey(const QKeyEvent&) const { return false; }   ///< takes precedence over window shortcuts
     virtual void keyPress(const QKeyEvent&) {}   ///< called only for keys accepted by `takesKey`
-    virtual bool takeBack() { return false; }   ///< called on Esc; true if this canceled an action
+    virtual bool undoStep() { return false; }   ///< called on Esc; true if this canceled an action
 
     virtual bool picksBranches() const { return true; }   ///< if false, branches ignore the mouse
     virtual bool hidesOverlay() const { return false; }   ///< hides tree and traced curves, which would be in the way

@@ -5,8 +5,8 @@
 namespace angiopose::ui {
 namespace {
 
-constexpr double smallestZoom = 0.02;
-constexpr double largestZoom = 64.0;
+constexpr double minZoom = 0.02;
+constexpr double maxZoom = 64.0;
 
 }   // namespace
 
@@ -39,7 +39,7 @@ void ImageViewport::show(const ViewRect& rect)
 {
     const double zoom =
         std::min(widgetSize_.x() / std::max(1.0, rect.width()), widgetSize_.y() / std::max(1.0, rect.height()));
-    zoom_ = std::clamp(zoom, smallestZoom, largestZoom);
+    zoom_ = std::clamp(zoom, minZoom, maxZoom);
     center_ = 0.5 * Eigen::Vector2d(rect.left + rect.right, rect.top + rect.bottom);
     isFitted_ = false;
 }
@@ -47,7 +47,7 @@ void ImageViewport::show(const ViewRect& rect)
 void ImageViewport::zoomAt(const Eigen::Vector2d& position, double factor)
 {
     const Eigen::Vector2d anchor = imageFromWidget(position);
-    zoom_ = std::clamp(zoom_ * factor, smallestZoom, largestZoom);
+    zoom_ = std::clamp(zoom_ * factor, minZoom, maxZoom);
     center_ = anchor - turned(position - 0.5 * widgetSize_) / zoom_;
     isFitted_ = false;
 }

@@ -33,7 +33,10 @@ private:
     bool mirrored_ = false;
 
     /// Converts a displacement in the widget to image directions, without scaling.
-    Eigen::Vector2d turned(const Eigen::Vector2d& way) const { return {mirrored_ ? -way.x() : way.x(), way.y()}; }
+    Eigen::Vector2d turned(const Eigen::Vector2d& offset) const
+    {
+        return {mirrored_ ? -offset.x() : offset.x(), offset.y()};
+    }
 };
 
 }   // namespace angiopose::ui

@@ -9,12 +9,12 @@ namespace {
 
 constexpr double beyondPicturePx = 64.0;   ///< clipping margin, wider than any stroke
 
-StrokeLine inOneTone(const PixelLine& line, const MarkPicture& picture, const Color& tone)
+StrokeLine inOneColor(const PixelLine& line, const MarkCanvas& image, const Color& tone)
 {
     StrokeLine stroke;
     stroke.reserve(line.size());
     for (const Eigen::Vector2d& at : line) {
-        stroke.push_back({{picture.pixelRatio * at.x(), picture.sizePx.y() - picture.pixelRatio * at.y()}, tone});
+        stroke.push_back({{image.pixelRatio * at.x(), image.sizePx.y() - image.pixelRatio * at.y()}, tone});
     }
     return stroke;
 }
@@ -29,17 +29,17 @@ StrokeLine recolored(StrokeLine stroke, const Color& tone)
 
 }   // namespace
 
-StrokeMesh markStrokes(const std::vector<ImageMark>& marks, const MarkPlace& placeOf, const MarkPicture& picture,
-                       const Palette& tones, const Color& rim)
+StrokeMesh markStrokes(const std::vector<ImageMark>& marks, const PixelMapping& positionOf, const MarkCanvas& image,
+                       const Palette& colors, const Color& rim)
 {
     const Eigen::Vector2d margin(beyondPicturePx, beyondPicturePx);
     StrokeMesh mesh;
     for (const ImageMark& mark : marks) {
-        for (const PixelLine& line : linesOf(mark, placeOf, markSizePx)) {
-            const StrokeLine whole = inOneTone(line, picture, toneOf(mark, tones));
-            for (const StrokeLine& part : clipped(whole, -margin, picture.sizePx + margin)) {
-                addLine(mesh, recolored(part, rim), {markRimWidthPx * picture.pixelRatio, markRimOpacity});
-                addLine(mesh, part, {markWidthPx * picture.pixelRatio, 1.0});
+        for (const PixelLine& line : linesOf(mark, positionOf, markSizePx)) {
+            const StrokeLine whole = inOneColor(line, image, markColor(mark, colors));
+            for (const StrokeLine& part : clipped(whole, -margin, image.sizePx + margin)) {
+                addLine(mesh, recolored(part, rim), {markRimWidthPx * image.pixelRatio, markRimOpacity});
+                addLine(mesh, part, {markWidthPx * image.pixelRatio, 1.0});
             }
         }
     }

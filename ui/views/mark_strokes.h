@@ -9,14 +9,14 @@
 namespace angiopose::ui {
 
 /// Image onto which mark lines are drawn, in device px, y up.
-struct MarkPicture {
+struct MarkCanvas {
     Eigen::Vector2d sizePx = Eigen::Vector2d::Zero();
     double pixelRatio = 1.0;   ///< device px per px at 100 % scale
 };
 
-/// Returns the lines of marks as strokes with a colored outline; `placeOf` returns px at 100 % scale, y down. QPainter
-/// would take ten times as long for crossing lines.
-StrokeMesh markStrokes(const std::vector<ImageMark>& marks, const MarkPlace& placeOf, const MarkPicture& picture,
-                       const Palette& tones, const Color& rim);
+/// Returns the lines of marks as strokes with a colored outline; `positionOf` returns px at 100 % scale, y down.
+/// QPainter would take ten times as long for crossing lines.
+StrokeMesh markStrokes(const std::vector<ImageMark>& marks, const PixelMapping& positionOf, const MarkCanvas& image,
+                       const Palette& colors, const Color& rim);
 
 }   // namespace angiopose::ui

@@ -30,14 +30,14 @@ QString wordsOf(const ImageMark& mark)
     return QString::fromStdString(mark.label);
 }
 
-std::vector<WantedLabel> wantedLabels(const QPainter& painter, const std::vector<ImageMark>& marks,
-                                      const MarkPlace& placeOf)
+std::vector<LabelRequest> wantedLabels(const QPainter& painter, const std::vector<ImageMark>& marks,
+                                       const PixelMapping& positionOf)
 {
     const QFontMetricsF metrics(painter.font());
-    std::vector<WantedLabel> labels;
+    std::vector<LabelRequest> labels;
     for (const ImageMark& mark : marks) {
-        WantedLabel& label = labels.emplace_back();
-        label.at = labelAnchor(mark, placeOf);
+        LabelRequest& label = labels.emplace_back();
+        label.at = labelAnchor(mark, positionOf);
         label.gapPx = 1.6 * markSizePx;
         if (!mark.label.empty()) {
             label.size = {metrics.horizontalAdvance(wordsOf(mark)) + 2.0, metrics.height()};
@@ -48,32 +48,33 @@ std::vector<WantedLabel> wantedLabels(const QPainter& painter, const std::vector
 
 }   // namespace
 
-void paintMarks(QPainter& painter, const std::vector<ImageMark>& marks, const MarkPlace& placeOf, MarkGround ground)
+void paintMarks(QPainter& painter, const std::vector<ImageMark>& marks, const PixelMapping& positionOf,
+                MarkBackground background)
 {
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setBrush(Qt::NoBrush);
     painter.setFont(sized(painter.font(), 12));
-    if (!(ground.width > 0.0)) {
+    if (!(background.width > 0.0)) {
         const double ratio = painter.device()->devicePixelRatioF();
         const bool isPicture = painter.device()->devType() == QInternal::Image;   // QImage sizes are in device px
-        ground.width = painter.device()->width() / (isPicture ? ratio : 1.0);
-        ground.height = painter.device()->height() / (isPicture ? ratio : 1.0);
+        background.width = painter.device()->width() / (isPicture ? ratio : 1.0);
+        background.height = painter.device()->height() / (isPicture ? ratio : 1.0);
     }
     for (const ImageMark& mark : marks) {
-        const std::vector<PixelLine> lines = linesOf(mark, placeOf, markSizePx);
-        std::ranges::copy(pointsAlong(lines, markSizePx), std::back_inserter(ground.avoided));
-        for (const PixelLine& line : ground.hasLines ? std::vector<PixelLine>() : lines) {
-            paintMarkLine(painter, line, colorOf(toneOf(mark, ground.tones)), ground.rim);
+        const std::vector<PixelLine> lines = linesOf(mark, positionOf, markSizePx);
+        std::ranges::copy(pointsAlong(lines, markSizePx), std::back_inserter(background.avoided));
+        for (const PixelLine& line : background.hasLines ? std::vector<PixelLine>() : lines) {
+            paintMarkLine(painter, line, colorOf(markColor(mark, background.colors)), background.rim);
         }
     }
-    const std::vector<WantedLabel> labels = wantedLabels(painter, marks, placeOf);
-    const std::vector<Eigen::Vector2d> corners = labelPlaces(labels, ground);
+    const std::vector<LabelRequest> labels = wantedLabels(painter, marks, positionOf);
+    const std::vector<Eigen::Vector2d> corners = placeLabels(labels, background);
     for (std::size_t i = 0; i < marks.size(); ++i) {
         if (!marks[i].label.empty()) {
             const QRectF box(corners[i].x(), corners[i].y(), labels[i].size.x(), labels[i].size.y());
             drawShadowedText(painter, box, Qt::AlignLeft | Qt::AlignVCenter | Qt::TextSingleLine, wordsOf(marks[i]),
-                             colorOf(toneOf(marks[i], ground.tones)), ground.rim);
+                             colorOf(markColor(marks[i], background.colors)), background.rim);
         }
     }
     painter.restore();

@@ -15,16 +15,16 @@ inline constexpr double markRimWidthPx = 3.6;   ///< width including the outline
 inline constexpr double markRimOpacity = 0.6;
 
 /// Background on which marks are drawn, with the obstacles for their labels.
-struct MarkGround : LabelGround {
-    Palette tones = palette(ThemeMode::Dark);   ///< default: images, whose background is black in every theme
+struct MarkBackground : LabelObstacles {
+    Palette colors = palette(ThemeMode::Dark);   ///< default: images, whose background is black in every theme
     Color rim = palette(ThemeMode::Dark).canvas;   ///< outline of lines and letters
     bool hasLines = false;   ///< if true, markStrokes has drawn the lines; only labels are painted
 };
 
-/// Draws marks with their labels; `placeOf` returns widget px. Labels avoid the obstacles in `background`, whose size
-/// defaults to the size of the paint device.
-void paintMarks(QPainter& painter, const std::vector<ImageMark>& marks, const MarkPlace& placeOf,
-                MarkGround ground = {});
+/// Draws marks with their labels; `positionOf` returns widget px. Labels avoid the obstacles in `background`, whose
+/// size defaults to the size of the paint device.
+void paintMarks(QPainter& painter, const std::vector<ImageMark>& marks, const PixelMapping& positionOf,
+                MarkBackground background = {});
 
 /// Draws the handle of a draggable point.
 void paintHandle(QPainter& painter, const Eigen::Vector2d& at, bool isHeld);

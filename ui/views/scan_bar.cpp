@@ -1,6 +1,6 @@
 #include "ui/views/scan_bar.h"
 
-#include "ui/words/spoken.h"
+#include "ui/words/retranslation.h"
 
 #include <QHBoxLayout>
 #include <QMenu>
@@ -23,12 +23,12 @@ ScanBar::ScanBar(QWidget* parent)
     choice_->setProperty("role", "tab");
     choice_->setPopupMode(QToolButton::InstantPopup);
     choice_->setMenu(menu_);
-    withTip(choice_, [] { return tr("Display of the scan behind the vessels"); });
+    withToolTip(choice_, [] { return tr("Display of the scan behind the vessels"); });
     strength_->setRange(0, steps);
     strength_->setMinimumWidth(50);
     strength_->setMaximumWidth(160);
-    withName(strength_, [] { return tr("Opacity of the scan"); });
-    withTip(strength_, [] { return tr("Opacity of the scan"); });
+    withAccessibleName(strength_, [] { return tr("Opacity of the scan"); });
+    withToolTip(strength_, [] { return tr("Opacity of the scan"); });
     connect(strength_, &QSlider::valueChanged, this,
             [this](int value) { emit strengthChanged(static_cast<double>(value) / steps); });
     auto* layout = new QHBoxLayout(this);
@@ -44,10 +44,10 @@ void ScanBar::fillMenu(const QList<QAction*>& actions)
     menu_->addActions(actions);
 }
 
-void ScanBar::showState(const QString& words, bool isShown)
+void ScanBar::showState(const QString& text, bool isShown)
 {
-    choice_->setText(words + QStringLiteral(" ▾"));
-    choice_->setAccessibleName(words);
+    choice_->setText(text + QStringLiteral(" ▾"));
+    choice_->setAccessibleName(text);
     strength_->setVisible(isShown);
 }
 

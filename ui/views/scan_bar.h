@@ -16,7 +16,7 @@ public:
     explicit ScanBar(QWidget* parent = nullptr);
 
     void fillMenu(const QList<QAction*>& actions);
-    void showState(const QString& words, bool isShown);   ///< `isShown` shows the opacity slider
+    void showState(const QString& text, bool isShown);   ///< `isShown` shows the opacity slider
     void showStrength(double strength);   ///< 0…1; emits no signal
 
 signals:

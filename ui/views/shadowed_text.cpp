@@ -28,10 +28,10 @@ QFont sized(QFont font, int px)
 namespace {
 
 constexpr double rimPx = 1.0;
-constexpr int maxKeptKiB = 2048;
+constexpr int maxCacheKiB = 2048;
 
-void drawWithRim(QPainter& painter, const QRectF& box, int flags, const QString& text, const QColor& color,
-                 const Color& rim)
+void drawOutlined(QPainter& painter, const QRectF& box, int flags, const QString& text, const QColor& color,
+                  const Color& rim)
 {
     painter.setPen(colorOf(rim, 0.6));
     for (const double y : {-rimPx, 0.0, rimPx}) {   // an outline on all sides keeps text readable
@@ -43,8 +43,8 @@ void drawWithRim(QPainter& painter, const QRectF& box, int flags, const QString&
     painter.drawText(box, flags, text);
 }
 
-QString keyOfWords(const QFont& font, const QSizeF& size, double ratio, int flags, const QString& text,
-                   const QColor& color, const Color& rim)
+QString cacheKey(const QFont& font, const QSizeF& size, double ratio, int flags, const QString& text,
+                 const QColor& color, const Color& rim)
 {
     return QStringLiteral("shadowed/%1/%2x%3/%4/%5/%6/%7/%8")
         .arg(font.key())
@@ -59,12 +59,12 @@ QString keyOfWords(const QFont& font, const QSizeF& size, double ratio, int flag
 
 /// Returns the text on a transparent image with margins for the outline. Cached: the text rarely changes, and laying it
 /// out and drawing its ten passes costs more than all other annotations.
-QImage wordsWithRim(const QFont& font, const QSizeF& size, double ratio, int flags, const QString& text,
+QImage outlinedText(const QFont& font, const QSizeF& size, double ratio, int flags, const QString& text,
                     const QColor& color, const Color& rim)
 {
-    static QCache<QString, QImage> kept(maxKeptKiB);
-    const QString key = keyOfWords(font, size, ratio, flags, text, color, rim);
-    if (const QImage* words = kept.object(key)) {
+    static QCache<QString, QImage> cache(maxCacheKiB);
+    const QString key = cacheKey(font, size, ratio, flags, text, color, rim);
+    if (const QImage* words = cache.object(key)) {
         return *words;
     }
     const QSizeF whole = size + QSizeF(2.0 * rimPx, 2.0 * rimPx);
@@ -73,9 +73,9 @@ QImage wordsWithRim(const QFont& font, const QSizeF& size, double ratio, int fla
     words.fill(Qt::transparent);
     QPainter painter(&words);
     painter.setFont(font);
-    drawWithRim(painter, {QPointF(rimPx, rimPx), size}, flags, text, color, rim);
+    drawOutlined(painter, {QPointF(rimPx, rimPx), size}, flags, text, color, rim);
     painter.end();
-    kept.insert(key, new QImage(words), static_cast<int>(words.sizeInBytes() / 1024) + 1);
+    cache.insert(key, new QImage(words), static_cast<int>(words.sizeInBytes() / 1024) + 1);
     return words;
 }
 
@@ -85,13 +85,13 @@ void drawShadowedText(QPainter& painter, const QRectF& box, int flags, const QSt
                       const Color& rim)
 {
     if (painter.deviceTransform().type() > QTransform::TxTranslate && painter.device()->devicePixelRatio() == 1.0) {
-        drawWithRim(painter, box, flags, text, color, rim);
+        drawOutlined(painter, box, flags, text, color, rim);
         return;
     }
     const double ratio = painter.device()->devicePixelRatio();
     const auto onPixel = [ratio](double at) { return std::round((at - rimPx) * ratio) / ratio; };
     painter.drawImage(QPointF(onPixel(box.left()), onPixel(box.top())),
-                      wordsWithRim(painter.font(), box.size(), ratio, flags, text, color, rim));
+                      outlinedText(painter.font(), box.size(), ratio, flags, text, color, rim));
 }
 
 }   // namespace angiopose::ui

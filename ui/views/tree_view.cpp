@@ -4,7 +4,7 @@
 #include "ui/views/crosshair_mark.h"
 #include "ui/views/paint_marks.h"
 #include "ui/views/pivot_mark.h"
-#include "ui/words/spoken.h"
+#include "ui/words/retranslation.h"
 
 #include <vtkRenderWindow.h>
 #include <QApplication>
@@ -32,7 +32,7 @@ QColor colorOf(const Color& color)
 TreeView::TreeView(QWidget* parent) : VtkView(parent)
 {
     scene_.attachTo(renderWindow());
-    withName(this, [] { return tr("3-D view of vessel tree, X-ray source and detector"); });
+    withAccessibleName(this, [] { return tr("3-D view of vessel tree, X-ray source and detector"); });
 }
 
 TreeView::~TreeView() = default;
@@ -52,16 +52,16 @@ void TreeView::warmUp()
     cameraFromPatient.translation.z() = 750.0;
     rehearsal.setPose(cameraFromPatient);
     rehearsal.setFrame(core::ImageF(size, size, 1.0F));
-    core::ParallelSight sight;
+    core::ParallelProjection sight;
     sight.width = sight.height = size;
-    rehearsal.setScanPicture({sight, core::Image2d<core::Rgba>(size, size)});
-    rehearse();
+    rehearsal.setScanRendering({sight, core::Image2d<core::Rgba>(size, size)});
+    renderHidden();
 }
 
 void TreeView::setTheme(ThemeMode mode)
 {
     theme_ = mode;
-    scene_.setTones(ui::palette(mode));
+    scene_.setColors(ui::palette(mode));
     requestRender();
 }
 
@@ -79,7 +79,7 @@ void TreeView::setCrosshair(const std::optional<Eigen::Vector3d>& pointInPatient
     }
 }
 
-void TreeView::setPointed(const std::optional<Eigen::Vector3d>& pointInPatient)
+void TreeView::setPointedPosition(const std::optional<Eigen::Vector3d>& pointInPatient)
 {
     if (pointInPatient != pointed_) {
         pointed_ = pointInPatient;
@@ -98,10 +98,10 @@ void TreeView::showLandmarks(const std::vector<Eigen::Vector3d>& pointsInPatient
     update();
 }
 
-void TreeView::showPlaces(std::vector<TreePlaceSign> places)
+void TreeView::showPlaces(std::vector<TreeMark> places)
 {
-    if (!places.empty() || !places_.empty()) {
-        places_ = std::move(places);
+    if (!places.empty() || !treeMarks_.empty()) {
+        treeMarks_ = std::move(places);
         update();
     }
 }
@@ -110,26 +110,26 @@ void TreeView::showPlaces(std::vector<TreePlaceSign> places)
 void TreeView::paintPlaces(QPainter& painter) const
 {
     const double ratio = devicePixelRatio();
-    const auto placeOf = [&](const Eigen::Vector3d& point) -> Eigen::Vector2d {
+    const auto positionOf = [&](const Eigen::Vector3d& point) -> Eigen::Vector2d {
         const Eigen::Vector2d device = scene_.deviceFromPatient(point);
         return {device.x() / ratio, height() - device.y() / ratio};
     };
     std::vector<ImageMark> marks;
-    for (const TreePlaceSign& place : places_) {
+    for (const TreeMark& place : treeMarks_) {
         ImageMark& mark = marks.emplace_back();
         mark.shape = place.ringInPatient.empty() ? MarkShape::Point : MarkShape::Outline;
         mark.label = place.label.toStdString();
         mark.tone = MarkTone::Place;
         for (const Eigen::Vector3d& point : place.ringInPatient) {
-            mark.pixels.push_back(placeOf(point));
+            mark.pixels.push_back(positionOf(point));
         }
         if (mark.pixels.empty()) {
-            mark.pixels = {placeOf(place.pointInPatient)};
+            mark.pixels = {positionOf(place.pointInPatient)};
         }
     }
-    const Palette& tones = ui::palette(theme_);
-    const LabelGround room{1.0 * width(), 1.0 * height(), {}, {}};
-    paintMarks(painter, marks, [](const Eigen::Vector2d& at) { return at; }, {room, tones, tones.field});
+    const Palette& colors = ui::palette(theme_);
+    const LabelObstacles obstacles{1.0 * width(), 1.0 * height(), {}, {}};
+    paintMarks(painter, marks, [](const Eigen::Vector2d& at) { return at; }, {obstacles, colors, colors.field});
 }
 
 void TreeView::setPickedPivot(const std::optional<Eigen::Vector3d>& pointInPatient)
@@ -149,14 +149,14 @@ void TreeView::prepareFrame()
 void TreeView::reportSight()
 {
     constexpr int anyPx = 1'000'000'000;
-    const core::ParallelSight sight = scene_.sight(anyPx);
-    if (sight != seen_) {
-        seen_ = sight;
+    const core::ParallelProjection sight = scene_.sight(anyPx);
+    if (sight != renderedSight_) {
+        renderedSight_ = sight;
         QMetaObject::invokeMethod(this, &TreeView::sightChanged, Qt::QueuedConnection);   // outside of painting
     }
 }
 
-void TreeView::paintAbsence(QPainter& painter) const
+void TreeView::paintPlaceholder(QPainter& painter) const
 {
     const int margin = std::min(24, width() / 12);
     painter.setPen(colorOf(ui::palette(theme_).label));
@@ -169,15 +169,15 @@ void TreeView::paintAnnotations(QPainter& painter)
 {
     reportSight();
     if (scene_.isEmpty()) {
-        paintAbsence(painter);
+        paintPlaceholder(painter);
         return;
     }
-    const Palette& tones = ui::palette(theme_);
+    const Palette& colors = ui::palette(theme_);
     const double ratio = devicePixelRatio();
     for (const auto& place : {crosshair_, pointed_}) {
         if (place) {
             const Eigen::Vector2d device = scene_.deviceFromPatient(*place);
-            paintPlaceMark(painter, {device.x() / ratio, height() - device.y() / ratio}, tones);
+            paintCrosshairMark(painter, {device.x() / ratio, height() - device.y() / ratio}, colors);
         }
     }
     QFont small = font();
@@ -187,19 +187,19 @@ void TreeView::paintAnnotations(QPainter& painter)
         const Eigen::Vector2d device = scene_.deviceFromPatient(landmarks_[i]);
         const QPointF at(device.x() / ratio, height() - device.y() / ratio);
         const bool isPending = isLastPending_ && i + 1 == landmarks_.size();
-        painter.setPen(QPen(colorOf(isPending ? tones.attention : tones.accent), 1.6));
+        painter.setPen(QPen(colorOf(isPending ? colors.attention : colors.accent), 1.6));
         painter.drawEllipse(at, 5.0, 5.0);
-        painter.setPen(colorOf(tones.textStrong));
+        painter.setPen(colorOf(colors.textStrong));
         painter.drawText(at + QPointF(7.0, -5.0), QString::number(i + 1));
     }
     paintPlaces(painter);
     if (pickedPivot_) {
         const Eigen::Vector2d device = scene_.deviceFromPatient(*pickedPivot_);
-        paintPivotMark(painter, {device.x() / ratio, height() - device.y() / ratio}, tones);
+        paintPivotMark(painter, {device.x() / ratio, height() - device.y() / ratio}, colors);
     }
     for (const OrientationLetter& letter : scene_.orientationLetters()) {
         const QPointF at(letter.at.x() / ratio, height() - letter.at.y() / ratio);
-        painter.setPen(colorOf(letter.pointsToViewer ? tones.text : tones.hint));
+        painter.setPen(colorOf(letter.pointsToViewer ? colors.text : colors.hint));
         painter.drawText(QRectF(at - QPointF(8, 8), QSizeF(16, 16)), Qt::AlignCenter, QString(QChar(letter.letter)));
     }
 }
@@ -221,8 +221,8 @@ void TreeView::mouseMoveEvent(QMouseEvent* event)
         hover(pick ? std::optional(pick->branchId) : std::nullopt);
         return;
     }
-    const QPointF way = event->position() - pressedAt_;
-    isDragging_ = isDragging_ || 2.0 * way.manhattanLength() >= QApplication::startDragDistance();
+    const QPointF offset = event->position() - pressedAt_;
+    isDragging_ = isDragging_ || 2.0 * offset.manhattanLength() >= QApplication::startDragDistance();
     if (!isDragging_) {
         return;
     }
@@ -263,7 +263,7 @@ void TreeView::mouseReleaseEvent(QMouseEvent* event)
 void TreeView::mouseDoubleClickEvent(QMouseEvent* event)
 {
     if (event->button() == Qt::LeftButton) {
-        emit roomRequested();
+        emit enlargeRequested();
     }
 }
 
@@ -309,7 +309,7 @@ void TreeView::wheelEvent(QWheelEvent* event)
 void TreeView::showEvent(QShowEvent* event)
 {
     VtkView::showEvent(event);
-    seen_ = {};   // forces `sightChanged`, since no scan rendering was requested while hidden
+    renderedSight_ = {};   // forces `sightChanged`, since no scan rendering was requested while hidden
 }
 
 void TreeView::leaveEvent(QEvent*)

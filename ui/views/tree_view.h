@@ -9,7 +9,7 @@
 namespace angiopose::ui {
 
 /// Labeled place on the vessels in the 3-D view: a point or a ring.
-struct TreePlaceSign {
+struct TreeMark {
     Eigen::Vector3d pointInPatient = Eigen::Vector3d::Zero();
     std::vector<Eigen::Vector3d> ringInPatient;   ///< the place is a point if empty
     QString label;
@@ -31,15 +31,16 @@ public:
     void setTheme(ThemeMode mode);
     void nextView();   ///< toggles between everything and only the vessels
     void setCrosshair(const std::optional<Eigen::Vector3d>& pointInPatient);   ///< position shown in the slices
-    void setPointed(const std::optional<Eigen::Vector3d>& pointInPatient);   ///< position pointed at in an image
+    void setPointedPosition(
+        const std::optional<Eigen::Vector3d>& pointInPatient);   ///< position pointed at in an image
     void showLandmarks(const std::vector<Eigen::Vector3d>& pointsInPatient,
                        const std::optional<Eigen::Vector3d>& pendingInPatient);   ///< landmarks are numbered from 1
-    void showPlaces(std::vector<TreePlaceSign> places);
+    void showPlaces(std::vector<TreeMark> places);
     void setPickedPivot(const std::optional<Eigen::Vector3d>& pointInPatient);   ///< rotation center of the vessels
 
 signals:
     void sightChanged();   ///< rotated, moved, zoomed, resized or shown; requires a new scan rendering
-    void roomRequested();   ///< requests maximizing, or restoring the layout
+    void enlargeRequested();   ///< requests maximizing, or restoring the layout
     void branchHovered(std::optional<int> branchId);
     void branchClicked(int branchId, Qt::KeyboardModifiers modifiers);
     void backgroundClicked();
@@ -64,11 +65,11 @@ private:
     std::optional<TreePick> pickAt(const QPointF& position) const;
     void hover(std::optional<int> branchId);
     void paintPlaces(QPainter& painter) const;
-    void paintAbsence(QPainter& painter) const;
+    void paintPlaceholder(QPainter& painter) const;
     void reportSight();
 
     TreeScene scene_;
-    core::ParallelSight seen_;   ///< view of the last rendering
+    core::ParallelProjection renderedSight_;   ///< view of the last rendering
     ThemeMode theme_ = ThemeMode::Dark;
     QPointF pressedAt_;
     QPointF lastAt_;
@@ -78,7 +79,7 @@ private:
     std::optional<Eigen::Vector3d> crosshair_;
     std::optional<Eigen::Vector3d> pointed_;
     std::vector<Eigen::Vector3d> landmarks_;
-    std::vector<TreePlaceSign> places_;
+    std::vector<TreeMark> treeMarks_;
     bool isLastPending_ = false;
     std::optional<Eigen::Vector3d> pickedPivot_;
 };

@@ -24,31 +24,31 @@ VerdictChip::VerdictChip(QWidget& image) : QLabel(&image)
     image.installEventFilter(this);
 }
 
-void VerdictChip::showVerdict(VerdictTone tone, const QString& words)
+void VerdictChip::showVerdict(VerdictTone tone, const QString& fullText)
 {
-    if (tone == tone_ && words == words_) {
+    if (tone == tone_ && fullText == fullText_) {
         return;
     }
     tone_ = tone;
-    words_ = words;
-    const Palette& tones = ui::palette(ThemeMode::Dark);   // images have a dark background in every theme
-    const Color& color = tone == VerdictTone::Good       ? tones.fine
-                         : tone == VerdictTone::Doubtful ? tones.attention
-                                                         : tones.error;
+    fullText_ = fullText;
+    const Palette& colors = ui::palette(ThemeMode::Dark);   // images have a dark background in every theme
+    const Color& color = tone == VerdictTone::Good       ? colors.fine
+                         : tone == VerdictTone::Doubtful ? colors.attention
+                                                         : colors.error;
     setStyleSheet(QStringLiteral("QLabel { background: %1; color: %2; border: 1px solid %2; border-radius: 4px; "
                                  "font-weight: 600; padding: 0px; }")
-                      .arg(QString::fromStdString(tones.canvas.hex()), QString::fromStdString(color.hex())));
-    setAccessibleName(words);
+                      .arg(QString::fromStdString(colors.canvas.hex()), QString::fromStdString(color.hex())));
+    setAccessibleName(fullText);
     place();
-    setVisible(!words.isEmpty());
+    setVisible(!fullText.isEmpty());
 }
 
 void VerdictChip::place()
 {
-    const int room = std::max(1, parentWidget()->width() - 2 * edgePx);
+    const int maxWidth = std::max(1, parentWidget()->width() - 2 * edgePx);
     ensurePolished();
-    const int width = std::min(room, fontMetrics().horizontalAdvance(words_) + 2 * padPx);
-    setText(fontMetrics().elidedText(words_, Qt::ElideRight, std::max(1, width - padPx)));
+    const int width = std::min(maxWidth, fontMetrics().horizontalAdvance(fullText_) + 2 * padPx);
+    setText(fontMetrics().elidedText(fullText_, Qt::ElideRight, std::max(1, width - padPx)));
     setGeometry((parentWidget()->width() - width) / 2, edgePx, width, fontMetrics().height() + padPx);
 }
 

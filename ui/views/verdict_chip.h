@@ -13,9 +13,9 @@ class VerdictChip : public QLabel {
 public:
     explicit VerdictChip(QWidget& image);
 
-    void showVerdict(VerdictTone tone, const QString& words);   ///< empty text hides the chip
+    void showVerdict(VerdictTone tone, const QString& fullText);   ///< empty text hides the chip
     VerdictTone tone() const { return tone_; }
-    const QString& words() const { return words_; }
+    const QString& fullText() const { return fullText_; }
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -25,7 +25,7 @@ private:
     void place();
 
     VerdictTone tone_ = VerdictTone::Doubtful;
-    QString words_;
+    QString fullText_;
 };
 
 }   // namespace angiopose::ui

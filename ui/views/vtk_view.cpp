@@ -23,17 +23,17 @@ using namespace std::chrono_literals;
 constexpr int frameMs = 16;
 
 /// Subpixel offsets, in px, of the renderings averaged at rest: one per quarter of a pixel, on four rows and columns.
-const std::array<QPointF, 4> settledShiftsPx{{{-0.125, -0.375}, {0.375, -0.125}, {0.125, 0.375}, {-0.375, 0.125}}};
+const std::array<QPointF, 4> sampleOffsetsPx{{{-0.125, -0.375}, {0.375, -0.125}, {0.125, 0.375}, {-0.375, 0.125}}};
 
 /// Replaces `image` by the mean of two images of the same size.
-void blendInto(QImage& picture, const QImage& other)
+void blendInto(QImage& image, const QImage& other)
 {
-    std::uint8_t* bytes = picture.bits();
-    std::transform(bytes, bytes + picture.sizeInBytes(), other.constBits(), bytes,
+    std::uint8_t* bytes = image.bits();
+    std::transform(bytes, bytes + image.sizeInBytes(), other.constBits(), bytes,
                    [](std::uint8_t a, std::uint8_t b) { return static_cast<std::uint8_t>((a + b + 1) / 2); });
 }
 
-void movePicture(vtkRenderWindow& window, const QPointF& shiftPx)
+void shiftImage(vtkRenderWindow& window, const QPointF& shiftPx)
 {
     const int* size = window.GetSize();
     vtkRendererCollection* renderers = window.GetRenderers();
@@ -45,7 +45,7 @@ void movePicture(vtkRenderWindow& window, const QPointF& shiftPx)
 
 }   // namespace
 
-struct VtkView::Glue {
+struct VtkView::VtkResources {
     OffscreenContext context;
     vtkNew<GlWindow> window;
     enum class State { Untried, Ready, Missing } state = State::Untried;
@@ -69,22 +69,22 @@ struct VtkView::Glue {
     void letGoOfLargerBuffers()
     {
         if (largestPx > sizePx() && context.makeCurrent()) {
-            window->letGoOfOldBuffers();
+            window->releaseOldBuffers();
             context.doneCurrent();
         }
     }
 };
 
-VtkView::VtkView(QWidget* parent) : QWidget(parent), glue_(std::make_unique<Glue>())
+VtkView::VtkView(QWidget* parent) : QWidget(parent), vtk_(std::make_unique<VtkResources>())
 {
     setMouseTracking(true);
     setFocusPolicy(Qt::StrongFocus);
     setMinimumSize(80, 80);
     setAttribute(Qt::WA_OpaquePaintEvent);
-    glue_->observe(vtkCommand::WindowMakeCurrentEvent, [](vtkObject*, unsigned long, void* client, void*) {
+    vtk_->observe(vtkCommand::WindowMakeCurrentEvent, [](vtkObject*, unsigned long, void* client, void*) {
         static_cast<OffscreenContext*>(client)->makeCurrent();
     });
-    glue_->observe(vtkCommand::WindowIsCurrentEvent, [](vtkObject*, unsigned long, void* client, void* answer) {
+    vtk_->observe(vtkCommand::WindowIsCurrentEvent, [](vtkObject*, unsigned long, void* client, void* answer) {
         *static_cast<bool*>(answer) = static_cast<OffscreenContext*>(client)->isCurrent();
     });
     renderTimer_.setSingleShot(true);
@@ -100,17 +100,17 @@ VtkView::VtkView(QWidget* parent) : QWidget(parent), glue_(std::make_unique<Glue
 
 VtkView::~VtkView()
 {
-    if (glue_->state == Glue::State::Ready) {
-        glue_->context.makeCurrent();
-        glue_->window->Finalize();
-        glue_->context.doneCurrent();
+    if (vtk_->state == VtkResources::State::Ready) {
+        vtk_->context.makeCurrent();
+        vtk_->window->Finalize();
+        vtk_->context.doneCurrent();
     }
-    glue_->window->RemoveAllObservers();
+    vtk_->window->RemoveAllObservers();
 }
 
 vtkRenderWindow* VtkView::renderWindow() const
 {
-    return glue_->window;
+    return vtk_->window;
 }
 
 QSize VtkView::deviceSize() const
@@ -122,7 +122,7 @@ void VtkView::requestRender()
 {
     // On slow computers, limits this view to half of the time, in favor of input and the angiogram.
     if (!renderTimer_.isActive()) {
-        renderTimer_.start(glue_->lastRenderMs > frameMs ? glue_->lastRenderMs : 0);
+        renderTimer_.start(vtk_->lastRenderMs > frameMs ? vtk_->lastRenderMs : 0);
     }
 }
 
@@ -130,19 +130,19 @@ void VtkView::paintAnnotations(QPainter&) {}
 
 bool VtkView::prepareContext()
 {
-    if (glue_->state == Glue::State::Untried) {
-        const bool isThere = glue_->context.create() && glue_->context.makeCurrent();
-        glue_->state = isThere ? Glue::State::Ready : Glue::State::Missing;
-        if (isThere) {
-            glue_->window->takeOverState();
-            glue_->window->SetReadyForRendering(true);
-            glue_->window->OpenGLInitContext();
+    if (vtk_->state == VtkResources::State::Untried) {
+        const bool isReady = vtk_->context.create() && vtk_->context.makeCurrent();
+        vtk_->state = isReady ? VtkResources::State::Ready : VtkResources::State::Missing;
+        if (isReady) {
+            vtk_->window->resetState();
+            vtk_->window->SetReadyForRendering(true);
+            vtk_->window->OpenGLInitContext();
         }
     }
-    return glue_->state == Glue::State::Ready && glue_->context.makeCurrent();
+    return vtk_->state == VtkResources::State::Ready && vtk_->context.makeCurrent();
 }
 
-void VtkView::rehearse()
+void VtkView::renderHidden()
 {
     if (prepareContext()) {
         (void)drawn({});
@@ -157,32 +157,32 @@ void VtkView::drawDraft()
     }
     QElapsedTimer timer;
     timer.start();
-    picture_ = drawn({});
+    image_ = drawn({});
     ++renderCount_;
-    glue_->lastRenderMs = static_cast<int>(timer.elapsed());
-    passes_.clear();
+    vtk_->lastRenderMs = static_cast<int>(timer.elapsed());
+    samples_.clear();
     settleTimer_.start(250ms);
 }
 
 /// Renders the next of the offset passes; after the last one, shows the mean of all passes.
 void VtkView::settle()
 {
-    if (!isVisible() || renderTimer_.isActive() || picture_.size() != deviceSize() || !prepareContext()) {
-        passes_.clear();   // discards the passes; the next rendering starts over
+    if (!isVisible() || renderTimer_.isActive() || image_.size() != deviceSize() || !prepareContext()) {
+        samples_.clear();   // discards the passes; the next rendering starts over
         return;
     }
-    passes_.push_back(drawn(settledShiftsPx[passes_.size()]));
-    if (passes_.size() % 2 == 0) {
-        blendInto(passes_[passes_.size() - 2], passes_.back());
+    samples_.push_back(drawn(sampleOffsetsPx[samples_.size()]));
+    if (samples_.size() % 2 == 0) {
+        blendInto(samples_[samples_.size() - 2], samples_.back());
     }
-    if (passes_.size() < settledShiftsPx.size()) {
+    if (samples_.size() < sampleOffsetsPx.size()) {
         settleTimer_.start(0ms);
         return;
     }
-    glue_->letGoOfLargerBuffers();
-    blendInto(passes_[0], passes_[2]);
-    picture_ = passes_[0];
-    passes_.clear();
+    vtk_->letGoOfLargerBuffers();
+    blendInto(samples_[0], samples_[2]);
+    image_ = samples_[0];
+    samples_.clear();
     ++renderCount_;
     update();
 }
@@ -190,46 +190,46 @@ void VtkView::settle()
 QImage VtkView::drawn(const QPointF& shiftPx)
 {
     const QSize device = deviceSize();
-    glue_->window->SetSize(device.width(), device.height());
-    glue_->largestPx = std::max(glue_->largestPx, glue_->sizePx());
+    vtk_->window->SetSize(device.width(), device.height());
+    vtk_->largestPx = std::max(vtk_->largestPx, vtk_->sizePx());
     prepareFrame();
-    movePicture(*glue_->window, shiftPx);
-    glue_->window->takeOverState();
-    glue_->window->Render();
-    QImage picture(device, QImage::Format_RGB32);
-    glue_->window->readPicture({reinterpret_cast<std::uint32_t*>(picture.bits()), device.width(), device.height()});
-    movePicture(*glue_->window, {});
-    glue_->context.doneCurrent();
-    return picture;
+    shiftImage(*vtk_->window, shiftPx);
+    vtk_->window->resetState();
+    vtk_->window->Render();
+    QImage image(device, QImage::Format_RGB32);
+    vtk_->window->readPixels({reinterpret_cast<std::uint32_t*>(image.bits()), device.width(), device.height()});
+    shiftImage(*vtk_->window, {});
+    vtk_->context.doneCurrent();
+    return image;
 }
 
 void VtkView::paintEvent(QPaintEvent*)
 {
-    if (picture_.isNull()) {
+    if (image_.isNull()) {
         drawDraft();
     }
     QPainter painter(this);
-    if (picture_.isNull()) {
-        paintExcuse(painter);
+    if (image_.isNull()) {
+        paintError(painter);
         return;
     }
-    if (picture_.size() == deviceSize()) {
-        picture_.setDevicePixelRatio(devicePixelRatio());
-        painter.drawImage(QPointF(0.0, 0.0), picture_);
+    if (image_.size() == deviceSize()) {
+        image_.setDevicePixelRatio(devicePixelRatio());
+        painter.drawImage(QPointF(0.0, 0.0), image_);
     } else {   // shows the last image scaled, since repainting does not wait for VTK
-        painter.drawImage(rect(), picture_);
+        painter.drawImage(rect(), image_);
         requestRender();
     }
     painter.setRenderHint(QPainter::Antialiasing);
     paintAnnotations(painter);
 }
 
-void VtkView::paintExcuse(QPainter& painter)
+void VtkView::paintError(QPainter& painter)
 {
     painter.fillRect(rect(), palette().base());
     painter.setPen(palette().color(QPalette::Text));
     painter.drawText(rect().adjusted(16, 16, -16, -16), Qt::AlignCenter | Qt::TextWordWrap,
-                     tr("The 3-D view needs OpenGL 3.2, which this display does not support. Everything else works. "
+                     tr("The 3-D view requires OpenGL 3.2, which this display does not support. Everything else works. "
                         "Try LIBGL_ALWAYS_SOFTWARE=1, or install libgl1-mesa-dri."));
 }
 

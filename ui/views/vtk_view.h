@@ -36,24 +36,24 @@ protected:
     virtual void paintAnnotations(QPainter& painter);
 
     /// Renders once without showing the result.
-    void rehearse();
+    void renderHidden();
 
     void paintEvent(QPaintEvent* event) override;
     void showEvent(QShowEvent* event) override;
 
 private:
-    struct Glue;
+    struct VtkResources;
     bool prepareContext();
     void drawDraft();
     void settle();
     QImage drawn(const QPointF& shiftPx);
-    void paintExcuse(QPainter& painter);
+    void paintError(QPainter& painter);
 
-    std::unique_ptr<Glue> glue_;
+    std::unique_ptr<VtkResources> vtk_;
     QTimer renderTimer_;
     QTimer settleTimer_;
-    QImage picture_;
-    std::vector<QImage> passes_;   ///< offset renderings completed since the view came to rest
+    QImage image_;
+    std::vector<QImage> samples_;   ///< offset renderings completed since the view came to rest
     int renderCount_ = 0;
 };
 

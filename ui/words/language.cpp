@@ -17,9 +17,9 @@ namespace angiopose::ui {
 namespace {
 
 /// Treats "zh-Hans-CN", "zh-CN" and "zh-SG" as the same script, "zh-TW" and "zh-Hant" as different.
-bool speaks(const QString& wanted, const QString& code)
+bool matchesLanguage(const QString& requestedCode, const QString& code)
 {
-    const QLocale locale(wanted);
+    const QLocale locale(requestedCode);
     if (code == QLatin1String("zh_CN")) {
         return locale.language() == QLocale::Chinese && locale.script() == QLocale::SimplifiedHanScript;
     }
@@ -48,11 +48,12 @@ QStringList languages()
 
 QString desktopLanguage()
 {
-    for (const QString& wanted : QLocale::system().uiLanguages()) {
-        const QStringList known = languages();
-        const auto found = std::ranges::find_if(known, [&wanted](const QString& code) { return speaks(wanted, code); });
-        if (found != known.end()) {
-            return *found;
+    for (const QString& requestedCode : QLocale::system().uiLanguages()) {
+        const QStringList available = languages();
+        const auto match = std::ranges::find_if(
+            available, [&requestedCode](const QString& code) { return matchesLanguage(requestedCode, code); });
+        if (match != available.end()) {
+            return *match;
         }
     }
     return languages().front();
@@ -87,8 +88,9 @@ QString joinedSentences(const QStringList& sentences)
 {
     QString text;
     for (const QString& sentence : sentences) {
-        const bool isApart = text.isEmpty() || text.endsWith(QChar(0x3002));   // the Chinese full stop is full-width
-        text += isApart ? sentence : QLatin1Char(' ') + sentence;
+        const bool needsNoSpace =
+            text.isEmpty() || text.endsWith(QChar(0x3002));   // the Chinese full stop is full-width
+        text += needsNoSpace ? sentence : QLatin1Char(' ') + sentence;
     }
     return text;
 }

@@ -28,7 +28,7 @@ struct ArgumentWords {
 
     QString operator()(const core::Quantity& quantity) const
     {
-        const QString number = quantity.decimals == core::Quantity::asNeeded
+        const QString number = quantity.decimals == core::Quantity::significantDigits
                                    ? briefNumber(quantity.value, 6)
                                    : numberText(quantity.value, quantity.decimals);
         const QString unit = QString::fromUtf8(quantity.unit);
@@ -58,9 +58,10 @@ QString filled(const QString& words, const std::vector<core::MessageArgument>& a
 {
     QString sentence;
     for (qsizetype at = 0; at < words.size(); ++at) {
-        const int place = words[at] == QLatin1Char('%') && at + 1 < words.size() ? words[at + 1].digitValue() : -1;
-        if (place >= 1 && static_cast<std::size_t>(place) <= arguments.size()) {
-            sentence += std::visit(ArgumentWords(), arguments[static_cast<std::size_t>(place) - 1]);
+        const int argumentNumber =
+            words[at] == QLatin1Char('%') && at + 1 < words.size() ? words[at + 1].digitValue() : -1;
+        if (argumentNumber >= 1 && static_cast<std::size_t>(argumentNumber) <= arguments.size()) {
+            sentence += std::visit(ArgumentWords(), arguments[static_cast<std::size_t>(argumentNumber) - 1]);
             ++at;
         } else {
             sentence += words[at];

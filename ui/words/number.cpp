@@ -26,8 +26,8 @@ QString numberText(double value, int decimals)
     if (!digits.startsWith(QLatin1Char('-'))) {
         return signedAs(digits);
     }
-    const bool isNothing = digits.toDouble() == 0.0;   // omits the sign of "-0.0"
-    return signedAs(isNothing ? digits.mid(1) : minusSign + digits.mid(1));
+    const bool isZero = digits.toDouble() == 0.0;   // omits the sign of "-0.0"
+    return signedAs(isZero ? digits.mid(1) : minusSign + digits.mid(1));
 }
 
 QString briefNumber(double value, int digits)

@@ -86,7 +86,7 @@ QString explanationOf(PoseAxis axis)
     return translated(texts[static_cast<std::size_t>(axis)]);
 }
 
-core::PoseOffset withoutLocked(core::PoseOffset change, const PoseLocks& locks)
+core::PoseOffset zeroLocked(core::PoseOffset change, const PoseLocks& locks)
 {
     for (const PoseAxis axis : poseAxes) {
         if (core::isLocked(locks, axis)) {

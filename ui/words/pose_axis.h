@@ -19,7 +19,7 @@ QString labelOf(PoseAxis axis);
 QString explanationOf(PoseAxis axis);
 
 /// Returns `change` with its locked components set to zero.
-core::PoseOffset withoutLocked(core::PoseOffset change, const PoseLocks& locks);
+core::PoseOffset zeroLocked(core::PoseOffset change, const PoseLocks& locks);
 
 /// Adds two offsets component by component; exact if only one degree of freedom changes, as with keys and fields.
 core::PoseOffset sum(const core::PoseOffset& a, const core::PoseOffset& b);

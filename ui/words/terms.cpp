@@ -13,7 +13,7 @@ struct MethodWords {
 
 }   // namespace
 
-QString methodWords(const std::string& methodId)
+QString methodName(const std::string& methodId)
 {
     if (methodId.empty()) {
         return MethodWords::tr("manual");

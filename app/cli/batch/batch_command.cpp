@@ -28,14 +28,14 @@ core::Status makeFolder(const std::string& folder)
 }
 
 /// Returns the exit code of the worst outcome (from worst to best: failed, low confidence, done).
-int worstOf(const BatchOutcomes& outcomes, const core::Shard& shard)
+int worstExitCode(const BatchOutcomes& outcomes, const core::Shard& shard)
 {
-    int exitCode = exitDone;
+    int exitCode = exitSuccess;
     for (std::size_t i = shard.index; i < outcomes.size(); i += shard.count) {
         if (!outcomes[i] || !outcomes[i]->hasResult()) {
-            return exitInput;
+            return exitInputError;
         }
-        exitCode = outcomes[i]->status == "done" ? exitCode : static_cast<int>(exitNotTrustworthy);
+        exitCode = outcomes[i]->status == "done" ? exitCode : static_cast<int>(exitUnreliable);
     }
     return exitCode;
 }
@@ -72,9 +72,9 @@ public:
     {
         std::vector<BatchJob> jobs = jobsToDo();
         PoolOptions options;
-        const int threads = arguments_.threads.value_or(core::usableThreads());
+        const int threads = arguments_.threads.value_or(core::availableThreads());
         options.workers = std::max(1, std::min(threads, static_cast<int>(jobs.size())));
-        options.threadsEach = std::max(1, threads / options.workers);
+        options.threadsPerWorker = std::max(1, threads / options.workers);
         options.timeLimitSeconds = arguments_.timeLimitSeconds;
         BatchPool pool(std::move(jobs), options);
         ProgressLine progress("registering");
@@ -87,9 +87,9 @@ public:
             keepTables();
         });
         if (const auto status = finish(); !status) {
-            return failInput(status.error());
+            return reportInputError(status.error());
         }
-        return isWhole ? worstOf(outcomes_, plan_.shard) : static_cast<int>(exitStopped);
+        return isWhole ? worstExitCode(outcomes_, plan_.shard) : static_cast<int>(exitInterrupted);
     }
 
 private:
@@ -98,12 +98,12 @@ private:
         std::vector<BatchJob> jobs;
         std::size_t kept = 0;
         for (std::size_t i = plan_.shard.index; i < plan_.entries.size(); i += plan_.shard.count) {
-            BatchJob job = jobOf(plan_.entries[i], plan_.settings, plan_.folder);
+            BatchJob job = makeJob(plan_.entries[i], plan_.settings, plan_.folder);
             job.isResumed = arguments_.isResumed;
-            job.isWithoutPictures = arguments_.isWithoutPictures;
+            job.skipImages = arguments_.skipImages;
             if (arguments_.isResumed) {
                 outcomes_[i] = readOutcome(job.folder);
-                if (outcomes_[i] && isUpToDate(*outcomes_[i], job.asked, job.folder)) {
+                if (outcomes_[i] && isUpToDate(*outcomes_[i], job.request, job.folder)) {
                     ++kept;
                     continue;
                 }
@@ -113,7 +113,8 @@ private:
             jobs.push_back(std::move(job));
         }
         if (arguments_.isResumed) {
-            printMessage(std::to_string(kept) + " cases are already done, " + std::to_string(jobs.size()) + " remain.");
+            printMessage(std::to_string(kept) + " cases are already completed, " + std::to_string(jobs.size()) +
+                         " remain.");
         }
         return jobs;
     }
@@ -124,7 +125,8 @@ private:
             return;
         }
         written_ = Clock::now();
-        if (const auto status = writeTables(plan_.folder, plan_.entries, outcomes_, plan_.shard, MissingRows::LeftOut);
+        if (const auto status =
+                writeTables(plan_.folder, plan_.entries, outcomes_, plan_.shard, MissingOutcomes::LeftOut);
             !status) {
             printMessage(status.error().message.text());   // not fatal: the outcomes themselves are stored
         }
@@ -133,12 +135,12 @@ private:
     /// Writes the table of this shard; the last shard to finish also writes the table of all shards.
     core::Status finish() const
     {
-        if (auto status = writeTables(plan_.folder, plan_.entries, outcomes_, plan_.shard, MissingRows::LeftOut);
+        if (auto status = writeTables(plan_.folder, plan_.entries, outcomes_, plan_.shard, MissingOutcomes::LeftOut);
             !status || plan_.shard.count == 1) {
             return status;
         }
-        const BatchOutcomes all = outcomesIn(plan_.folder, plan_.entries, plan_.settings);
-        return areAllThere(all) ? writeTables(plan_.folder, plan_.entries, all, {}, MissingRows::LeftOut)
+        const BatchOutcomes all = readOutcomes(plan_.folder, plan_.entries, plan_.settings);
+        return areComplete(all) ? writeTables(plan_.folder, plan_.entries, all, {}, MissingOutcomes::LeftOut)
                                 : core::Status(core::Done{});
     }
 
@@ -153,9 +155,9 @@ private:
 /// Writes the tables from the stored outcomes of the shards; registers nothing.
 int mergeBatch(const BatchPlan& plan, const BatchArguments& arguments)
 {
-    const auto merged = mergedOutcomes(arguments.mergedFolders, plan.entries);
+    const auto merged = mergeOutcomes(arguments.mergedFolders, plan.entries);
     if (!merged) {
-        return failInput(merged.error());
+        return reportInputError(merged.error());
     }
     const BatchOutcomes& outcomes = merged.value();
     for (std::size_t i = 0; i < outcomes.size(); ++i) {
@@ -163,11 +165,11 @@ int mergeBatch(const BatchPlan& plan, const BatchArguments& arguments)
             printMessage(plan.entries[i].name + ": " + messages::batchRowMissing().text());
         }
     }
-    if (const auto status = writeTables(plan.folder, plan.entries, outcomes, {}, MissingRows::Reported); !status) {
-        return failInput(status.error());
+    if (const auto status = writeTables(plan.folder, plan.entries, outcomes, {}, MissingOutcomes::Reported); !status) {
+        return reportInputError(status.error());
     }
     std::printf("written        %s\n", (fs::path(plan.folder) / "summary.csv").string().c_str());
-    return worstOf(outcomes, {});
+    return worstExitCode(outcomes, {});
 }
 
 }   // namespace
@@ -175,24 +177,24 @@ int mergeBatch(const BatchPlan& plan, const BatchArguments& arguments)
 int runBatch(const BatchArguments& arguments)
 {
     BatchPlan plan;
-    const auto shard = shardFrom(arguments.shard);
+    const auto shard = parseShard(arguments.shard);
     if (!shard) {
         printMessage(shard.error().message.text());
-        return exitUsage;
+        return exitUsageError;
     }
     if (const auto status = plan.settings.add(arguments.settings); !status) {
         printMessage(status.error().message.text());
-        return exitUsage;
+        return exitUsageError;
     }
     auto entries = io::readManifest(arguments.manifestPath);
     if (!entries) {
-        return failInput(entries.error());
+        return reportInputError(entries.error());
     }
     plan.entries = std::move(entries).value();
     plan.shard = shard.value();
     plan.folder = arguments.outputFolder;
     if (const auto status = makeFolder(plan.folder); !status) {
-        return failInput(status.error());
+        return reportInputError(status.error());
     }
     return arguments.mergedFolders.empty() ? BatchRun(plan, arguments).run() : mergeBatch(plan, arguments);
 }

@@ -85,14 +85,14 @@ std::string tablePath(const std::string& folder, const std::string& stem, const 
 
 }   // namespace
 
-BatchOutcomes outcomesIn(const std::string& folder, const std::vector<io::BatchEntry>& entries,
-                         const io::CaseSettings& common)
+BatchOutcomes readOutcomes(const std::string& folder, const std::vector<io::BatchEntry>& entries,
+                           const io::CaseSettings& common)
 {
     BatchOutcomes outcomes;
     for (const io::BatchEntry& entry : entries) {
         auto found = readOutcome(folderOf(folder, entry));
-        const std::string asked = askedOf(entry, common);
-        if (found && !(isSameRow(found->asked, asked) && areSetAlike(found->asked, asked))) {
+        const std::string request = serializeRequest(entry, common);
+        if (found && !(isSameRow(found->request, request) && haveSameSettings(found->request, request))) {
             found.reset();
         }
         outcomes.push_back(std::move(found));
@@ -100,21 +100,21 @@ BatchOutcomes outcomesIn(const std::string& folder, const std::vector<io::BatchE
     return outcomes;
 }
 
-core::Result<BatchOutcomes> mergedOutcomes(const std::vector<std::string>& folders,
-                                           const std::vector<io::BatchEntry>& entries)
+core::Result<BatchOutcomes> mergeOutcomes(const std::vector<std::string>& folders,
+                                          const std::vector<io::BatchEntry>& entries)
 {
     BatchOutcomes outcomes(entries.size());
     const BatchOutcome* first = nullptr;
     for (std::size_t i = 0; i < entries.size(); ++i) {
-        const std::string asked = askedOf(entries[i], {});
+        const std::string request = serializeRequest(entries[i], {});
         for (const std::string& folder : folders) {
             auto found = readOutcome(folderOf(folder, entries[i]));
-            if (!found || !isSameRow(found->asked, asked)) {
+            if (!found || !isSameRow(found->request, request)) {
                 continue;
             }
             const bool isOther =
                 outcomes[i] && summaryRow(entries[i], &*found) != summaryRow(entries[i], &*outcomes[i]);
-            if (isOther || (first && !areSetAlike(first->asked, found->asked))) {
+            if (isOther || (first && !haveSameSettings(first->request, found->request))) {
                 return core::Error(
                     messages::batchMergeDiffers((isOther ? *outcomes[i] : *first).name, folderOf(folder, entries[i])));
             }
@@ -125,13 +125,13 @@ core::Result<BatchOutcomes> mergedOutcomes(const std::vector<std::string>& folde
     return outcomes;
 }
 
-bool areAllThere(const BatchOutcomes& outcomes)
+bool areComplete(const BatchOutcomes& outcomes)
 {
     return std::ranges::all_of(outcomes, [](const auto& outcome) { return outcome.has_value(); });
 }
 
 core::Status writeTables(const std::string& folder, const std::vector<io::BatchEntry>& entries,
-                         const BatchOutcomes& outcomes, const core::Shard& shard, MissingRows missing)
+                         const BatchOutcomes& outcomes, const core::Shard& shard, MissingOutcomes missing)
 {
     std::string summary = summaryHeader();
     std::string times = timesHeader();
@@ -139,7 +139,7 @@ core::Status writeTables(const std::string& folder, const std::vector<io::BatchE
         if (outcomes[i]) {
             summary += summaryRow(entries[i], &*outcomes[i]);
             times += timesRow(entries[i], *outcomes[i]);
-        } else if (missing == MissingRows::Reported) {
+        } else if (missing == MissingOutcomes::Reported) {
             summary += summaryRow(entries[i], nullptr);
         }
     }

@@ -16,21 +16,21 @@ namespace angiopose::app {
 using BatchOutcomes = std::vector<std::optional<BatchOutcome>>;
 
 /// Reads the stored outcomes in a results folder that match these rows and common settings.
-BatchOutcomes outcomesIn(const std::string& folder, const std::vector<io::BatchEntry>& entries,
-                         const io::CaseSettings& common);
+BatchOutcomes readOutcomes(const std::string& folder, const std::vector<io::BatchEntry>& entries,
+                           const io::CaseSettings& common);
 
 /// Reads the stored outcomes in several folders, whatever their common settings. Fails if the folders differ in these
 /// settings, and names two that do.
-core::Result<BatchOutcomes> mergedOutcomes(const std::vector<std::string>& folders,
-                                           const std::vector<io::BatchEntry>& entries);
+core::Result<BatchOutcomes> mergeOutcomes(const std::vector<std::string>& folders,
+                                          const std::vector<io::BatchEntry>& entries);
 
-bool areAllThere(const BatchOutcomes& outcomes);
+bool areComplete(const BatchOutcomes& outcomes);
 
-enum class MissingRows { LeftOut, Reported };
+enum class MissingOutcomes { LeftOut, Reported };
 
 /// Writes summary.csv and times.csv for the rows of a shard, or summary-I-of-N.csv and times-I-of-N.csv if there are
 /// several shards.
 core::Status writeTables(const std::string& folder, const std::vector<io::BatchEntry>& entries,
-                         const BatchOutcomes& outcomes, const core::Shard& shard, MissingRows missing);
+                         const BatchOutcomes& outcomes, const core::Shard& shard, MissingOutcomes missing);
 
 }   // namespace angiopose::app

@@ -17,31 +17,31 @@ std::string textOf(const JobJson& json)
 /// Members of `asked` that describe the settings common to all rows.
 constexpr const char* commonKeys[] = {"set", "programVersion"};
 
-JobJson commonOf(const JobJson& asked)
+JobJson commonOf(const JobJson& request)
 {
     JobJson common;
     for (const char* key : commonKeys) {
-        common[key] = asked.value(key, JobJson());
+        common[key] = request.value(key, JobJson());
     }
     return common;
 }
 
-JobJson withoutCommon(JobJson asked)
+JobJson withoutCommon(JobJson request)
 {
     for (const char* key : commonKeys) {
-        asked.erase(key);
+        request.erase(key);
     }
-    return asked;
+    return request;
 }
 
 }   // namespace
 
-std::string askedOf(const io::BatchEntry& entry, const io::CaseSettings& common)
+std::string serializeRequest(const io::BatchEntry& entry, const io::CaseSettings& common)
 {
-    JobJson asked = JobJson::object();
-    const auto add = [&asked](const char* key, const std::string& cell) {
+    JobJson request = JobJson::object();
+    const auto add = [&request](const char* key, const std::string& cell) {
         if (!cell.empty()) {
-            asked[key] = cell;
+            request[key] = cell;
         }
     };
     add("case", entry.caseCell);
@@ -49,27 +49,27 @@ std::string askedOf(const io::BatchEntry& entry, const io::CaseSettings& common)
     add("angiogram", entry.angiogramCell);
     add("method", entry.method);
     if (entry.frame) {
-        asked["frame"] = *entry.frame;
+        request["frame"] = *entry.frame;
     }
     if (!entry.settings.isEmpty()) {
-        asked["settings"] = entry.settings.assignments();
+        request["settings"] = entry.settings.assignments();
     }
-    asked["set"] = common.assignments();
-    asked["programVersion"] = ANGIOPOSE_VERSION;
-    return textOf(asked);
+    request["set"] = common.assignments();
+    request["programVersion"] = ANGIOPOSE_VERSION;
+    return textOf(request);
 }
 
-bool isSameRow(const std::string& asked, const std::string& other)
+bool isSameRow(const std::string& request, const std::string& other)
 {
-    return withoutCommon(JobJson::parse(asked)) == withoutCommon(JobJson::parse(other));
+    return withoutCommon(JobJson::parse(request)) == withoutCommon(JobJson::parse(other));
 }
 
-bool areSetAlike(const std::string& asked, const std::string& other)
+bool haveSameSettings(const std::string& request, const std::string& other)
 {
-    return commonOf(JobJson::parse(asked)) == commonOf(JobJson::parse(other));
+    return commonOf(JobJson::parse(request)) == commonOf(JobJson::parse(other));
 }
 
-BatchJob jobOf(const io::BatchEntry& entry, const io::CaseSettings& common, const std::string& outputFolder)
+BatchJob makeJob(const io::BatchEntry& entry, const io::CaseSettings& common, const std::string& outputFolder)
 {
     BatchJob job;
     job.name = entry.name;
@@ -84,24 +84,24 @@ BatchJob jobOf(const io::BatchEntry& entry, const io::CaseSettings& common, cons
         job.settings.push_back(own);
     }
     job.folder = (std::filesystem::absolute(outputFolder) / entry.name).string();
-    job.asked = askedOf(entry, common);
+    job.request = serializeRequest(entry, common);
     return job;
 }
 
-std::string lineOf(const BatchJob& job)
+std::string toJsonLine(const BatchJob& job)
 {
     JobJson json{{"name", job.name},           {"case", job.casePath},
                  {"vessels", job.vesselsPath}, {"angiogram", job.angiogramPath},
                  {"method", job.method},       {"settings", job.settings},
-                 {"folder", job.folder},       {"asked", job.asked},
-                 {"isResumed", job.isResumed}, {"isWithoutPictures", job.isWithoutPictures}};
+                 {"folder", job.folder},       {"asked", job.request},
+                 {"isResumed", job.isResumed}, {"isWithoutPictures", job.skipImages}};
     if (job.frame) {
         json["frame"] = *job.frame;
     }
     return json.dump(-1, ' ', true, JobJson::error_handler_t::replace);
 }
 
-BatchJob jobFrom(const std::string& line)
+BatchJob parseJob(const std::string& line)
 {
     const JobJson json = JobJson::parse(line);
     BatchJob job;
@@ -112,9 +112,9 @@ BatchJob jobFrom(const std::string& line)
     job.method = json.at("method");
     job.settings = json.at("settings").get<std::vector<std::string>>();
     job.folder = json.at("folder");
-    job.asked = json.at("asked");
+    job.request = json.at("asked");
     job.isResumed = json.at("isResumed");
-    job.isWithoutPictures = json.at("isWithoutPictures");
+    job.skipImages = json.at("isWithoutPictures");
     if (json.contains("frame")) {
         job.frame = json["frame"].get<int>();
     }

@@ -20,25 +20,25 @@ struct BatchJob {
     std::optional<int> frame;   ///< if empty, the frame of the case
     std::vector<std::string> settings;   ///< "name=value" pairs; see io::CaseSettings
     std::string folder;   ///< output folder used by this row only
-    std::string asked;   ///< everything except the inputs that determines the outcome, as JSON; see askedOf
+    std::string request;   ///< everything except the inputs that determines the outcome, as JSON; see serializeRequest
     bool isResumed = false;   ///< keep an existing outcome that is up to date
-    bool isWithoutPictures = false;
+    bool skipImages = false;
 };
 
 /// Serializes the request of a row without file locations, so that the text does not depend on where the manifest is
 /// stored. `common` applies to all rows.
-std::string askedOf(const io::BatchEntry& entry, const io::CaseSettings& common);
+std::string serializeRequest(const io::BatchEntry& entry, const io::CaseSettings& common);
 
 /// Returns whether two requests describe the same row, regardless of common settings.
-bool isSameRow(const std::string& asked, const std::string& other);
+bool isSameRow(const std::string& request, const std::string& other);
 /// Returns whether two requests have the same common settings and program version.
-bool areSetAlike(const std::string& asked, const std::string& other);
+bool haveSameSettings(const std::string& request, const std::string& other);
 
-BatchJob jobOf(const io::BatchEntry& entry, const io::CaseSettings& common, const std::string& outputFolder);
+BatchJob makeJob(const io::BatchEntry& entry, const io::CaseSettings& common, const std::string& outputFolder);
 
 /// Serializes a job to one line.
-std::string lineOf(const BatchJob& job);
+std::string toJsonLine(const BatchJob& job);
 /// Parses a job; throws std::exception if the line is not a job.
-BatchJob jobFrom(const std::string& line);
+BatchJob parseJob(const std::string& line);
 
 }   // namespace angiopose::app

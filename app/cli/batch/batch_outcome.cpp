@@ -60,11 +60,11 @@ std::vector<double> figuresFrom(const OutcomeJson& json)
     return figures;
 }
 
-OutcomeJson inputJson(const io::InputFacts& input)
+OutcomeJson inputJson(const io::InputFingerprint& input)
 {
     OutcomeJson json{{"path", input.path}};
     if (input.isThere) {
-        json.update({{"size", input.size}, {"modified", input.modified}});
+        json.update({{"size", input.size}, {"modified", input.modificationTime}});
     }
     if (!input.sha256.empty()) {
         json["sha256"] = input.sha256;
@@ -72,13 +72,13 @@ OutcomeJson inputJson(const io::InputFacts& input)
     return json;
 }
 
-io::InputFacts inputFrom(const OutcomeJson& json)
+io::InputFingerprint inputFrom(const OutcomeJson& json)
 {
-    io::InputFacts input;
+    io::InputFingerprint input;
     input.path = json.at("path");
     input.isThere = json.contains("size");
     input.size = json.value("size", std::uint64_t{0});
-    input.modified = json.value("modified", std::numeric_limits<std::int64_t>::min());
+    input.modificationTime = json.value("modified", std::numeric_limits<std::int64_t>::min());
     input.sha256 = json.value("sha256", "");
     return input;
 }
@@ -103,9 +103,9 @@ OutcomeJson outcomeJson(const BatchOutcome& outcome)
                      {"figures", figuresJson(outcome)},
                      {"message", outcome.message},
                      {"notes", outcome.notes},
-                     {"asked", OutcomeJson::parse(outcome.asked)}};
+                     {"asked", OutcomeJson::parse(outcome.request)}};
     json["inputs"] = OutcomeJson::array();
-    for (const io::InputFacts& input : outcome.inputs) {
+    for (const io::InputFingerprint& input : outcome.inputs) {
         json["inputs"].push_back(inputJson(input));
     }
     json["files"] = OutcomeJson::array();
@@ -131,7 +131,7 @@ void addResult(BatchOutcome& outcome, const core::RegisteredCase& registered)
     const core::DistanceMetrics& metrics = result.metrics;
     outcome.status = result.trustworthy ? "done" : "not trustworthy";
     outcome.method = result.method;
-    outcome.viewCount = registered.places.size();
+    outcome.viewCount = registered.viewIndices.size();
     outcome.figures = {metrics.medianPx,
                        metrics.medianMm,
                        metrics.p95Px,
@@ -144,12 +144,12 @@ void addResult(BatchOutcome& outcome, const core::RegisteredCase& registered)
     outcome.times.registerMs = result.time.totalMs;
 }
 
-std::string lineOf(const BatchOutcome& outcome)
+std::string toJsonLine(const BatchOutcome& outcome)
 {
     return outcomeJson(outcome).dump(-1, ' ', true, OutcomeJson::error_handler_t::replace);
 }
 
-BatchOutcome outcomeFrom(const std::string& text)
+BatchOutcome parseOutcome(const std::string& text)
 {
     const OutcomeJson json = OutcomeJson::parse(text);
     BatchOutcome outcome;
@@ -160,7 +160,7 @@ BatchOutcome outcomeFrom(const std::string& text)
     outcome.figures = figuresFrom(json.at("figures"));
     outcome.message = json.at("message");
     outcome.notes = json.at("notes").get<std::vector<std::string>>();
-    outcome.asked = json.at("asked").dump();
+    outcome.request = json.at("asked").dump();
     for (const OutcomeJson& input : json.at("inputs")) {
         outcome.inputs.push_back(inputFrom(input));
     }
@@ -188,16 +188,16 @@ std::optional<BatchOutcome> readOutcome(const std::string& folder)
         return std::nullopt;
     }
     try {
-        return outcomeFrom(std::string(content.value().view()));
+        return parseOutcome(std::string(content.value().view()));
     } catch (const std::exception&) {
         return std::nullopt;
     }
 }
 
-bool isUpToDate(const BatchOutcome& outcome, const std::string& asked, const std::string& folder)
+bool isUpToDate(const BatchOutcome& outcome, const std::string& request, const std::string& folder)
 {
     if (outcome.status == "crashed" || outcome.status == "out of time" ||
-        OutcomeJson::parse(outcome.asked) != OutcomeJson::parse(asked)) {
+        OutcomeJson::parse(outcome.request) != OutcomeJson::parse(request)) {
         return false;
     }
     const auto isWhole = [&folder](const WrittenFile& file) {

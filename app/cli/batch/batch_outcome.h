@@ -2,7 +2,7 @@
 
 #include "core/support/message.h"
 #include "core/workflow/register_case.h"
-#include "io/case/input_facts.h"
+#include "io/case/input_fingerprint.h"
 
 #include <cstdint>
 #include <optional>
@@ -37,8 +37,8 @@ struct BatchOutcome {
     std::vector<double> figures;   ///< in the order of figureNames(); empty if the case has no result
     std::string message;   ///< warnings of the result, or the reason why there is no result
     std::vector<std::string> notes;   ///< warnings from opening the case
-    std::string asked;   ///< see askedOf
-    std::vector<io::InputFacts> inputs;
+    std::string request;   ///< see askedOf
+    std::vector<io::InputFingerprint> inputs;
     std::vector<WrittenFile> files;
     BatchTimes times;
 
@@ -52,8 +52,8 @@ const std::vector<std::string_view>& figureNames();
 void addResult(BatchOutcome& outcome, const core::RegisteredCase& registered);
 
 /// Convert an outcome to one line of JSON and back; parsing throws std::exception if the text is not an outcome.
-std::string lineOf(const BatchOutcome& outcome);
-BatchOutcome outcomeFrom(const std::string& json);
+std::string toJsonLine(const BatchOutcome& outcome);
+BatchOutcome parseOutcome(const std::string& json);
 
 /// Stores the outcome in the folder of its case, creating the folder if needed.
 core::Status writeOutcome(const BatchOutcome& outcome, const std::string& folder);
@@ -62,6 +62,6 @@ std::optional<BatchOutcome> readOutcome(const std::string& folder);
 
 /// Returns whether a new run would give the same outcome: same request, same inputs and all files present. A crash or
 /// timeout is never up to date, since a retry may succeed.
-bool isUpToDate(const BatchOutcome& outcome, const std::string& asked, const std::string& folder);
+bool isUpToDate(const BatchOutcome& outcome, const std::string& request, const std::string& folder);
 
 }   // namespace angiopose::app

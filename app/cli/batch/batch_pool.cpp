@@ -4,7 +4,7 @@
 #include "app/cli/batch/batch_worker.h"
 #include "app/cli/console.h"
 #include "app/messages/messages.h"
-#include "io/support/system/own_process.h"
+#include "io/support/system/current_process.h"
 #include "io/support/system/worker_process.h"
 
 #include <algorithm>
@@ -21,15 +21,15 @@ constexpr auto stopPatience = std::chrono::seconds(2);
 
 std::unique_ptr<io::WorkerProcess> startWorker(int threads)
 {
-    const std::vector<std::string> arguments{"batch-worker", std::to_string(io::ownProcessId()),
+    const std::vector<std::string> arguments{"batch-worker", std::to_string(io::currentProcessId()),
                                              std::to_string(threads)};
-    return std::make_unique<io::WorkerProcess>(io::ownBinary().string(), arguments, workerEnvironment(threads));
+    return std::make_unique<io::WorkerProcess>(io::currentBinaryPath().string(), arguments, workerEnvironment(threads));
 }
 
 }   // namespace
 
 /// Slot for a worker and its current job.
-struct BatchPool::Seat {
+struct BatchPool::WorkerSlot {
     std::unique_ptr<io::WorkerProcess> worker;
     std::optional<std::size_t> job;
     std::optional<Clock::time_point> deadline;
@@ -40,7 +40,7 @@ BatchPool::BatchPool(std::vector<BatchJob> jobs, PoolOptions options) : jobs_(st
 {
     const int count = std::min<int>(std::max(1, options_.workers), static_cast<int>(jobs_.size()));
     for (int i = 0; i < count; ++i) {
-        seats_.push_back(std::make_unique<Seat>());
+        slots_.push_back(std::make_unique<WorkerSlot>());
     }
 }
 
@@ -54,56 +54,56 @@ bool BatchPool::run(const std::function<void(std::size_t job, BatchOutcome outco
             stop();
             return false;
         }
-        fill();
+        assignJobs();
         std::vector<const io::WorkerProcess*> workers;
-        for (const auto& seat : seats_) {
+        for (const auto& seat : slots_) {
             if (seat->worker) {
                 workers.push_back(seat->worker.get());
             }
         }
         io::WorkerProcess::waitForAny(workers, waitMs());
-        hearAll();
-        endLate();
+        readReplies();
+        killOverdueWorkers();
     }
     return true;
 }
 
 bool BatchPool::isDone() const
 {
-    return next_ == jobs_.size() &&
-           std::ranges::none_of(seats_, [](const auto& seat) { return seat->job.has_value(); });
+    return nextJob_ == jobs_.size() &&
+           std::ranges::none_of(slots_, [](const auto& seat) { return seat->job.has_value(); });
 }
 
-void BatchPool::fill()
+void BatchPool::assignJobs()
 {
-    for (const auto& seat : seats_) {
-        while (!seat->job && next_ < jobs_.size()) {
-            give(*seat, next_++);
+    for (const auto& seat : slots_) {
+        while (!seat->job && nextJob_ < jobs_.size()) {
+            assign(*seat, nextJob_++);
         }
     }
 }
 
-void BatchPool::give(Seat& seat, std::size_t job)
+void BatchPool::assign(WorkerSlot& seat, std::size_t job)
 {
     seat.job = job;
     if (!seat.worker) {
-        seat.worker = startWorker(options_.threadsEach);
+        seat.worker = startWorker(options_.threadsPerWorker);
         seat.isFresh = true;
     }
     if (!seat.worker->isStarted()) {
         seat.worker.reset();
-        const core::Message why = messages::batchNoWorker(io::ownBinary().string());
-        settle(seat, abandonedRow(jobs_[job], "crashed", why));
+        const core::Message why = messages::batchNoWorker(io::currentBinaryPath().string());
+        finishJob(seat, makeAbandonedOutcome(jobs_[job], "crashed", why));
         return;
     }
     if (options_.timeLimitSeconds) {
         seat.deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(
                                            std::chrono::duration<double>(*options_.timeLimitSeconds));
     }
-    seat.worker->tell(lineOf(jobs_[job]));   // if the worker has died, the next read from it detects this
+    seat.worker->sendLine(toJsonLine(jobs_[job]));   // if the worker has died, the next read from it detects this
 }
 
-void BatchPool::settle(Seat& seat, BatchOutcome outcome)
+void BatchPool::finishJob(WorkerSlot& seat, BatchOutcome outcome)
 {
     const std::size_t job = *seat.job;
     seat.job.reset();
@@ -112,35 +112,35 @@ void BatchPool::settle(Seat& seat, BatchOutcome outcome)
     onEnd_(job, std::move(outcome));
 }
 
-void BatchPool::hearAll()
+void BatchPool::readReplies()
 {
-    for (const auto& seat : seats_) {
+    for (const auto& seat : slots_) {
         if (seat->worker) {
-            hear(*seat);
+            receiveLine(*seat);
         }
     }
 }
 
-void BatchPool::hear(Seat& seat)
+void BatchPool::receiveLine(WorkerSlot& seat)
 {
     std::string line;
-    switch (seat.worker->hear(line)) {
-        case io::WorkerProcess::Heard::Nothing:
+    switch (seat.worker->receiveLine(line)) {
+        case io::WorkerProcess::ReadStatus::Nothing:
             return;
-        case io::WorkerProcess::Heard::End:
-            lose(seat);
+        case io::WorkerProcess::ReadStatus::End:
+            handleWorkerExit(seat);
             return;
-        case io::WorkerProcess::Heard::Line:
+        case io::WorkerProcess::ReadStatus::Line:
             break;
     }
     if (seat.job) {
-        settle(seat, outcomeFrom(line));
+        finishJob(seat, parseOutcome(line));
     }
 }
 
 /// Handles a worker that ended. The cause may lie in one of its earlier cases, so the job is repeated in a new worker,
 /// unless the ended worker was new itself.
-void BatchPool::lose(Seat& seat)
+void BatchPool::handleWorkerExit(WorkerSlot& seat)
 {
     const std::string how = seat.worker->end();
     const bool wasFresh = seat.isFresh;
@@ -149,20 +149,22 @@ void BatchPool::lose(Seat& seat)
         return;
     }
     if (!wasFresh) {
-        give(seat, *seat.job);
+        assign(seat, *seat.job);
         return;
     }
-    settle(seat, abandonedRow(jobs_[*seat.job], "crashed", messages::batchCrashed(how.empty() ? "killed" : how)));
+    finishJob(seat,
+              makeAbandonedOutcome(jobs_[*seat.job], "crashed", messages::batchCrashed(how.empty() ? "killed" : how)));
 }
 
-void BatchPool::endLate()
+void BatchPool::killOverdueWorkers()
 {
-    for (const auto& seat : seats_) {
+    for (const auto& seat : slots_) {
         if (seat->job && seat->deadline && Clock::now() >= *seat->deadline) {
             seat->worker.reset();   // kills the process, because a hung worker reads no requests
-            settle(*seat, abandonedRow(jobs_[*seat->job], "out of time",
-                                       messages::batchOutOfTime(
-                                           core::Quantity{*options_.timeLimitSeconds, core::Quantity::asNeeded, "s"})));
+            finishJob(*seat,
+                      makeAbandonedOutcome(jobs_[*seat->job], "out of time",
+                                           messages::batchOutOfTime(core::Quantity{
+                                               *options_.timeLimitSeconds, core::Quantity::significantDigits, "s"})));
         }
     }
 }
@@ -170,7 +172,7 @@ void BatchPool::endLate()
 int BatchPool::waitMs() const
 {
     double ms = askedEveryMs;
-    for (const auto& seat : seats_) {
+    for (const auto& seat : slots_) {
         if (seat->deadline) {
             const std::chrono::duration<double, std::milli> left = *seat->deadline - Clock::now();
             ms = std::min(ms, std::max(0.0, std::ceil(left.count())));
@@ -183,35 +185,35 @@ int BatchPool::waitMs() const
 /// killed.
 void BatchPool::stop()
 {
-    for (const auto& seat : seats_) {
+    for (const auto& seat : slots_) {
         if (seat->worker) {
-            seat->worker->askToStop();
+            seat->worker->requestStop();
         }
     }
     const auto end = Clock::now() + stopPatience;
     const auto isRunning = [](const auto& seat) { return seat->worker && seat->job; };
-    while (Clock::now() < end && std::ranges::any_of(seats_, isRunning)) {
+    while (Clock::now() < end && std::ranges::any_of(slots_, isRunning)) {
         std::vector<const io::WorkerProcess*> workers;
-        for (const auto& seat : seats_) {
+        for (const auto& seat : slots_) {
             if (isRunning(seat)) {
                 workers.push_back(seat->worker.get());
             }
         }
         io::WorkerProcess::waitForAny(workers, askedEveryMs);
-        for (const auto& seat : seats_) {
+        for (const auto& seat : slots_) {
             std::string line;
             if (!isRunning(seat)) {
                 continue;
             }
-            const auto heard = seat->worker->hear(line);
-            if (heard == io::WorkerProcess::Heard::Line) {
-                settle(*seat, outcomeFrom(line));
-            } else if (heard == io::WorkerProcess::Heard::End) {
+            const auto heard = seat->worker->receiveLine(line);
+            if (heard == io::WorkerProcess::ReadStatus::Line) {
+                finishJob(*seat, parseOutcome(line));
+            } else if (heard == io::WorkerProcess::ReadStatus::End) {
                 seat->worker.reset();
             }
         }
     }
-    seats_.clear();
+    slots_.clear();
 }
 
 }   // namespace angiopose::app

@@ -13,7 +13,7 @@ namespace angiopose::app {
 
 struct PoolOptions {
     int workers = 1;
-    int threadsEach = 1;   ///< threads per worker
+    int threadsPerWorker = 1;   ///< threads per worker
     std::optional<double> timeLimitSeconds;   ///< time limit per case, s
 };
 
@@ -29,23 +29,23 @@ public:
     bool run(const std::function<void(std::size_t job, BatchOutcome outcome)>& onEnd);
 
 private:
-    struct Seat;
+    struct WorkerSlot;
 
-    void fill();
-    void give(Seat& seat, std::size_t job);
-    void hearAll();
-    void hear(Seat& seat);
-    void lose(Seat& seat);
-    void endLate();
+    void assignJobs();
+    void assign(WorkerSlot& seat, std::size_t job);
+    void readReplies();
+    void receiveLine(WorkerSlot& seat);
+    void handleWorkerExit(WorkerSlot& seat);
+    void killOverdueWorkers();
     int waitMs() const;
     void stop();
     bool isDone() const;
-    void settle(Seat& seat, BatchOutcome outcome);
+    void finishJob(WorkerSlot& seat, BatchOutcome outcome);
 
     std::vector<BatchJob> jobs_;
     PoolOptions options_;
-    std::vector<std::unique_ptr<Seat>> seats_;
-    std::size_t next_ = 0;
+    std::vector<std::unique_ptr<WorkerSlot>> slots_;
+    std::size_t nextJob_ = 0;
     std::function<void(std::size_t, BatchOutcome)> onEnd_;
 };
 

@@ -2,15 +2,15 @@
 
 #include "app/cli/case_input.h"
 #include "app/cli/console.h"
-#include "app/cli/open_together.h"
+#include "app/cli/open_pair.h"
 #include "app/cli/register_case.h"
 #include "app/cli/register_outputs.h"
 #include "app/messages/messages.h"
 #include "core/support/stopwatch.h"
 #include "core/support/utc_time.h"
-#include "io/case/load_case_with.h"
-#include "io/opening/open_case_with.h"
-#include "io/support/system/held_file.h"
+#include "io/case/load_case_with_options.h"
+#include "io/opening/open_case_with_options.h"
+#include "io/support/system/lockable_file.h"
 
 #include <algorithm>
 #include <chrono>
@@ -23,9 +23,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-core::Verdict goOnUnlessStopped(double)
+core::ObserverDecision goOnUnlessStopped(double)
 {
-    return isInterrupted() ? core::Verdict::Stop : core::Verdict::Continue;
+    return isInterrupted() ? core::ObserverDecision::Stop : core::ObserverDecision::Continue;
 }
 
 core::Result<core::Case> openRow(const BatchJob& job, core::Messages& warnings)
@@ -34,14 +34,15 @@ core::Result<core::Case> openRow(const BatchJob& job, core::Messages& warnings)
     if (const auto status = settings.add(job.settings); !status) {
         return status.error();
     }
-    auto opened =
-        job.casePath.empty()
-            ? openTogether({job.vesselsPath, job.angiogramPath}, settings, warnings, goOnUnlessStopped)
-            : io::openCaseWith({settings, io::PeakFrame::NotNeeded}, job.casePath, warnings, goOnUnlessStopped);
+    auto opened = job.casePath.empty()
+                      ? openPair({job.vesselsPath, job.angiogramPath}, settings, warnings, goOnUnlessStopped)
+                      : io::openCaseWithOptions({settings, io::PeakFrameSearch::Skipped}, job.casePath, warnings,
+                                                goOnUnlessStopped);
     if (!opened) {
         return opened.error();
     }
-    auto moved = atFrame(std::move(opened).value(), job.frame, job.casePath.empty() ? job.angiogramPath : job.casePath);
+    auto moved =
+        selectFrame(std::move(opened).value(), job.frame, job.casePath.empty() ? job.angiogramPath : job.casePath);
     if (!moved) {
         return moved.error();
     }
@@ -55,13 +56,13 @@ core::Result<core::Case> openRow(const BatchJob& job, core::Messages& warnings)
 }
 
 /// Lists the input files of the row. If the case could not be opened, lists the files that the row names.
-std::vector<io::InputFacts> inputsOf(const BatchJob& job, const core::Case* opened)
+std::vector<io::InputFingerprint> inputsOf(const BatchJob& job, const core::Case* opened)
 {
     std::vector<core::InputFile> files;
     if (opened) {
-        files = io::filesOf(*opened);
+        files = io::inputFilesOf(*opened);
     } else if (!job.casePath.empty()) {
-        for (const std::string& path : io::filesNamedIn(job.casePath)) {
+        for (const std::string& path : io::referencedPaths(job.casePath)) {
             files.push_back({path, {}});
         }
     }
@@ -71,9 +72,9 @@ std::vector<io::InputFacts> inputsOf(const BatchJob& job, const core::Case* open
             files.push_back({path, {}});
         }
     }
-    std::vector<io::InputFacts> facts;
+    std::vector<io::InputFingerprint> facts;
     for (const core::InputFile& file : files) {
-        facts.push_back(io::factsOfInput(file.path, file.sha256));
+        facts.push_back(io::inputFingerprint(file.path, file.sha256));
     }
     return facts;
 }
@@ -81,7 +82,7 @@ std::vector<io::InputFacts> inputsOf(const BatchJob& job, const core::Case* open
 std::vector<WrittenFile> filesIn(const std::string& folder)
 {
     std::vector<WrittenFile> files;
-    for (const std::string& path : outputFilesIn(folder)) {
+    for (const std::string& path : listOutputs(folder)) {
         std::error_code failed;
         files.push_back({path, fs::file_size(fs::path(folder) / path, failed)});
     }
@@ -90,7 +91,7 @@ std::vector<WrittenFile> filesIn(const std::string& folder)
 
 core::Status registerOpened(BatchOutcome& outcome, const BatchJob& job, core::Case session)
 {
-    auto registered = registerQuietly(std::move(session), {.readMs = outcome.times.readMs});
+    auto registered = registerWithoutProgress(std::move(session), {.readMs = outcome.times.readMs});
     if (!registered) {
         return registered.error();
     }
@@ -98,8 +99,8 @@ core::Status registerOpened(BatchOutcome& outcome, const BatchJob& job, core::Ca
         return core::Done{};
     }
     core::Stopwatch watch;
-    if (auto status =
-            writeOutputs(registered.value(), job.folder, job.isWithoutPictures ? Pictures::LeftOut : Pictures::Drawn);
+    if (auto status = writeOutputs(registered.value(), job.folder,
+                                   job.skipImages ? OverlayImages::LeftOut : OverlayImages::Drawn);
         !status) {
         return status;
     }
@@ -128,43 +129,43 @@ void fail(BatchOutcome& outcome, const core::Message& problem)
 }
 
 /// Creates an outcome without results.
-BatchOutcome begunOutcome(const BatchJob& job)
+BatchOutcome makeOutcome(const BatchJob& job)
 {
     BatchOutcome outcome;
     outcome.name = job.name;
     outcome.method = job.method;
-    outcome.asked = job.asked;
+    outcome.request = job.request;
     return outcome;
 }
 
 /// Waits until no other process writes into the folder; the outcome of that process can then be read from the folder.
-void waitForTurn(const io::HeldFile& folder)
+void waitForTurn(const io::LockableFile& folder)
 {
     using namespace std::chrono_literals;
-    while (folder.isOpen() && folder.holdAlone() == io::HeldFile::Held::ByAnother && !isInterrupted()) {
+    while (folder.isOpen() && folder.lockExclusive() == io::LockableFile::LockState::HeldByOther && !isInterrupted()) {
         std::this_thread::sleep_for(20ms);
     }
 }
 
 }   // namespace
 
-std::optional<BatchOutcome> doRow(const BatchJob& job)
+std::optional<BatchOutcome> processRow(const BatchJob& job)
 {
-    BatchOutcome outcome = begunOutcome(job);
+    BatchOutcome outcome = makeOutcome(job);
     std::error_code failure;
     fs::create_directories(job.folder, failure);
     if (failure) {
         fail(outcome, messages::folderNotMade(job.folder, failure.message()));
         return outcome;
     }
-    const io::HeldFile folder(job.folder, io::HeldFile::Way::Folder);
+    const io::LockableFile folder(job.folder, io::LockableFile::OpenMode::Folder);
     waitForTurn(folder);
     if (job.isResumed) {
-        if (auto known = readOutcome(job.folder); known && isUpToDate(*known, job.asked, job.folder)) {
+        if (auto known = readOutcome(job.folder); known && isUpToDate(*known, job.request, job.folder)) {
             return known;
         }
     }
-    removeOutputsIn(job.folder);
+    removeOutputs(job.folder);
     try {
         if (const core::Status status = openAndRegister(outcome, job); !status) {
             fail(outcome, status.error().message);
@@ -175,7 +176,7 @@ std::optional<BatchOutcome> doRow(const BatchJob& job)
         fail(outcome, messages::unexpectedFailure(error.what()));
     }
     if (isInterrupted()) {
-        removeOutputsIn(job.folder);
+        removeOutputs(job.folder);
         return std::nullopt;
     }
     outcome.files = filesIn(job.folder);
@@ -186,14 +187,14 @@ std::optional<BatchOutcome> doRow(const BatchJob& job)
     return outcome;
 }
 
-BatchOutcome abandonedRow(const BatchJob& job, const std::string& status, const core::Message& why)
+BatchOutcome makeAbandonedOutcome(const BatchJob& job, const std::string& status, const core::Message& why)
 {
-    BatchOutcome outcome = begunOutcome(job);
+    BatchOutcome outcome = makeOutcome(job);
     outcome.status = status;
     outcome.message = why.text();
     outcome.inputs = inputsOf(job, nullptr);
     outcome.times.finished = core::utcNow();
-    removeOutputsIn(job.folder);
+    removeOutputs(job.folder);
     if (const core::Status kept = writeOutcome(outcome, job.folder); !kept) {
         printMessage(kept.error().message.text());
     }

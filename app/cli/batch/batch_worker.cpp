@@ -23,17 +23,17 @@ std::vector<std::string> workerEnvironment(int threads)
 int runBatchWorker(int parent, int threads)
 {
     if (!io::WorkerChannel::open(parent)) {
-        printMessage("batch-worker is internal: only `batch` starts it.");
-        return exitUsage;
+        printMessage("batch-worker is internal and is started only by `batch`.");
+        return exitUsageError;
     }
     core::limitThreads(threads);
-    for (std::string line; io::WorkerChannel::hear(line, isInterrupted);) {
-        const auto outcome = doRow(jobFrom(line));
-        if (!outcome || !io::WorkerChannel::say(lineOf(*outcome))) {
-            return exitStopped;
+    for (std::string line; io::WorkerChannel::receiveLine(line, isInterrupted);) {
+        const auto outcome = processRow(parseJob(line));
+        if (!outcome || !io::WorkerChannel::sendLine(toJsonLine(*outcome))) {
+            return exitInterrupted;
         }
     }
-    return exitDone;
+    return exitSuccess;
 }
 
 }   // namespace angiopose::app

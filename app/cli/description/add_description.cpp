@@ -1,6 +1,6 @@
 #include "app/cli/add_commands.h"
 
-#include "app/cli/description/command_words.h"
+#include "app/cli/description/command_help.h"
 
 #include <cstdio>
 #include <map>
@@ -9,15 +9,15 @@
 namespace angiopose::app {
 namespace {
 
-using Writer = std::string (*)(const ProgramWords&);
+using Writer = std::string (*)(const ProgramHelp&);
 
 const std::map<std::string, Writer>& writers()
 {
-    static const std::map<std::string, Writer> all{{"man", manPageOf},
-                                                   {"markdown", commandPageOf},
-                                                   {"bash", bashCompletionOf},
-                                                   {"zsh", zshCompletionOf},
-                                                   {"fish", fishCompletionOf}};
+    static const std::map<std::string, Writer> all{{"man", makeManPage},
+                                                   {"markdown", makeMarkdownPage},
+                                                   {"bash", makeBashCompletion},
+                                                   {"zsh", makeZshCompletion},
+                                                   {"fish", makeFishCompletion}};
     return all;
 }
 
@@ -26,14 +26,14 @@ const std::map<std::string, Writer>& writers()
 void addDescription(CLI::App& app, int& exitCode)
 {
     CLI::App* command =
-        app.add_subcommand("description", "Print the man page, the manual page or a shell completion script");
+        app.add_subcommand("description", "Print the man page, the page of the manual, or a shell completion script");
     command->group("");
     auto kind = std::make_shared<std::string>();
     command->add_option("KIND", *kind, "Document to print")
         ->required()
         ->check(CLI::IsMember({"man", "markdown", "bash", "zsh", "fish"}));
     command->callback([&app, &exitCode, kind] {
-        std::fputs(writers().at(*kind)(wordsOf(app)).c_str(), stdout);
+        std::fputs(writers().at(*kind)(collectHelp(app)).c_str(), stdout);
         exitCode = 0;
     });
 }

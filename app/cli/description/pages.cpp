@@ -1,4 +1,4 @@
-#include "app/cli/description/command_words.h"
+#include "app/cli/description/command_help.h"
 
 #include <sstream>
 
@@ -31,7 +31,7 @@ std::string italic(const std::string& text)
     return "\\fI" + escaped(text) + "\\fR";
 }
 
-std::string heading(const OptionWords& option)
+std::string heading(const OptionHelp& option)
 {
     std::string names;
     for (const std::string& name : option.names) {
@@ -40,7 +40,7 @@ std::string heading(const OptionWords& option)
     return names + (option.isFlag() || !option.names.front().starts_with('-') ? "" : " " + italic(option.value));
 }
 
-void writeOption(std::ostream& out, const OptionWords& option)
+void writeOption(std::ostream& out, const OptionHelp& option)
 {
     out << ".TP\n" << heading(option) << "\n";
     const bool isOperand = !option.names.front().starts_with('-');
@@ -70,19 +70,19 @@ void writeFooter(std::ostream& out, const std::string& footer)
     }
 }
 
-void writeCommand(std::ostream& out, const std::string& program, const CommandWords& command)
+void writeCommand(std::ostream& out, const std::string& program, const CommandHelp& command)
 {
     out << ".SS " << escaped(command.name) << "\n"
         << escaped(command.summary) << ".\n.PP\n"
         << bold(program) << " " << bold(command.name) << " [" << italic("options") << "]";
-    for (const OptionWords& operand : command.operands) {
+    for (const OptionHelp& operand : command.operands) {
         out << " " << italic(operand.names.front());
     }
     out << "\n";
-    for (const OptionWords& operand : command.operands) {
+    for (const OptionHelp& operand : command.operands) {
         writeOption(out, operand);
     }
-    for (const OptionWords& option : command.options) {
+    for (const OptionHelp& option : command.options) {
         if (option.names.back() != "--help") {   // the same for all commands, described once elsewhere
             writeOption(out, option);
         }
@@ -102,7 +102,7 @@ std::string plainCell(const std::string& text)
     return out;
 }
 
-std::string headingOf(const OptionWords& option)
+std::string headingOf(const OptionHelp& option)
 {
     std::string names;
     for (const std::string& name : option.names) {
@@ -111,7 +111,7 @@ std::string headingOf(const OptionWords& option)
     return names;
 }
 
-void writeRow(std::ostream& out, const OptionWords& option)
+void writeRow(std::ostream& out, const OptionHelp& option)
 {
     const bool isOperand = !option.names.front().starts_with('-');
     out << "| " << headingOf(option) << " | " << (isOperand ? "" : plainCell(option.value)) << " | "
@@ -119,17 +119,17 @@ void writeRow(std::ostream& out, const OptionWords& option)
         << (option.mayRepeat ? " (may be repeated)" : "") << " |\n";
 }
 
-void writeSection(std::ostream& out, const std::string& program, const CommandWords& command)
+void writeSection(std::ostream& out, const std::string& program, const CommandHelp& command)
 {
     out << "## " << command.name << "\n\n" << command.summary << ".\n\n```\n" << program << " " << command.name;
-    for (const OptionWords& operand : command.operands) {
+    for (const OptionHelp& operand : command.operands) {
         out << " " << operand.names.front();
     }
     out << " [options]\n```\n\n| | | |\n|---|---|---|\n";
-    for (const OptionWords& operand : command.operands) {
+    for (const OptionHelp& operand : command.operands) {
         writeRow(out, operand);
     }
-    for (const OptionWords& option : command.options) {
+    for (const OptionHelp& option : command.options) {
         if (option.names.back() != "--help") {   // the same for all commands, described once elsewhere
             writeRow(out, option);
         }
@@ -142,9 +142,9 @@ void writeSection(std::ostream& out, const std::string& program, const CommandWo
 
 }   // namespace
 
-std::string manPageOf(const ProgramWords& program)
+std::string makeManPage(const ProgramHelp& program)
 {
-    const std::string& name = program.itself.name;
+    const std::string& name = program.mainCommand.name;
     std::ostringstream out;
     out << ".TH ANGIOPOSE\\-CLI 1 \"\" \"AngioPose " ANGIOPOSE_VERSION "\" \"User Commands\"\n"
         << ".SH NAME\n"
@@ -154,32 +154,34 @@ std::string manPageOf(const ProgramWords& program)
         << "\n.br\n"
         << bold(name) << " " << italic("COMMAND") << " " << bold("--help") << "\n"
         << ".SH DESCRIPTION\n"
-        << escaped(program.itself.summary) << "\n.PP\n"
-        << "Results go to standard output, messages and progress to standard error. No command needs a display.\n"
+        << escaped(program.mainCommand.summary) << "\n.PP\n"
+        << "Results are written to standard output, messages and progress to standard error. No command requires a "
+           "display.\n"
         << ".SH OPTIONS\n";
-    for (const OptionWords& option : program.itself.options) {
+    for (const OptionHelp& option : program.mainCommand.options) {
         writeOption(out, option);
     }
     out << ".SH COMMANDS\n";
-    for (const CommandWords& command : program.commands) {
+    for (const CommandHelp& command : program.commands) {
         writeCommand(out, name, command);
     }
     out << ".SH EXIT STATUS\n"
-        << escaped(program.itself.footer.substr(0, program.itself.footer.find('\n'))) << "\n"
+        << escaped(program.mainCommand.footer.substr(0, program.mainCommand.footer.find('\n'))) << "\n"
         << ".SH SEE ALSO\n.BR angiopose (1)\n";
     return out.str();
 }
 
-std::string commandPageOf(const ProgramWords& program)
+std::string makeMarkdownPage(const ProgramHelp& program)
 {
     std::ostringstream out;
     out << "# Command line\n\n"
-        << program.itself.summary
-        << "\n\nResults go to standard output, messages and progress to standard error. No command needs a display.\n\n"
-        << program.itself.footer.substr(0, program.itself.footer.find('\n')) << "\n\n`" << program.itself.name
-        << " COMMAND --help` prints the same information.\n\n";
-    for (const CommandWords& command : program.commands) {
-        writeSection(out, program.itself.name, command);
+        << program.mainCommand.summary
+        << "\n\nResults are written to standard output, messages and progress to standard error. No command requires a "
+           "display.\n\n"
+        << program.mainCommand.footer.substr(0, program.mainCommand.footer.find('\n')) << "\n\n`"
+        << program.mainCommand.name << " COMMAND --help` prints the same information.\n\n";
+    for (const CommandHelp& command : program.commands) {
+        writeSection(out, program.mainCommand.name, command);
     }
     return out.str();
 }

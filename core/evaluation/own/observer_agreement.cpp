@@ -38,8 +38,8 @@ ObserverMean meanOf(const std::vector<Measures>& readings)
 }
 
 /// Returns the means of one measure by image and observer.
-std::map<std::string, std::map<std::string, double>> byImage(const std::vector<ObserverMean>& means,
-                                                             std::size_t measure)
+std::map<std::string, std::map<std::string, double>> meansByImage(const std::vector<ObserverMean>& means,
+                                                                  std::size_t measure)
 {
     std::map<std::string, std::map<std::string, double>> result;
     for (const ObserverMean& mean : means) {
@@ -67,7 +67,7 @@ std::vector<ObserverMean> observerMeans(const std::vector<ObserverReading>& read
     std::map<std::pair<std::string, std::string>, std::vector<Measures>> groups;
     for (const ObserverReading& reading : readings) {
         const RigidTransform& reference =
-            references.try_emplace(reading.image, reading.centerCameraFromPatient).first->second;
+            references.try_emplace(reading.image, reading.referenceCameraFromPatient).first->second;
         groups[{reading.image, reading.observer}].push_back(measuresOf(reading, reference));
     }
     std::vector<ObserverMean> means;
@@ -103,7 +103,7 @@ std::optional<LimitsOfAgreement> agreementOf(const std::vector<ObserverMean>& me
                                              const std::string& second, std::size_t measure)
 {
     LimitsOfAgreement result;
-    for (const auto& [image, byObserver] : byImage(means, measure)) {
+    for (const auto& [image, byObserver] : meansByImage(means, measure)) {
         const auto a = byObserver.find(first);
         const auto b = byObserver.find(second);
         if (a != byObserver.end() && b != byObserver.end()) {
@@ -132,7 +132,7 @@ std::optional<Reproducibility> reproducibilityOf(const std::vector<ObserverMean>
     Reproducibility result;
     double squares = 0.0;
     double freedom = 0.0;
-    for (const auto& [image, byObserver] : byImage(means, measure)) {
+    for (const auto& [image, byObserver] : meansByImage(means, measure)) {
         const auto count = static_cast<double>(byObserver.size());
         double mean = 0.0;
         for (const auto& [observer, value] : byObserver) {

@@ -15,7 +15,7 @@ struct ObserverReading {
     std::string observer;
     std::string image;   ///< key of case, image and frame, the same for all trials of that image
     RigidTransform cameraFromPatient;   ///< final pose set by the observer
-    RigidTransform centerCameraFromPatient;   ///< pose before the trial, the reference for all readings of the image
+    RigidTransform referenceCameraFromPatient;   ///< pose before the trial, the reference for all readings of the image
     Eigen::Vector3d pivotInPatient = Eigen::Vector3d::Zero();   ///< centroid of the tree
 };
 

@@ -81,9 +81,9 @@ Displacement drawDisplacement(CounterRandom& random)
     return unit;
 }
 
-/// Returns the initial pose with an mTRE of `wantedMm` along the drawn displacement. Bisection works because the mTRE
-/// grows with the displacement.
-RigidTransform startAt(double wantedMm, const SharedPhantom& phantom, const Displacement& unit)
+/// Returns the initial pose with an mTRE of `requestedMm` along the drawn displacement. Bisection works because the
+/// mTRE grows with the displacement.
+RigidTransform initialPoseWithError(double requestedMm, const SharedPhantom& phantom, const Displacement& unit)
 {
     const RigidTransform& truth = phantom.scene.trueCameraFromPatient;
     const std::vector<Eigen::Vector3d> targets = targetsOf(*phantom.tree);
@@ -92,7 +92,7 @@ RigidTransform startAt(double wantedMm, const SharedPhantom& phantom, const Disp
     for (int halving = 0; halving < 50; ++halving) {
         const double scale = 0.5 * (low + high);
         const RigidTransform pose = unit.applied(truth, phantom.centroid, scale);
-        (targetError(targets, {pose, truth}).mtreMm < wantedMm ? low : high) = scale;
+        (targetError(targets, {pose, truth}).mtreMm < requestedMm ? low : high) = scale;
     }
     return unit.applied(truth, phantom.centroid, high);
 }
@@ -108,8 +108,8 @@ TrialMaker prepareCapture(std::size_t condition, std::uint64_t seed)
             degradeTarget(phantom, random.fork(1), trial);
         }
         CounterRandom start = random.fork(0);
-        const double wantedMm = start.uniform(setting.fromMm, setting.toMm);
-        trial.input.initialCameraFromPatient = startAt(wantedMm, phantom, drawDisplacement(start));
+        const double requestedMm = start.uniform(setting.fromMm, setting.toMm);
+        trial.input.initialCameraFromPatient = initialPoseWithError(requestedMm, phantom, drawDisplacement(start));
         return trial;
     };
 }
@@ -122,7 +122,7 @@ Protocol captureRangeProtocol()
             "Initial poses in bins of their mean target error: determines the capture range (ALGORITHMS 4.5).",
             60,
             captureAnatomies,
-            Success::RayDistanceWithin2Mm,
+            SuccessCriterion::RayDistanceWithin2Mm,
             conditionsOf(captureSettings()),
             prepareCapture};
 }

@@ -38,20 +38,20 @@ TrialMaker prepareClinical(std::size_t condition, std::uint64_t seed)
     };
 }
 
-constexpr int trustAnatomies = 6;
-constexpr std::uint64_t trustSeeds = 1000;
+constexpr int confidenceAnatomies = 6;
+constexpr std::uint64_t confidenceSeeds = 1000;
 constexpr std::uint64_t otherTreesFrom = 500;   // offset of the tree seeds within an experiment
 
 /// Modification of a clinical case that makes methods fail, or should make them report low confidence.
-enum class Mischief { None, OtherTree, Mirrored, FarStart, HalfOutside };
+enum class CaseModification { None, OtherTree, Mirrored, FarStart, HalfOutside };
 
-struct TrustSetting {
+struct ConfidenceSetting {
     Condition condition;
-    Mischief mischief = Mischief::None;
+    CaseModification modification = CaseModification::None;
     DsaOptions dsa{};
 };
 
-DsaOptions withMissing(double missingShare, double extraShare)
+DsaOptions withMissingBranches(double missingShare, double extraShare)
 {
     DsaOptions dsa;
     dsa.missingBranchShare = missingShare;
@@ -59,25 +59,25 @@ DsaOptions withMissing(double missingShare, double extraShare)
     return dsa;
 }
 
-DsaOptions deformedBy(double stdMm)
+DsaOptions withDeformation(double stdMm)
 {
     DsaOptions dsa;
     dsa.nonRigidStdMm = stdMm;
     return dsa;
 }
 
-const std::vector<TrustSetting>& trustSettings()
+const std::vector<ConfidenceSetting>& confidenceSettings()
 {
-    static const std::vector<TrustSetting> rows{
-        {{"as-given", "initial pose from the header"}, Mischief::None, {}},
-        {{"bent", "vessels deformed by 3 mm"}, Mischief::None, deformedBy(3.0)},
+    static const std::vector<ConfidenceSetting> rows{
+        {{"as-given", "initial pose from the header"}, CaseModification::None, {}},
+        {{"bent", "vessels deformed by 3 mm"}, CaseModification::None, withDeformation(3.0)},
         {{"few-vessels", "most branches unopacified, as many branches missing in the tree"},
-         Mischief::None,
-         withMissing(0.6, 0.6)},
-        {{"half-outside", "half of the image cut off"}, Mischief::HalfOutside, {}},
-        {{"far-start", "initial pose 60–150 mm and 30–75° off"}, Mischief::FarStart, {}},
-        {{"other-tree", "the vessel tree of another patient"}, Mischief::OtherTree, {}},
-        {{"mirrored", "image mirrored, unknown to the camera"}, Mischief::Mirrored, {}},
+         CaseModification::None,
+         withMissingBranches(0.6, 0.6)},
+        {{"half-outside", "half of the image cut off"}, CaseModification::HalfOutside, {}},
+        {{"far-start", "initial pose 60–150 mm and 30–75° off"}, CaseModification::FarStart, {}},
+        {{"other-tree", "the vessel tree of another patient"}, CaseModification::OtherTree, {}},
+        {{"mirrored", "image mirrored, unknown to the camera"}, CaseModification::Mirrored, {}},
     };
     return rows;
 }
@@ -92,7 +92,7 @@ ImageF mirrored(ImageF image)
 }
 
 /// Returns the crop of the given size whose top-left pixel is (left, top).
-ImageF cutOut(const ImageF& image, int left, int top, int width, int height)
+ImageF crop(const ImageF& image, int left, int top, int width, int height)
 {
     ImageF part(width, height);
     for (int y = 0; y < height; ++y) {
@@ -103,7 +103,7 @@ ImageF cutOut(const ImageF& image, int left, int top, int width, int height)
 }
 
 /// Crops the image to its left, right, upper or lower half.
-void cutHalf(SimulatedCase& view, CounterRandom& random)
+void cropToHalf(SimulatedCase& view, CounterRandom& random)
 {
     const int side = random.index(4);
     const bool isUpright = side < 2;
@@ -112,7 +112,7 @@ void cutHalf(SimulatedCase& view, CounterRandom& random)
     const int height = isUpright ? frame.height : frame.height / 2;
     const int left = side == 1 ? frame.width - width : 0;
     const int top = side == 3 ? frame.height - height : 0;
-    frame = cutOut(frame, left, top, width, height);
+    frame = crop(frame, left, top, width, height);
     view.camera.cx -= left;
     view.camera.cy -= top;
     view.camera.width = width;
@@ -121,7 +121,7 @@ void cutHalf(SimulatedCase& view, CounterRandom& random)
 
 /// Displaces the initial pose by a rotation about the tree's centroid, a lateral shift and a shift along the ray, each
 /// in a random direction.
-void startFarOff(SimulatedCase& view, CounterRandom& random)
+void displaceInitialPose(SimulatedCase& view, CounterRandom& random)
 {
     const Eigen::Vector3d centroid = centroidInPatient(view.tree);
     const RigidTransform& truth = view.trueCameraFromPatient;
@@ -143,38 +143,40 @@ void replaceTree(SimulatedCase& view, std::uint64_t treeSeed)
     start.translation += start.rotation * (centroid - centroidInPatient(view.tree));
 }
 
-Trial makeTrial(const TrustSetting& setting, std::uint64_t seed, std::uint64_t number)
+Trial makeTrial(const ConfidenceSetting& setting, std::uint64_t seed, std::uint64_t number)
 {
-    CounterRandom random = trialRandom(trustNumber, seed, number);
-    const std::uint64_t treeSeed = seed * trustSeeds + number % trustAnatomies;
+    CounterRandom random = trialRandom(confidenceNumber, seed, number);
+    const std::uint64_t treeSeed = seed * confidenceSeeds + number % confidenceAnatomies;
     DsaOptions dsa = setting.dsa;
     dsa.frameCount = 1;
     SimulatedCase view = simulateView(treeSeed, random(), {}, dsa);
-    switch (setting.mischief) {
-        case Mischief::None:
+    switch (setting.modification) {
+        case CaseModification::None:
             break;
-        case Mischief::OtherTree:
+        case CaseModification::OtherTree:
             replaceTree(view, treeSeed + otherTreesFrom);
             break;
-        case Mischief::Mirrored:
+        case CaseModification::Mirrored:
             view.angiogram.frames.front() = mirrored(std::move(view.angiogram.frames.front()));
             break;
-        case Mischief::FarStart:
-            startFarOff(view, random);
+        case CaseModification::FarStart:
+            displaceInitialPose(view, random);
             break;
-        case Mischief::HalfOutside:
-            cutHalf(view, random);
+        case CaseModification::HalfOutside:
+            cropToHalf(view, random);
             break;
     }
     Trial trial = tracedTrial(view);
-    trial.hasRightAnswer = setting.mischief != Mischief::OtherTree && setting.mischief != Mischief::Mirrored;
+    trial.hasCorrectPose =
+        setting.modification != CaseModification::OtherTree && setting.modification != CaseModification::Mirrored;
     return trial;
 }
 
-TrialMaker prepareTrust(std::size_t condition, std::uint64_t seed)
+TrialMaker prepareConfidence(std::size_t condition, std::uint64_t seed)
 {
-    return
-        [setting = trustSettings()[condition], seed](std::uint64_t number) { return makeTrial(setting, seed, number); };
+    return [setting = confidenceSettings()[condition], seed](std::uint64_t number) {
+        return makeTrial(setting, seed, number);
+    };
 }
 
 }   // namespace
@@ -186,7 +188,7 @@ Protocol clinicalProtocol()
             "(ALGORITHMS 4.4).",
             278,
             clinicalAnatomies,
-            Success::RayDistanceWithin2Mm,
+            SuccessCriterion::RayDistanceWithin2Mm,
             conditionsOf(clinicalSettings()),
             prepareClinical};
 }
@@ -197,20 +199,20 @@ Protocol ownProtocol()
             "Your own cases, listed in a table with their reference poses, landmarks or pairs of points.",
             0,
             1,
-            Success::RayDistanceWithin2Mm,
+            SuccessCriterion::RayDistanceWithin2Mm,
             {},
             nullptr};
 }
 
-Protocol trustProtocol()
+Protocol confidenceProtocol()
 {
     return {"trust",
             "Clinical images unchanged, made harder, and made impossible: does a method detect its failures?",
             60,
-            trustAnatomies,
-            Success::RayDistanceWithin2Mm,
-            conditionsOf(trustSettings()),
-            prepareTrust};
+            confidenceAnatomies,
+            SuccessCriterion::RayDistanceWithin2Mm,
+            conditionsOf(confidenceSettings()),
+            prepareConfidence};
 }
 
 }   // namespace angiopose::core

@@ -71,7 +71,7 @@ CounterRandom trialRandom(std::uint64_t protocolNumber, std::uint64_t seed, std:
 
 void degradeTarget(const SharedPhantom& phantom, const CounterRandom& random, Trial& trial)
 {
-    trial.input.target = degraded(phantom.scene.exactTarget, phantom.scene.camera, random);
+    trial.input.target = addTracingErrors(phantom.scene.exactTarget, phantom.scene.camera, random);
     trial.errorBound =
         cramerRaoBound(*phantom.tree, visibleBranches(*phantom.tree, trial.input.target), phantom.scene.camera,
                        phantom.scene.trueCameraFromPatient, {degradedJitterPx, degradedCorrelationPoints, true});

@@ -11,7 +11,7 @@ namespace angiopose::core {
 std::span<const Protocol> protocols()
 {
     static const std::vector<Protocol> rows{toyProtocol(),      simulationProtocol(),   robustnessProtocol(),
-                                            clinicalProtocol(), captureRangeProtocol(), trustProtocol()};
+                                            clinicalProtocol(), captureRangeProtocol(), confidenceProtocol()};
     return rows;
 }
 
@@ -26,7 +26,7 @@ const Protocol* findProtocol(std::string_view id)
     return found == all.end() ? nullptr : &*found;
 }
 
-Result<std::vector<std::size_t>> conditionsFrom(const Protocol& protocol, const std::string& requests)
+Result<std::vector<std::size_t>> parseConditions(const Protocol& protocol, const std::string& requests)
 {
     std::vector<bool> isChosen(protocol.conditions.size(), false);
     std::istringstream stream(requests);

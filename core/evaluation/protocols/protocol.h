@@ -22,7 +22,7 @@ struct Condition {
 using TrialMaker = std::function<Trial(std::uint64_t trial)>;
 
 /// Criterion by which a registration counts as successful.
-enum class Success { ProjectionWithin5Px, RayDistanceWithin2Mm, ProjectionWithin1Px };
+enum class SuccessCriterion { ProjectionWithin5Px, RayDistanceWithin2Mm, ProjectionWithin1Px };
 
 /// One protocol of ALGORITHMS §4.
 struct Protocol {
@@ -30,7 +30,7 @@ struct Protocol {
     std::string_view summary;   ///< description in one sentence
     std::uint64_t defaultTrials = 0;   ///< trials per condition
     int anatomyCount = 1;   ///< number of anatomies; trial k shows anatomy k mod anatomyCount
-    Success success = Success::ProjectionWithin5Px;
+    SuccessCriterion success = SuccessCriterion::ProjectionWithin5Px;
     std::vector<Condition> conditions;
     TrialMaker (*prepare)(std::size_t condition, std::uint64_t seed) = nullptr;
 };
@@ -44,6 +44,6 @@ const Protocol* findProtocol(std::string_view id);
 /// Parses a comma-separated list of condition ids or id prefixes that end at a dash ("clean" selects "clean-0-1", …)
 /// and returns the indices of the conditions; for an empty list, those of the standard conditions. The error names the
 /// request that matches no condition.
-Result<std::vector<std::size_t>> conditionsFrom(const Protocol& protocol, const std::string& requests);
+Result<std::vector<std::size_t>> parseConditions(const Protocol& protocol, const std::string& requests);
 
 }   // namespace angiopose::core

@@ -11,7 +11,7 @@ enum ProtocolNumber : std::uint64_t {
     robustnessNumber,
     clinicalNumber,
     captureRangeNumber,
-    trustNumber
+    confidenceNumber
 };
 
 Protocol toyProtocol();
@@ -19,7 +19,7 @@ Protocol simulationProtocol();
 Protocol robustnessProtocol();
 Protocol clinicalProtocol();
 Protocol captureRangeProtocol();
-Protocol trustProtocol();
+Protocol confidenceProtocol();
 Protocol ownProtocol();   ///< its conditions come from the runs
 
 template <class Setting>

@@ -10,7 +10,7 @@ namespace angiopose::core {
 namespace {
 
 constexpr int robustnessAnatomies = 6;
-constexpr int prunedLeaves = 5;
+constexpr int prunedLeafCount = 5;
 
 enum class Pruning { None, Target, BothSides };
 enum class Direction { Lateral, Isotropic };   ///< direction of the shift
@@ -23,12 +23,12 @@ struct RobustnessSetting {
     double rotationDeg = 0.0;
 };
 
-struct Named {
+struct PruningName {
     std::string id;
     std::string title;
 };
 
-Named named(Pruning pruning)
+PruningName pruningName(Pruning pruning)
 {
     switch (pruning) {
         case Pruning::None:
@@ -44,7 +44,7 @@ Named named(Pruning pruning)
 RobustnessSetting makeSetting(Pruning pruning, Direction direction, double shiftMm, double rotationDeg)
 {
     const bool isLateral = direction == Direction::Lateral;
-    const Named name = named(pruning);
+    const PruningName name = pruningName(pruning);
     const std::string mm = plainText(shiftMm);
     const std::string deg = plainText(rotationDeg);
     return {{(isLateral ? "" : "isotropic-") + name.id + "-" + mm + "-" + deg,
@@ -75,7 +75,7 @@ const std::vector<RobustnessSetting>& robustnessSettings()
 }
 
 /// Draws a random motion in the camera frame whose rotation angle and shift length are those of the setting.
-RigidTransform disturbance(const RobustnessSetting& setting, CounterRandom random)
+RigidTransform randomDisplacement(const RobustnessSetting& setting, CounterRandom random)
 {
     Vector6d twist;
     twist.head<3>() = randomDirection(setting.rotationDeg * radiansPerDegree, random);
@@ -97,14 +97,15 @@ TrialMaker prepareRobustness(std::size_t condition, std::uint64_t seed)
         Trial trial = phantom.makeTrial();
         if (setting.pruning != Pruning::None) {
             CounterRandom imageSide = random.fork(1);
-            trial.input.target = projectCurves(pruned(*phantom.tree, prunedLeaves, imageSide), phantom.scene.camera,
-                                               phantom.scene.trueCameraFromPatient);
+            trial.input.target = projectCurves(removeRandomLeaves(*phantom.tree, prunedLeafCount, imageSide),
+                                               phantom.scene.camera, phantom.scene.trueCameraFromPatient);
         }
         if (setting.pruning == Pruning::BothSides) {
             CounterRandom treeSide = random.fork(2);
-            trial.input.tree = pruned(*phantom.tree, prunedLeaves, treeSide);
+            trial.input.tree = removeRandomLeaves(*phantom.tree, prunedLeafCount, treeSide);
         }
-        trial.input.initialCameraFromPatient = disturbance(setting, random.fork(0)) * trial.trueCameraFromPatient;
+        trial.input.initialCameraFromPatient =
+            randomDisplacement(setting, random.fork(0)) * trial.trueCameraFromPatient;
         return trial;
     };
 }
@@ -117,7 +118,7 @@ Protocol robustnessProtocol()
             "Six trees, initial poses at fixed distances, with and without missing leaves (ALGORITHMS 4.3).",
             600,
             robustnessAnatomies,
-            Success::ProjectionWithin5Px,
+            SuccessCriterion::ProjectionWithin5Px,
             conditionsOf(robustnessSettings()),
             prepareRobustness};
 }

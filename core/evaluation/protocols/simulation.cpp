@@ -103,7 +103,7 @@ Protocol simulationProtocol()
             "Generated trees, Gaussian initial poses, ideal or degraded targets (ALGORITHMS 4.2, 4.4).",
             1000,
             simulationAnatomies,
-            Success::ProjectionWithin5Px,
+            SuccessCriterion::ProjectionWithin5Px,
             conditionsOf(simulationSettings()),
             prepareSimulation};
 }

@@ -25,12 +25,12 @@ struct ToySetting {
 };
 
 /// Adds one setting per number of points.
-void addToySettings(const std::string& variant, const std::string& disturbance, const ToySetting& like,
+void addToySettings(const std::string& variant, const std::string& disturbance, const ToySetting& base,
                     std::vector<ToySetting>& rows)
 {
     for (const int segments : {2, 11, 21, 31, 41}) {
         const std::string points = std::to_string(4 * segments);
-        ToySetting row = like;
+        ToySetting row = base;
         row.condition = {variant + "-" + points, points + " points, " + disturbance, true};
         row.segmentsPerEdge = segments;
         rows.push_back(std::move(row));
@@ -111,7 +111,7 @@ Protocol toyProtocol()
             "4.1).",
             100,
             1,
-            Success::ProjectionWithin1Px,
+            SuccessCriterion::ProjectionWithin1Px,
             conditionsOf(toySettings()),
             prepareToy};
 }

@@ -1,5 +1,5 @@
 #include "core/evaluation/report/table_parts.h"
-#include "core/evaluation/trial/contestant.h"
+#include "core/evaluation/trial/evaluated_method.h"
 #include "core/registration/options/option_fields.h"
 #include "core/support/format_number.h"
 
@@ -8,7 +8,7 @@
 namespace angiopose::core {
 namespace {
 
-constexpr std::size_t fewestSettings = 4;   // minimum for an ablation; fewer settings are a comparison
+constexpr std::size_t minSettings = 4;   // minimum for an ablation; fewer settings are a comparison
 
 /// The three settings of DynaWeightPnP that an ablation varies.
 struct AblationSetting {
@@ -22,9 +22,9 @@ std::vector<AblationSetting> settingsOf(const RunGroups& groups)
 {
     std::vector<AblationSetting> settings;
     for (const std::string& label : groups.methods()) {
-        const auto contestant = contestantFrom(label);
-        if (contestant && contestant.value().options.method == "dynaweight") {
-            const RegistrationOptions& options = contestant.value().options;
+        const auto evaluatedMethod = parseMethod(label);
+        if (evaluatedMethod && evaluatedMethod.value().options.method == "dynaweight") {
+            const RegistrationOptions& options = evaluatedMethod.value().options;
             settings.push_back({label, options.seed.preset, options.seed.rotationFirst, options.seed.alternation});
         }
     }
@@ -72,7 +72,7 @@ std::vector<ResultTable> ablationTables(const RunGroups& groups)
 {
     const std::vector<AblationSetting> settings = settingsOf(groups);
     std::vector<ResultTable> tables;
-    if (settings.size() >= fewestSettings) {
+    if (settings.size() >= minSettings) {
         for (const Condition& condition : groups.conditions()) {
             tables.push_back(tableOf(groups, condition, settings));
         }

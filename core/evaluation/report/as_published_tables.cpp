@@ -9,12 +9,12 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double agreeing = 2.0;   ///< factor, up or down, within which a figure counts as reproduced
-constexpr std::string_view startsAsLength = "exact-cam-norm-2-5";
-constexpr std::string_view startsPerAxis = "exact-cam-2-5";
+constexpr double agreementFactor = 2.0;   ///< factor, up or down, within which a figure counts as reproduced
+constexpr std::string_view normConditionId = "exact-cam-norm-2-5";
+constexpr std::string_view perAxisConditionId = "exact-cam-2-5";
 
 /// Errors of one method measured as in the paper: PR to the nearest target point, in mm at the depth of the centroid.
-struct Measured {
+struct MeasuredErrors {
     int grossCount = 0;
     int count = 0;
     double meanMm = 0.0;
@@ -27,7 +27,7 @@ bool isGrossToNearest(const RunRecord& run)
     return !(run.closestMeanPx <= grossFailurePx);
 }
 
-Measured measuredIn(const RunGroup& group)
+MeasuredErrors errorsAsPublished(const RunGroup& group)
 {
     const double mmPerPx = group.mean(&RunRecord::meanMm) / group.mean(&RunRecord::meanPx);
     return {group.countIf(isGrossToNearest), group.count(), mmPerPx * group.mean(&RunRecord::closestMeanPx),
@@ -37,24 +37,24 @@ Measured measuredIn(const RunGroup& group)
 
 bool isNear(double measured, double published)
 {
-    return measured <= agreeing * published && agreeing * measured >= published;
+    return measured <= agreementFactor * published && agreementFactor * measured >= published;
 }
 
 /// Whether the confidence interval of the failure rate overlaps the range from half to twice the published rate.
-bool failsAsOften(const Measured& measured, double publishedShare)
+bool hasSimilarFailureRate(const MeasuredErrors& measured, double publishedShare)
 {
     const Interval interval = wilsonInterval(measured.grossCount, measured.count);
-    return interval.low <= agreeing * publishedShare && agreeing * interval.high >= publishedShare;
+    return interval.low <= agreementFactor * publishedShare && agreementFactor * interval.high >= publishedShare;
 }
 
 /// Returns "yes", or "no: mean, p95" with the names of the figures outside half to twice the published values.
-std::string agreementCell(const Measured& measured, const PublishedErrors& published)
+std::string agreementCell(const MeasuredErrors& measured, const PublishedErrors& published)
 {
     std::string outside;
     const auto check = [&](const char* name, bool isInside) {
         outside += isInside ? "" : (outside.empty() ? "no: " : ", ") + std::string(name);
     };
-    check("GFR", failsAsOften(measured, published.grossPercent / 100.0));
+    check("GFR", hasSimilarFailureRate(measured, published.grossPercent / 100.0));
     check("mean", isNear(measured.meanMm, published.meanMm));
     check("p75", isNear(measured.p75Mm, published.p75Mm));
     check("p95", isNear(measured.p95Mm, published.p95Mm));
@@ -90,7 +90,7 @@ constexpr std::array explanations{
                 "twice as many registrations fail."},
 };
 
-bool isBeforePublished(const RunGroups& groups, const Condition& condition, std::size_t index)
+bool hasPublishedErrors(const RunGroups& groups, const Condition& condition, std::size_t index)
 {
     return groups.of(condition, groups.methods()[index]).count() > 0 &&
            publishedSimulation(methodIdOf(groups.methods()[index])).has_value();
@@ -98,9 +98,9 @@ bool isBeforePublished(const RunGroups& groups, const Condition& condition, std:
 
 std::vector<std::string> cellsOf(const std::string& label, const RunGroup& group, const PublishedErrors& published)
 {
-    const Measured measured = measuredIn(group);
+    const MeasuredErrors measured = errorsAsPublished(group);
     return {label,
-            shareCell(group, isGrossToNearest),
+            rateCell(group, isGrossToNearest),
             fixedText(measured.meanMm, 2),
             fixedText(measured.p75Mm, 2),
             fixedText(measured.p95Mm, 2),
@@ -130,9 +130,9 @@ std::string startNote(const RunGroups& groups, const Condition& condition, const
     return "Initial poses are " + fixedText(groups.of(condition, method).mean(&RunRecord::startMeanPx), 0) +
            " px off on average. The paper does not say whether its 2° and 5 mm are the magnitude of the whole "
            "displacement (" +
-           std::string(startsAsLength) +
+           std::string(normConditionId) +
            ", which fits the figures of dt-icp best) or the standard deviation per axis (" +
-           std::string(startsPerAxis) + "): its rows are listed under both.";
+           std::string(perAxisConditionId) + "): its rows are listed under both.";
 }
 
 ResultTable asPublishedTable(const RunGroups& groups, const Condition& condition)
@@ -142,7 +142,7 @@ ResultTable asPublishedTable(const RunGroups& groups, const Condition& condition
     table.title = "Comparison with the paper: " + condition.title;
     table.columns = {"method", "GFR %", "mean mm", "p75 mm", "p95 mm", "mean / published", "within twice"};
     for (std::size_t k = 0; k < groups.methods().size(); ++k) {
-        if (!isBeforePublished(groups, condition, k)) {
+        if (!hasPublishedErrors(groups, condition, k)) {
             continue;
         }
         const std::string& method = groups.methods()[k];
@@ -151,7 +151,7 @@ ResultTable asPublishedTable(const RunGroups& groups, const Condition& condition
             table.notes = {measureNote(groups, condition), startNote(groups, condition, method)};
         }
         table.rows.push_back({cellsOf(method, groups.of(condition, method), published), false});
-        if (isLastOfItsMethod(groups.methods(), k)) {
+        if (isLastOfMethod(groups.methods(), k)) {
             table.rows.push_back(publishedRow(table, methodIdOf(method),
                                               {fixedText(published.grossPercent, 0), fixedText(published.meanMm, 2),
                                                fixedText(published.p75Mm, 2), fixedText(published.p95Mm, 2)}));
@@ -171,7 +171,7 @@ std::vector<ResultTable> asPublishedTables(const RunGroups& groups)
 {
     std::vector<ResultTable> tables;
     for (const Condition& condition : groups.conditions()) {
-        if (condition.id == startsAsLength || condition.id == startsPerAxis) {
+        if (condition.id == normConditionId || condition.id == perAxisConditionId) {
             ResultTable table = asPublishedTable(groups, condition);
             if (!table.rows.empty()) {
                 tables.push_back(std::move(table));

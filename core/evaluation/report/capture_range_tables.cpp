@@ -6,7 +6,7 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double demandedRate = 0.95;
+constexpr double requiredRate = 0.95;
 
 /// Returns all bins of the protocol for one kind of target, including those that were not run.
 std::vector<Condition> binsOf(const RunGroups& groups, const std::string& target)
@@ -49,7 +49,7 @@ std::string missingNote(const RunGroups& groups, const std::vector<Condition>& b
     return missing.empty() ? "" : missing + " mm.";
 }
 
-/// Returns the upper edge of the last bin up to which every bin reaches `demandedRate`: "0" if the first bin fails,
+/// Returns the upper edge of the last bin up to which every bin reaches `requiredRate`: "0" if the first bin fails,
 /// with a leading "≥" if the next bin was not run.
 std::string captureRangeCell(const RunGroups& groups, const std::vector<Condition>& bins, const std::string& target,
                              const std::string& method)
@@ -60,7 +60,7 @@ std::string captureRangeCell(const RunGroups& groups, const std::vector<Conditio
         if (group.count() == 0) {
             return "≥ " + reached;
         }
-        if (successesOf(groups, group) < demandedRate * group.count()) {
+        if (successesOf(groups, group) < requiredRate * group.count()) {
             return reached;
         }
         const std::string range = rangeOf(bin, target);
@@ -89,7 +89,7 @@ ResultTable tableOf(const RunGroups& groups, const std::string& target, const st
         for (const std::string& method : groups.methods()) {
             const RunGroup& group = groups.of(bin, method);
             row.cells.push_back(
-                shareCell(group, [&](const RunRecord& run) { return isSuccess(groups.protocol().success, run); }));
+                rateCell(group, [&](const RunRecord& run) { return isSuccess(groups.protocol().success, run); }));
         }
         table.rows.push_back(std::move(row));
     }

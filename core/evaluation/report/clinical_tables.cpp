@@ -9,7 +9,7 @@ namespace {
 
 std::string successCell(const RunGroup& group, double limitMm)
 {
-    return shareCell(group, [limitMm](const RunRecord& run) { return run.mrpdMm < limitMm; });
+    return rateCell(group, [limitMm](const RunRecord& run) { return run.mrpdMm < limitMm; });
 }
 
 std::vector<std::string> clinicalCells(const std::string& method, const RunGroup& group)
@@ -19,7 +19,7 @@ std::vector<std::string> clinicalCells(const std::string& method, const RunGroup
     const RunGroup failures = group.where([](const RunRecord& run) { return !(run.mrpdMm < successfulMrpdMm); });
     const RunGroup successes = group.where([](const RunRecord& run) { return run.mrpdMm < successfulMrpdMm; });
     return {method,
-            shareCell(group, isGrossMm),
+            rateCell(group, isGrossMm),
             fixedText(group.median(&RunRecord::meanMm), 2),
             fixedText(group.quantile(&RunRecord::meanMm, 0.75), 2),
             fixedText(group.quantile(&RunRecord::meanMm, 0.95), 2),
@@ -46,15 +46,15 @@ std::string orderNote(const RunGroups& groups, const Condition& condition)
         }
     }
     int pairs = 0;
-    int alike = 0;
+    int concordant = 0;
     for (std::size_t a = 0; a < medians.size(); ++a) {
         for (std::size_t b = a + 1; b < medians.size(); ++b) {
             ++pairs;
-            alike += (medians[a].first < medians[b].first) == (medians[a].second < medians[b].second) ? 1 : 0;
+            concordant += (medians[a].first < medians[b].first) == (medians[a].second < medians[b].second) ? 1 : 0;
         }
     }
     return pairs == 0 ? ""
-                      : " By the median, " + std::to_string(alike) + " of " + std::to_string(pairs) +
+                      : " By the median, " + std::to_string(concordant) + " of " + std::to_string(pairs) +
                             " pairs of methods are in the published order.";
 }
 
@@ -73,7 +73,7 @@ ResultTable clinicalTable(const RunGroups& groups, const Condition& condition)
         }
         table.rows.push_back({clinicalCells(method, groups.of(condition, method)), false});
         const auto published = publishedInVivo(methodIdOf(method));
-        if (published && isLastOfItsMethod(groups.methods(), k)) {
+        if (published && isLastOfMethod(groups.methods(), k)) {
             table.rows.push_back(publishedRow(table, methodIdOf(method) + " in vivo",
                                               {fixedText(published->grossPercent, 0), fixedText(published->medianMm, 2),
                                                fixedText(published->p75Mm, 2), fixedText(published->p95Mm, 2)}));
@@ -114,9 +114,9 @@ std::vector<std::string> cellsOf(const std::string& method, const RunGroup& grou
             quantilesCell(group, &RunRecord::mrpdMm, 2),
             quantilesCell(group, &RunRecord::mtreMm, 2),
             quantilesCell(group, &RunRecord::angleDeg, 2),
-            shareCell(group, isBelow(1.0)),
-            shareCell(group, isBelow(successfulMrpdMm)),
-            shareCell(group, isGrossMm),
+            rateCell(group, isBelow(1.0)),
+            rateCell(group, isBelow(successfulMrpdMm)),
+            rateCell(group, isGrossMm),
             percentCell(failures.countIf(isFlagged), failures.count()),
             percentCell(successes.countIf(isFlagged), successes.count())};
 }

@@ -10,8 +10,8 @@ namespace angiopose::core {
 namespace {
 
 using Means = std::vector<ObserverMean>;
-using OnPair = std::function<void(const std::string& first, const std::string& second, std::size_t measure,
-                                  const LimitsOfAgreement& agreement)>;
+using PairVisitor = std::function<void(const std::string& first, const std::string& second, std::size_t measure,
+                                       const LimitsOfAgreement& agreement)>;
 
 std::string measureText(std::size_t measure)
 {
@@ -60,14 +60,14 @@ ResultTable reproducibilityTable(const Means& means)
     return table;
 }
 
-void forEachPair(const Means& means, const OnPair& onPair)
+void forEachPair(const Means& means, const PairVisitor& visitPair)
 {
     const std::vector<std::string> observers = observersOf(means);
     for (std::size_t a = 0; a < observers.size(); ++a) {
         for (std::size_t b = a + 1; b < observers.size(); ++b) {
             for (std::size_t measure = 0; measure < poseMeasureCount; ++measure) {
                 if (const auto agreement = agreementOf(means, observers[a], observers[b], measure)) {
-                    onPair(observers[a], observers[b], measure, *agreement);
+                    visitPair(observers[a], observers[b], measure, *agreement);
                 }
             }
         }
@@ -99,7 +99,7 @@ ResultTable agreementTable(const Means& means)
     return table;
 }
 
-PlotSeries levelLine(const std::string& name, double y, const PlotAxis& x)
+PlotSeries horizontalLine(const std::string& name, double y, const PlotAxis& x)
 {
     return {name + " " + fixedText(y, 2), {{x.min, y}, {x.max, y}}, {}};
 }
@@ -107,11 +107,11 @@ PlotSeries levelLine(const std::string& name, double y, const PlotAxis& x)
 /// Returns an axis that shows all values with a margin.
 PlotAxis axisAround(const std::string& label, double low, double high)
 {
-    const double room = std::max(0.15 * (high - low), 0.01);
-    return {label, low - room, high + room, false};
+    const double margin = std::max(0.15 * (high - low), 0.01);
+    return {label, low - margin, high + margin, false};
 }
 
-std::string fileWord(const std::string& text)
+std::string fileNamePart(const std::string& text)
 {
     std::string word = text;
     std::ranges::replace_if(
@@ -124,24 +124,24 @@ Plot agreementPlot(const std::string& first, const std::string& second, std::siz
 {
     double low = agreement.points.front().x();
     double high = low;
-    double least = agreement.lower();
-    double most = agreement.upper();
+    double lowest = agreement.lower();
+    double highest = agreement.upper();
     for (const Eigen::Vector2d& point : agreement.points) {
         low = std::min(low, point.x());
         high = std::max(high, point.x());
-        least = std::min(least, point.y());
-        most = std::max(most, point.y());
+        lowest = std::min(lowest, point.y());
+        highest = std::max(highest, point.y());
     }
     const std::string text = measureText(measure);
-    Plot plot{"observers-" + fileWord(first) + "-" + fileWord(second) + "-" + poseMeasures()[measure].id,
+    Plot plot{"observers-" + fileNamePart(first) + "-" + fileNamePart(second) + "-" + poseMeasures()[measure].id,
               first + " and " + second + ": " + text,
               axisAround("mean of both, relative to the pose before the trial: " + text, low, high),
-              axisAround(first + " − " + second, least, most),
+              axisAround(first + " − " + second, lowest, highest),
               {}};
     plot.series = {{"image", agreement.points, {}, true},
-                   levelLine("bias", agreement.bias, plot.x),
-                   levelLine("upper limit", agreement.upper(), plot.x),
-                   levelLine("lower limit", agreement.lower(), plot.x)};
+                   horizontalLine("bias", agreement.bias, plot.x),
+                   horizontalLine("upper limit", agreement.upper(), plot.x),
+                   horizontalLine("lower limit", agreement.lower(), plot.x)};
     return plot;
 }
 

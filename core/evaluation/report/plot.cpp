@@ -10,10 +10,10 @@ namespace angiopose::core {
 namespace {
 
 constexpr double minErrorMm = 1e-4;
-constexpr double largestErrorMm = 100.0;
+constexpr double maxErrorMm = 100.0;
 constexpr double minErrorPx = 1e-4;
 constexpr std::size_t startBins = 8;
-constexpr std::size_t fewestPerBin = 5;
+constexpr std::size_t minRunsPerBin = 5;
 
 std::string plotId(const RunGroups& groups, const std::string& what, const std::string& condition)
 {
@@ -21,14 +21,15 @@ std::string plotId(const RunGroups& groups, const std::string& what, const std::
 }
 
 /// An error measure whose distribution is plotted.
-struct DrawnError {
+struct PlottedError {
     const char* id;
     const char* label;
     RunValue value;
 };
-constexpr DrawnError drawnProjectionDistance{"cumulative", "mean projection distance, mm", &RunRecord::meanMm};
-constexpr DrawnError drawnRayDistance{"cumulative-mrpd", "distance to the rays (mRPD), mm", &RunRecord::mrpdMm};
-constexpr DrawnError drawnTargetError{"cumulative-mtre", "target registration error (mTRE), mm", &RunRecord::mtreMm};
+constexpr PlottedError plottedProjectionDistance{"cumulative", "mean projection distance, mm", &RunRecord::meanMm};
+constexpr PlottedError plottedRayDistance{"cumulative-mrpd", "distance to the rays (mRPD), mm", &RunRecord::mrpdMm};
+constexpr PlottedError plottedTargetError{"cumulative-mtre", "target registration error (mTRE), mm",
+                                          &RunRecord::mtreMm};
 
 /// Returns a step function: the percentage of registrations at or below each error.
 PlotSeries cumulativeSeries(const std::string& method, const RunGroup& group, RunValue value)
@@ -40,19 +41,19 @@ PlotSeries cumulativeSeries(const std::string& method, const RunGroup& group, Ru
     std::sort(errors.begin(), errors.end());
     PlotSeries series{method, {{minErrorMm, 0.0}}, {}};
     for (std::size_t k = 0; k < errors.size(); ++k) {
-        const double x = std::clamp(errors[k], minErrorMm, 2.0 * largestErrorMm);
+        const double x = std::clamp(errors[k], minErrorMm, 2.0 * maxErrorMm);
         series.points.emplace_back(x, series.points.back().y());
         series.points.emplace_back(x, 100.0 * static_cast<double>(k + 1) / static_cast<double>(errors.size()));
     }
-    series.points.emplace_back(2.0 * largestErrorMm, series.points.back().y());
+    series.points.emplace_back(2.0 * maxErrorMm, series.points.back().y());
     return series;
 }
 
-Plot cumulativePlot(const RunGroups& groups, const Condition& condition, const DrawnError& error)
+Plot cumulativePlot(const RunGroups& groups, const Condition& condition, const PlottedError& error)
 {
     Plot plot{plotId(groups, error.id, condition.id),
               condition.title,
-              {error.label, minErrorMm, largestErrorMm, true},
+              {error.label, minErrorMm, maxErrorMm, true},
               {"registrations at or below, %", 0.0, 100.0, false},
               {}};
     for (const std::string& method : groups.methods()) {
@@ -100,7 +101,7 @@ std::vector<RunGroup> equalBins(const RunGroup& group)
     return bins;
 }
 
-double largestStart(const Plot& plot)
+double maxInitialErrorMm(const Plot& plot)
 {
     double largest = 0.0;
     for (const PlotSeries& series : plot.series) {
@@ -126,12 +127,12 @@ Plot successPlot(const RunGroups& groups, const Condition& condition)
     for (const std::string& method : groups.methods()) {
         const RunGroup& group = groups.of(condition, method);
         const std::vector<double> starts = group.values(&RunRecord::startMtreMm);
-        const auto [least, most] = std::minmax_element(starts.begin(), starts.end());
-        if (starts.size() >= startBins * fewestPerBin && *most > 1.01 * *least) {
+        const auto [lowest, highest] = std::minmax_element(starts.begin(), starts.end());
+        if (starts.size() >= startBins * minRunsPerBin && *highest > 1.01 * *lowest) {
             plot.series.push_back(successSeries(groups.protocol(), method, equalBins(group)));
         }
     }
-    plot.x.max = 1.05 * largestStart(plot);
+    plot.x.max = 1.05 * maxInitialErrorMm(plot);
     return plot;
 }
 
@@ -148,7 +149,7 @@ Plot capturePlot(const RunGroups& groups, const std::string& target, const std::
         }
         plot.series.push_back(successSeries(groups.protocol(), method, bins));
     }
-    plot.x.max = 1.05 * largestStart(plot);
+    plot.x.max = 1.05 * maxInitialErrorMm(plot);
     return plot;
 }
 
@@ -206,10 +207,10 @@ std::vector<Plot> plotsOf(const RunSet& runs)
         plots = {capturePlot(groups, "clean", "resampled curves"), capturePlot(groups, "degraded", "degraded target")};
     } else {
         for (const Condition& condition : groups.conditions()) {
-            plots.push_back(cumulativePlot(groups, condition, drawnProjectionDistance));
+            plots.push_back(cumulativePlot(groups, condition, plottedProjectionDistance));
             if (groups.protocol().id == "own") {
-                plots.push_back(cumulativePlot(groups, condition, drawnRayDistance));
-                plots.push_back(cumulativePlot(groups, condition, drawnTargetError));
+                plots.push_back(cumulativePlot(groups, condition, plottedRayDistance));
+                plots.push_back(cumulativePlot(groups, condition, plottedTargetError));
             }
             plots.push_back(successPlot(groups, condition));
             plots.push_back(convergencePlot(groups, condition));

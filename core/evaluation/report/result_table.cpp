@@ -14,7 +14,7 @@ std::vector<ResultTable> tablesOf(const RunSet& runs)
                                                                  {"robustness", robustnessTables},
                                                                  {"clinical", clinicalTables},
                                                                  {"capture-range", captureRangeTables},
-                                                                 {"trust", trustTables},
+                                                                 {"trust", confidenceTables},
                                                                  {"own", ownTables}};
     const RunGroups groups(runs);
     std::vector<ResultTable> tables;

@@ -48,7 +48,7 @@ std::vector<std::string> cellsOf(const std::string& method, const RunGroup& grou
     cells.push_back(fixedText(group.median(&RunRecord::centroidInPlaneMm), 3));
     cells.push_back(fixedText(medianDepthMm(group), 3));
     cells.push_back(fixedText(group.quantile(&RunRecord::angleDeg, 0.95), 3));
-    cells.push_back(shareCell(group, isGrossPx));
+    cells.push_back(rateCell(group, isGrossPx));
     return cells;
 }
 
@@ -73,7 +73,7 @@ ResultTable robustnessTable(const RunGroups& groups, const Condition& condition)
         }
         table.rows.push_back({cellsOf(method, groups.of(condition, method), anatomyCount), false});
         const auto published = publishedRobustness(condition.id, methodIdOf(method));
-        if (published && isLastOfItsMethod(groups.methods(), k)) {
+        if (published && isLastOfMethod(groups.methods(), k)) {
             std::vector<std::string> cells(static_cast<std::size_t>(anatomyCount), "–");
             cells.push_back(cellOf({published->closestMedianPx, published->angleDeg, published->seedDistanceMm}));
             table.rows.push_back(publishedRow(table, methodIdOf(method), std::move(cells)));

@@ -32,17 +32,17 @@ double RunGroup::mean(RunValue value) const
                          : std::accumulate(known.begin(), known.end(), 0.0) / static_cast<double>(known.size());
 }
 
-int RunGroup::countIf(const std::function<bool(const RunRecord&)>& holds) const
+int RunGroup::countIf(const std::function<bool(const RunRecord&)>& predicate) const
 {
     return static_cast<int>(
-        std::count_if(runs_.begin(), runs_.end(), [&](const RunRecord* run) { return holds(*run); }));
+        std::count_if(runs_.begin(), runs_.end(), [&](const RunRecord* run) { return predicate(*run); }));
 }
 
-RunGroup RunGroup::where(const std::function<bool(const RunRecord&)>& holds) const
+RunGroup RunGroup::where(const std::function<bool(const RunRecord&)>& predicate) const
 {
     RunGroup chosen;
     std::copy_if(runs_.begin(), runs_.end(), std::back_inserter(chosen.runs_),
-                 [&](const RunRecord* run) { return holds(*run); });
+                 [&](const RunRecord* run) { return predicate(*run); });
     return chosen;
 }
 
@@ -101,27 +101,27 @@ bool isGrossMm(const RunRecord& run)
     return !(run.meanMm <= grossFailureMm);
 }
 
-bool isSuccess(Success rule, const RunRecord& run)
+bool isSuccess(SuccessCriterion rule, const RunRecord& run)
 {
     switch (rule) {
-        case Success::ProjectionWithin5Px:
+        case SuccessCriterion::ProjectionWithin5Px:
             return !isGrossPx(run);
-        case Success::RayDistanceWithin2Mm:
+        case SuccessCriterion::RayDistanceWithin2Mm:
             return run.mrpdMm < successfulMrpdMm;
-        case Success::ProjectionWithin1Px:
+        case SuccessCriterion::ProjectionWithin1Px:
             return run.meanPx <= 1.0;
     }
     return false;
 }
 
-std::string_view toText(Success rule)
+std::string_view toText(SuccessCriterion rule)
 {
     switch (rule) {
-        case Success::ProjectionWithin5Px:
+        case SuccessCriterion::ProjectionWithin5Px:
             return "mean projection distance at most 5 px";
-        case Success::RayDistanceWithin2Mm:
+        case SuccessCriterion::RayDistanceWithin2Mm:
             return "mean distance to the rays (mRPD) below 2 mm";
-        case Success::ProjectionWithin1Px:
+        case SuccessCriterion::ProjectionWithin1Px:
             return "mean projection distance at most 1 px";
     }
     return "";

@@ -28,8 +28,8 @@ public:
     double quantile(RunValue value, double fraction) const;
     double median(RunValue value) const { return quantile(value, 0.5); }
     double mean(RunValue value) const;
-    int countIf(const std::function<bool(const RunRecord&)>& holds) const;
-    RunGroup where(const std::function<bool(const RunRecord&)>& holds) const;
+    int countIf(const std::function<bool(const RunRecord&)>& predicate) const;
+    RunGroup where(const std::function<bool(const RunRecord&)>& predicate) const;
     RunGroup ofAnatomy(int anatomy) const;
 
 private:
@@ -62,7 +62,7 @@ bool isGrossPx(const RunRecord& run);
 bool isGrossMm(const RunRecord& run);
 
 /// Whether a run succeeds by the protocol's criterion.
-bool isSuccess(Success rule, const RunRecord& run);
-std::string_view toText(Success rule);   ///< "mean projection distance at most 5 px", …
+bool isSuccess(SuccessCriterion rule, const RunRecord& run);
+std::string_view toText(SuccessCriterion rule);   ///< "mean projection distance at most 5 px", …
 
 }   // namespace angiopose::core

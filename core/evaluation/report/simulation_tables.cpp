@@ -28,7 +28,7 @@ std::vector<std::string> simulationCells(const std::string& method, const RunGro
     const RunGroup gross = group.where(isGrossPx);
     const auto flagged = [](const RunRecord& run) { return run.trustworthy == 0.0; };
     return {method,
-            shareCell(group, isGrossPx),
+            rateCell(group, isGrossPx),
             significantText(group.mean(&RunRecord::meanMm)),
             significantText(group.quantile(&RunRecord::meanMm, 0.75)),
             significantText(group.quantile(&RunRecord::meanMm, 0.95)),
@@ -87,7 +87,7 @@ ResultTable simulationTable(const RunGroups& groups, const Condition& condition)
     return table;
 }
 
-const std::string yardstick = "dt-icp";   // reference method for comparing times between machines
+const std::string referenceMethod = "dt-icp";   // reference method for comparing times between machines
 
 std::optional<double> publishedMs(const Condition& condition, const std::string& methodId)
 {
@@ -101,10 +101,10 @@ std::optional<double> publishedMs(const Condition& condition, const std::string&
     return std::isnan(ms) ? std::nullopt : std::optional(ms);
 }
 
-std::string yardstickRatio(const RunGroups& groups, const Condition& condition, double ms)
+std::string referenceTimeRatio(const RunGroups& groups, const Condition& condition, double ms)
 {
-    const double yardstickMs = groups.of(condition, yardstick).median(&RunRecord::processorMs);
-    return std::isnan(yardstickMs) ? "–" : fixedText(ms / yardstickMs, 2);
+    const double referenceMs = groups.of(condition, referenceMethod).median(&RunRecord::processorMs);
+    return std::isnan(referenceMs) ? "–" : fixedText(ms / referenceMs, 2);
 }
 
 }   // namespace
@@ -141,10 +141,10 @@ std::vector<ResultTable> timeTables(const RunGroups& groups)
                   fixedText(group.quantile(&RunRecord::processorMs, 0.95), 2),
                   fixedText(group.median(&RunRecord::totalMs), 2), fixedText(group.median(&RunRecord::targetMs), 2),
                   fixedText(group.median(&RunRecord::searchMs), 2), fixedText(group.median(&RunRecord::solveMs), 2),
-                  fixedText(group.median(&RunRecord::traceMs), 1), yardstickRatio(groups, condition, medianMs)},
+                  fixedText(group.median(&RunRecord::traceMs), 1), referenceTimeRatio(groups, condition, medianMs)},
                  false});
             const auto published = publishedMs(condition, methodIdOf(method));
-            if (published && isLastOfItsMethod(groups.methods(), k)) {
+            if (published && isLastOfMethod(groups.methods(), k)) {
                 std::vector<std::string> cells{condition.id, methodIdOf(method) + ", published",
                                                fixedText(*published, 1)};
                 cells.resize(table.columns.size(), "–");

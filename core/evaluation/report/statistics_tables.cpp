@@ -11,11 +11,11 @@ namespace angiopose::core {
 namespace {
 
 constexpr double sameMm = 1e-6;   // smaller differences are rounding errors
-constexpr int fewestAnatomies = 6;   // minimum at which winning on all anatomies is significant at 5 %
+constexpr int minAnatomies = 6;   // minimum at which winning on all anatomies is significant at 5 %
 
 RunValue comparedValue(const Protocol& protocol)
 {
-    return protocol.success == Success::RayDistanceWithin2Mm ? &RunRecord::mrpdMm : &RunRecord::meanMm;
+    return protocol.success == SuccessCriterion::RayDistanceWithin2Mm ? &RunRecord::mrpdMm : &RunRecord::meanMm;
 }
 
 /// The quantile by which the trials of one tree are compared.
@@ -28,7 +28,7 @@ constexpr ComparedQuantile compared95th{"p95", 0.95};
 
 bool comparesByAnatomy(const RunGroups& groups)
 {
-    return groups.anatomyCount() >= fewestAnatomies;
+    return groups.anatomyCount() >= minAnatomies;
 }
 
 /// Returns the paired differences, first minus second: by anatomy if there are enough anatomies, otherwise by trial.
@@ -89,15 +89,16 @@ bool isFlagged(const RunRecord& run)
     return run.trustworthy == 0.0;
 }
 
-ResultTable::Row rowOf(const std::string& method, const std::string& condition, const RunGroup& group, Success rule)
+ResultTable::Row rowOf(const std::string& method, const std::string& condition, const RunGroup& group,
+                       SuccessCriterion rule)
 {
     const RunGroup gross = group.where(isGrossMm);
     const RunGroup failures = group.where([rule](const RunRecord& run) { return !isSuccess(rule, run); });
     const RunGroup successes = group.where([rule](const RunRecord& run) { return isSuccess(rule, run); });
-    return {{method, condition, std::to_string(gross.count()), shareCell(gross, isFlagged),
-             std::to_string(failures.count()), shareCell(failures, isFlagged), std::to_string(successes.count()),
-             shareCell(successes, isFlagged)},
-            false};
+    return {
+        {method, condition, std::to_string(gross.count()), rateCell(gross, isFlagged), std::to_string(failures.count()),
+         rateCell(failures, isFlagged), std::to_string(successes.count()), rateCell(successes, isFlagged)},
+        false};
 }
 
 }   // namespace
@@ -137,7 +138,7 @@ std::vector<ResultTable> statisticsTables(const RunGroups& groups)
     return {table};
 }
 
-std::vector<ResultTable> trustTables(const RunGroups& groups)
+std::vector<ResultTable> confidenceTables(const RunGroups& groups)
 {
     ResultTable table;
     table.id = "trust";

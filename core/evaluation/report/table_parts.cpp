@@ -15,7 +15,7 @@ std::string methodIdOf(const std::string& label)
     return label.substr(0, label.find(':'));
 }
 
-bool isLastOfItsMethod(const std::vector<std::string>& labels, std::size_t index)
+bool isLastOfMethod(const std::vector<std::string>& labels, std::size_t index)
 {
     for (std::size_t k = index + 1; k < labels.size(); ++k) {
         if (methodIdOf(labels[k]) == methodIdOf(labels[index])) {
@@ -25,7 +25,7 @@ bool isLastOfItsMethod(const std::vector<std::string>& labels, std::size_t index
     return true;
 }
 
-std::string shareCell(const RunGroup& group, const std::function<bool(const RunRecord&)>& holds)
+std::string rateCell(const RunGroup& group, const std::function<bool(const RunRecord&)>& predicate)
 {
     if (group.count() == 0) {
         return "–";
@@ -33,7 +33,7 @@ std::string shareCell(const RunGroup& group, const std::function<bool(const RunR
     std::map<int, ClusterCount> byTree;
     for (const RunRecord* run : group.runs()) {
         ClusterCount& tree = byTree[run->anatomy];
-        tree.successes += holds(*run) ? 1 : 0;
+        tree.successes += predicate(*run) ? 1 : 0;
         ++tree.count;
     }
     std::vector<ClusterCount> trees;
@@ -41,7 +41,7 @@ std::string shareCell(const RunGroup& group, const std::function<bool(const RunR
         trees.push_back(tree);
     }
     const Interval interval = clusteredInterval(trees);
-    return fixedText(100.0 * group.countIf(holds) / group.count(), 1) + " [" + fixedText(100.0 * interval.low, 1) +
+    return fixedText(100.0 * group.countIf(predicate) / group.count(), 1) + " [" + fixedText(100.0 * interval.low, 1) +
            ", " + fixedText(100.0 * interval.high, 1) + "]";
 }
 

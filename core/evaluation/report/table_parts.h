@@ -16,7 +16,7 @@ std::vector<ResultTable> asPublishedTables(const RunGroups& groups);   ///< simu
 std::vector<ResultTable> robustnessTables(const RunGroups& groups);
 std::vector<ResultTable> clinicalTables(const RunGroups& groups);
 std::vector<ResultTable> captureRangeTables(const RunGroups& groups);
-std::vector<ResultTable> trustTables(const RunGroups& groups);
+std::vector<ResultTable> confidenceTables(const RunGroups& groups);
 std::vector<ResultTable> ownTables(const RunGroups& groups);
 std::vector<ResultTable> statisticsTables(const RunGroups& groups);   ///< paired comparisons; for any protocol
 std::vector<ResultTable> ablationTables(const RunGroups& groups);   ///< if the settings of DynaWeightPnP were varied
@@ -26,11 +26,11 @@ std::vector<ResultTable> timeTables(const RunGroups& groups);
 std::string methodIdOf(const std::string& label);
 
 /// Whether the label is the last one of its method, after which the published row is inserted.
-bool isLastOfItsMethod(const std::vector<std::string>& labels, std::size_t index);
+bool isLastOfMethod(const std::vector<std::string>& labels, std::size_t index);
 
 /// Returns "12.5 [10.1, 15.2]": the percentage of the runs for which `holds` is true and its 95 % interval,
 /// bootstrapped over trees with all their trials (clusteredInterval); "–" if there are no runs.
-std::string shareCell(const RunGroup& group, const std::function<bool(const RunRecord&)>& holds);
+std::string rateCell(const RunGroup& group, const std::function<bool(const RunRecord&)>& predicate);
 
 /// Returns `part` as a percentage of `whole`, such as "95 %"; "–" if `whole` is zero.
 std::string percentCell(int part, int whole);

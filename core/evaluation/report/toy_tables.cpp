@@ -53,7 +53,7 @@ ResultTable errorTable(const RunGroups& groups, const std::string& variant, cons
             }
         }
         table.rows.push_back(std::move(row));
-        if (!published.empty() && isLastOfItsMethod(groups.methods(), k)) {
+        if (!published.empty() && isLastOfMethod(groups.methods(), k)) {
             table.rows.push_back(publishedRow(table, methodIdOf(method), std::move(published)));
         }
     }
@@ -65,7 +65,7 @@ ResultTable errorTable(const RunGroups& groups, const std::string& variant, cons
 
 /// Fills each column with the number of runs for which `holds` is true, such as "3 of 20".
 ResultTable countTable(const RunGroups& groups, const std::string& variant, ResultTable table,
-                       const std::function<bool(const RunRecord&)>& holds)
+                       const std::function<bool(const RunRecord&)>& predicate)
 {
     const std::vector<Condition> conditions = conditionsOf(groups, variant);
     table.columns = {"method"};
@@ -76,7 +76,7 @@ ResultTable countTable(const RunGroups& groups, const std::string& variant, Resu
         ResultTable::Row row{{method}, false};
         for (const Condition& condition : conditions) {
             const RunGroup& group = groups.of(condition, method);
-            row.cells.push_back(std::to_string(group.countIf(holds)) + " of " + std::to_string(group.count()));
+            row.cells.push_back(std::to_string(group.countIf(predicate)) + " of " + std::to_string(group.count()));
         }
         table.rows.push_back(std::move(row));
     }
@@ -85,7 +85,7 @@ ResultTable countTable(const RunGroups& groups, const std::string& variant, Resu
 
 ResultTable failureTable(const RunGroups& groups, const std::string& variant, const std::string& title)
 {
-    const Success rule = groups.protocol().success;
+    const SuccessCriterion rule = groups.protocol().success;
     return countTable(groups, variant,
                       {"toy-" + variant + "-failures",
                        "Toy square, " + title + ": failures",

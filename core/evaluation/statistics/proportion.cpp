@@ -14,7 +14,7 @@ constexpr int bootstrapDraws = 2000;
 constexpr std::uint64_t bootstrapSeed = 1;
 
 /// Returns the success rates of bootstrap samples, each drawn from the trees with replacement.
-std::vector<double> drawnShares(const std::vector<ClusterCount>& trees)
+std::vector<double> bootstrapRates(const std::vector<ClusterCount>& trees)
 {
     CounterRandom random(bootstrapSeed);
     std::vector<double> shares;
@@ -74,7 +74,7 @@ Interval clusteredInterval(const std::vector<ClusterCount>& trees)
     if (counted.size() < 2) {
         return wilson;
     }
-    const std::vector<double> limits = quantiles(drawnShares(counted), {0.025, 0.975});
+    const std::vector<double> limits = quantiles(bootstrapRates(counted), {0.025, 0.975});
     return {std::min(wilson.low, limits[0]), std::max(wilson.high, limits[1])};
 }
 

@@ -11,7 +11,7 @@
 namespace angiopose::core {
 namespace {
 
-constexpr std::size_t largestExactCount = 50;
+constexpr std::size_t maxExactCount = 50;
 
 /// Returns twice the mid-ranks by absolute value; doubling keeps them integers even for ties.
 std::vector<int> doubledRanks(const std::vector<double>& differences)
@@ -49,7 +49,7 @@ std::vector<double> exactDistribution(const std::vector<int>& ranks)
     return share;
 }
 
-double normalBelow(double z)
+double normalCdf(double z)
 {
     return 0.5 * std::erfc(-z / std::numbers::sqrt2);
 }
@@ -79,7 +79,7 @@ Tails normalTails(const std::vector<int>& ranks, int doubledSum)
     const double sum = 0.5 * doubledSum;
     const double std = std::sqrt(variance);
     const double z = (mean - sum - 0.5) / std;   // stays finite even if its probability underflows
-    return {normalBelow(-z), normalBelow((mean - sum + 0.5) / std), z};
+    return {normalCdf(-z), normalCdf((mean - sum + 0.5) / std), z};
 }
 
 }   // namespace
@@ -98,8 +98,7 @@ SignedRankTest signedRankTest(const std::vector<double>& differences)
     for (std::size_t i = 0; i < values.size(); ++i) {
         doubledSum += values[i] > 0.0 ? ranks[i] : 0;
     }
-    const Tails tails =
-        values.size() <= largestExactCount ? exactTails(ranks, doubledSum) : normalTails(ranks, doubledSum);
+    const Tails tails = values.size() <= maxExactCount ? exactTails(ranks, doubledSum) : normalTails(ranks, doubledSum);
     test.rankSum = 0.5 * doubledSum;
     test.pLess = tails.below;
     test.pTwoSided = std::min(1.0, 2.0 * std::min(tails.below, tails.above));
@@ -114,7 +113,7 @@ double normalQuantile(double p)
     double high = 40.0;
     for (int halving = 0; halving < 100; ++halving) {
         const double middle = 0.5 * (low + high);
-        (normalBelow(middle) < p ? low : high) = middle;
+        (normalCdf(middle) < p ? low : high) = middle;
     }
     return 0.5 * (low + high);
 }

@@ -22,9 +22,9 @@ PixelJacobian pixelJacobian(const ProjectionCamera& camera, const Eigen::Vector3
 /// Returns the variance of the mean over many points, times their number; correlated noise averages out slowly.
 double effectiveVariancePx2(const TracingNoise& noise)
 {
-    const double kept = noise.correlationPoints > 0.0 ? std::exp(-1.0 / noise.correlationPoints) : 0.0;
+    const double correlation = noise.correlationPoints > 0.0 ? std::exp(-1.0 / noise.correlationPoints) : 0.0;
     const double rounding = noise.isRasterized ? 1.0 / 12.0 : 0.0;
-    return noise.jitterPx * noise.jitterPx * (1.0 + kept) / (1.0 - kept) + rounding;
+    return noise.jitterPx * noise.jitterPx * (1.0 + correlation) / (1.0 - correlation) + rounding;
 }
 
 }   // namespace
@@ -38,7 +38,7 @@ Matrix6d cramerRaoBound(const VesselTree& tree, const VesselTree& visible, const
         for (std::size_t i = 1; i < branch.pointsInPatient.size(); ++i) {
             const Eigen::Vector3d from = cameraFromPatient * branch.pointsInPatient[i - 1];
             const Eigen::Vector3d to = cameraFromPatient * branch.pointsInPatient[i];
-            information += pieceInformation(camera, from, to, center);
+            information += segmentInformation(camera, from, to, center);
         }
     }
     return effectiveVariancePx2(noise) * inverseOf(information);

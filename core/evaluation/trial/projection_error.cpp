@@ -19,7 +19,7 @@ double distanceToRay(const Eigen::Vector3d& point, const Eigen::Vector3d& onRay)
     return (point - point.dot(direction) * direction).norm();
 }
 
-std::vector<Eigen::Vector3d> moved(const VesselTree& tree, const RigidTransform& pose)
+std::vector<Eigen::Vector3d> transformedPoints(const VesselTree& tree, const RigidTransform& pose)
 {
     std::vector<Eigen::Vector3d> points;
     points.reserve(tree.pointCount());
@@ -32,22 +32,22 @@ std::vector<Eigen::Vector3d> moved(const VesselTree& tree, const RigidTransform&
 
 }   // namespace
 
-PlacedPoints placed(const VesselTree& tree, const PosePair& poses)
+CorrespondingPoints correspondingPoints(const VesselTree& tree, const PosePair& poses)
 {
-    return placed(tree, tree, poses);
+    return correspondingPoints(tree, tree, poses);
 }
 
-PlacedPoints placed(const VesselTree& found, const VesselTree& truth, const PosePair& poses)
+CorrespondingPoints correspondingPoints(const VesselTree& found, const VesselTree& truth, const PosePair& poses)
 {
-    return {moved(found, poses.estimate), moved(truth, poses.truth)};
+    return {transformedPoints(found, poses.estimate), transformedPoints(truth, poses.truth)};
 }
 
 std::vector<double> projectionDistancesPx(const VesselTree& tree, const ProjectionCamera& camera, const PosePair& poses)
 {
-    return projectionDistancesPx(camera, placed(tree, poses));
+    return projectionDistancesPx(camera, correspondingPoints(tree, poses));
 }
 
-std::vector<double> projectionDistancesPx(const ProjectionCamera& camera, const PlacedPoints& points)
+std::vector<double> projectionDistancesPx(const ProjectionCamera& camera, const CorrespondingPoints& points)
 {
     std::vector<double> distances;
     distances.reserve(points.truth.size());
@@ -64,10 +64,10 @@ std::vector<double> projectionDistancesPx(const ProjectionCamera& camera, const 
 
 ProjectionError projectionError(const VesselTree& tree, const ProjectionCamera& camera, const PosePair& poses)
 {
-    return projectionError(camera, placed(tree, poses), (poses.truth * centroidInPatient(tree)).z());
+    return projectionError(camera, correspondingPoints(tree, poses), (poses.truth * centroidInPatient(tree)).z());
 }
 
-ProjectionError projectionError(const ProjectionCamera& camera, const PlacedPoints& points, double depthMm)
+ProjectionError projectionError(const ProjectionCamera& camera, const CorrespondingPoints& points, double depthMm)
 {
     const std::vector<double> distances = projectionDistancesPx(camera, points);
     const auto count = static_cast<double>(distances.size());
@@ -119,7 +119,7 @@ std::vector<Eigen::Vector3d> targetsOf(const VesselTree& tree)
 
 TargetError targetError(const std::vector<Eigen::Vector3d>& targetsInPatient, const PosePair& poses)
 {
-    PlacedPoints targets;
+    CorrespondingPoints targets;
     for (const Eigen::Vector3d& target : targetsInPatient) {
         targets.found.push_back(poses.estimate * target);
         targets.truth.push_back(poses.truth * target);
@@ -127,7 +127,7 @@ TargetError targetError(const std::vector<Eigen::Vector3d>& targetsInPatient, co
     return targetError(targets);
 }
 
-TargetError targetError(const PlacedPoints& targets)
+TargetError targetError(const CorrespondingPoints& targets)
 {
     TargetError error;
     for (std::size_t i = 0; i < targets.truth.size(); ++i) {

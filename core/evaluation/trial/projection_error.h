@@ -15,17 +15,17 @@ struct PosePair {
 };
 
 /// Registered and true positions of the same points, in the same order; camera frame, mm.
-struct PlacedPoints {
+struct CorrespondingPoints {
     std::vector<Eigen::Vector3d> found;
     std::vector<Eigen::Vector3d> truth;
 };
 
 /// Returns the points of a tree, in the tree's order, under both poses.
-PlacedPoints placed(const VesselTree& tree, const PosePair& poses);
+CorrespondingPoints correspondingPoints(const VesselTree& tree, const PosePair& poses);
 
 /// Returns the points of a deformed tree under the estimated pose and those of the true tree under the true pose. Both
 /// trees must have the same number of points.
-PlacedPoints placed(const VesselTree& found, const VesselTree& truth, const PosePair& poses);
+CorrespondingPoints correspondingPoints(const VesselTree& found, const VesselTree& truth, const PosePair& poses);
 
 /// Projection distances of one registration with known correspondences, PR_i = ‖π(T p_i) − π(T_gt p_i)‖ (ALGORITHMS
 /// §4.5). Pixels are converted to mm at the depth of the centroid under the true pose (§2, decision 11).
@@ -58,18 +58,18 @@ struct PoseError {
 std::vector<double> projectionDistancesPx(const VesselTree& tree, const ProjectionCamera& camera,
                                           const PosePair& poses);
 
-std::vector<double> projectionDistancesPx(const ProjectionCamera& camera, const PlacedPoints& points);
+std::vector<double> projectionDistancesPx(const ProjectionCamera& camera, const CorrespondingPoints& points);
 
 /// Summarizes projectionDistancesPx; all NaN if no point projects under the true pose. `depthMm` is the depth at which
 /// pixels are converted to mm.
 ProjectionError projectionError(const VesselTree& tree, const ProjectionCamera& camera, const PosePair& poses);
-ProjectionError projectionError(const ProjectionCamera& camera, const PlacedPoints& points, double depthMm);
+ProjectionError projectionError(const ProjectionCamera& camera, const CorrespondingPoints& points, double depthMm);
 
 /// Returns all centerline points and the eight corners of their bounding box, in patient LPS, mm.
 std::vector<Eigen::Vector3d> targetsOf(const VesselTree& tree);
 
 TargetError targetError(const std::vector<Eigen::Vector3d>& targetsInPatient, const PosePair& poses);
-TargetError targetError(const PlacedPoints& targets);
+TargetError targetError(const CorrespondingPoints& targets);
 
 PoseError poseError(const Eigen::Vector3d& centroidInPatient, const PosePair& poses);
 

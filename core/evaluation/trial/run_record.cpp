@@ -9,22 +9,23 @@ namespace {
 constexpr double grossPx = 5.0;
 
 /// Points of the tree that was found if the true deformation is known; otherwise of the rigid tree.
-PlacedPoints treePoints(const Truth& truth, const VesselTree& found, const PosePair& poses)
+CorrespondingPoints treePoints(const GroundTruth& truth, const VesselTree& found, const PosePair& poses)
 {
-    return truth.deformedTree ? placed(found, *truth.deformedTree, poses) : placed(truth.tree, poses);
+    return truth.deformedTree ? correspondingPoints(found, *truth.deformedTree, poses)
+                              : correspondingPoints(truth.tree, poses);
 }
 
-double depthMm(const Truth& truth)
+double depthMm(const GroundTruth& truth)
 {
     return (truth.cameraFromPatient * centroidInPatient(truth.tree)).z();
 }
 
-TargetError targetErrorOf(const Truth& truth, const PlacedPoints& points, const PosePair& poses)
+TargetError targetErrorOf(const GroundTruth& truth, const CorrespondingPoints& points, const PosePair& poses)
 {
     return truth.deformedTree ? targetError(points) : targetError(truth.targetsInPatient, poses);
 }
 
-void noteProjection(const Truth& truth, const PlacedPoints& points, RunRecord& record)
+void recordProjectionErrors(const GroundTruth& truth, const CorrespondingPoints& points, RunRecord& record)
 {
     const ProjectionError error = projectionError(truth.camera, points, depthMm(truth));
     record.meanPx = error.meanPx;
@@ -38,7 +39,7 @@ void noteProjection(const Truth& truth, const PlacedPoints& points, RunRecord& r
     record.shareAbove5Px = static_cast<double>(above) / static_cast<double>(distances.size());
 }
 
-void notePose(const PoseError& pose, RunRecord& record)
+void recordPoseErrors(const PoseError& pose, RunRecord& record)
 {
     record.angleDeg = pose.angleDeg;
     record.outOfPlaneDeg = pose.outOfPlaneDeg;
@@ -92,40 +93,41 @@ std::span<const RunField> runFields()
     return fields;
 }
 
-void measureStart(const Truth& truth, const RigidTransform& start, RunRecord& record)
+void measureInitialPose(const GroundTruth& truth, const RigidTransform& start, RunRecord& record)
 {
     const PosePair poses{start, truth.cameraFromPatient};
-    const PlacedPoints points = treePoints(truth, truth.tree, poses);
+    const CorrespondingPoints points = treePoints(truth, truth.tree, poses);
     record.startMeanPx = projectionError(truth.camera, points, depthMm(truth)).meanPx;
     record.startMtreMm = targetErrorOf(truth, points, poses).mtreMm;
     record.startAngleDeg = poseError(centroidInPatient(truth.tree), poses).angleDeg;
 }
 
-void measurePose(const Truth& truth, const RigidTransform& found, RunRecord& record)
+void measurePose(const GroundTruth& truth, const RigidTransform& found, RunRecord& record)
 {
     measureDeformed(truth, found, truth.tree, record);
 }
 
-void measureDeformed(const Truth& truth, const RigidTransform& found, const VesselTree& deformed, RunRecord& record)
+void measureDeformed(const GroundTruth& truth, const RigidTransform& found, const VesselTree& deformed,
+                     RunRecord& record)
 {
     const PosePair poses{found, truth.cameraFromPatient};
-    const PlacedPoints points = treePoints(truth, deformed, poses);
-    noteProjection(truth, points, record);
+    const CorrespondingPoints points = treePoints(truth, deformed, poses);
+    recordProjectionErrors(truth, points, record);
     const TargetError target = targetErrorOf(truth, points, poses);
     record.mtreMm = target.mtreMm;
     record.mtreInPlaneMm = target.mtreInPlaneMm;
     record.mrpdMm = target.mrpdMm;
-    notePose(poseError(centroidInPatient(truth.tree), poses), record);
+    recordPoseErrors(poseError(centroidInPatient(truth.tree), poses), record);
 }
 
-void measureCovariance(const Truth& truth, const RegistrationResult& result, RunRecord& record)
+void measureCovariance(const GroundTruth& truth, const RegistrationResult& result, RunRecord& record)
 {
     const PosePair poses{result.cameraFromPatient, truth.cameraFromPatient};
     record.nees =
         normalizedErrorSquared(errorAboutCentroid(centroidInPatient(truth.tree), poses), result.uncertainty.covariance);
 }
 
-void noteResult(const RegistrationResult& result, RunRecord& record)
+void recordResult(const RegistrationResult& result, RunRecord& record)
 {
     record.hasResult = 1.0;
     record.trustworthy = result.trustworthy ? 1.0 : 0.0;

@@ -72,7 +72,7 @@ struct RunSet {
 };
 
 /// Ground truth with which a pose is compared.
-struct Truth {
+struct GroundTruth {
     const VesselTree& tree;   ///< projection distances are measured on its points
     const ProjectionCamera& camera;
     RigidTransform cameraFromPatient;
@@ -83,27 +83,28 @@ struct Truth {
 };
 
 /// Computes the errors of the initial pose.
-void measureStart(const Truth& truth, const RigidTransform& start, RunRecord& record);
+void measureInitialPose(const GroundTruth& truth, const RigidTransform& start, RunRecord& record);
 
 /// Computes the errors of the estimated pose: projection distances, target errors and pose errors.
-void measurePose(const Truth& truth, const RigidTransform& found, RunRecord& record);
+void measurePose(const GroundTruth& truth, const RigidTransform& found, RunRecord& record);
 
 /// Does the same for a deformed tree at the estimated pose. Distances and target errors are those of the deformed tree
 /// if the true deformation is known, otherwise those of the rigid tree.
-void measureDeformed(const Truth& truth, const RigidTransform& found, const VesselTree& deformed, RunRecord& record);
+void measureDeformed(const GroundTruth& truth, const RigidTransform& found, const VesselTree& deformed,
+                     RunRecord& record);
 
 /// Computes the normalized squared error of the pose from its reported covariance.
-void measureCovariance(const Truth& truth, const RegistrationResult& result, RunRecord& record);
+void measureCovariance(const GroundTruth& truth, const RegistrationResult& result, RunRecord& record);
 
 /// Copies the quality measures and times reported by the method, which require no ground truth.
-void noteResult(const RegistrationResult& result, RunRecord& record);
+void recordResult(const RegistrationResult& result, RunRecord& record);
 
 /// One registration of an experiment: the input of the methods and the ground truth for the evaluation.
 struct Trial {
     RegistrationInput input;
     std::shared_ptr<const VesselTree> tree;   ///< errors are computed at its points; input.tree may lack branches
     RigidTransform trueCameraFromPatient;
-    bool hasRightAnswer = true;   ///< false if no pose is correct; the errors are then unknown
+    bool hasCorrectPose = true;   ///< false if no pose is correct; the errors are then unknown
     bool targetIsExact = false;   ///< whether every target point is the projection of a tree point
     std::optional<Matrix6d> errorBound;   ///< Cramér–Rao covariance about the tree's centroid, if known
     std::optional<double> traceMs;   ///< time for tracing the target, if it was traced from an image

@@ -15,7 +15,7 @@ constexpr std::size_t maxPoints = 4000;
 constexpr int agreementCellPx = 3;
 
 // Parameters of the agreement score for a partly opacified tree.
-constexpr double filledAgreement =
+constexpr double minSegmentAgreement =
     0.35;   // segments with lower agreement count as unopacified: chance yields 0.1, true matches 0.6 to 1
 constexpr double changeCostMm =
     6.0;   // vessel length needed as evidence before a segment's state may differ from its neighbors
@@ -47,79 +47,80 @@ AgreementScore::AgreementScore(const RegistrationProblem& problem, const TargetL
       columns_(camera_.width / agreementCellPx + 1),
       rows_(camera_.height / agreementCellPx + 1)
 {
-    if (problem.auxiliaryIsChosen) {
-        chosen_.emplace(alignmentPoints(problem.tree, problem.auxiliary), camera_, target);
+    if (problem.hasUserAuxiliary) {
+        auxiliary_.emplace(alignmentPoints(problem.tree, problem.auxiliary), camera_, target);
     }
     covered_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
 }
 
 double AgreementScore::of(const CentroidPose& pose)
 {
-    forgetCovered();
+    resetCoverage();
     for (const AlignmentPoint& point : points_) {
-        coverAround(point, pose);
+        markCovered(point, pose);
     }
     return harmonicMean(treeShare(pose), coveredTargetShare());
 }
 
-const VesselFilling& AgreementScore::filling()
+const OpacificationModel& AgreementScore::opacification()
 {
-    if (!filling_) {
-        filling_.emplace(tree_);
+    if (!opacification_) {
+        opacification_.emplace(tree_);
         for (std::size_t i = stride_ / 2; i < tree_.size(); i += stride_) {
-            pieceOfPoint_.push_back(filling_->pieceOfPoint()[i]);
+            segmentOfPoint_.push_back(opacification_->segmentOfPoint()[i]);
         }
     }
-    return *filling_;
+    return *opacification_;
 }
 
-FilledAgreement AgreementScore::ofFilled(const CentroidPose& pose)
+OpacifiedAgreement AgreementScore::scoreOpacified(const CentroidPose& pose)
 {
-    const VesselFilling& filling = this->filling();
+    const OpacificationModel& opacification = this->opacification();
     all_.collectAgreement(pose, toleranceScalePx, pointAgreement_);
-    std::vector<double> gain(filling.pieces().size(), 0.0);
-    std::vector<double> count(filling.pieces().size(), 0.0);
+    std::vector<double> gain(opacification.pieces().size(), 0.0);
+    std::vector<double> count(opacification.pieces().size(), 0.0);
     for (std::size_t k = 0; k < points_.size(); ++k) {
-        const auto piece = static_cast<std::size_t>(pieceOfPoint_[k]);
+        const auto piece = static_cast<std::size_t>(segmentOfPoint_[k]);
         count[piece] += 1.0;
-        gain[piece] += std::isnan(pointAgreement_[k]) ? 0.0 : pointAgreement_[k] - filledAgreement;
+        gain[piece] += std::isnan(pointAgreement_[k]) ? 0.0 : pointAgreement_[k] - minSegmentAgreement;
     }
     for (std::size_t piece = 0; piece < gain.size(); ++piece) {
-        gain[piece] *= filling.lengthMm(piece) / std::max(1.0, count[piece]);
+        gain[piece] *= opacification.lengthMm(piece) / std::max(1.0, count[piece]);
     }
-    FilledAgreement found;
-    found.isOpacified = filling.likeliest(gain, changeCostMm);
+    OpacifiedAgreement result;
+    result.isOpacified = opacification.likeliestStates(gain, changeCostMm);
     double agreeing = 0.0;
-    double asked = 0.0;
-    forgetCovered();
+    double tested = 0.0;
+    resetCoverage();
     for (std::size_t k = 0; k < points_.size(); ++k) {
-        if (found.isOpacified[static_cast<std::size_t>(pieceOfPoint_[k])] != 0) {
+        if (result.isOpacified[static_cast<std::size_t>(segmentOfPoint_[k])] != 0) {
             agreeing += std::isnan(pointAgreement_[k]) ? 0.0 : pointAgreement_[k];
-            asked += 1.0;
-            coverAround(points_[k], pose);
+            tested += 1.0;
+            markCovered(points_[k], pose);
         }
     }
-    const int territories = filling.emptyTerritories(found.isOpacified, minTerritoryMm);
-    double treeShare = agreeing / std::max(1.0, asked);
-    if (chosen_) {
-        treeShare = std::min(treeShare, shareOn(*chosen_, pose));   // the user has marked these branches as opacified
+    const int territories = opacification.countUnopacifiedTerritories(result.isOpacified, minTerritoryMm);
+    double treeShare = agreeing / std::max(1.0, tested);
+    if (auxiliary_) {
+        treeShare =
+            std::min(treeShare, shareOn(*auxiliary_, pose));   // the user has marked these branches as opacified
     }
-    found.agreement = harmonicMean(treeShare, coveredTargetShare()) / (1.0 + costOfTerritory * territories);
-    return found;
+    result.agreement = harmonicMean(treeShare, coveredTargetShare()) / (1.0 + costOfTerritory * territories);
+    return result;
 }
 
 double AgreementScore::treeShare(const CentroidPose& pose)
 {
     const double all = shareOn(all_, pose);
-    return chosen_ ? 0.5 * (all + shareOn(*chosen_, pose)) : all;
+    return auxiliary_ ? 0.5 * (all + shareOn(*auxiliary_, pose)) : all;
 }
 
-void AgreementScore::forgetCovered()
+void AgreementScore::resetCoverage()
 {
     std::fill(covered_.begin(), covered_.end(), std::uint8_t{0});
 }
 
-void AgreementScore::coverAround(const AlignmentPoint& point, const CentroidPose& pose)
+void AgreementScore::markCovered(const AlignmentPoint& point, const CentroidPose& pose)
 {
     const auto pixel = project(camera_, pose.rotation * point.fromCentroid + pose.centroidInCamera);
     if (!pixel) {
@@ -145,8 +146,8 @@ double AgreementScore::coveredTargetShare() const
         const int row = std::clamp(static_cast<int>(line.y / agreementCellPx), 0, rows_ - 1);
         hits += covered_[cellIndex(row, columns_, column)];
     }
-    const std::size_t asked = (lines.size() + lineStride_ - 1) / lineStride_;
-    return static_cast<double>(hits) / static_cast<double>(asked);
+    const std::size_t tested = (lines.size() + lineStride_ - 1) / lineStride_;
+    return static_cast<double>(hits) / static_cast<double>(tested);
 }
 
 }   // namespace angiopose::core

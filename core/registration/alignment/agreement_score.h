@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/registration/alignment/alignment.h"
-#include "core/registration/alignment/vessel_filling.h"
+#include "core/registration/alignment/opacification_model.h"
 
 #include <cstdint>
 #include <optional>
@@ -9,7 +9,7 @@
 namespace angiopose::core {
 
 /// Agreement of a pose with the image when parts of the tree may be unopacified.
-struct FilledAgreement {
+struct OpacifiedAgreement {
     double agreement = 0.0;   ///< agreement of the opacified parts, 0…1; each unopacified territory reduces it
     std::vector<std::uint8_t> isOpacified;   ///< one per tree segment (see AgreementScore::filling)
 };
@@ -27,15 +27,15 @@ public:
 
     /// Returns the same score for a tree that may be only partly opacified (ALGORITHMS §6.17): excludes territories
     /// that match no traced vessel from both fractions.
-    FilledAgreement ofFilled(const CentroidPose& pose);
+    OpacifiedAgreement scoreOpacified(const CentroidPose& pose);
 
     /// Returns the segmentation of the tree between bifurcations; built on first use.
-    const VesselFilling& filling();
+    const OpacificationModel& opacification();
 
 private:
     double treeShare(const CentroidPose& pose);
-    void forgetCovered();
-    void coverAround(const AlignmentPoint& point, const CentroidPose& pose);
+    void resetCoverage();
+    void markCovered(const AlignmentPoint& point, const CentroidPose& pose);
     double coveredTargetShare() const;
 
     const TreeSamples& tree_;
@@ -45,9 +45,9 @@ private:
     const TargetLines* target_;
     std::size_t lineStride_;   ///< stride of the target lines tested for coverage
     Alignment all_;
-    std::optional<Alignment> chosen_;
-    std::optional<VesselFilling> filling_;   ///< created on first use
-    std::vector<int> pieceOfPoint_;   ///< segment index of each point in points_
+    std::optional<Alignment> auxiliary_;
+    std::optional<OpacificationModel> opacification_;   ///< created on first use
+    std::vector<int> segmentOfPoint_;   ///< segment index of each point in points_
     std::vector<double> pointAgreement_;
     std::vector<std::uint8_t> covered_;   ///< 1 for image cells near a projected tree point
     int columns_ = 0;

@@ -39,24 +39,24 @@ struct Alignment::Match {
     double squaredDistance;
     double gate;   ///< cos⁴ of the angle between the directions
 
-    bool find(const TargetLines& target, const PointInCamera& seen, double limitPx)
+    bool find(const TargetLines& target, const PointInCamera& projected, double limitPx)
     {
-        line = &target.nearest(seen.u, seen.v);
-        du = seen.u - line->x;
-        dv = seen.v - line->y;
+        line = &target.nearest(projected.u, projected.v);
+        du = projected.u - line->x;
+        dv = projected.v - line->y;
         squaredDistance = du * du + dv * dv;
         return squaredDistance <= limitPx * limitPx;
     }
 
-    void compare(const PointInCamera& seen)
+    void compare(const PointInCamera& projected)
     {
-        const double cosine = seen.su * line->tx + seen.sv * line->ty;
+        const double cosine = projected.su * line->tx + projected.sv * line->ty;
         // Orients the normal to the same side of the branch, whether the curve was traced forward or backward.
         const double side = cosine < 0.0 ? -1.0 : 1.0;
         normalX = -side * line->ty;
         normalY = side * line->tx;
         residual = normalX * du + normalY * dv;
-        gate = seen.hasDirection ? cosine * cosine * cosine * cosine : 1.0;
+        gate = projected.hasDirection ? cosine * cosine * cosine * cosine : 1.0;
     }
 };
 
@@ -77,39 +77,39 @@ Alignment::Alignment(std::vector<AlignmentPoint> points, const ProjectionCamera&
         count = std::max(count, 1.0);
     }
     visibility_.assign(pointCount_.size(), 1.0);
-    buffers_.evaluations.here.branchWeight.reserve(pointCount_.size());
-    buffers_.evaluations.there.branchWeight.reserve(pointCount_.size());
+    buffers_.evaluations.current.branchWeight.reserve(pointCount_.size());
+    buffers_.evaluations.next.branchWeight.reserve(pointCount_.size());
     buffers_.residuals.reserve(points_.size());
 }
 
-inline bool Alignment::match(const AlignmentPoint& point, const CentroidPose& pose, double limitPx, PointInCamera& seen,
-                             Match& match) const
+inline bool Alignment::match(const AlignmentPoint& point, const CentroidPose& pose, double limitPx,
+                             PointInCamera& projected, Match& match) const
 {
-    if (!seePlace(camera_, point, pose, seen) || !match.find(*target_, seen, limitPx)) {
+    if (!projectPoint(camera_, point, pose, projected) || !match.find(*target_, projected, limitPx)) {
         return false;
     }
-    seeDirection(camera_, point, pose, seen);
-    match.compare(seen);
+    projectDirection(camera_, point, pose, projected);
+    match.compare(projected);
     return true;
 }
 
 /// Returns d(residual) / d(log focal length, cx px, cy px).
-inline Eigen::Vector3d Alignment::cameraGradient(const PointInCamera& seen, const Match& found) const
+inline Eigen::Vector3d Alignment::cameraGradient(const PointInCamera& projected, const Match& found) const
 {
-    const double along = found.normalX * (seen.u - camera_.cx) + found.normalY * (seen.v - camera_.cy);
+    const double along = found.normalX * (projected.u - camera_.cx) + found.normalY * (projected.v - camera_.cy);
     return {along, found.normalX, found.normalY};
 }
 
-Agreement Alignment::evaluate(const CentroidPose& pose, double scalePx) const
+AlignmentEvaluation Alignment::evaluate(const CentroidPose& pose, double scalePx) const
 {
-    Agreement agreement;
+    AlignmentEvaluation agreement;
     evaluate(pose, scalePx, agreement);
     return agreement;
 }
 
 /// Accumulates the residuals of all points, using the match that `matched` returns for each.
 template <class Matched>
-inline void Alignment::addForward(double scalePx, const Matched& matched, Agreement& agreement) const
+inline void Alignment::addForward(double scalePx, const Matched& matched, AlignmentEvaluation& agreement) const
 {
     agreement.equations = {};
     agreement.branchWeight.assign(visibility_.size(), 0.0);
@@ -120,15 +120,15 @@ inline void Alignment::addForward(double scalePx, const Matched& matched, Agreem
         const auto branch = static_cast<std::size_t>(points_[i].branchIndex);
         const double importance = visibility_[branch] * visibility_[branch];
         costShare += importance;
-        const PointInCamera* seen = matched(i, found);
-        if (seen == nullptr) {
+        const PointInCamera* projected = matched(i, found);
+        if (projected == nullptr) {
             continue;
         }
         const double agreeing = found.gate * std::exp(perSquaredScale * found.squaredDistance);
         const double weight = importance * agreeing;
         agreement.branchWeight[branch] += agreeing;
         costShare -= weight;
-        addRow(weight, found.residual, distanceGradient(camera_, *seen, found.normalX, found.normalY),
+        addRow(weight, found.residual, distanceGradient(camera_, *projected, found.normalX, found.normalY),
                agreement.equations);
     }
     for (std::size_t b = 0; b < pointCount_.size(); ++b) {
@@ -137,58 +137,58 @@ inline void Alignment::addForward(double scalePx, const Matched& matched, Agreem
     agreement.loss = 2.0 * scalePx * scalePx * costShare;
 }
 
-void Alignment::evaluate(const CentroidPose& pose, double scalePx, Agreement& agreement) const
+void Alignment::evaluate(const CentroidPose& pose, double scalePx, AlignmentEvaluation& agreement) const
 {
-    PointInCamera seen;
+    PointInCamera projected;
     const auto matched = [&](std::size_t i, Match& found) {
-        return match(points_[i], pose, cutOff * scalePx, seen, found) ? &seen : nullptr;
+        return match(points_[i], pose, cutOff * scalePx, projected, found) ? &projected : nullptr;
     };
     addForward(scalePx, matched, agreement);
 }
 
-void Alignment::searchBothDirections(const CentroidPose& pose, double scalePx, Agreement& agreement)
+void Alignment::searchBothDirections(const CentroidPose& pose, double scalePx, AlignmentEvaluation& agreement)
 {
-    std::vector<PointInCamera>& seen = buffers_.reverse.seen();
-    seen.resize(points_.size());
+    std::vector<PointInCamera>& projected = buffers_.reverse.projected();
+    projected.resize(points_.size());
     for (std::size_t i = 0; i < points_.size(); ++i) {
-        seen[i].isInFront = seePlace(camera_, points_[i], pose, seen[i]);
-        seeDirection(camera_, points_[i], pose, seen[i]);
+        projected[i].isInFront = projectPoint(camera_, points_[i], pose, projected[i]);
+        projectDirection(camera_, points_[i], pose, projected[i]);
     }
     const auto matched = [&](std::size_t i, Match& found) -> const PointInCamera* {
-        if (!seen[i].isInFront || !found.find(*target_, seen[i], cutOff * scalePx)) {
+        if (!projected[i].isInFront || !found.find(*target_, projected[i], cutOff * scalePx)) {
             return nullptr;
         }
-        found.compare(seen[i]);
-        return &seen[i];
+        found.compare(projected[i]);
+        return &projected[i];
     };
     addForward(scalePx, matched, agreement);
     buffers_.reverse.match(*target_, camera_.width, camera_.height, cutOff * scalePx);
     addReverse(scalePx, agreement);
 }
 
-void Alignment::addReverse(double scalePx, Agreement& agreement) const
+void Alignment::addReverse(double scalePx, AlignmentEvaluation& agreement) const
 {
     const double perSquaredScale = -0.5 / (scalePx * scalePx);
     double weights = 0.0;
     const auto& lines = target_->lines();
-    const std::vector<int>& partners = buffers_.reverse.partners();
-    for (std::size_t k = 0; k < partners.size(); ++k) {
-        if (partners[k] < 0) {
+    const std::vector<int>& matches = buffers_.reverse.matches();
+    for (std::size_t k = 0; k < matches.size(); ++k) {
+        if (matches[k] < 0) {
             continue;
         }
         const TargetLines::Line& line = lines[k * ReverseMatching::lineStride];
-        const auto number = static_cast<std::size_t>(partners[k]);
-        const PointInCamera& seen = buffers_.reverse.seen()[number];
+        const auto number = static_cast<std::size_t>(matches[k]);
+        const PointInCamera& projected = buffers_.reverse.projected()[number];
         const double visibility = visibility_[static_cast<std::size_t>(points_[number].branchIndex)];
-        const double du = seen.u - line.x;
-        const double dv = seen.v - line.y;
-        const double cosine = seen.su * line.tx + seen.sv * line.ty;
+        const double du = projected.u - line.x;
+        const double dv = projected.v - line.y;
+        const double cosine = projected.su * line.tx + projected.sv * line.ty;
         const double gate = cosine * cosine * cosine * cosine;
         const double weight = ReverseMatching::lineStride * visibility * visibility * gate *
                               std::exp(perSquaredScale * (du * du + dv * dv));
         weights += weight;
-        addRow(weight, seen.su * dv - seen.sv * du, distanceGradient(camera_, seen, -seen.sv, seen.su),
-               agreement.equations);
+        addRow(weight, projected.su * dv - projected.sv * du,
+               distanceGradient(camera_, projected, -projected.sv, projected.su), agreement.equations);
     }
     agreement.loss -= 2.0 * scalePx * scalePx * weights;
 }
@@ -197,11 +197,11 @@ double Alignment::loss(const CentroidPose& pose, double scalePx) const
 {
     const double perSquaredScale = -0.5 / (scalePx * scalePx);
     double costShare = 0.0;
-    PointInCamera seen;
+    PointInCamera projected;
     Match found;
     for (const AlignmentPoint& point : points_) {
         const double visibility = visibility_[static_cast<std::size_t>(point.branchIndex)];
-        const bool isMatched = match(point, pose, cutOff * scalePx, seen, found);
+        const bool isMatched = match(point, pose, cutOff * scalePx, projected, found);
         const double weight = isMatched ? found.gate * std::exp(perSquaredScale * found.squaredDistance) : 0.0;
         costShare += visibility * visibility * (1.0 - weight);
     }
@@ -213,18 +213,18 @@ void Alignment::collectRows(const CentroidPose& pose, double scalePx, std::vecto
     rows.clear();
     rows.reserve(points_.size());
     const double perSquaredScale = -0.5 / (scalePx * scalePx);
-    PointInCamera seen;
+    PointInCamera projected;
     Match found;
     for (const AlignmentPoint& point : points_) {
         ResidualRow row;
         row.branchIndex = point.branchIndex;
-        if (match(point, pose, cutOff * scalePx, seen, found)) {
+        if (match(point, pose, cutOff * scalePx, projected, found)) {
             const double v = visibility_[static_cast<std::size_t>(point.branchIndex)];
             row.weight = v * v * found.gate * std::exp(perSquaredScale * found.squaredDistance);
             row.residual = found.residual;
-            row.fromCentroid = seen.turned;
-            row.gradient = distanceGradient(camera_, seen, found.normalX, found.normalY);
-            row.cameraGradient = cameraGradient(seen, found);
+            row.fromCentroid = projected.rotated;
+            row.gradient = distanceGradient(camera_, projected, found.normalX, found.normalY);
+            row.cameraGradient = cameraGradient(projected, found);
         }
         rows.push_back(row);
     }
@@ -235,13 +235,13 @@ void Alignment::collectAgreement(const CentroidPose& pose, double scalePx, std::
     agreement.clear();
     agreement.reserve(points_.size());
     const double perSquaredScale = -0.5 / (scalePx * scalePx);
-    PointInCamera seen;
+    PointInCamera projected;
     Match found;
     for (const AlignmentPoint& point : points_) {
         const auto pixel = project(camera_, pose.rotation * point.fromCentroid + pose.centroidInCamera);
         if (!pixel || !isInImage(camera_, *pixel)) {
             agreement.push_back(std::numeric_limits<double>::quiet_NaN());
-        } else if (match(point, pose, cutOff * scalePx, seen, found)) {
+        } else if (match(point, pose, cutOff * scalePx, projected, found)) {
             agreement.push_back(found.gate * std::exp(perSquaredScale * found.squaredDistance));
         } else {
             agreement.push_back(0.0);
@@ -253,10 +253,10 @@ void Alignment::collectResiduals(const CentroidPose& pose, double limitPx, std::
 {
     residuals.clear();
     residuals.reserve(points_.size());
-    PointInCamera seen;
+    PointInCamera projected;
     Match found;
     for (const AlignmentPoint& point : points_) {
-        const bool agrees = match(point, pose, limitPx, seen, found) && found.gate > agreeingGate;
+        const bool agrees = match(point, pose, limitPx, projected, found) && found.gate > agreeingGate;
         residuals.push_back(agrees ? found.residual : std::numeric_limits<double>::quiet_NaN());
     }
 }

@@ -2,14 +2,14 @@
 
 #include "core/registration/alignment/reverse_matching.h"
 #include "core/registration/pose/damped_descent.h"
-#include "core/registration/pose/start_prior.h"
+#include "core/registration/pose/initial_pose_prior.h"
 
 #include <algorithm>
 
 namespace angiopose::core {
 
 /// Evaluation of the alignment at one pose.
-struct Agreement {
+struct AlignmentEvaluation {
     NormalEquations equations;   ///< normal equations of Σ w r² for steps about the pose, weights frozen
     double loss = 0.0;   ///< Σ 2ℓ² v (1 − w); a point outside the image or with a crossing direction costs the maximum
     std::vector<double> branchWeight;   ///< mean weight of each branch's points, 0…1
@@ -31,14 +31,14 @@ class Alignment {
 public:
     Alignment(std::vector<AlignmentPoint> points, const ProjectionCamera& camera, const TargetLines& target);
 
-    Agreement evaluate(const CentroidPose& pose, double scalePx) const;
+    AlignmentEvaluation evaluate(const CentroidPose& pose, double scalePx) const;
 
     /// Overload that reuses the buffers of `agreement` and allocates nothing after the first call.
-    void evaluate(const CentroidPose& pose, double scalePx, Agreement& agreement) const;
+    void evaluate(const CentroidPose& pose, double scalePx, AlignmentEvaluation& agreement) const;
 
     /// Like evaluate, but also matches target lines to the tree (ALGORITHMS §6.6 b): every target line attracts its
     /// closest branch, so that the whole image counts instead of only the lines nearest to a tree point.
-    void searchBothDirections(const CentroidPose& pose, double scalePx, Agreement& agreement);
+    void searchBothDirections(const CentroidPose& pose, double scalePx, AlignmentEvaluation& agreement);
 
     /// Returns the loss only, without building the normal equations.
     double loss(const CentroidPose& pose, double scalePx) const;
@@ -47,7 +47,7 @@ public:
     void collectRows(const CentroidPose& pose, double scalePx, std::vector<ResidualRow>& rows) const;
 
     /// Sets the visibility of each branch to its mean weight (§6.7).
-    void setVisibility(const Agreement& agreement) { visibility_ = agreement.branchWeight; }
+    void setVisibility(const AlignmentEvaluation& agreement) { visibility_ = agreement.branchWeight; }
     void resetVisibility() { std::fill(visibility_.begin(), visibility_.end(), 1.0); }
 
     /// Collects the agreement of each point with the target at the given scale, 0…1, regardless of branch visibility;
@@ -65,7 +65,7 @@ public:
 
     /// Buffers of a refinement, allocated once; its steps allocate nothing.
     struct Buffers {
-        EvaluationPair<Agreement> evaluations;
+        EvaluationPair<AlignmentEvaluation> evaluations;
         std::vector<double> residuals;
         ReverseMatching reverse;
     };
@@ -73,12 +73,12 @@ public:
 
 private:
     struct Match;
-    bool match(const AlignmentPoint& point, const CentroidPose& pose, double limitPx, PointInCamera& seen,
+    bool match(const AlignmentPoint& point, const CentroidPose& pose, double limitPx, PointInCamera& projected,
                Match& match) const;
-    Eigen::Vector3d cameraGradient(const PointInCamera& seen, const Match& found) const;
+    Eigen::Vector3d cameraGradient(const PointInCamera& projected, const Match& found) const;
     template <class Matched>
-    void addForward(double scalePx, const Matched& matched, Agreement& agreement) const;
-    void addReverse(double scalePx, Agreement& agreement) const;
+    void addForward(double scalePx, const Matched& matched, AlignmentEvaluation& agreement) const;
+    void addReverse(double scalePx, AlignmentEvaluation& agreement) const;
 
     std::vector<AlignmentPoint> points_;
     ProjectionCamera camera_;

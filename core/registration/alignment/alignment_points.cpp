@@ -12,9 +12,9 @@ AlignmentPoint alignmentPoint(const TreeSamples& tree, std::size_t i)
 
 }   // namespace
 
-std::size_t strideFor(std::size_t count, std::size_t wanted)
+std::size_t strideFor(std::size_t count, std::size_t maxCount)
 {
-    return std::max<std::size_t>(1, (count + wanted - 1) / wanted);
+    return std::max<std::size_t>(1, (count + maxCount - 1) / maxCount);
 }
 
 std::vector<AlignmentPoint> alignmentPoints(const TreeSamples& tree, std::size_t stride)

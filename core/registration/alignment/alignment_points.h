@@ -9,7 +9,7 @@
 namespace angiopose::core {
 
 /// Returns the smallest stride that keeps at most `wanted` of `count` points.
-std::size_t strideFor(std::size_t count, std::size_t wanted);
+std::size_t strideFor(std::size_t count, std::size_t maxCount);
 
 /// Every `stride`-th tree point.
 std::vector<AlignmentPoint> alignmentPoints(const TreeSamples& tree, std::size_t stride = 1);

@@ -25,7 +25,7 @@ constexpr double minPrincipalPx = 4.0;
 }   // namespace
 
 CameraInfluence::CameraInfluence(const StackedEquations& equations, const Eigen::MatrixXd& free,
-                                 std::span<const CameraSpread> spreads)
+                                 std::span<const CameraUncertainty> spreads)
 {
     const auto count = perCamera * static_cast<Eigen::Index>(spreads.size());
     const Eigen::Index poseCount = equations.hessian.rows() - count;
@@ -47,20 +47,20 @@ CameraInfluence::CameraInfluence(const StackedEquations& equations, const Eigen:
     Eigen::MatrixXd information = H.bottomRightCorner(count, count) + crossed.transpose() * shift_;
     information.diagonal() += weight;
     error_ = solveSymmetric(information, pull);
-    left_ = solveSymmetric(information, Eigen::MatrixXd::Identity(count, count));
+    posteriorCovariance_ = solveSymmetric(information, Eigen::MatrixXd::Identity(count, count));
     gain_ = pull.dot(error_);
 }
 
-Matrix6d CameraInfluence::covarianceOfPose() const
+Matrix6d CameraInfluence::poseCovariance() const
 {
     const Eigen::MatrixXd shift = shift_.topRows(6);
-    return shift * (left_ + error_ * error_.transpose()) * shift.transpose();
+    return shift * (posteriorCovariance_ + error_ * error_.transpose()) * shift.transpose();
 }
 
 CameraEvidence CameraInfluence::evidence(std::size_t camera) const
 {
     const auto at = perCamera * static_cast<Eigen::Index>(camera);
-    const Eigen::VectorXd std = left_.diagonal().cwiseMax(0.0).cwiseSqrt();
+    const Eigen::VectorXd std = posteriorCovariance_.diagonal().cwiseMax(0.0).cwiseSqrt();
     return {error_.segment<perCamera>(at), std.segment<perCamera>(at), gain_};
 }
 

@@ -16,11 +16,11 @@ public:
     /// three per camera (see CameraError) with standard deviations `spreads`. Each column of `free` is an allowed pose
     /// step.
     CameraInfluence(const StackedEquations& equations, const Eigen::MatrixXd& free,
-                    std::span<const CameraSpread> spreads);
+                    std::span<const CameraUncertainty> spreads);
 
     /// Contribution of the camera errors to the covariance of the first six parameters: the spread that the images
     /// leave undetermined, plus the detected error that the pose does not compensate.
-    Matrix6d covarianceOfPose() const;
+    Matrix6d poseCovariance() const;
 
     /// Evidence of all images about one camera.
     CameraEvidence evidence(std::size_t camera) const;
@@ -28,7 +28,7 @@ public:
 private:
     Eigen::MatrixXd shift_;   ///< change of the pose per unit of each camera parameter
     Eigen::VectorXd error_;   ///< maximum a posteriori camera errors
-    Eigen::MatrixXd left_;   ///< posterior covariance of the camera errors
+    Eigen::MatrixXd posteriorCovariance_;   ///< posterior covariance of the camera errors
     double gain_ = 0.0;
 };
 

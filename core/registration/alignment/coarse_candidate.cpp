@@ -6,7 +6,7 @@ namespace angiopose::core {
 namespace {
 
 constexpr std::size_t keptCandidates = 12;
-constexpr double worthTrying = 0.8;   // minimum score of a kept candidate, as a fraction of the best score
+constexpr double minScoreShare = 0.8;   // minimum score of a kept candidate, as a fraction of the best score
 
 bool isSame(const CentroidPose& a, const CentroidPose& b, const Basin& basin)
 {
@@ -16,13 +16,13 @@ bool isSame(const CentroidPose& a, const CentroidPose& b, const Basin& basin)
 
 }   // namespace
 
-std::vector<CoarseCandidate> distinct(std::vector<CoarseCandidate> candidates, const Basin& basin)
+std::vector<CoarseCandidate> distinctCandidates(std::vector<CoarseCandidate> candidates, const Basin& basin)
 {
     std::stable_sort(candidates.begin(), candidates.end(),
                      [](const CoarseCandidate& a, const CoarseCandidate& b) { return a.score > b.score; });
     std::vector<CoarseCandidate> best;
     for (const CoarseCandidate& candidate : candidates) {
-        if (best.size() == keptCandidates || candidate.score < worthTrying * candidates.front().score) {
+        if (best.size() == keptCandidates || candidate.score < minScoreShare * candidates.front().score) {
             break;
         }
         if (std::none_of(best.begin(), best.end(),

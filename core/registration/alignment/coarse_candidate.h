@@ -18,6 +18,6 @@ struct Basin {
 };
 
 /// Best candidate of each basin, best first: at most twelve, limited to those that score nearly as well as the first.
-std::vector<CoarseCandidate> distinct(std::vector<CoarseCandidate> candidates, const Basin& basin);
+std::vector<CoarseCandidate> distinctCandidates(std::vector<CoarseCandidate> candidates, const Basin& basin);
 
 }   // namespace angiopose::core

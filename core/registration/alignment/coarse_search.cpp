@@ -1,7 +1,7 @@
 #include "core/registration/alignment/coarse_search.h"
 
 #include "core/geometry/angle_units.h"
-#include "core/registration/alignment/turns_within.h"
+#include "core/registration/alignment/for_each_rotation.h"
 #include "core/support/cell_index.h"
 
 #include <algorithm>
@@ -19,7 +19,7 @@ constexpr std::size_t keptPerOrientation = 3;
 [[maybe_unused]] constexpr std::size_t maxSearchPoints = 257;   // keeps sums of bytes within 16 bits
 constexpr double basinPx = 24.0;
 constexpr double basinSteps = 0.75;   // rotational size of a basin, in rotation steps
-constexpr double beyondHalfImage = 0.6;   // fraction of the image side; initial poses farther out are recentered first
+constexpr double recenterShare = 0.6;   // fraction of the image side; initial poses farther out are recentered first
 
 }   // namespace
 
@@ -101,7 +101,7 @@ void CoarseSearch::scoreOrientation(std::span<const AlignmentPoint> points, cons
 }
 
 void CoarseSearch::keepBest(const CentroidPose& pose, std::size_t pointCount, const Shifts& shifts,
-                            std::vector<CoarseCandidate>& found) const
+                            std::vector<CoarseCandidate>& candidates) const
 {
     std::array<std::size_t, keptPerOrientation> best{};
     std::array<int, keptPerOrientation> sums;
@@ -124,29 +124,29 @@ void CoarseSearch::keepBest(const CentroidPose& pose, std::size_t pointCount, co
         CoarseCandidate candidate{pose, sums[rank] / (255.0 * static_cast<double>(pointCount))};
         candidate.pose.centroidInCamera.x() += column * blockPx * depthMm / camera_.fx;
         candidate.pose.centroidInCamera.y() += row * blockPx * depthMm / camera_.fy;
-        found.push_back(candidate);
+        candidates.push_back(candidate);
     }
 }
 
 std::vector<CoarseCandidate> CoarseSearch::find(std::span<const AlignmentPoint> points, const CentroidPose& start,
-                                                const SearchReach& reach,
-                                                const std::function<Verdict(double)>& proceed) const
+                                                const SearchRange& reach,
+                                                const std::function<ObserverDecision(double)>& proceed) const
 {
     assert(points.size() <= maxSearchPoints);
     const double depthMm = std::max(minProjectableDepthMm, start.centroidInCamera.z());
     const double pxPerMm = 1.0 / millimetersPerPixel(camera_, depthMm);
-    const double radiusPx =
-        std::min(reach.radiusMm * pxPerMm, beyondHalfImage * std::max(camera_.width, camera_.height));
+    const double radiusPx = std::min(reach.radiusMm * pxPerMm, recenterShare * std::max(camera_.width, camera_.height));
     Shifts shifts(static_cast<int>(std::ceil(radiusPx / blockPx)), reach.freedom);
-    std::vector<CoarseCandidate> found;
-    forEachTurn(
+    std::vector<CoarseCandidate> candidates;
+    forEachRotation(
         start, reach,
         [&](const CentroidPose& pose) {
             scoreOrientation(points, pose, shifts);
-            keepBest(pose, points.size(), shifts, found);
+            keepBest(pose, points.size(), shifts, candidates);
         },
         proceed);
-    return distinct(std::move(found), {basinPx / pxPerMm, basinSteps * reach.stepDeg * radiansPerDegree});
+    return distinctCandidates(std::move(candidates),
+                              {basinPx / pxPerMm, basinSteps * reach.stepDeg * radiansPerDegree});
 }
 
 }   // namespace angiopose::core

@@ -11,7 +11,7 @@
 namespace angiopose::core {
 
 /// Search range around the initial pose and angular step of the search.
-struct SearchReach {
+struct SearchRange {
     double radiusMm = 60.0;
     double tiltDeg = 10.0;   ///< maximum length of the tilt's rotation vector
     double rollDeg = 10.0;
@@ -30,13 +30,14 @@ public:
     /// Returns the best candidate of each basin, best first. `proceed` receives the completed fraction after each tilt;
     /// on Stop, the search returns the candidates collected so far.
     std::vector<CoarseCandidate> find(std::span<const AlignmentPoint> points, const CentroidPose& start,
-                                      const SearchReach& reach, const std::function<Verdict(double)>& proceed) const;
+                                      const SearchRange& reach,
+                                      const std::function<ObserverDecision(double)>& proceed) const;
 
 private:
     struct Shifts;
     void addPoint(double u, double v, Shifts& shifts) const;
     void keepBest(const CentroidPose& pose, std::size_t pointCount, const Shifts& shifts,
-                  std::vector<CoarseCandidate>& found) const;
+                  std::vector<CoarseCandidate>& candidates) const;
     void scoreOrientation(std::span<const AlignmentPoint> points, const CentroidPose& pose, Shifts& shifts) const;
 
     ProjectionCamera camera_;

@@ -14,20 +14,20 @@ constexpr RefinementSchedule fewSchedule{2.5, 1.0, 0.7, 2, 4, 20};
 
 }   // namespace
 
-FinalRefinement::FinalRefinement(const RegistrationProblem& problem, const TargetLines& target, const StartPrior& prior,
-                                 const RegistrationOptions& options)
+FinalRefinement::FinalRefinement(const RegistrationProblem& problem, const TargetLines& target,
+                                 const InitialPosePrior& prior, const RegistrationOptions& options)
     : problem_(problem),
       prior_(prior),
       options_(options),
       target_(target),
-      few_(alignmentPoints(problem.tree, strideFor(problem.tree.size(), fewPoints)), problem.camera, target)
+      sparse_(alignmentPoints(problem.tree, strideFor(problem.tree.size(), fewPoints)), problem.camera, target)
 {
 }
 
 RefinementResult FinalRefinement::refine(const CentroidPose& pose, const RefinementObserver& observe)
 {
-    few_.resetVisibility();
-    RefinementResult result = core::refine(few_, prior_, pose, fewSchedule);
+    sparse_.resetVisibility();
+    RefinementResult result = core::refine(sparse_, prior_, pose, fewSchedule);
     if (!all_) {
         const double depthMm = std::max(minProjectableDepthMm, pose.centroidInCamera.z());
         const double mmPerPx = millimetersPerPixel(problem_.camera, depthMm);
@@ -40,7 +40,7 @@ RefinementResult FinalRefinement::refine(const CentroidPose& pose, const Refinem
     result = core::refine(*spaced_, prior_, result.pose, schedule, observe);
     if (result.stopReason != StopReason::StoppedByUser) {
         all_->setVisibility(spaced_->evaluate(result.pose, result.scalePx));
-        result.pose = refineTolerantly(*all_, prior_, result.pose, result.scalePx);
+        result.pose = refineWithShapeErrors(*all_, prior_, result.pose, result.scalePx);
     }
     return result;
 }

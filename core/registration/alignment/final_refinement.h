@@ -11,17 +11,17 @@ namespace angiopose::core {
 /// errors of the tree (ALGORITHMS §6.5, §6.14).
 class FinalRefinement {
 public:
-    FinalRefinement(const RegistrationProblem& problem, const TargetLines& target, const StartPrior& prior,
+    FinalRefinement(const RegistrationProblem& problem, const TargetLines& target, const InitialPosePrior& prior,
                     const RegistrationOptions& options);
 
     RefinementResult refine(const CentroidPose& pose, const RefinementObserver& observe);
 
 private:
     const RegistrationProblem& problem_;
-    const StartPrior& prior_;
+    const InitialPosePrior& prior_;
     const RegistrationOptions& options_;
     const TargetLines& target_;
-    Alignment few_;
+    Alignment sparse_;
     std::optional<Alignment>
         spaced_;   ///< spaced_ and all_ are created on first use because their point spacing depends on the depth
     std::optional<Alignment> all_;

@@ -10,7 +10,7 @@ constexpr double settledRefinementMm = 1e-3;   // a step this short ends the ref
 // Tolerance per point for the jitter of the loss, which is caused by matches that switch between lines:
 constexpr double jitter = 5e-3;   // times ℓ²; a smaller rise is ignored. Losing the point costs 400 times as much
 constexpr double settledGainPx2 = 1e-4;   // a step with a smaller predicted gain is lost in the jitter
-constexpr double noiseMattersPx = 5.0;   // at larger scales the noise is negligible
+constexpr double maxNoiseScalePx = 5.0;   // at larger scales the noise is negligible
 constexpr double madToStd = 1.4826;
 
 /// Least-squares problem of an alignment at one scale: Welsch loss plus prior.
@@ -18,15 +18,15 @@ class AlignmentAtScale {
 public:
     using State = CentroidPose;
     using Step = Vector6d;
-    using Evaluation = Agreement;
+    using Evaluation = AlignmentEvaluation;
     using Equations = NormalEquations;
 
-    AlignmentAtScale(Alignment& alignment, const StartPrior& prior, const RefinementSchedule& schedule)
-        : alignment_(alignment), prior_(prior), scalePx_(schedule.startScalePx), bothWays_(schedule.bothWays)
+    AlignmentAtScale(Alignment& alignment, const InitialPosePrior& prior, const RefinementSchedule& schedule)
+        : alignment_(alignment), prior_(prior), scalePx_(schedule.startScalePx), bothWays_(schedule.matchBothDirections)
     {
     }
 
-    bool evaluate(const CentroidPose& pose, Agreement& agreement) const
+    bool evaluate(const CentroidPose& pose, AlignmentEvaluation& agreement) const
     {
         if (bothWays_) {
             alignment_.searchBothDirections(pose, scalePx_, agreement);
@@ -39,7 +39,7 @@ public:
         return true;
     }
 
-    const NormalEquations& equations(const CentroidPose&, const Agreement& agreement) const
+    const NormalEquations& equations(const CentroidPose&, const AlignmentEvaluation& agreement) const
     {
         return agreement.equations;
     }
@@ -49,12 +49,12 @@ public:
         return prior_.freedom.dampedStep(equations, damping, pose);
     }
 
-    CentroidPose moved(const CentroidPose& pose, const Vector6d& step) const
+    CentroidPose retract(const CentroidPose& pose, const Vector6d& step) const
     {
-        return prior_.freedom.moved(pose, step);
+        return prior_.freedom.retract(pose, step);
     }
 
-    std::optional<double> decrease(const Agreement& here, const Agreement& there) const
+    std::optional<double> decrease(const AlignmentEvaluation& here, const AlignmentEvaluation& there) const
     {
         const double slack = jitter * scalePx_ * scalePx_ * static_cast<double>(alignment_.size());
         const double decrease = here.loss - there.loss;
@@ -86,16 +86,16 @@ public:
 
 private:
     Alignment& alignment_;
-    const StartPrior& prior_;
+    const InitialPosePrior& prior_;
     double scalePx_;
     bool bothWays_;
 };
 
 /// Returns the number of steps of a schedule that does not converge early.
-double expectedSteps(const RefinementSchedule& schedule)
+double estimatedSteps(const RefinementSchedule& schedule)
 {
     const double levels = std::log(schedule.endScalePx / schedule.startScalePx) / std::log(schedule.shrink);
-    return levels * schedule.stepsPerScale + schedule.lastSteps + 1.0;
+    return levels * schedule.stepsPerScale + schedule.maxFinalSteps + 1.0;
 }
 
 /// Returns the final scale implied by the current estimate of the residual noise.
@@ -107,19 +107,19 @@ double endScaleOf(const RefinementSchedule& schedule, const AlignmentAtScale& pr
 
 }   // namespace
 
-RefinementResult refine(Alignment& alignment, const StartPrior& prior, const CentroidPose& start,
+RefinementResult refine(Alignment& alignment, const InitialPosePrior& prior, const CentroidPose& start,
                         const RefinementSchedule& schedule, const RefinementObserver& observe)
 {
     AlignmentAtScale problem(alignment, prior, schedule);
-    const StepOptions steps{.settledMm = settledRefinementMm,
-                            .settledGain = settledGainPx2 * static_cast<double>(alignment.size())};
+    const StepOptions steps{.minMotionMm = settledRefinementMm,
+                            .minGain = settledGainPx2 * static_cast<double>(alignment.size())};
     DampedDescent descent(problem, start, alignment.buffers().evaluations, steps);
     RefinementResult result;
-    const double wholeSteps = expectedSteps(schedule);
+    const double wholeSteps = estimatedSteps(schedule);
     const auto report = [&](const StepOutcome&) {
         ++result.steps;
         return observe ? observe({descent.state(), problem.scalePx(), std::min(1.0, result.steps / wholeSteps)})
-                       : Verdict::Continue;
+                       : ObserverDecision::Continue;
     };
     const auto finish = [&](StopReason reason) {
         result.pose = descent.state();
@@ -130,19 +130,19 @@ RefinementResult refine(Alignment& alignment, const StartPrior& prior, const Cen
     double endScalePx = schedule.endScalePx;
     while (true) {
         const bool isLast = problem.scalePx() <= endScalePx;
-        const int wanted = isLast ? schedule.lastSteps : schedule.stepsPerScale;
+        const int wanted = isLast ? schedule.maxFinalSteps : schedule.stepsPerScale;
         const int left = schedule.maxSteps - result.steps;
         const StepOutcome last = descent.descend(std::min(wanted, left), report);
         if (last.isStopped) {
             return finish(StopReason::StoppedByUser);
         }
-        if (wanted > left && !last.isSettled) {
+        if (wanted > left && !last.isConverged) {
             return finish(StopReason::IterationLimit);
         }
         if (isLast) {
             return finish(StopReason::Converged);
         }
-        if (problem.scalePx() < noiseMattersPx) {
+        if (problem.scalePx() < maxNoiseScalePx) {
             endScalePx = endScaleOf(schedule, problem, descent.state());
         }
         problem.setScale(std::max(endScalePx, schedule.shrink * problem.scalePx()));

@@ -13,9 +13,9 @@ struct RefinementSchedule {
     double endScalePx = 0.7;   ///< lower limit; the residual noise may end the refinement at a larger scale
     double shrink = 0.7;
     int stepsPerScale = 2;
-    int lastSteps = 0;   ///< maximum number of additional steps at the final scale, until convergence
+    int maxFinalSteps = 0;   ///< maximum number of additional steps at the final scale, until convergence
     int maxSteps = 60;
-    bool bothWays = false;   ///< whether target lines are also matched to the tree (§6.6 b)
+    bool matchBothDirections = false;   ///< whether target lines are also matched to the tree (§6.6 b)
 };
 
 struct RefinementStep {
@@ -23,7 +23,7 @@ struct RefinementStep {
     double scalePx;
     double progress;   ///< 0…1
 };
-using RefinementObserver = std::function<Verdict(const RefinementStep&)>;
+using RefinementObserver = std::function<ObserverDecision(const RefinementStep&)>;
 
 struct RefinementResult {
     CentroidPose pose;
@@ -34,7 +34,7 @@ struct RefinementResult {
 
 /// Refines a pose by graduated non-convexity: damped Gauss–Newton on the Welsch loss with a shrinking scale. Rejects
 /// steps that raise the loss by more than the jitter that switching matches cause.
-RefinementResult refine(Alignment& alignment, const StartPrior& prior, const CentroidPose& start,
+RefinementResult refine(Alignment& alignment, const InitialPosePrior& prior, const CentroidPose& start,
                         const RefinementSchedule& schedule, const RefinementObserver& observe = {});
 
 }   // namespace angiopose::core

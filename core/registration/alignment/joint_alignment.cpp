@@ -2,17 +2,17 @@
 
 namespace angiopose::core {
 
-CentroidPose poseInView(const JointPose& joint, std::span<const PlacedCamera> geometry, std::size_t view)
+CentroidPose poseInView(const JointPose& joint, std::span<const RelativeCamera> geometry, std::size_t view)
 {
     const RigidTransform& there = geometry[view].cameraFromFirst;
     const CentroidPose carried{there.rotation * joint.first.rotation, there * joint.first.centroidInCamera};
-    return moved(carried, joint.corrections[view]);
+    return retract(carried, joint.corrections[view]);
 }
 
 namespace {
 
 /// Returns the Jacobian of a view's pose step with respect to a step of the first view's pose.
-Matrix6d inViewPerFirst(const JointPose& joint, std::span<const PlacedCamera> geometry, std::size_t view)
+Matrix6d viewStepJacobian(const JointPose& joint, std::span<const RelativeCamera> geometry, std::size_t view)
 {
     const Eigen::Matrix3d& turn = geometry[view].cameraFromFirst.rotation;
     Matrix6d J = Matrix6d::Zero();
@@ -23,14 +23,14 @@ Matrix6d inViewPerFirst(const JointPose& joint, std::span<const PlacedCamera> ge
 
 }   // namespace
 
-StackedEquations stacked(std::span<const NormalEquations> perView, const JointPose& joint,
-                         std::span<const PlacedCamera> geometry)
+StackedEquations stackEquations(std::span<const NormalEquations> perView, const JointPose& joint,
+                                std::span<const RelativeCamera> geometry)
 {
     const auto count = static_cast<Eigen::Index>(6 * perView.size());
     StackedEquations sum{Eigen::MatrixXd::Zero(count, count), Eigen::VectorXd::Zero(count)};
     for (std::size_t k = 0; k < perView.size(); ++k) {
         const Matrix6d H = perView[k].hessian.selfadjointView<Eigen::Lower>();
-        const Matrix6d J = inViewPerFirst(joint, geometry, k);
+        const Matrix6d J = viewStepJacobian(joint, geometry, k);
         sum.hessian.topLeftCorner<6, 6>() += J.transpose() * H * J;
         sum.gradient.head<6>() += J.transpose() * perView[k].gradient;
         if (k > 0) {
@@ -44,14 +44,14 @@ StackedEquations stacked(std::span<const NormalEquations> perView, const JointPo
     return sum;
 }
 
-StackedEquations stacked(std::span<const CameraEquations> perView, const JointPose& joint,
-                         std::span<const PlacedCamera> geometry)
+StackedEquations stackEquations(std::span<const CameraEquations> perView, const JointPose& joint,
+                                std::span<const RelativeCamera> geometry)
 {
     std::vector<NormalEquations> ofPoses;
     for (const CameraEquations& view : perView) {
         ofPoses.push_back({view.hessian.topLeftCorner<6, 6>(), view.gradient.head<6>()});
     }
-    const StackedEquations poses = stacked(ofPoses, joint, geometry);
+    const StackedEquations poses = stackEquations(ofPoses, joint, geometry);
     const Eigen::Index poseCount = poses.hessian.rows();
     const auto count = poseCount + static_cast<Eigen::Index>(3 * perView.size());
     StackedEquations sum{Eigen::MatrixXd::Zero(count, count), Eigen::VectorXd::Zero(count)};
@@ -61,7 +61,7 @@ StackedEquations stacked(std::span<const CameraEquations> perView, const JointPo
         const auto at = poseCount + static_cast<Eigen::Index>(3 * k);
         const Eigen::Matrix<double, 3, 6> crossed = perView[k].hessian.bottomLeftCorner<3, 6>();
         sum.hessian.block<3, 3>(at, at) = perView[k].hessian.bottomRightCorner<3, 3>();
-        sum.hessian.block<3, 6>(at, 0) = crossed * inViewPerFirst(joint, geometry, k);
+        sum.hessian.block<3, 6>(at, 0) = crossed * viewStepJacobian(joint, geometry, k);
         if (k > 0) {
             sum.hessian.block<3, 6>(at, static_cast<Eigen::Index>(6 * k)) = crossed;
         }
@@ -72,9 +72,9 @@ StackedEquations stacked(std::span<const CameraEquations> perView, const JointPo
     return sum;
 }
 
-JointPose moved(const JointPose& joint, const Eigen::VectorXd& step)
+JointPose retract(const JointPose& joint, const Eigen::VectorXd& step)
 {
-    JointPose result{moved(joint.first, step.head<6>()), joint.corrections};
+    JointPose result{retract(joint.first, step.head<6>()), joint.corrections};
     for (std::size_t k = 1; k < result.corrections.size(); ++k) {
         const Vector6d own = step.segment<6>(static_cast<Eigen::Index>(6 * k));
         const Vector6d before = joint.corrections[k];

@@ -16,25 +16,25 @@ struct JointPose {
 };
 
 /// Camera of a view and its position relative to the first view, without the correction.
-struct PlacedCamera {
+struct RelativeCamera {
     RigidTransform cameraFromFirst;
     ProjectionCamera camera;
 };
 
 /// Returns the pose of the tree in view `view`.
-CentroidPose poseInView(const JointPose& joint, std::span<const PlacedCamera> geometry, std::size_t view);
+CentroidPose poseInView(const JointPose& joint, std::span<const RelativeCamera> geometry, std::size_t view);
 
 /// Combines the normal equations of all views. The parameters are the step of the first view's pose, followed by six
 /// correction parameters for each further view. Corrections are applied after cameraFromFirst; a step of the first pose
 /// is therefore rotated by cameraFromFirst and the correction.
-StackedEquations stacked(std::span<const NormalEquations> perView, const JointPose& joint,
-                         std::span<const PlacedCamera> geometry);
+StackedEquations stackEquations(std::span<const NormalEquations> perView, const JointPose& joint,
+                                std::span<const RelativeCamera> geometry);
 
 /// Overload that appends three camera errors per view after all pose parameters.
-StackedEquations stacked(std::span<const CameraEquations> perView, const JointPose& joint,
-                         std::span<const PlacedCamera> geometry);
+StackedEquations stackEquations(std::span<const CameraEquations> perView, const JointPose& joint,
+                                std::span<const RelativeCamera> geometry);
 
 /// Joint pose after a step of all parameters.
-JointPose moved(const JointPose& joint, const Eigen::VectorXd& step);
+JointPose retract(const JointPose& joint, const Eigen::VectorXd& step);
 
 }   // namespace angiopose::core

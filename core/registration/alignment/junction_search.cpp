@@ -18,10 +18,10 @@ namespace {
 constexpr JunctionScale inTree{2.5, 12.0};   // mm
 constexpr JunctionScale inImage{5.0, 20.0};   // px
 constexpr double shortestBasePx = 50.0;
-constexpr double largestZoom = 1.25;   // maximum scale ratio; corresponds to a depth error of 160 mm
+constexpr double maxZoom = 1.25;   // maximum scale ratio; corresponds to a depth error of 160 mm
 constexpr int sectors = 64;
 constexpr int spreadSectors = 6;   // tolerance on each side: directions within 34° match
-constexpr int minLikeWays = 2;   // minimum number of matching directions, of the three at a bifurcation
+constexpr int minMatchingDirections = 2;   // minimum number of matching directions, of the three at a bifurcation
 constexpr double endOn = 0.3;   // directions nearly along the ray carry no information in the image
 constexpr int junctionCellPx = 8;
 constexpr double meetingPx = 12.0;
@@ -55,13 +55,13 @@ Eigen::Matrix3d towards(const Eigen::Vector3d& inCamera)
     return Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), inCamera).toRotationMatrix();
 }
 
-Eigen::Vector2d turned(const Eigen::Vector2d& point, const Eigen::Vector2d& turn)
+Eigen::Vector2d rotated(const Eigen::Vector2d& point, const Eigen::Vector2d& turn)
 {
     return {turn.x() * point.x() - turn.y() * point.y(), turn.y() * point.x() + turn.x() * point.y()};
 }
 
 /// Rotation vectors about the camera's x and y axes, evenly spread over the search range and including 0.
-std::vector<Eigen::Vector3d> tiltsWithin(const SearchReach& reach)
+std::vector<Eigen::Vector3d> tiltsWithin(const SearchRange& reach)
 {
     const int half = static_cast<int>(reach.tiltDeg / tiltStepDeg);
     const int halfX = reach.freedom.isLocked(PoseAxis::CraCau) ? 0 : half;
@@ -80,19 +80,19 @@ std::vector<Eigen::Vector3d> tiltsWithin(const SearchReach& reach)
 
 }   // namespace
 
-JunctionSearch::Ways JunctionSearch::waysOf(std::span<const Eigen::Vector2d> directions, int spread)
+JunctionSearch::DirectionBits JunctionSearch::directionBits(std::span<const Eigen::Vector2d> directions, int spread)
 {
-    Ways ways = 0;
+    DirectionBits ways = 0;
     for (const Eigen::Vector2d& direction : directions) {
         const auto sector = static_cast<int>(std::lround(sectorsOf(direction)));
         for (int offset = -spread; offset <= spread; ++offset) {
-            ways |= std::rotl(Ways{1}, sector + offset);
+            ways |= std::rotl(DirectionBits{1}, sector + offset);
         }
     }
     return ways;
 }
 
-JunctionSearch::Base JunctionSearch::baseOf(const std::vector<Place>& places, int from, int to)
+JunctionSearch::Base JunctionSearch::baseOf(const std::vector<ImageNode>& places, int from, int to)
 {
     const Eigen::Vector2d base = places[static_cast<std::size_t>(to)].px - places[static_cast<std::size_t>(from)].px;
     const double lengthPx = base.norm();
@@ -102,7 +102,7 @@ JunctionSearch::Base JunctionSearch::baseOf(const std::vector<Place>& places, in
 JunctionSearch::JunctionSearch(const RegistrationProblem& problem, const TargetLines& target)
     : camera_(problem.camera),
       target_(target),
-      nodes_(junctionsOf<3>(problem.tree.points, problem.tree.branchIndex, inTree)),
+      nodes_(findJunctions<3>(problem.tree.points, problem.tree.branchIndex, inTree)),
       columns_(problem.camera.width / junctionCellPx + 1),
       rows_(problem.camera.height / junctionCellPx + 1),
       points_(alignmentPoints(problem.tree, strideFor(problem.tree.size(), usedJunctionPoints)))
@@ -111,20 +111,20 @@ JunctionSearch::JunctionSearch(const RegistrationProblem& problem, const TargetL
         node.point -= problem.tree.centroid;
     }
     const Eigen::Vector2d axes(camera_.fx < 0.0 ? -1.0 : 1.0, 1.0);
-    const auto found = junctionsOf<2>(problem.target.points, problem.target.curveIndex, inImage);
+    const auto found = findJunctions<2>(problem.target.points, problem.target.curveIndex, inImage);
     for (const Junction<2>& junction : found) {
         std::vector<Eigen::Vector2d> ways;
         for (const Eigen::Vector2d& way : junction.directions) {
             ways.emplace_back(way.cwiseProduct(axes));
         }
         const Eigen::Vector2d px = (junction.point - Eigen::Vector2d(camera_.cx, camera_.cy)).cwiseProduct(axes);
-        junctions_.push_back({px, waysOf(ways, spreadSectors)});
+        junctions_.push_back({px, directionBits(ways, spreadSectors)});
     }
-    drawMeetings(found);
-    listBases();
+    markJunctions(found);
+    collectBases();
 }
 
-void JunctionSearch::drawMeetings(std::span<const Junction<2>> found)
+void JunctionSearch::markJunctions(std::span<const Junction<2>> found)
 {
     isNearJunction_.resize(cellIndex(rows_, columns_, 0));
     for (int row = 0; row < rows_; ++row) {
@@ -138,7 +138,7 @@ void JunctionSearch::drawMeetings(std::span<const Junction<2>> found)
     }
 }
 
-void JunctionSearch::listBases()
+void JunctionSearch::collectBases()
 {
     const auto stride = static_cast<int>(strideFor(junctions_.size(), maxJunctions));
     for (int from = 0; from < static_cast<int>(junctions_.size()); from += stride) {
@@ -153,12 +153,13 @@ void JunctionSearch::listBases()
     });
 }
 
-std::vector<JunctionSearch::Place> JunctionSearch::nodesSeen(const Eigen::Matrix3d& rotation, double depthMm) const
+std::vector<JunctionSearch::ImageNode> JunctionSearch::projectNodes(const Eigen::Matrix3d& rotation,
+                                                                    double depthMm) const
 {
-    std::vector<Place> seen;
+    std::vector<ImageNode> seen;
     std::vector<Eigen::Vector2d> ways;
     for (const Junction<3>& node : nodes_) {
-        const Eigen::Vector3d turned = rotation * node.point;
+        const Eigen::Vector3d rotated = rotation * node.point;
         ways.clear();
         for (const Eigen::Vector3d& way : node.directions) {
             const Eigen::Vector2d across = (rotation * way).head<2>();
@@ -166,17 +167,17 @@ std::vector<JunctionSearch::Place> JunctionSearch::nodesSeen(const Eigen::Matrix
                 ways.push_back(across);
             }
         }
-        seen.push_back({camera_.fy / (depthMm + turned.z()) * turned.head<2>(), waysOf(ways, 0)});
+        seen.push_back({camera_.fy / (depthMm + rotated.z()) * rotated.head<2>(), directionBits(ways, 0)});
     }
     return seen;
 }
 
-int JunctionSearch::meetings(const std::vector<Place>& nodes, const Fit& fit) const
+int JunctionSearch::matchedNodeCount(const std::vector<ImageNode>& nodes, const Fit& fit) const
 {
     const double axis = camera_.fx < 0.0 ? -1.0 : 1.0;
     int count = 0;
-    for (const Place& node : nodes) {
-        const Eigen::Vector2d place = fit.zoom * turned(node.px, fit.turn) + fit.centroidPx;
+    for (const ImageNode& node : nodes) {
+        const Eigen::Vector2d place = fit.zoom * rotated(node.px, fit.turn) + fit.centroidPx;
         const double u = (axis * place.x() + camera_.cx) / junctionCellPx;
         const double v = (place.y() + camera_.cy) / junctionCellPx;
         if (u >= 0.0 && v >= 0.0 && u < columns_ && v < rows_) {
@@ -187,38 +188,39 @@ int JunctionSearch::meetings(const std::vector<Place>& nodes, const Fit& fit) co
 }
 
 /// Aligns the base between two nodes with every base of similar length between junctions; returns the cost spent.
-std::size_t JunctionSearch::tryBase(const Base& base, const std::vector<Place>& nodes, double longestRoll,
+std::size_t JunctionSearch::tryBase(const Base& base, const std::vector<ImageNode>& nodes, double maxRoll,
                                     std::vector<Fit>& fits) const
 {
-    const Place& a = nodes[static_cast<std::size_t>(base.from)];
-    const Place& b = nodes[static_cast<std::size_t>(base.to)];
-    const double minCosine = std::cos(longestRoll);
-    auto other = std::lower_bound(bases_.begin(), bases_.end(), base.lengthPx / largestZoom,
+    const ImageNode& a = nodes[static_cast<std::size_t>(base.from)];
+    const ImageNode& b = nodes[static_cast<std::size_t>(base.to)];
+    const double minCosine = std::cos(maxRoll);
+    auto other = std::lower_bound(bases_.begin(), bases_.end(), base.lengthPx / maxZoom,
                                   [](const Base& one, double length) { return one.lengthPx < length; });
     std::size_t cost = 0;
-    for (; other != bases_.end() && other->lengthPx <= base.lengthPx * largestZoom; ++other) {
+    for (; other != bases_.end() && other->lengthPx <= base.lengthPx * maxZoom; ++other) {
         ++cost;
         const auto roll = static_cast<int>(std::lrint(other->sectors - base.sectors));
-        const Place& i = junctions_[static_cast<std::size_t>(other->from)];
-        const Place& j = junctions_[static_cast<std::size_t>(other->to)];
-        if (std::popcount(std::rotl(a.ways, roll) & i.ways) < minLikeWays ||
-            std::popcount(std::rotl(b.ways, roll) & j.ways) < minLikeWays) {
+        const ImageNode& i = junctions_[static_cast<std::size_t>(other->from)];
+        const ImageNode& j = junctions_[static_cast<std::size_t>(other->to)];
+        if (std::popcount(std::rotl(a.ways, roll) & i.ways) < minMatchingDirections ||
+            std::popcount(std::rotl(b.ways, roll) & j.ways) < minMatchingDirections) {
             continue;
         }
         Fit fit;
         fit.zoom = other->lengthPx / base.lengthPx;
-        fit.turn = turned(other->along, {base.along.x(), -base.along.y()});
+        fit.turn = rotated(other->along, {base.along.x(), -base.along.y()});
         if (fit.turn.x() < minCosine) {
             continue;
         }
-        fit.centroidPx = 0.5 * (i.px + j.px - fit.zoom * turned(a.px + b.px, fit.turn));
-        fit.meetings = meetings(nodes, fit);
+        fit.centroidPx = 0.5 * (i.px + j.px - fit.zoom * rotated(a.px + b.px, fit.turn));
+        fit.matchedNodeCount = matchedNodeCount(nodes, fit);
         cost += nodes.size();
-        if (fits.size() == fitsPerTilt && fit.meetings <= fits.back().meetings) {
+        if (fits.size() == fitsPerTilt && fit.matchedNodeCount <= fits.back().matchedNodeCount) {
             continue;
         }
-        const auto place = std::upper_bound(fits.begin(), fits.end(), fit,
-                                            [](const Fit& x, const Fit& y) { return x.meetings > y.meetings; });
+        const auto place = std::upper_bound(fits.begin(), fits.end(), fit, [](const Fit& x, const Fit& y) {
+            return x.matchedNodeCount > y.matchedNodeCount;
+        });
         fits.insert(place, fit);
         fits.resize(std::min(fits.size(), fitsPerTilt));
     }
@@ -226,8 +228,8 @@ std::size_t JunctionSearch::tryBase(const Base& base, const std::vector<Place>& 
 }
 
 /// Tries every base once, striding through the list, until the budget is spent.
-std::vector<JunctionSearch::Fit> JunctionSearch::fitsOf(const std::vector<Place>& nodes, double longestRoll,
-                                                        std::size_t budget) const
+std::vector<JunctionSearch::Fit> JunctionSearch::findFits(const std::vector<ImageNode>& nodes, double maxRoll,
+                                                          std::size_t budget) const
 {
     std::vector<Fit> fits;
     const std::size_t count = nodes.size();
@@ -239,7 +241,7 @@ std::vector<JunctionSearch::Fit> JunctionSearch::fitsOf(const std::vector<Place>
         const std::size_t to = from + 1 + pair % (count - 1);
         if (to < count) {   // skips duplicates, so that each pair is tried once
             const Base base = baseOf(nodes, static_cast<int>(from), static_cast<int>(to));
-            spent += base.lengthPx >= shortestBasePx ? tryBase(base, nodes, longestRoll, fits) : 1;
+            spent += base.lengthPx >= shortestBasePx ? tryBase(base, nodes, maxRoll, fits) : 1;
         }
     }
     return fits;
@@ -270,29 +272,29 @@ CentroidPose JunctionSearch::poseOf(const Fit& fit, const Eigen::Matrix3d& view,
     return pose;
 }
 
-std::vector<CoarseCandidate> JunctionSearch::find(const CentroidPose& start, const SearchReach& reach,
-                                                  const std::function<Verdict(double)>& proceed) const
+std::vector<CoarseCandidate> JunctionSearch::find(const CentroidPose& start, const SearchRange& reach,
+                                                  const std::function<ObserverDecision(double)>& proceed) const
 {
     std::vector<CoarseCandidate> found;
     const double depthMm = std::max(minProjectableDepthMm, start.centroidInCamera.z());
     const Eigen::Matrix3d startView = towards(start.centroidInCamera).transpose() * start.rotation;
     const double rollDeg = reach.freedom.isLocked(PoseAxis::Roll) ? 0.0 : reach.rollDeg;
-    const double longestRoll = std::max(rollDeg, minRollDeg) * radiansPerDegree;
+    const double maxRoll = std::max(rollDeg, minRollDeg) * radiansPerDegree;
     const std::vector<Eigen::Vector3d> tilts = tiltsWithin(reach);
     for (std::size_t k = 0; k < tilts.size(); ++k) {
         const Eigen::Matrix3d view = expSo3(tilts[k]) * startView;
-        for (const Fit& fit : fitsOf(nodesSeen(view, depthMm), longestRoll, maxBaseTrials / tilts.size())) {
-            const CentroidPose pose = reach.freedom.held(poseOf(fit, view, depthMm));
+        for (const Fit& fit : findFits(projectNodes(view, depthMm), maxRoll, maxBaseTrials / tilts.size())) {
+            const CentroidPose pose = reach.freedom.restoreLocked(poseOf(fit, view, depthMm));
             const Eigen::Vector3d shift = pose.centroidInCamera - start.centroidInCamera;
             if (shift.head<2>().norm() <= reach.radiusMm) {
                 found.push_back({pose, closeness(pose)});
             }
         }
-        if (proceed(static_cast<double>(k + 1) / static_cast<double>(tilts.size())) == Verdict::Stop) {
+        if (proceed(static_cast<double>(k + 1) / static_cast<double>(tilts.size())) == ObserverDecision::Stop) {
             break;
         }
     }
-    return distinct(std::move(found), basin);
+    return distinctCandidates(std::move(found), basin);
 }
 
 }   // namespace angiopose::core

@@ -18,17 +18,17 @@ public:
     JunctionSearch(const RegistrationProblem& problem, const TargetLines& target);
 
     /// Returns the best distinct candidates, best first; scores and `proceed` are as in CoarseSearch.
-    std::vector<CoarseCandidate> find(const CentroidPose& start, const SearchReach& reach,
-                                      const std::function<Verdict(double)>& proceed) const;
+    std::vector<CoarseCandidate> find(const CentroidPose& start, const SearchRange& reach,
+                                      const std::function<ObserverDecision(double)>& proceed) const;
 
 private:
     /// Set of image directions with one bit per sector of 1/64 turn; rotating the image rotates the bits.
-    using Ways = std::uint64_t;
+    using DirectionBits = std::uint64_t;
 
     /// Traced junction, or tree node projected under one tilt.
-    struct Place {
+    struct ImageNode {
         Eigen::Vector2d px;   ///< relative to the principal point, camera axes
-        Ways ways;
+        DirectionBits ways;
     };
     /// Vector between two junctions or two nodes.
     struct Base {
@@ -39,28 +39,28 @@ private:
     };
     /// Transform that aligns two tree nodes with two traced junctions.
     struct Fit {
-        int meetings = 0;   ///< number of nodes that land on junctions
+        int matchedNodeCount = 0;   ///< number of nodes that land on junctions
         double zoom = 1.0;
         Eigen::Vector2d turn;   ///< (cos, sin) of the roll
-        Eigen::Vector2d centroidPx;   ///< relative to the principal point, as in Place
+        Eigen::Vector2d centroidPx;   ///< relative to the principal point, as in ImageNode
     };
 
-    static Ways waysOf(std::span<const Eigen::Vector2d> directions, int spread);
-    static Base baseOf(const std::vector<Place>& places, int from, int to);
-    void drawMeetings(std::span<const Junction<2>> found);
-    void listBases();
-    std::vector<Place> nodesSeen(const Eigen::Matrix3d& rotation, double depthMm) const;
-    std::vector<Fit> fitsOf(const std::vector<Place>& nodes, double longestRoll, std::size_t budget) const;
-    std::size_t tryBase(const Base& base, const std::vector<Place>& nodes, double longestRoll,
+    static DirectionBits directionBits(std::span<const Eigen::Vector2d> directions, int spread);
+    static Base baseOf(const std::vector<ImageNode>& places, int from, int to);
+    void markJunctions(std::span<const Junction<2>> found);
+    void collectBases();
+    std::vector<ImageNode> projectNodes(const Eigen::Matrix3d& rotation, double depthMm) const;
+    std::vector<Fit> findFits(const std::vector<ImageNode>& nodes, double maxRoll, std::size_t budget) const;
+    std::size_t tryBase(const Base& base, const std::vector<ImageNode>& nodes, double maxRoll,
                         std::vector<Fit>& fits) const;
-    int meetings(const std::vector<Place>& nodes, const Fit& fit) const;
+    int matchedNodeCount(const std::vector<ImageNode>& nodes, const Fit& fit) const;
     CentroidPose poseOf(const Fit& fit, const Eigen::Matrix3d& view, double depthMm) const;
     double closeness(const CentroidPose& pose) const;
 
     ProjectionCamera camera_;
     const TargetLines& target_;
     std::vector<Junction<3>> nodes_;   ///< tree nodes relative to the tree's centroid
-    std::vector<Place> junctions_;
+    std::vector<ImageNode> junctions_;
     std::vector<Base> bases_;   ///< bases between traced junctions, in ascending order of length
     std::vector<std::uint8_t> isNearJunction_;   ///< 1 for image cells near a traced junction
     int columns_ = 0;

@@ -12,17 +12,17 @@ namespace {
 constexpr std::size_t minWays = 3;
 
 template <int Dimension>
-class Meetings {
+class JunctionFinder {
 public:
     using Vector = Eigen::Matrix<double, Dimension, 1>;
 
-    Meetings(std::span<const Vector> points, std::span<const int> curveIndex, const JunctionScale& scale)
+    JunctionFinder(std::span<const Vector> points, std::span<const int> curveIndex, const JunctionScale& scale)
         : points_(points), curveIndex_(curveIndex), scale_(scale)
     {
         std::vector<Eigen::Vector2d> seen(points.size());
         std::transform(points.begin(), points.end(), seen.begin(),
                        [](const Vector& p) { return p.template head<2>(); });
-        near_.fill(seen, scale.touching);
+        near_.fill(seen, scale.maxGap);
     }
 
     std::vector<Junction<Dimension>> junctions() const
@@ -30,8 +30,8 @@ public:
         std::vector<Junction<Dimension>> found;
         for (const Vector& place : places()) {
             Junction<Dimension> junction{place, {}};
-            for (const std::size_t nearest : meetingAt(place)) {
-                addWays(nearest, junction);
+            for (const std::size_t nearest : touchedCurves(place)) {
+                addDirections(nearest, junction);
             }
             if (junction.directions.size() >= minWays) {
                 found.push_back(std::move(junction));
@@ -42,12 +42,12 @@ public:
 
 private:
     /// Returns, for each curve within the maximum gap of a position, its nearest point, in the order of the curves.
-    std::vector<std::size_t> meetingAt(const Vector& place) const
+    std::vector<std::size_t> touchedCurves(const Vector& place) const
     {
         std::vector<std::size_t> nearest;
         const auto distance = [&](std::size_t i) { return (points_[i] - place).squaredNorm(); };
         near_.visitNear(place.template head<2>(), [&](std::size_t i) {
-            if (distance(i) <= scale_.touching * scale_.touching) {
+            if (distance(i) <= scale_.maxGap * scale_.maxGap) {
                 nearest.push_back(i);
             }
         });
@@ -71,12 +71,12 @@ private:
         std::vector<Vector> places;
         std::vector<std::uint8_t> isTaken(points_.size(), 0);
         for (std::size_t i = 0; i < points_.size(); ++i) {
-            if (!isEnd(i) || isTaken[i] || meetingAt(points_[i]).size() < 2) {
+            if (!isEnd(i) || isTaken[i] || touchedCurves(points_[i]).size() < 2) {
                 continue;
             }
             places.push_back(points_[i]);
             near_.visitNear(points_[i].template head<2>(), [&](std::size_t other) {
-                isTaken[other] |= (points_[other] - points_[i]).norm() <= scale_.touching;
+                isTaken[other] |= (points_[other] - points_[i]).norm() <= scale_.maxGap;
             });
         }
         return places;
@@ -84,7 +84,7 @@ private:
 
     /// Adds the directions in which the curve leaves the junction, each measured over the length `leaving` from the
     /// curve's nearest point.
-    void addWays(std::size_t nearest, Junction<Dimension>& junction) const
+    void addDirections(std::size_t nearest, Junction<Dimension>& junction) const
     {
         const int curve = curveIndex_[nearest];
         for (std::size_t i = nearest; i < points_.size() && curveIndex_[i] == curve; ++i) {
@@ -102,7 +102,7 @@ private:
     bool addWay(const Vector& point, Junction<Dimension>& junction) const
     {
         const Vector way = point - junction.point;
-        if (way.norm() < scale_.leaving) {
+        if (way.norm() < scale_.directionLength) {
             return false;
         }
         junction.directions.push_back(way.normalized());
@@ -118,15 +118,15 @@ private:
 }   // namespace
 
 template <int Dimension>
-std::vector<Junction<Dimension>> junctionsOf(std::span<const Eigen::Matrix<double, Dimension, 1>> points,
-                                             std::span<const int> curveIndex, const JunctionScale& scale)
+std::vector<Junction<Dimension>> findJunctions(std::span<const Eigen::Matrix<double, Dimension, 1>> points,
+                                               std::span<const int> curveIndex, const JunctionScale& scale)
 {
-    return Meetings<Dimension>(points, curveIndex, scale).junctions();
+    return JunctionFinder<Dimension>(points, curveIndex, scale).junctions();
 }
 
-template std::vector<Junction<2>> junctionsOf<2>(std::span<const Eigen::Vector2d>, std::span<const int>,
-                                                 const JunctionScale&);
-template std::vector<Junction<3>> junctionsOf<3>(std::span<const Eigen::Vector3d>, std::span<const int>,
-                                                 const JunctionScale&);
+template std::vector<Junction<2>> findJunctions<2>(std::span<const Eigen::Vector2d>, std::span<const int>,
+                                                   const JunctionScale&);
+template std::vector<Junction<3>> findJunctions<3>(std::span<const Eigen::Vector3d>, std::span<const int>,
+                                                   const JunctionScale&);
 
 }   // namespace angiopose::core

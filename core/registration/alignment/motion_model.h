@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/registration/pose/start_prior.h"
+#include "core/registration/pose/initial_pose_prior.h"
 
 #include <deque>
 #include <optional>
@@ -20,19 +20,19 @@ public:
     MotionModel(const CentroidPose& pose, double spreadMm, const Noise& noise);
 
     /// Predicts the next pose and its uncertainty, which grows with every frame without a pose.
-    StartPrior predict() const;
+    InitialPosePrior predict() const;
 
     /// Adds the pose of the next frame, or nullopt if no pose was determined.
     void advance(const std::optional<CentroidPose>& pose);
 
     /// Resets the pose after a new search; the jump is not used as a motion step.
-    void jumpTo(const CentroidPose& pose);
+    void resetTo(const CentroidPose& pose);
 
 private:
-    Vector6d alongBreathing(const Vector6d& step) const;
+    Vector6d breathingComponent(const Vector6d& step) const;
 
     CentroidPose pose_;
-    Vector6d inMm_;   ///< factors that convert pose parameters (rad, mm) to mm
+    Vector6d mmPerParameter_;   ///< factors that convert pose parameters (rad, mm) to mm
     Noise noise_;
     std::deque<Vector6d> steps_;   ///< frame-to-frame steps in mm, newest last
     bool isMoving_ = false;   ///< whether the last frame added a step to steps_

@@ -9,8 +9,8 @@ namespace {
 
 constexpr std::size_t usedRankingPoints = 200;
 constexpr std::size_t maxHypotheses = 64;   // upper bound; no search returns this many
-constexpr double perUnitOfPrior = 0.01;   // an initial pose off by 2σ in all six parameters costs a fifth of the score
-constexpr double wholeTreeEnough = 0.65;   // agreement above which no part of the tree is considered unopacified
+constexpr double priorPenalty = 0.01;   // an initial pose off by 2σ in all six parameters costs a fifth of the score
+constexpr double minWholeTreeAgreement = 0.65;   // agreement above which no part of the tree is considered unopacified
 constexpr double clearlyBetter = 0.1;
 constexpr double sameTurn = 0.02;
 constexpr double sameShiftMm = 3.0;
@@ -23,10 +23,10 @@ bool isSame(const CentroidPose& a, const CentroidPose& b)
 
 }   // namespace
 
-PoseRanking::PoseRanking(const RegistrationProblem& problem, const TargetLines& target, const StartPrior& prior,
-                         TreeFilling filling)
+PoseRanking::PoseRanking(const RegistrationProblem& problem, const TargetLines& target, const InitialPosePrior& prior,
+                         TreeOpacification opacification)
     : prior_(prior),
-      filling_(filling),
+      opacification_(opacification),
       points_(alignmentPoints(problem.tree, strideFor(problem.tree.size(), usedRankingPoints)), problem.camera, target),
       agreement_(problem, target)
 {
@@ -37,41 +37,42 @@ PoseRanking::PoseRanking(const RegistrationProblem& problem, const TargetLines& 
 void PoseRanking::add(const CentroidPose& hypothesis)
 {
     points_.resetVisibility();
-    file(hypothesis);
+    refineAndInsert(hypothesis);
 }
 
-void PoseRanking::addFilled(const CentroidPose& hypothesis)
+void PoseRanking::addPartlyOpacified(const CentroidPose& hypothesis)
 {
     points_.setVisibility(points_.evaluate(hypothesis, schedule.startScalePx));
-    file(hypothesis);
+    refineAndInsert(hypothesis);
 }
 
-void PoseRanking::file(const CentroidPose& hypothesis)
+void PoseRanking::refineAndInsert(const CentroidPose& hypothesis)
 {
     const RefinementResult refined = refine(points_, prior_, hypothesis, schedule);
-    const ScoredPose candidate = scored(refined.pose, refined.stopReason);
+    const ScoredPose candidate = scoredPose(refined.pose, refined.stopReason);
     const auto isBetter = [](const ScoredPose& a, const ScoredPose& b) { return a.score > b.score; };
     ranked_.insert(std::upper_bound(ranked_.begin(), ranked_.end(), candidate, isBetter), candidate);
 }
 
-ScoredPose PoseRanking::scored(const CentroidPose& pose, StopReason stopReason)
+ScoredPose PoseRanking::scoredPose(const CentroidPose& pose, StopReason stopReason)
 {
-    ScoredPose scored{pose, 0.0, agreement_.of(pose), stopReason};
-    if (filling_ == TreeFilling::InParts && scored.agreement < wholeTreeEnough) {
-        const FilledAgreement filled = agreement_.ofFilled(pose);
-        if (filled.agreement > scored.agreement + clearlyBetter) {
-            scored.agreement = filled.agreement;
-            scored.filledForks = agreement_.filling().forks(filled.isOpacified);
-            for (const int piece : agreement_.filling().pieceOfPoint()) {
-                scored.isOpacified.push_back(filled.isOpacified[static_cast<std::size_t>(piece)]);
+    ScoredPose scoredPose{pose, 0.0, agreement_.of(pose), stopReason};
+    if (opacification_ == TreeOpacification::Partial && scoredPose.agreement < minWholeTreeAgreement) {
+        const OpacifiedAgreement filled = agreement_.scoreOpacified(pose);
+        if (filled.agreement > scoredPose.agreement + clearlyBetter) {
+            scoredPose.agreement = filled.agreement;
+            scoredPose.opacifiedBifurcations =
+                agreement_.opacification().countOpacifiedBifurcations(filled.isOpacified);
+            for (const int piece : agreement_.opacification().segmentOfPoint()) {
+                scoredPose.isOpacified.push_back(filled.isOpacified[static_cast<std::size_t>(piece)]);
             }
         }
     }
-    scored.score = scored.agreement / (1.0 + perUnitOfPrior * prior_.cost(pose));
-    return scored;
+    scoredPose.score = scoredPose.agreement / (1.0 + priorPenalty * prior_.cost(pose));
+    return scoredPose;
 }
 
-std::vector<ScoredPose> PoseRanking::distinct(double share, std::size_t count) const
+std::vector<ScoredPose> PoseRanking::distinctPoses(double share, std::size_t count) const
 {
     std::vector<ScoredPose> chosen;
     for (const ScoredPose& candidate : ranked_) {

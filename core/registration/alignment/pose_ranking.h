@@ -12,11 +12,11 @@ struct ScoredPose {
         0.0;   ///< without that reduction; of the opacified parts where these explain the image clearly better
     StopReason stopReason = StopReason::Converged;
     std::vector<std::uint8_t> isOpacified{};   ///< one per tree point; empty if the whole tree is expected in the image
-    int filledForks = 0;   ///< number of bifurcations where three or more opacified segments meet
+    int opacifiedBifurcations = 0;   ///< number of bifurcations where three or more opacified segments meet
 };
 
 /// Whether parts of the tree may be unopacified (ALGORITHMS §6.17).
-enum class TreeFilling { Whole, InParts };
+enum class TreeOpacification { Whole, Partial };
 
 /// Ranks hypotheses by how well they explain the image after a coarse refinement with few points, down to a scale of a
 /// few pixels. The thresholds were measured on 60 wrong optima for each of 60 simulated trees: none of these had a
@@ -26,40 +26,40 @@ class PoseRanking {
 public:
     static constexpr RefinementSchedule schedule{14.0, 2.5, 0.6, 2, 0, 40};
 
-    PoseRanking(const RegistrationProblem& problem, const TargetLines& target, const StartPrior& prior,
-                TreeFilling filling = TreeFilling::Whole);
+    PoseRanking(const RegistrationProblem& problem, const TargetLines& target, const InitialPosePrior& prior,
+                TreeOpacification opacification = TreeOpacification::Whole);
 
     /// Refines the hypothesis and adds it to the ranking.
     void add(const CentroidPose& hypothesis);
 
     /// Like add, for a hypothesis in which only parts of the tree lie on vessels; branches without a matching vessel do
     /// not contribute.
-    void addFilled(const CentroidPose& hypothesis);
+    void addPartlyOpacified(const CentroidPose& hypothesis);
 
-    ScoredPose scored(const CentroidPose& pose, StopReason stopReason);
+    ScoredPose scoredPose(const CentroidPose& pose, StopReason stopReason);
 
     bool isEmpty() const { return ranked_.empty(); }
     const ScoredPose& best() const { return ranked_.front(); }
 
     /// Whether tree and traced vessels explain each other well enough to skip further searches.
-    bool isConclusive() const { return reaches(0.65); }
+    bool isConclusive() const { return hasScore(0.65); }
     /// Whether the fit is uncertain but unlikely to be a coincidence.
-    bool isPlausible() const { return reaches(0.55); }
+    bool isPlausible() const { return hasScore(0.55); }
     /// Whether the tree matches hardly any vessel.
-    bool isLost() const { return !reaches(0.4); }
+    bool isMismatch() const { return !hasScore(0.4); }
 
     /// Best pose of every optimum, best first, limited to those that score at least `share` of the best.
-    std::vector<ScoredPose> distinct(double share, std::size_t count) const;
+    std::vector<ScoredPose> distinctPoses(double share, std::size_t count) const;
 
     /// Median distance to the target, px; for progress display.
     double medianDistancePx(const CentroidPose& pose) { return points_.medianDistancePx(pose, distances_); }
 
 private:
-    void file(const CentroidPose& hypothesis);
-    bool reaches(double score) const { return !ranked_.empty() && best().score >= score; }
+    void refineAndInsert(const CentroidPose& hypothesis);
+    bool hasScore(double score) const { return !ranked_.empty() && best().score >= score; }
 
-    StartPrior prior_;
-    TreeFilling filling_;
+    InitialPosePrior prior_;
+    TreeOpacification opacification_;
     Alignment points_;
     AgreementScore agreement_;
     std::vector<ScoredPose> ranked_;   ///< best first

@@ -15,12 +15,12 @@ constexpr std::size_t territoryPoints = 800;
 constexpr std::size_t auxiliaryCandidates = 4;
 
 // 3σ of initial poses from DICOM headers (ALGORITHMS §4.4): 15 mm across the ray, 1° per angle and some roll.
-const SearchReach nearbyReach{45.0, 8.0, 8.0, 4.0};
+const SearchRange nearbyReach{45.0, 8.0, 8.0, 4.0};
 constexpr double nearbyClosenessPx = 11.0;
 constexpr double anyDistance = 1e9;
-const SearchReach wideReach{anyDistance, 30.0, 30.0, 7.5};
-const SearchReach territoryReach{60.0, 20.0, 15.0, 5.0};
-const SearchReach farthestReach{anyDistance, 90.0, 180.0};
+const SearchRange wideReach{anyDistance, 30.0, 30.0, 7.5};
+const SearchRange territoryReach{60.0, 20.0, 15.0, 5.0};
+const SearchRange farthestReach{anyDistance, 90.0, 180.0};
 constexpr double wideClosenessPx = 16.0;
 
 std::vector<CentroidPose> posesOf(const std::vector<CoarseCandidate>& candidates, std::size_t count)
@@ -32,7 +32,7 @@ std::vector<CentroidPose> posesOf(const std::vector<CoarseCandidate>& candidates
     return poses;
 }
 
-SearchReach within(SearchReach reach, const RegistrationOptions& options, const PoseFreedom& freedom)
+SearchRange within(SearchRange reach, const RegistrationOptions& options, const PoseFreedom& freedom)
 {
     reach.freedom = freedom;
     reach.radiusMm = std::min(reach.radiusMm, options.angiopose.searchRadiusMm);
@@ -42,7 +42,7 @@ SearchReach within(SearchReach reach, const RegistrationOptions& options, const 
 }
 
 /// Returns the values of the points that `alignmentPoints` selects with the same stride.
-std::vector<double> everyNth(const std::vector<double>& values, std::size_t stride)
+std::vector<double> takeEveryNth(const std::vector<double>& values, std::size_t stride)
 {
     std::vector<double> chosen;
     for (std::size_t i = stride / 2; i < values.size(); i += stride) {
@@ -59,31 +59,32 @@ PoseSearch::PoseSearch(const RegistrationProblem& problem, const TargetLines& ta
 {
 }
 
-std::vector<CentroidPose> PoseSearch::nearby(const CentroidPose& start, const SearchObserver& observe) const
+std::vector<CentroidPose> PoseSearch::searchNearby(const CentroidPose& start, const SearchObserver& observe) const
 {
     const auto points = alignmentPoints(problem_.tree, strideFor(problem_.tree.size(), searchPoints));
     const CoarseSearch search(problem_.camera, target_, nearbyClosenessPx);
     return posesOf(search.find(points, start, within(nearbyReach, options_, problem_.freedom), observe), points.size());
 }
 
-std::vector<CentroidPose> PoseSearch::wide(const CentroidPose& start, const SearchObserver& observe) const
+std::vector<CentroidPose> PoseSearch::searchWide(const CentroidPose& start, const SearchObserver& observe) const
 {
     const auto points = alignmentPoints(problem_.tree, strideFor(problem_.tree.size(), searchPoints));
     const CoarseSearch search(problem_.camera, target_, wideClosenessPx);
     return posesOf(search.find(points, start, within(wideReach, options_, problem_.freedom), observe), points.size());
 }
 
-std::vector<CentroidPose> PoseSearch::ofTerritories(const CentroidPose& start, const SearchObserver& observe) const
+std::vector<CentroidPose> PoseSearch::searchByTerritories(const CentroidPose& start,
+                                                          const SearchObserver& observe) const
 {
     const std::size_t stride = strideFor(problem_.tree.size(), territoryPoints);
     const auto points = alignmentPoints(problem_.tree, stride);
     TerritorySearch search(problem_.camera, target_, problem_.target.radiusPx);
-    return posesOf(search.find(points, everyNth(problem_.tree.radiusMm, stride), start,
+    return posesOf(search.find(points, takeEveryNth(problem_.tree.radiusMm, stride), start,
                                within(territoryReach, options_, problem_.freedom), observe),
                    points.size());
 }
 
-std::vector<CentroidPose> PoseSearch::byJunctions(const CentroidPose& start, const SearchObserver& observe) const
+std::vector<CentroidPose> PoseSearch::searchByJunctions(const CentroidPose& start, const SearchObserver& observe) const
 {
     const JunctionSearch search(problem_, target_);
     const std::vector<CoarseCandidate> found =
@@ -91,7 +92,8 @@ std::vector<CentroidPose> PoseSearch::byJunctions(const CentroidPose& start, con
     return posesOf(found, found.size());
 }
 
-std::vector<CentroidPose> PoseSearch::ofAuxiliary(const CentroidPose& start, const SearchObserver& observe) const
+std::vector<CentroidPose> PoseSearch::searchWithAuxiliary(const CentroidPose& start,
+                                                          const SearchObserver& observe) const
 {
     std::vector<int> thinned;
     const std::size_t stride = strideFor(problem_.auxiliary.size(), searchPoints);
@@ -114,7 +116,7 @@ CentroidPose PoseSearch::recentered(const CentroidPose& start) const
     const double depthMm = std::max(minProjectableDepthMm, start.centroidInCamera.z());
     const Eigen::Vector3d ray = rayThroughPixel(problem_.camera, middlePx);
     moved.centroidInCamera = ray * (depthMm / ray.z());
-    return problem_.freedom.held(moved);
+    return problem_.freedom.restoreLocked(moved);
 }
 
 }   // namespace angiopose::core

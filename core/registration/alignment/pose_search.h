@@ -8,7 +8,7 @@
 namespace angiopose::core {
 
 /// Receives the completed fraction, 0…1; Stop ends the search with the results so far.
-using SearchObserver = std::function<Verdict(double)>;
+using SearchObserver = std::function<ObserverDecision(double)>;
 
 /// Coarse searches that return poses for refinement (ALGORITHMS §6.8), best first. The options limit the range of each
 /// search.
@@ -17,20 +17,20 @@ public:
     PoseSearch(const RegistrationProblem& problem, const TargetLines& target, const RegistrationOptions& options);
 
     /// Searches the error range of an initial pose from the DICOM header, with fine rotation steps and short shifts.
-    std::vector<CentroidPose> nearby(const CentroidPose& start, const SearchObserver& observe) const;
+    std::vector<CentroidPose> searchNearby(const CentroidPose& start, const SearchObserver& observe) const;
 
     /// Searches all shifts and rotations of up to 30° in coarse steps.
-    std::vector<CentroidPose> wide(const CentroidPose& start, const SearchObserver& observe) const;
+    std::vector<CentroidPose> searchWide(const CentroidPose& start, const SearchObserver& observe) const;
 
     /// Searches a medium range; scores only how well the tree explains the traced vessels, regardless of how much of
     /// the tree is opacified.
-    std::vector<CentroidPose> ofTerritories(const CentroidPose& start, const SearchObserver& observe) const;
+    std::vector<CentroidPose> searchByTerritories(const CentroidPose& start, const SearchObserver& observe) const;
 
     /// Searches the full range by matching bifurcations.
-    std::vector<CentroidPose> byJunctions(const CentroidPose& start, const SearchObserver& observe) const;
+    std::vector<CentroidPose> searchByJunctions(const CentroidPose& start, const SearchObserver& observe) const;
 
     /// Searches the error range of the initial pose with the auxiliary branches {p'} only.
-    std::vector<CentroidPose> ofAuxiliary(const CentroidPose& start, const SearchObserver& observe) const;
+    std::vector<CentroidPose> searchWithAuxiliary(const CentroidPose& start, const SearchObserver& observe) const;
 
     /// Initial pose shifted to project the tree's centroid onto the middle of the traced vessels (ALGORITHMS §5.4).
     CentroidPose recentered(const CentroidPose& start) const;

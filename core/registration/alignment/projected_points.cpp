@@ -12,7 +12,7 @@ void ProjectedPoints::reserve(std::size_t count)
     points_.reserve(count);
 }
 
-void ProjectedPoints::restart(int width, int height, double reachPx)
+void ProjectedPoints::reset(int width, int height, double reachPx)
 {
     reachPx_ = reachPx;
     cellPx_ = std::max(minCellPx, reachPx);

@@ -16,7 +16,7 @@ public:
     void reserve(std::size_t count);
 
     /// Removes all points and sets the search radius of later queries to `reachPx`.
-    void restart(int width, int height, double reachPx);
+    void reset(int width, int height, double reachPx);
 
     /// Adds a point unless it lies outside the image.
     void add(const ProjectedPoint& point);

@@ -15,7 +15,7 @@ constexpr double residualMadToStd = 1.4826;
 constexpr int minStretchPoints = 6;
 constexpr std::size_t minStretches = 8;
 constexpr double minScatterPx = 0.02;   // sampling error of the curves, a lower limit for any fit
-constexpr double noMatchPx = 6.0;   // scatter assumed if hardly any point matches
+constexpr double unmatchedScatterPx = 6.0;   // scatter assumed if hardly any point matches
 constexpr std::size_t maxLag = 20;
 constexpr double insignificantCorrelation = 0.05;
 
@@ -137,7 +137,7 @@ ResidualNoise residualNoise(const std::vector<ResidualRow>& rows)
     noise.correlationPoints = correlation.points;
     std::erase_if(parts.scatter, [](double value) { return std::isnan(value); });
     if (parts.offsets.size() < minStretches) {
-        noise.scatterPx = noMatchPx;
+        noise.scatterPx = unmatchedScatterPx;
         return noise;
     }
     noise.scatterPx = std::max(minScatterPx, std::sqrt(correlation.inflation) * robustStd(std::move(parts.scatter)));

@@ -12,10 +12,10 @@ struct ResidualNoise {
 
     /// Correction for nearest-point matching, which biases residuals toward zero: without it, the squared errors of
     /// simulated registrations were 1.25 times as large as their covariance predicted.
-    static constexpr double nearestPartnerGain = 1.25;
+    static constexpr double nearestPointBias = 1.25;
 
     /// Variance of one row if rows are treated as independent (ALGORITHMS §6.10: l_c σ̂²); px².
-    double rowVariance() const { return nearestPartnerGain * scatterPx * scatterPx * correlationPoints; }
+    double rowVariance() const { return nearestPointBias * scatterPx * scatterPx * correlationPoints; }
     /// Whether whole stretches are offset from the vessels by more than sampling (about 0.1 px) explains.
     bool hasOffsets() const { return offsetPx >= 0.1; }
 };

@@ -3,19 +3,19 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double keptPartnersPx = 0.5;   // smaller than the spacing of points and lines
+constexpr double maxPointMotionPx = 0.5;   // smaller than the spacing of points and lines
 
 }   // namespace
 
 bool ReverseMatching::isUpToDate(double reachPx) const
 {
-    if (reachPx != reachPx_ || matchedAt_.size() != seen_.size()) {
+    if (reachPx != reachPx_ || matchedAt_.size() != projected_.size()) {
         return false;
     }
-    for (std::size_t i = 0; i < seen_.size(); ++i) {
-        const double du = seen_[i].u - matchedAt_[i].x();
-        const double dv = seen_[i].v - matchedAt_[i].y();
-        if (!(du * du + dv * dv < keptPartnersPx * keptPartnersPx)) {
+    for (std::size_t i = 0; i < projected_.size(); ++i) {
+        const double du = projected_[i].u - matchedAt_[i].x();
+        const double dv = projected_[i].v - matchedAt_[i].y();
+        if (!(du * du + dv * dv < maxPointMotionPx * maxPointMotionPx)) {
             return false;
         }
     }
@@ -29,21 +29,21 @@ void ReverseMatching::match(const TargetLines& target, int width, int height, do
     }
     reachPx_ = reachPx;
     matchedAt_.clear();
-    matchedAt_.reserve(seen_.size());
-    grid_.reserve(seen_.size());
-    grid_.restart(width, height, reachPx);
-    for (std::size_t i = 0; i < seen_.size(); ++i) {
-        matchedAt_.emplace_back(seen_[i].u, seen_[i].v);
-        if (seen_[i].isInFront && seen_[i].hasDirection) {
-            grid_.add({seen_[i].u, seen_[i].v, static_cast<int>(i)});
+    matchedAt_.reserve(projected_.size());
+    grid_.reserve(projected_.size());
+    grid_.reset(width, height, reachPx);
+    for (std::size_t i = 0; i < projected_.size(); ++i) {
+        matchedAt_.emplace_back(projected_[i].u, projected_[i].v);
+        if (projected_[i].isInFront && projected_[i].hasDirection) {
+            grid_.add({projected_[i].u, projected_[i].v, static_cast<int>(i)});
         }
     }
-    partners_.clear();
+    matches_.clear();
     const auto& lines = target.lines();
-    partners_.reserve(lines.size() / lineStride + 1);
+    matches_.reserve(lines.size() / lineStride + 1);
     for (std::size_t j = 0; j < lines.size(); j += lineStride) {
         const ProjectedPoint* nearest = grid_.nearest(lines[j].x, lines[j].y);
-        partners_.push_back(nearest == nullptr ? -1 : nearest->number);
+        matches_.push_back(nearest == nullptr ? -1 : nearest->number);
     }
 }
 

@@ -13,23 +13,23 @@ public:
     static constexpr std::size_t lineStride = 2;   ///< skips neighboring lines, whose noise is correlated
 
     /// Projected tree points; the caller fills this buffer.
-    std::vector<PointInCamera>& seen() { return seen_; }
-    const std::vector<PointInCamera>& seen() const { return seen_; }
+    std::vector<PointInCamera>& projected() { return projected_; }
+    const std::vector<PointInCamera>& projected() const { return projected_; }
 
     /// Recomputes the matches for the current points if necessary.
     void match(const TargetLines& target, int width, int height, double reachPx);
 
     /// Index of the nearest tree point for every `lineStride`-th line; −1 if none lies within the search radius.
-    const std::vector<int>& partners() const { return partners_; }
+    const std::vector<int>& matches() const { return matches_; }
 
 private:
     bool isUpToDate(double reachPx) const;
 
-    std::vector<PointInCamera> seen_;
+    std::vector<PointInCamera> projected_;
     std::vector<Eigen::Vector2d> matchedAt_;   ///< positions of the points when the matches were computed
     double reachPx_ = 0.0;
     ProjectedPoints grid_;
-    std::vector<int> partners_;
+    std::vector<int> matches_;
 };
 
 }   // namespace angiopose::core

@@ -7,8 +7,8 @@
 namespace angiopose::core {
 namespace {
 
-constexpr std::size_t shortestBlock = 10;   // minimum block length, points
-constexpr std::size_t aboutBlocks = 64;   // approximate number of blocks; the cost grows with its cube
+constexpr std::size_t minBlockPoints = 10;   // minimum block length, points
+constexpr std::size_t typicalBlockCount = 64;   // approximate number of blocks; the cost grows with its cube
 constexpr std::array<double, 7> offsetsTriedPx{0.1, 0.2, 0.4, 0.8, 1.6, 3.2, 6.4};
 
 /// Derivatives of a row with its residual appended.
@@ -46,7 +46,7 @@ struct FieldBlock {
 template <int Parameters>
 std::vector<FieldBlock<Parameters>> blocksOf(const std::vector<ResidualRow>& rows, double rowVariance)
 {
-    const std::size_t length = std::max(shortestBlock, rows.size() / aboutBlocks);
+    const std::size_t length = std::max(minBlockPoints, rows.size() / typicalBlockCount);
     std::vector<FieldBlock<Parameters>> blocks;
     FieldBlock<Parameters> block;
     const auto finish = [&] {
@@ -79,12 +79,12 @@ ShapeFieldOf<Parameters>::ShapeFieldOf(const std::vector<ResidualRow>& rows, dou
     for (const ResidualRow& row : rows) {
         if (row.weight > 0.0) {
             const auto both = derivativesAndResidual<Parameters>(row);
-            plain_ += row.weight / rowVariance * both * both.transpose();
+            gram_ += row.weight / rowVariance * both * both.transpose();
         }
     }
     const std::vector<FieldBlock<Parameters>> blocks = blocksOf<Parameters>(rows, rowVariance);
     const auto count = static_cast<Eigen::Index>(blocks.size());
-    blocks_.resize(count, withResidual);
+    blocks_.resize(count, columnCount);
     kernel_.resize(count, count);
     for (Eigen::Index a = 0; a < count; ++a) {
         const FieldBlock<Parameters>& block = blocks[static_cast<std::size_t>(a)];
@@ -106,7 +106,7 @@ void ShapeFieldOf<Parameters>::eliminate(double offsetPx)
     factor_.diagonal().array() += 1.0;
     const Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>, Eigen::Lower> llt(factor_);
     const Blocks whitened = factor_.triangularView<Eigen::Lower>().solve(blocks_);
-    left_ = plain_ - blocks_.transpose() * blocks_ + whitened.transpose() * whitened;
+    reducedGram_ = gram_ - blocks_.transpose() * blocks_ + whitened.transpose() * whitened;
     logDeterminant_ = 2.0 * factor_.diagonal().array().log().sum();
 }
 
@@ -115,8 +115,8 @@ EquationsOf<Parameters> ShapeFieldOf<Parameters>::equations(double offsetPx)
 {
     eliminate(offsetPx);
     Equations equations;
-    equations.hessian = left_.template topLeftCorner<Parameters, Parameters>();
-    equations.gradient = left_.template topRightCorner<Parameters, 1>();
+    equations.hessian = reducedGram_.template topLeftCorner<Parameters, Parameters>();
+    equations.gradient = reducedGram_.template topRightCorner<Parameters, 1>();
     return equations;
 }
 
@@ -128,12 +128,12 @@ double ShapeFieldOf<Parameters>::logLikelihood(double offsetPx, const Equations&
     const Eigen::LLT<Square> best(data.hessian + Square(prior.hessian.template selfadjointView<Eigen::Lower>()));
     const Eigen::Vector<double, Parameters> gradient = data.gradient + prior.gradient;
     const Square factor = best.matrixL();
-    const double squares = left_(Parameters, Parameters) - gradient.dot(best.solve(gradient));
+    const double squares = reducedGram_(Parameters, Parameters) - gradient.dot(best.solve(gradient));
     return -0.5 * (logDeterminant_ + 2.0 * factor.diagonal().array().log().sum() + squares);
 }
 
 template <int Parameters>
-double ShapeFieldOf<Parameters>::likelyOffsetPx(const Equations& prior)
+double ShapeFieldOf<Parameters>::estimateOffsetPx(const Equations& prior)
 {
     std::array<double, offsetsTriedPx.size()> likelihoods{};
     std::size_t best = 0;

@@ -25,17 +25,17 @@ public:
 
     /// Returns the standard deviation of the field by restricted maximum likelihood, with the pose parameters
     /// eliminated; `prior` holds additional information about these parameters.
-    double likelyOffsetPx(const Equations& prior);
+    double estimateOffsetPx(const Equations& prior);
 
 private:
     void eliminate(double offsetPx);
     double logLikelihood(double offsetPx, const Equations& prior);
 
-    static constexpr int withResidual = Parameters + 1;
-    using Squares = Eigen::Matrix<double, withResidual, withResidual>;
-    using Blocks = Eigen::Matrix<double, Eigen::Dynamic, withResidual>;
-    Squares plain_ = Squares::Zero();   ///< Σ of [g r]ᵀ[g r] over all rows
-    Squares left_;   ///< the same sum with the field eliminated
+    static constexpr int columnCount = Parameters + 1;
+    using Squares = Eigen::Matrix<double, columnCount, columnCount>;
+    using Blocks = Eigen::Matrix<double, Eigen::Dynamic, columnCount>;
+    Squares gram_ = Squares::Zero();   ///< Σ of [g r]ᵀ[g r] over all rows
+    Squares reducedGram_;   ///< the same sum with the field eliminated
     Blocks blocks_;   ///< Σ [g r] over each block, divided by the square root of the block's weight
     Eigen::MatrixXd
         kernel_;   ///< covariance of the blocks for a field of 1 px, scaled by the square roots of their weights

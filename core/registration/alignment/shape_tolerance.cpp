@@ -16,9 +16,9 @@ constexpr double settledShapeSigmas = 0.1;   // a step this short, in standard d
 constexpr double minShapeDamping = 1e-9;
 // Eigenvalue fraction of vessels within about 6° (RMS) of one direction: traced directions scatter by this much, and
 // such vessels do not constrain a shift along them.
-constexpr double oneLineShare = 0.01;
+constexpr double minNormalSpread = 0.01;
 
-NormalEquations priorAt(const StartPrior& prior, const CentroidPose& pose, double variance = 1.0)
+NormalEquations priorAt(const InitialPosePrior& prior, const CentroidPose& pose, double variance = 1.0)
 {
     NormalEquations equations;
     prior.add(pose, variance, equations);
@@ -52,7 +52,7 @@ Eigen::Vector<double, Parameters> derivativesOf(const ResidualRow& row)
 }
 
 template <int Parameters>
-EquationsOf<Parameters> ofIndependentRows(const std::vector<ResidualRow>& rows, double rowVariance)
+EquationsOf<Parameters> sumRows(const std::vector<ResidualRow>& rows, double rowVariance)
 {
     EquationsOf<Parameters> sum;
     for (const ResidualRow& row : rows) {
@@ -75,7 +75,7 @@ bool isSettled(const Vector6d& step, const NormalEquations& equations, double va
 
 /// Returns the length-weighted second moments of the image normals of the matched vessels, which state how well lateral
 /// shifts are constrained.
-Eigen::Matrix2d spreadOfNormals(const std::vector<ResidualRow>& rows, const CentroidPose& pose)
+Eigen::Matrix2d normalMoments(const std::vector<ResidualRow>& rows, const CentroidPose& pose)
 {
     constexpr std::size_t apart =
         5;   // in rows; far enough apart to measure the direction of the vessel rather than its sampling
@@ -99,11 +99,11 @@ Eigen::Matrix2d spreadOfNormals(const std::vector<ResidualRow>& rows, const Cent
 /// If all matched vessels form one line in the image, removes the shift along this line from the equations, because it
 /// changes no distance across the vessels.
 template <int Parameters>
-EquationsOf<Parameters> withoutOpenSlide(EquationsOf<Parameters> equations, const std::vector<ResidualRow>& rows,
-                                         const CentroidPose& pose)
+EquationsOf<Parameters> removeShiftAlongLine(EquationsOf<Parameters> equations, const std::vector<ResidualRow>& rows,
+                                             const CentroidPose& pose)
 {
-    const Axes<2> axes = axesOf(spreadOfNormals(rows, pose));
-    if (axes.values[0] < oneLineShare * axes.values.sum()) {
+    const EigenDecomposition<2> axes = eigenDecomposition(normalMoments(rows, pose));
+    if (axes.values[0] < minNormalSpread * axes.values.sum()) {
         Eigen::Vector<double, Parameters> slide = Eigen::Vector<double, Parameters>::Zero();
         slide.template segment<2>(3) = axes.directions.col(0);
         const auto kept = (decltype(equations.hessian)::Identity() - slide * slide.transpose()).eval();
@@ -121,23 +121,23 @@ EquationsOf<Parameters> tolerantEquations(const Alignment& alignment, const Cent
     std::vector<ResidualRow> rows;
     const ResidualNoise noise = collectRobustRows(alignment, pose, rows);
     if (!noise.hasOffsets()) {
-        return withoutOpenSlide(ofIndependentRows<Parameters>(rows, noise.rowVariance()), rows, pose);
+        return removeShiftAlongLine(sumRows<Parameters>(rows, noise.rowVariance()), rows, pose);
     }
     ShapeFieldOf<Parameters> field(rows, noise.rowVariance());
-    return withoutOpenSlide(field.equations(field.likelyOffsetPx(prior)), rows, pose);
+    return removeShiftAlongLine(field.equations(field.estimateOffsetPx(prior)), rows, pose);
 }
 
 /// Shifts the rotated tree onto the vessels without rotating it further.
-CentroidPose settleShift(const Alignment& alignment, const StartPrior& prior, const CentroidPose& pose, double scalePx,
-                         double rowVariance)
+CentroidPose refineShift(const Alignment& alignment, const InitialPosePrior& prior, const CentroidPose& pose,
+                         double scalePx, double rowVariance)
 {
-    const PoseFreedom shifts = prior.freedom.alsoLocking({PoseAxis::Roll, PoseAxis::LaoRao, PoseAxis::CraCau}, pose);
+    const PoseFreedom shifts = prior.freedom.withLockedAxes({PoseAxis::Roll, PoseAxis::LaoRao, PoseAxis::CraCau}, pose);
     CentroidPose settled = pose;
     for (int k = 0; k < maxShapeSteps; ++k) {
         NormalEquations equations = alignment.evaluate(settled, scalePx).equations;
         prior.add(settled, rowVariance, equations);
         const Vector6d step = shifts.dampedStep(equations, minShapeDamping, settled);
-        settled = shifts.moved(settled, step);
+        settled = shifts.retract(settled, step);
         if (isSettled(step, equations, rowVariance)) {
             break;
         }
@@ -147,43 +147,43 @@ CentroidPose settleShift(const Alignment& alignment, const StartPrior& prior, co
 
 }   // namespace
 
-CentroidPose refineTolerantly(const Alignment& alignment, const StartPrior& prior, const CentroidPose& pose,
-                              double scalePx)
+CentroidPose refineWithShapeErrors(const Alignment& alignment, const InitialPosePrior& prior, const CentroidPose& pose,
+                                   double scalePx)
 {
     std::vector<ResidualRow> rows;
     const ResidualNoise noise = collectRobustRows(alignment, pose, rows);
     if (!noise.hasOffsets()) {
         return pose;
     }
-    const double offsetPx = ShapeField(rows, noise.rowVariance()).likelyOffsetPx(priorAt(prior, pose));
+    const double offsetPx = ShapeField(rows, noise.rowVariance()).estimateOffsetPx(priorAt(prior, pose));
     CentroidPose refined = pose;
     for (int k = 0; k < maxShapeSteps; ++k) {
         NormalEquations equations = ShapeField(rows, noise.rowVariance()).equations(offsetPx);
         prior.add(refined, 1.0, equations);
         const Vector6d step = prior.freedom.dampedStep(equations, minShapeDamping, refined);
-        refined = prior.freedom.moved(refined, step);
+        refined = prior.freedom.retract(refined, step);
         if (isSettled(step, equations, 1.0)) {
             break;
         }
         alignment.collectRows(refined, tolerantScalePx(noise), rows);
     }
-    return settleShift(alignment, prior, refined, scalePx, noise.rowVariance());
+    return refineShift(alignment, prior, refined, scalePx, noise.rowVariance());
 }
 
-double likelyOffsetOf(const Alignment& alignment, const CentroidPose& pose)
+double estimateOffset(const Alignment& alignment, const CentroidPose& pose)
 {
     std::vector<ResidualRow> rows;
     const ResidualNoise noise = collectRobustRows(alignment, pose, rows);
     return noise.hasOffsets() ? noise.offsetPx : 0.0;
 }
 
-NormalEquations tolerantInformation(const Alignment& alignment, const StartPrior& prior, const CentroidPose& pose)
+NormalEquations tolerantInformation(const Alignment& alignment, const InitialPosePrior& prior, const CentroidPose& pose)
 {
     return tolerantEquations(alignment, pose, priorAt(prior, pose));
 }
 
-CameraEquations tolerantInformation(const Alignment& alignment, const StartPrior& prior, const CentroidPose& pose,
-                                    const CameraSpread& spread)
+CameraEquations tolerantInformation(const Alignment& alignment, const InitialPosePrior& prior, const CentroidPose& pose,
+                                    const CameraUncertainty& spread)
 {
     const NormalEquations ofPose = priorAt(prior, pose);
     CameraEquations both;

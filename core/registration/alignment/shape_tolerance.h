@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/geometry/camera_spread.h"
+#include "core/geometry/camera_uncertainty.h"
 #include "core/registration/alignment/alignment.h"
 
 namespace angiopose::core {
@@ -9,20 +9,21 @@ namespace angiopose::core {
 /// deformation as large as the residuals show: the rotation then depends more on the direction of the branches than on
 /// their position (generalized least squares, see ShapeField), and the shift aligns the tree with the vessels. A tree
 /// without shape errors keeps its pose.
-CentroidPose refineTolerantly(const Alignment& alignment, const StartPrior& prior, const CentroidPose& pose,
-                              double scalePx);
+CentroidPose refineWithShapeErrors(const Alignment& alignment, const InitialPosePrior& prior, const CentroidPose& pose,
+                                   double scalePx);
 
 /// Standard deviation of the deformation field estimated from the residuals at a pose, px; 0 if whole stretches match
 /// their vessels.
-double likelyOffsetOf(const Alignment& alignment, const CentroidPose& pose);
+double estimateOffset(const Alignment& alignment, const CentroidPose& pose);
 
 /// Information about the pose in the residuals at that pose, without the prior; normal equations in units of
 /// information.
-NormalEquations tolerantInformation(const Alignment& alignment, const StartPrior& prior, const CentroidPose& pose);
+NormalEquations tolerantInformation(const Alignment& alignment, const InitialPosePrior& prior,
+                                    const CentroidPose& pose);
 
 /// Returns the information about pose and camera for camera errors with standard deviations `spread`; the equations
 /// include neither prior.
-CameraEquations tolerantInformation(const Alignment& alignment, const StartPrior& prior, const CentroidPose& pose,
-                                    const CameraSpread& spread);
+CameraEquations tolerantInformation(const Alignment& alignment, const InitialPosePrior& prior, const CentroidPose& pose,
+                                    const CameraUncertainty& spread);
 
 }   // namespace angiopose::core

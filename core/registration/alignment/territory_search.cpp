@@ -1,7 +1,7 @@
 #include "core/registration/alignment/territory_search.h"
 
 #include "core/geometry/angle_units.h"
-#include "core/registration/alignment/turns_within.h"
+#include "core/registration/alignment/for_each_rotation.h"
 #include "core/support/cell_index.h"
 
 #include <algorithm>
@@ -17,19 +17,20 @@ constexpr int minCellPx = 8;
 constexpr int cellsAcrossImage = 128;   // maximum number of cells per side; larger images get larger cells
 constexpr int stampReach = 3;   // cells
 constexpr double stampScale = 1.4;   // cells
-constexpr double unlikeCloseness = 0.4;   // closeness assigned to a vessel of a different width at the right position
+constexpr double otherWidthCloseness =
+    0.4;   // closeness assigned to a vessel of a different width at the right position
 constexpr double widthStep = 0.5;   // bin width in log vessel width
-constexpr double finestPx = 1.0;   // minimum radius; thinner vessels are not traced
+constexpr double minTraceableRadiusPx = 1.0;   // minimum radius; thinner vessels are not traced
 constexpr double widestPx = 60.0;
-constexpr double likeWidth = 0.75;   // maximum difference in log width between matching widths
-constexpr std::size_t askedPlaces = 150;   // number of target points; at most 257 keep sums of bytes within 16 bits
-constexpr double likeDirection = 0.84;   // minimum cosine to a channel's direction; cos 33°
-constexpr double endOnTerritory = 0.3;   // vessels nearly along the ray have no direction
+constexpr double maxWidthDifference = 0.75;   // maximum difference in log width between matching widths
+constexpr std::size_t maxTargetPoints = 150;   // number of target points; at most 257 keep sums of bytes within 16 bits
+constexpr double minChannelCosine = 0.84;   // minimum cosine to a channel's direction; cos 33°
+constexpr double minTerritoryProjection = 0.3;   // vessels nearly along the ray have no direction
 constexpr std::size_t keptPerTurn = 3;
-constexpr double apartCells = 3.0;   // minimum spacing of the shifts kept per rotation
+constexpr double minShiftSpacing = 3.0;   // minimum spacing of the shifts kept per rotation
 constexpr double basinCells = 3.0;
 constexpr double basinOfStep = 0.75;
-constexpr double maxOfImage = 0.6;   // maximum shift as a fraction of the image side
+constexpr double maxShiftShare = 0.6;   // maximum shift as a fraction of the image side
 
 /// Unit directions 0°, 45°, 90°, 135°.
 const std::array<Eigen::Vector2d, 4> channelDirections{
@@ -68,32 +69,33 @@ TerritorySearch::TerritorySearch(const ProjectionCamera& camera, const TargetLin
     : camera_(camera), cellPx_(std::max(minCellPx, std::max(camera.width, camera.height) / cellsAcrossImage))
 {
     const std::vector<TargetLines::Line>& lines = target.lines();
-    const std::size_t count = std::min(askedPlaces, lines.size());
+    const std::size_t count = std::min(maxTargetPoints, lines.size());
     for (std::size_t k = 0; k < count; ++k) {
         const std::size_t number = k * lines.size() / count;
         const TargetLines::Line& line = lines[number];
         const Eigen::Vector2d cell = Eigen::Vector2d(line.x, line.y) / cellPx_;
         if (cell.minCoeff() >= 0.0 && cell.x() < camera.width / cellPx_ && cell.y() < camera.height / cellPx_) {
-            const std::size_t width = widthOf(radiusPx.empty() ? 0.0 : radiusPx[number]);
-            places_.push_back({static_cast<int>(cell.x()), static_cast<int>(cell.y()),
-                               width * directions + nearestDirection({line.tx, line.ty})});
+            const std::size_t width = widthBin(radiusPx.empty() ? 0.0 : radiusPx[number]);
+            targetPoints_.push_back({static_cast<int>(cell.x()), static_cast<int>(cell.y()),
+                                     width * directions + nearestDirection({line.tx, line.ty})});
         }
     }
     for (int row = -stampReach; row <= stampReach; ++row) {
         for (int column = -stampReach; column <= stampReach; ++column) {
             const double closeness = std::exp(-0.5 * (row * row + column * column) / (stampScale * stampScale));
-            like_.push_back(static_cast<std::uint8_t>(std::lround(255.0 * closeness)));
-            unlike_.push_back(static_cast<std::uint8_t>(std::lround(255.0 * unlikeCloseness * closeness)));
+            sameWidthStamp_.push_back(static_cast<std::uint8_t>(std::lround(255.0 * closeness)));
+            otherWidthStamp_.push_back(static_cast<std::uint8_t>(std::lround(255.0 * otherWidthCloseness * closeness)));
         }
     }
 }
 
 /// Returns the index of a width bin; adds the bin if it is new.
-std::size_t TerritorySearch::widthOf(double radiusPx)
+std::size_t TerritorySearch::widthBin(double radiusPx)
 {
-    const double logWidth = radiusPx > 0.0
-                                ? widthStep * std::round(std::log(std::clamp(radiusPx, finestPx, widestPx)) / widthStep)
-                                : std::numeric_limits<double>::quiet_NaN();
+    const double logWidth =
+        radiusPx > 0.0
+            ? widthStep * std::round(std::log(std::clamp(radiusPx, minTraceableRadiusPx, widestPx)) / widthStep)
+            : std::numeric_limits<double>::quiet_NaN();
     const auto known = std::ranges::find_if(
         logWidths_, [&](double other) { return other == logWidth || (std::isnan(other) && std::isnan(logWidth)); });
     if (known == logWidths_.end()) {
@@ -106,16 +108,17 @@ std::size_t TerritorySearch::widthOf(double radiusPx)
 /// Marks which target widths match which tree points; an unknown width matches all.
 void TerritorySearch::compareWidths(std::span<const double> radiusMm, double pxPerMm, std::size_t points)
 {
-    isLike_.assign(points * logWidths_.size(), 1);
+    widthsMatch_.assign(points * logWidths_.size(), 1);
     for (std::size_t k = 0; k < radiusMm.size(); ++k) {
-        const double logExpected = std::log(std::clamp(radiusMm[k] * pxPerMm, finestPx, widestPx));
+        const double logExpected = std::log(std::clamp(radiusMm[k] * pxPerMm, minTraceableRadiusPx, widestPx));
         for (std::size_t width = 0; width < logWidths_.size() && radiusMm[k] > 0.0; ++width) {
-            isLike_[k * logWidths_.size() + width] = !(std::abs(logWidths_[width] - logExpected) > likeWidth);
+            widthsMatch_[k * logWidths_.size() + width] =
+                !(std::abs(logWidths_[width] - logExpected) > maxWidthDifference);
         }
     }
 }
 
-void TerritorySearch::layOut(int halfShift)
+void TerritorySearch::allocateCanvas(int halfShift)
 {
     margin_ = halfShift;
     columns_ = camera_.width / cellPx_ + 1 + 2 * margin_;
@@ -153,13 +156,13 @@ void TerritorySearch::drawTree(std::span<const AlignmentPoint> points, const Cen
         const Eigen::Vector3d tangent = pose.rotation * point.tangent;
         const Eigen::Vector2d along(camera_.fx * (tangent.x() - X.x() / X.z() * tangent.z()),
                                     camera_.fy * (tangent.y() - X.y() / X.z() * tangent.z()));
-        const bool isEndOn = along.norm() < endOnTerritory * camera_.fy;
-        const double least = isEndOn ? -1.0 : likeDirection * along.norm();
+        const bool isEndOn = along.norm() < minTerritoryProjection * camera_.fy;
+        const double least = isEndOn ? -1.0 : minChannelCosine * along.norm();
         for (std::size_t channel = 0; channel < widths * directions; ++channel) {
             if (std::abs(channelDirections[channel % directions].dot(along)) >= least) {
-                const bool isLike = isLike_[k * widths + channel / directions] != 0;
-                stamp(static_cast<int>(cell.x()), static_cast<int>(cell.y()), isLike ? like_ : unlike_,
-                      &canvas_[channel * cellIndex(rows_, columns_, 0)]);
+                const bool isLike = widthsMatch_[k * widths + channel / directions] != 0;
+                stamp(static_cast<int>(cell.x()), static_cast<int>(cell.y()),
+                      isLike ? sameWidthStamp_ : otherWidthStamp_, &canvas_[channel * cellIndex(rows_, columns_, 0)]);
             }
         }
     }
@@ -168,7 +171,7 @@ void TerritorySearch::drawTree(std::span<const AlignmentPoint> points, const Cen
 void TerritorySearch::sumShifts(Shifts& shifts) const
 {
     std::fill(shifts.sums.begin(), shifts.sums.end(), std::uint16_t{0});
-    for (const Place& place : places_) {
+    for (const TargetPoint& place : targetPoints_) {
         const std::uint8_t* channel = &canvas_[place.channel * cellIndex(rows_, columns_, 0)];
         const int firstRow = place.row + margin_ - shifts.halfRows;
         const int firstColumn = place.column + margin_ - shifts.halfColumns;
@@ -183,7 +186,7 @@ void TerritorySearch::sumShifts(Shifts& shifts) const
 }
 
 void TerritorySearch::keepBest(const CentroidPose& pose, const Shifts& shifts,
-                               std::vector<CoarseCandidate>& found) const
+                               std::vector<CoarseCandidate>& candidates) const
 {
     struct Peak {
         int column, row;
@@ -197,7 +200,7 @@ void TerritorySearch::keepBest(const CentroidPose& pose, const Shifts& shifts,
             for (int column = 0; column < shifts.columns; ++column) {
                 const int sum = shifts.sums[cellIndex(row, shifts.columns, column)];
                 const auto isBeside = [&](const Peak& peak) {
-                    return std::hypot(peak.column - column, peak.row - row) < apartCells;
+                    return std::hypot(peak.column - column, peak.row - row) < minShiftSpacing;
                 };
                 if (sum > highest && std::ranges::none_of(kept, isBeside)) {
                     highest = sum;
@@ -209,38 +212,39 @@ void TerritorySearch::keepBest(const CentroidPose& pose, const Shifts& shifts,
             return;
         }
         kept.push_back(best);
-        CoarseCandidate candidate{pose, highest / (255.0 * static_cast<double>(places_.size()))};
+        CoarseCandidate candidate{pose, highest / (255.0 * static_cast<double>(targetPoints_.size()))};
         candidate.pose.centroidInCamera.x() += (shifts.halfColumns - best.column) * cellPx_ * depthMm / camera_.fx;
         candidate.pose.centroidInCamera.y() += (shifts.halfRows - best.row) * cellPx_ * depthMm / camera_.fy;
-        found.push_back(candidate);
+        candidates.push_back(candidate);
     }
 }
 
 std::vector<CoarseCandidate> TerritorySearch::find(std::span<const AlignmentPoint> points,
                                                    std::span<const double> radiusMm, const CentroidPose& start,
-                                                   const SearchReach& reach,
-                                                   const std::function<Verdict(double)>& proceed)
+                                                   const SearchRange& reach,
+                                                   const std::function<ObserverDecision(double)>& proceed)
 {
-    std::vector<CoarseCandidate> found;
-    if (places_.empty()) {
-        return found;
+    std::vector<CoarseCandidate> candidates;
+    if (targetPoints_.empty()) {
+        return candidates;
     }
     const double depthMm = std::max(minProjectableDepthMm, start.centroidInCamera.z());
     const double pxPerMm = 1.0 / millimetersPerPixel(camera_, depthMm);
-    const double radiusPx = std::min(reach.radiusMm * pxPerMm, maxOfImage * std::max(camera_.width, camera_.height));
+    const double radiusPx = std::min(reach.radiusMm * pxPerMm, maxShiftShare * std::max(camera_.width, camera_.height));
     const int half = static_cast<int>(std::ceil(radiusPx / cellPx_));
     Shifts shifts(half, reach.freedom);
-    layOut(half);
+    allocateCanvas(half);
     compareWidths(radiusMm, pxPerMm, points.size());
-    forEachTurn(
+    forEachRotation(
         start, reach,
         [&](const CentroidPose& pose) {
             drawTree(points, pose);
             sumShifts(shifts);
-            keepBest(pose, shifts, found);
+            keepBest(pose, shifts, candidates);
         },
         proceed);
-    return distinct(std::move(found), {basinCells * cellPx_ / pxPerMm, basinOfStep * reach.stepDeg * radiansPerDegree});
+    return distinctCandidates(std::move(candidates),
+                              {basinCells * cellPx_ / pxPerMm, basinOfStep * reach.stepDeg * radiansPerDegree});
 }
 
 }   // namespace angiopose::core

@@ -16,34 +16,34 @@ public:
     /// Like CoarseSearch::find; scores are the mean closeness of the target to the tree. `radiusMm` holds the radius of
     /// each point, 0 where unknown; may be empty.
     std::vector<CoarseCandidate> find(std::span<const AlignmentPoint> points, std::span<const double> radiusMm,
-                                      const CentroidPose& start, const SearchReach& reach,
-                                      const std::function<Verdict(double)>& proceed);
+                                      const CentroidPose& start, const SearchRange& reach,
+                                      const std::function<ObserverDecision(double)>& proceed);
 
 private:
     static constexpr std::size_t directions = 4;   ///< vessel directions, 45° apart
 
     /// Target point in cells of the canvas.
-    struct Place {
+    struct TargetPoint {
         int column, row;
         std::size_t channel;   ///< index combining width and direction
     };
     using Stamp = std::vector<std::uint8_t>;
     struct Shifts;
-    std::size_t widthOf(double radiusPx);
+    std::size_t widthBin(double radiusPx);
     void compareWidths(std::span<const double> radiusMm, double pxPerMm, std::size_t points);
-    void layOut(int halfShift);
+    void allocateCanvas(int halfShift);
     void drawTree(std::span<const AlignmentPoint> points, const CentroidPose& pose);
     void stamp(int column, int row, const Stamp& closeness, std::uint8_t* channel) const;
     void sumShifts(Shifts& shifts) const;
-    void keepBest(const CentroidPose& pose, const Shifts& shifts, std::vector<CoarseCandidate>& found) const;
+    void keepBest(const CentroidPose& pose, const Shifts& shifts, std::vector<CoarseCandidate>& candidates) const;
 
     ProjectionCamera camera_;
     int cellPx_;
-    std::vector<Place> places_;   ///< evenly spaced subset of the target points
+    std::vector<TargetPoint> targetPoints_;   ///< evenly spaced subset of the target points
     std::vector<double> logWidths_;   ///< widths of the target, each with its own channels; NaN: unknown width
-    std::vector<std::uint8_t> isLike_;   ///< per tree point and target width, 1 if they match
-    Stamp like_;   ///< closeness 0…255 around a tree point
-    Stamp unlike_;   ///< closeness for vessels of a different width
+    std::vector<std::uint8_t> widthsMatch_;   ///< per tree point and target width, 1 if they match
+    Stamp sameWidthStamp_;   ///< closeness 0…255 around a tree point
+    Stamp otherWidthStamp_;   ///< closeness for vessels of a different width
     int margin_ = 0;   ///< number of cells added around the image
     int columns_ = 0;
     int rows_ = 0;

@@ -80,11 +80,11 @@ void CurveCrossings::sortIntoCells(const ProjectionCamera& camera)
     std::partial_sum(starts_.begin(), starts_.end(), starts_.begin());
 }
 
-void CurveCrossings::meet(const Piece& piece, const CrossingQuery& query, double minCosine,
-                          std::vector<CurveCrossing>& crossings) const
+void CurveCrossings::addCrossing(const Piece& piece, const CrossingQuery& query, double minCosine,
+                                 std::vector<CurveCrossing>& crossings) const
 {
     // Solves place + s normal = from + f along.
-    const Eigen::Vector2d apart = piece.from - query.placePx;
+    const Eigen::Vector2d apart = piece.from - query.positionPx;
     const double across = query.normal.x() * piece.along.y() - query.normal.y() * piece.along.x();
     if (std::abs(across) < 1e-9) {
         return;
@@ -106,11 +106,11 @@ void CurveCrossings::meet(const Piece& piece, const CrossingQuery& query, double
     crossings.push_back({offset, std::acos(std::min(1.0, cosine)), piece.curve});
 }
 
-void CurveCrossings::find(const CrossingQuery& query, double greatestTurn, std::size_t most,
+void CurveCrossings::find(const CrossingQuery& query, double maxAngle, std::size_t maxCount,
                           std::vector<CurveCrossing>& crossings) const
 {
     crossings.clear();
-    const double minCosine = std::cos(greatestTurn);
+    const double minCosine = std::cos(maxAngle);
     // Bands of cells along the longer axis of the line; no piece extends more than one cell beyond its first cell.
     const bool isSteep = std::abs(query.normal.y()) > std::abs(query.normal.x());
     const int bands = isSteep ? rows_ : columns_;
@@ -119,23 +119,23 @@ void CurveCrossings::find(const CrossingQuery& query, double greatestTurn, std::
     const auto aside = [&](const Eigen::Vector2d& p) { return isSteep ? p.x() : p.y(); };
     const double reach = query.reachPx * std::abs(along(query.normal)) + 2.0;
     const double slope = aside(query.normal) / along(query.normal);
-    const int fromBand = cellAt(along(query.placePx) - reach, bands);
-    const int toBand = cellAt(along(query.placePx) + reach, bands);
+    const int fromBand = cellAt(along(query.positionPx) - reach, bands);
+    const int toBand = cellAt(along(query.positionPx) + reach, bands);
     for (int band = fromBand; band <= toBand; ++band) {
-        const double begin = aside(query.placePx) + slope * (crossingCellPx * band - along(query.placePx));
+        const double begin = aside(query.positionPx) + slope * (crossingCellPx * band - along(query.positionPx));
         const auto [low, high] = std::minmax({begin, begin + slope * crossingCellPx});
         const int fromLane = cellAt(low - 2.0, lanes);
         const int toLane = cellAt(high + 2.0, lanes);
         for (int lane = fromLane; lane <= toLane; ++lane) {
             const std::size_t cell = isSteep ? cellIndex(band, columns_, lane) : cellIndex(lane, columns_, band);
             for (std::int32_t k = starts_[cell]; k < starts_[cell + 1]; ++k) {
-                meet(pieces_[static_cast<std::size_t>(k)], query, minCosine, crossings);
+                addCrossing(pieces_[static_cast<std::size_t>(k)], query, minCosine, crossings);
             }
         }
     }
     std::ranges::stable_sort(crossings, {}, [](const CurveCrossing& c) { return std::abs(c.offsetPx); });
-    if (crossings.size() > most) {
-        crossings.resize(most);
+    if (crossings.size() > maxCount) {
+        crossings.resize(maxCount);
     }
 }
 

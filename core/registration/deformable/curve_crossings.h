@@ -18,7 +18,7 @@ struct CurveCrossing {
 
 /// Image line along which to search for crossings.
 struct CrossingQuery {
-    Eigen::Vector2d placePx;
+    Eigen::Vector2d positionPx;
     Eigen::Vector2d normal;   ///< unit vector along the line
     double reachPx = 0.0;   ///< search range on either side of the vessel
 };
@@ -31,9 +31,9 @@ public:
     /// Returns false if no two target points belong to the same curve.
     bool hasCurves() const { return !pieces_.empty(); }
 
-    /// Finds up to `most` crossings in range whose direction differs from the vessel by less than `greatestTurn` (rad),
+    /// Finds up to `most` crossings in range whose direction differs from the vessel by less than `maxAngle` (rad),
     /// nearest first.
-    void find(const CrossingQuery& query, double greatestTurn, std::size_t most,
+    void find(const CrossingQuery& query, double maxAngle, std::size_t maxCount,
               std::vector<CurveCrossing>& crossings) const;
 
 private:
@@ -46,8 +46,8 @@ private:
     };
 
     void sortIntoCells(const ProjectionCamera& camera);
-    void meet(const Piece& piece, const CrossingQuery& query, double minCosine,
-              std::vector<CurveCrossing>& crossings) const;
+    void addCrossing(const Piece& piece, const CrossingQuery& query, double minCosine,
+                     std::vector<CurveCrossing>& crossings) const;
 
     std::vector<Piece> pieces_;   ///< line segments sorted by cell
     std::vector<std::int32_t> starts_;   ///< index of the first piece of each cell, row by row, and the end

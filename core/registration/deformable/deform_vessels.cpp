@@ -1,11 +1,11 @@
 #include "core/registration/deformable/deform_vessels.h"
 
 #include "core/geometry/angle_units.h"
+#include "core/registration/deformable/classify_deformation.h"
 #include "core/registration/deformable/deformation_fit.h"
 #include "core/registration/deformable/deformation_problem.h"
-#include "core/registration/deformable/deformation_words.h"
+#include "core/registration/deformable/deformed_result.h"
 #include "core/registration/deformable/evidence_gain.h"
-#include "core/registration/deformable/motion_of_tree.h"
 #include "core/support/random.h"
 #include "core/support/stopwatch.h"
 
@@ -25,7 +25,8 @@ constexpr double coarseAboveMm = 0.5;
 constexpr int settlingSteps = 4;   // extra steps of the best fit
 constexpr double allSteps = annealingSteps * static_cast<double>(strainsTried.size()) + settlingSteps;
 constexpr double clearlyRigidGain = -1.0;   // log evidence below which the first fit shows that the tree is rigid
-constexpr double runsAgreeMm = 0.1;   // RMS difference in the image plane of the first view below which two fits agree
+constexpr double maxFitDifferenceMm =
+    0.1;   // RMS difference in the image plane of the first view below which two fits agree
 constexpr double startTurnDeg = 0.5;   // 1-σ rotation of a fit's starting point from the rigid pose
 constexpr double startShiftMm = 1.0;
 
@@ -34,7 +35,7 @@ class DeformationProgress {
 public:
     explicit DeformationProgress(const IterationObserver& observe) : observe_(observe) {}
 
-    Verdict report(const DeformationFit& fit, double annealingPx)
+    ObserverDecision report(const DeformationFit& fit, double annealingPx)
     {
         IterationReport report;
         report.stage = "bending";
@@ -43,8 +44,8 @@ public:
         report.scalePx = annealingPx;
         report.medianDistancePx = fit.medianResidualPx();
         report.cameraFromPatient = fit.deformedTree().cameraFromPatient;
-        isStopped_ = isStopped_ || (observe_ && observe_(report) == Verdict::Stop);
-        return isStopped_ ? Verdict::Stop : Verdict::Continue;
+        isStopped_ = isStopped_ || (observe_ && observe_(report) == ObserverDecision::Stop);
+        return isStopped_ ? ObserverDecision::Stop : ObserverDecision::Continue;
     }
 
     bool isStopped() const { return isStopped_; }
@@ -62,9 +63,9 @@ double annealingMm(int step)
     return firstAnnealingMm * std::pow(lastAnnealingMm / firstAnnealingMm, share);
 }
 
-DeformationState startOf(const DeformationProblem& problem, std::size_t run, int seed)
+DeformationState randomInitialState(const DeformationProblem& problem, std::size_t run, int seed)
 {
-    DeformationState state = startOfRun(problem, strainsTried[run]);
+    DeformationState state = initialState(problem, strainsTried[run]);
     if (run > 0) {
         CounterRandom random = CounterRandom(static_cast<std::uint64_t>(seed)).fork(run);
         for (Eigen::Index k = 0; k < 6; ++k) {
@@ -76,7 +77,7 @@ DeformationState startOf(const DeformationProblem& problem, std::size_t run, int
 
 DeformationFit annealed(const DeformationProblem& problem, std::size_t run, int seed, DeformationProgress& progress)
 {
-    DeformationFit fit(problem, startOf(problem, run, seed));
+    DeformationFit fit(problem, randomInitialState(problem, run, seed));
     const double mmPerPx = millimetersPerPixel(problem.views.front().camera, problem.start.centroidInCamera.z());
     for (int k = 0; k < annealingSteps && !progress.isStopped(); ++k) {
         fit.step({annealingMm(k), strainsTried[run], k >= learningFrom, annealingMm(k) > coarseAboveMm});
@@ -96,8 +97,8 @@ void settleVariances(DeformationFit& fit, double strain, DeformationProgress& pr
 
 double rmsApartMm(const DeformationProblem& problem, const DeformationFit& a, const DeformationFit& b)
 {
-    const KnotPlaces here = placesInCamera(problem, a);
-    const KnotPlaces there = placesInCamera(problem, b);
+    const KnotPositions here = knotPositionsInCamera(problem, a);
+    const KnotPositions there = knotPositionsInCamera(problem, b);
     double squares = 0.0;
     for (std::size_t k = 0; k < here.size(); ++k) {
         squares += (here[k] - there[k]).head<2>().squaredNorm();
@@ -106,18 +107,18 @@ double rmsApartMm(const DeformationProblem& problem, const DeformationFit& a, co
 }
 
 /// Whether the fits so far make further ones unnecessary.
-bool areEnough(const DeformationProblem& problem, const std::vector<DeformationFit>& runs)
+bool isSufficient(const DeformationProblem& problem, const std::vector<DeformationFit>& fits)
 {
-    return runs.size() == 1 ? logEvidenceGain(problem, runs.front()) < clearlyRigidGain
-                            : rmsApartMm(problem, runs[0], runs[1]) < runsAgreeMm;
+    return fits.size() == 1 ? logEvidenceGain(problem, fits.front()) < clearlyRigidGain
+                            : rmsApartMm(problem, fits[0], fits[1]) < maxFitDifferenceMm;
 }
 
 /// Returns the index of the fit with the highest likelihood of all observations: rows count by their evidence, knots
 /// without a row at the background density.
-std::size_t likeliest(const std::vector<DeformationFit>& runs)
+std::size_t likeliestFit(const std::vector<DeformationFit>& fits)
 {
-    const auto best = std::ranges::max_element(runs, {}, &DeformationFit::logLikelihood);
-    return static_cast<std::size_t>(best - runs.begin());
+    const auto best = std::ranges::max_element(fits, {}, &DeformationFit::logLikelihood);
+    return static_cast<std::size_t>(best - fits.begin());
 }
 
 }   // namespace
@@ -126,31 +127,31 @@ Result<DeformableResult> deformVessels(std::span<const DeformableView> views, co
                                        const IterationObserver& observe)
 {
     Stopwatch stopwatch;
-    const auto made = makeDeformationProblem(views, options);
-    if (!made) {
-        return made.error();
+    const auto problemOrError = makeDeformationProblem(views, options);
+    if (!problemOrError) {
+        return problemOrError.error();
     }
-    const DeformationProblem& problem = made.value();
+    const DeformationProblem& problem = problemOrError.value();
     DeformationProgress progress(observe);
-    std::vector<DeformationFit> runs;
+    std::vector<DeformationFit> fits;
     for (std::size_t run = 0; run < strainsTried.size() && !progress.isStopped(); ++run) {
-        runs.push_back(annealed(problem, run, options.randomSeed, progress));
-        if (!progress.isStopped() && areEnough(problem, runs)) {
+        fits.push_back(annealed(problem, run, options.randomSeed, progress));
+        if (!progress.isStopped() && isSufficient(problem, fits)) {
             break;
         }
     }
-    const std::size_t best = likeliest(runs);
-    settleVariances(runs[best], strainsTried[best], progress);
+    const std::size_t best = likeliestFit(fits);
+    settleVariances(fits[best], strainsTried[best], progress);
     DeformableResult result;
     if (progress.isStopped()) {
         result = rigidResult(views);
         result.stopReason = StopReason::StoppedByUser;
     } else {
-        result = deformedResult(views, problem, runs, best);
-        result.logEvidenceGain = logEvidenceGain(problem, runs[best]);
+        result = deformedResult(views, problem, fits, best);
+        result.logEvidenceGain = logEvidenceGain(problem, fits[best]);
     }
     result.iterations = progress.iterations();
-    judgeDeformation(views, result);
+    classifyDeformation(views, result);
     result.timeMs = stopwatch.lapMs();
     return result;
 }

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double greatestReachMm = 20.0;
 constexpr double gateDeviations = 3.0;
-constexpr double greatestTurn = 40.0 / 180.0 * std::numbers::pi;
+constexpr double maxAngle = 40.0 / 180.0 * std::numbers::pi;
 constexpr double turnDeviation = 20.0 / 180.0 * std::numbers::pi;
 constexpr std::size_t maxCandidates = 6;
 constexpr double evidenceShare = 0.4;   // weight of a candidate's evidence, reduced because neighbors are correlated
@@ -36,20 +36,20 @@ double robustWeight(double residualMm, double deviationMm)
     return kept * kept;
 }
 
-MotionRow motionRowOf(const KnotLook& look, std::size_t view)
+MotionRow motionRowOf(const KnotProjection& projection, std::size_t view)
 {
     MotionRow row;
-    row.knot = look.knot;
+    row.knot = projection.knot;
     row.view = view;
-    row.byMotion = look.byMotion;
-    row.byPose = look.byPose;
-    row.byGeometry = look.byGeometry;
+    row.motionJacobian = projection.motionJacobian;
+    row.poseJacobian = projection.poseJacobian;
+    row.geometryJacobian = projection.geometryJacobian;
     return row;
 }
 
 }   // namespace
 
-DeformationState startOfRun(const DeformationProblem& problem, double strain)
+DeformationState initialState(const DeformationProblem& problem, double strain)
 {
     const auto count = static_cast<Eigen::Index>(problem.knots.size());
     DeformationState state;
@@ -85,7 +85,7 @@ double DeformationFit::logLikelihood() const
 
 DeformedTree DeformationFit::deformedTree() const
 {
-    return {cameraFromPatient(moved(problem_.start, state_.poseStep), problem_.centroidInPatient), state_.motionMm};
+    return {cameraFromPatient(retract(problem_.start, state_.poseStep), problem_.centroidInPatient), state_.motionMm};
 }
 
 RigidTransform DeformationFit::viewFromFirst(std::size_t view) const
@@ -96,34 +96,36 @@ RigidTransform DeformationFit::viewFromFirst(std::size_t view) const
     }
     const RigidTransform first = deformedTree().cameraFromPatient;
     const CentroidPose corrected =
-        moved(aboutCentroid(given * first, problem_.centroidInPatient), state_.corrections[view]);
+        retract(aboutCentroid(given * first, problem_.centroidInPatient), state_.corrections[view]);
     return cameraFromPatient(corrected, problem_.centroidInPatient) * first.inverse();
 }
 
-DeformableSight DeformationFit::sightOf(std::size_t view) const
+ProjectionContext DeformationFit::projectionContext(std::size_t view) const
 {
     const DeformationView& given = problem_.views[view];
     return {given.camera, viewFromFirst(view), problem_.centroidInPatient, &given.curves};
 }
 
-std::vector<KnotChoice> DeformationFit::choicesOf(const DeformableSight& sight, const Looks& looks, std::size_t view,
-                                                  double annealingMm) const
+std::vector<KnotChoice> DeformationFit::knotChoices(const ProjectionContext& context,
+                                                    const KnotProjections& projections, std::size_t view,
+                                                    double annealingMm) const
 {
-    std::vector<KnotChoice> choices(looks.size());
+    std::vector<KnotChoice> choices(projections.size());
     std::vector<CurveCrossing> crossings;
-    for (std::size_t k = 0; k < looks.size(); ++k) {
-        if (!looks[k]) {
+    for (std::size_t k = 0; k < projections.size(); ++k) {
+        if (!projections[k]) {
             continue;
         }
-        const KnotLook& look = *looks[k];
+        const KnotProjection& projection = *projections[k];
         const double deviation = state_.deviationMm(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(view));
-        const double noise = noiseMm(look);
+        const double noise = noiseMm(projection);
         const double variance = deviation * deviation + annealingMm * annealingMm + noise * noise;
         const double reachMm = std::min(greatestReachMm, gateDeviations * std::sqrt(variance));
-        sight.curves->find({look.placePx, look.normal, reachMm / look.mmPerPx}, greatestTurn, maxCandidates, crossings);
-        choices[k].normal = look.normal;
+        context.curves->find({projection.positionPx, projection.normal, reachMm / projection.mmPerPx}, maxAngle,
+                             maxCandidates, crossings);
+        choices[k].normal = projection.normal;
         for (const CurveCrossing& crossing : crossings) {
-            const double offset = crossing.offsetPx * look.mmPerPx;
+            const double offset = crossing.offsetPx * projection.mmPerPx;
             const double turns = crossing.turn / turnDeviation;
             choices[k].candidates.push_back(
                 {offset, evidenceShare * 0.5 * (offset * offset / variance + turns * turns), crossing.curve});
@@ -132,18 +134,18 @@ std::vector<KnotChoice> DeformationFit::choicesOf(const DeformableSight& sight, 
     return choices;
 }
 
-double DeformationFit::foundMm(const MotionRow& row) const
+double DeformationFit::predictedMm(const MotionRow& row) const
 {
-    const double geometry = row.view > 0 ? row.byGeometry.dot(state_.corrections[row.view]) : 0.0;
-    return row.byMotion.dot(state_.motionMm.col(static_cast<Eigen::Index>(row.knot))) +
-           row.byPose.dot(state_.poseStep) + geometry;
+    const double geometry = row.view > 0 ? row.geometryJacobian.dot(state_.corrections[row.view]) : 0.0;
+    return row.motionJacobian.dot(state_.motionMm.col(static_cast<Eigen::Index>(row.knot))) +
+           row.poseJacobian.dot(state_.poseStep) + geometry;
 }
 
 /// Combines the candidates of a knot into one row, unless none is likely.
-void DeformationFit::addRow(const KnotLook& look, const KnotChoice& choice, std::size_t view,
+void DeformationFit::addRow(const KnotProjection& projection, const KnotChoice& choice, std::size_t view,
                             const DeformationStep& step)
 {
-    const double deviationMm = std::hypot(step.annealingMm, noiseMm(look));
+    const double deviationMm = std::hypot(step.annealingMm, noiseMm(projection));
     double sum = 0.0;
     double sumOffset = 0.0;
     double sumSquares = 0.0;
@@ -154,37 +156,38 @@ void DeformationFit::addRow(const KnotLook& look, const KnotChoice& choice, std:
         sumSquares += weight * candidate.offsetMm * candidate.offsetMm;
     }
     const ProjectionCamera& camera = problem_.views[view].camera;
-    if (look.placePx.minCoeff() >= 0.0 && look.placePx.x() < camera.width && look.placePx.y() < camera.height) {
-        seenMm_ += look.seenMm;
-        explainedMm_ += sum * look.seenMm;
+    if (projection.positionPx.minCoeff() >= 0.0 && projection.positionPx.x() < camera.width &&
+        projection.positionPx.y() < camera.height) {
+        visibleMm_ += projection.seenMm;
+        matchedMm_ += sum * projection.seenMm;
     }
-    MotionRow row = motionRowOf(look, view);
-    if (sum < minRowWeight || (step.isCoarse && look.knot % 2 == 1)) {
-        others_[view].push_back(row);
+    MotionRow row = motionRowOf(projection, view);
+    if (sum < minRowWeight || (step.isCoarse && projection.knot % 2 == 1)) {
+        unobservedRows_[view].push_back(row);
         return;
     }
     const double offset = sumOffset / sum;
     const double ambiguity = std::max(0.0, sumSquares / sum - offset * offset);
-    const double weight = sum * std::min(1.0, look.seenMm / independentMm);
-    row.valueMm = offset + foundMm(row);
+    const double weight = sum * std::min(1.0, projection.seenMm / independentMm);
+    row.valueMm = offset + predictedMm(row);
     row.variance = (deviationMm * deviationMm + ambiguity) / weight;
     rows_.push_back(row);
-    rowPx_.push_back(look.mmPerPx);
+    rowPx_.push_back(projection.mmPerPx);
     rowWeight_.push_back(weight);
 }
 
 void DeformationFit::collectRows(std::size_t view, const DeformationStep& step)
 {
-    const DeformableSight sight = sightOf(view);
-    const Looks looks = lookAt(problem_.knots, deformedTree(), sight);
-    std::vector<KnotChoice> choices = choicesOf(sight, looks, view, step.annealingMm);
+    const ProjectionContext context = projectionContext(view);
+    const KnotProjections projections = projectKnots(problem_.knots, deformedTree(), context);
+    std::vector<KnotChoice> choices = knotChoices(context, projections, view, step.annealingMm);
     const double mmPerPx =
-        millimetersPerPixel(sight.camera, (viewFromFirst(view) * problem_.start.centroidInCamera).z());
+        millimetersPerPixel(context.camera, (viewFromFirst(view) * problem_.start.centroidInCamera).z());
     const double deviation = std::hypot(step.annealingMm, state_.noisePx * mmPerPx);
     matchAlongTree(problem_.knots, {deviation, step.strain}, choices);
-    for (std::size_t k = 0; k < looks.size(); ++k) {
-        if (looks[k]) {
-            addRow(*looks[k], choices[k], view, step);
+    for (std::size_t k = 0; k < projections.size(); ++k) {
+        if (projections[k]) {
+            addRow(*projections[k], choices[k], view, step);
         }
     }
 }
@@ -194,13 +197,13 @@ void DeformationFit::step(const DeformationStep& step)
     rows_.clear();
     rowPx_.clear();
     rowWeight_.clear();
-    others_.assign(problem_.views.size(), {});
-    seenMm_ = 0.0;
-    explainedMm_ = 0.0;
+    unobservedRows_.assign(problem_.views.size(), {});
+    visibleMm_ = 0.0;
+    matchedMm_ = 0.0;
     for (std::size_t view = 0; view < problem_.views.size(); ++view) {
         collectRows(view, step);
     }
-    explainedShare_ = seenMm_ > 0.0 ? explainedMm_ / seenMm_ : 0.0;
+    explainedShare_ = visibleMm_ > 0.0 ? matchedMm_ / visibleMm_ : 0.0;
     if (rows_.empty()) {
         posterior_.reset();
         return;
@@ -214,8 +217,8 @@ void DeformationFit::step(const DeformationStep& step)
     }
     state_.motionMm = posterior_->motion();
     measureDeviations();
-    if (step.isLearning) {
-        learn();
+    if (step.estimatesVariances) {
+        updateVariances();
     }
 }
 
@@ -226,31 +229,32 @@ void DeformationFit::measureDeviations()
         state_.deviationMm(static_cast<Eigen::Index>(rows_[r].knot), static_cast<Eigen::Index>(rows_[r].view)) =
             std::sqrt(variances[static_cast<Eigen::Index>(r)]);
     }
-    for (std::size_t view = 0; view < others_.size(); ++view) {
-        const Eigen::VectorXd variancesThere = posterior_->variancesOf(others_[view]);
-        for (std::size_t r = 0; r < others_[view].size(); ++r) {
-            state_.deviationMm(static_cast<Eigen::Index>(others_[view][r].knot), static_cast<Eigen::Index>(view)) =
+    for (std::size_t view = 0; view < unobservedRows_.size(); ++view) {
+        const Eigen::VectorXd variancesThere = posterior_->variancesOf(unobservedRows_[view]);
+        for (std::size_t r = 0; r < unobservedRows_[view].size(); ++r) {
+            state_.deviationMm(static_cast<Eigen::Index>(unobservedRows_[view][r].knot),
+                               static_cast<Eigen::Index>(view)) =
                 std::sqrt(variancesThere[static_cast<Eigen::Index>(r)]);
         }
     }
 }
 
-void DeformationFit::learn()
+void DeformationFit::updateVariances()
 {
-    state_.variances = posterior_->learnedVariances();
+    state_.variances = posterior_->estimateVariances();
     double squares = 0.0;
     double weights = 0.0;
     std::vector<double> residualsPx;
     for (std::size_t r = 0; r < rows_.size(); ++r) {
         const MotionRow& row = rows_[r];
-        const double residualPx = (row.valueMm - foundMm(row)) / rowPx_[r];
+        const double residualPx = (row.valueMm - predictedMm(row)) / rowPx_[r];
         squares += rowWeight_[r] * residualPx * residualPx;
         weights += rowWeight_[r];
         residualsPx.push_back(std::abs(residualPx));
     }
     medianResidualPx_ = quantile(residualsPx, 0.5);
     const double count = static_cast<double>(rows_.size());
-    const double freeShare = std::max(0.2, 1.0 - posterior_->determined() / count);
+    const double freeShare = std::max(0.2, 1.0 - posterior_->effectiveParameters() / count);
     const double noise = std::sqrt(squares / (robustBias * weights * freeShare));
     state_.noisePx = std::clamp(noise, minNoisePx, greatestNoisePx);
 }

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/registration/deformable/field_posterior.h"
+#include "core/registration/deformable/knot_projection.h"
 #include "core/registration/deformable/tree_matching.h"
-#include "core/registration/deformable/vessel_look.h"
 
 #include <Eigen/Core>
 #include <cstddef>
@@ -26,7 +26,7 @@ struct DeformationProblem {
     Eigen::Vector3d centroidInPatient;
     CentroidPose start;   ///< rigid pose in the first view
     MotionPrior prior;   ///< priors of pose, geometry and motion; each fit estimates its own motion variances
-    LinearBelief startStep;   ///< prior of the step from the rigid pose, from the initial pose alone
+    GaussianEstimate startStep;   ///< prior of the step from the rigid pose, from the initial pose alone
 };
 
 /// Current estimates of a fit.
@@ -43,7 +43,7 @@ struct DeformationState {
 struct DeformationStep {
     double annealingMm = 0.0;   ///< 1-σ added to the tracing noise
     double strain = 0.15;   ///< assumed strain between neighboring knots, see NeighborModel
-    bool isLearning = false;   ///< whether variances and noise are estimated
+    bool estimatesVariances = false;   ///< whether variances and noise are estimated
     bool isCoarse = false;   ///< uses only every other knot, which suffices while the noise is large
 };
 
@@ -71,16 +71,17 @@ public:
     RigidTransform viewFromFirst(std::size_t view) const;   ///< includes the geometry correction
 
 private:
-    using Looks = std::vector<std::optional<KnotLook>>;
+    using KnotProjections = std::vector<std::optional<KnotProjection>>;
 
-    DeformableSight sightOf(std::size_t view) const;
-    double noiseMm(const KnotLook& look) const { return state_.noisePx * look.mmPerPx; }
-    std::vector<KnotChoice> choicesOf(const DeformableSight& sight, const Looks& looks, std::size_t view,
-                                      double annealingMm) const;
+    ProjectionContext projectionContext(std::size_t view) const;
+    double noiseMm(const KnotProjection& projection) const { return state_.noisePx * projection.mmPerPx; }
+    std::vector<KnotChoice> knotChoices(const ProjectionContext& context, const KnotProjections& projections,
+                                        std::size_t view, double annealingMm) const;
     void collectRows(std::size_t view, const DeformationStep& step);
-    void addRow(const KnotLook& look, const KnotChoice& choice, std::size_t view, const DeformationStep& step);
-    double foundMm(const MotionRow& row) const;   ///< offset predicted by pose, geometry and motion for a row
-    void learn();
+    void addRow(const KnotProjection& projection, const KnotChoice& choice, std::size_t view,
+                const DeformationStep& step);
+    double predictedMm(const MotionRow& row) const;   ///< offset predicted by pose, geometry and motion for a row
+    void updateVariances();
     void measureDeviations();
 
     const DeformationProblem& problem_;
@@ -88,15 +89,15 @@ private:
     std::vector<MotionRow> rows_;
     std::vector<double> rowPx_;   ///< mm per px for each row
     std::vector<double> rowWeight_;
-    std::vector<std::vector<MotionRow>> others_;   ///< per view, rows of the knots without an observation
+    std::vector<std::vector<MotionRow>> unobservedRows_;   ///< per view, rows of the knots without an observation
     std::optional<FieldPosterior> posterior_;
-    double seenMm_ = 0.0;
-    double explainedMm_ = 0.0;
+    double visibleMm_ = 0.0;
+    double matchedMm_ = 0.0;
     double explainedShare_ = 0.0;
     double medianResidualPx_ = 0.0;
 };
 
 /// Returns the initial state of a fit whose motion variances correspond to this strain.
-DeformationState startOfRun(const DeformationProblem& problem, double strain);
+DeformationState initialState(const DeformationProblem& problem, double strain);
 
 }   // namespace angiopose::core

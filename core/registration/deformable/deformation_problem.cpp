@@ -39,7 +39,8 @@ Matrix6d independentVariances(double turnDeg, double shiftMm)
 }
 
 /// Prior of the step from the rigid to the true pose, from the initial pose alone.
-LinearBelief stepByStart(const CentroidPose& rigid, const RegistrationInput& input, const DeformableOptions& options)
+GaussianEstimate stepByStart(const CentroidPose& rigid, const RegistrationInput& input,
+                             const DeformableOptions& options)
 {
     Vector6d deviations;
     deviations << Eigen::Vector3d::Constant(options.startDeg / degreesPerRadian), options.startLateralMm,
@@ -98,7 +99,7 @@ Result<DeformationProblem> makeDeformationProblem(std::span<const DeformableView
                               stepByStart(rigid, first.input, options)};
 }
 
-Status lookElsewhere(DeformationProblem& problem, const DeformableView& view, const DeformableOptions& options)
+Status replaceView(DeformationProblem& problem, const DeformableView& view, const DeformableOptions& options)
 {
     auto made = makeDeformationView(view, view.rigidCameraFromPatient);
     if (!made) {

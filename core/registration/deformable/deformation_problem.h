@@ -13,6 +13,6 @@ Result<DeformationProblem> makeDeformationProblem(std::span<const DeformableView
 
 /// Replaces the image or the rigid pose and keeps the tree, its knots and the kernel. Leaves the problem unchanged on
 /// failure.
-Status lookElsewhere(DeformationProblem& problem, const DeformableView& view, const DeformableOptions& options);
+Status replaceView(DeformationProblem& problem, const DeformableView& view, const DeformableOptions& options);
 
 }   // namespace angiopose::core

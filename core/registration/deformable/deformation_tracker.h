@@ -12,7 +12,7 @@ namespace angiopose::core {
 class DeformationTracker {
 public:
     /// Continues from the deformation `known`, found in one frame and in this view only; fails if the view is unusable.
-    static Result<DeformationTracker> after(const DeformableView& view, DeformableResult known,
+    static Result<DeformationTracker> after(const DeformableView& view, DeformableResult previous,
                                             const DeformableOptions& options = {});
 
     /// Computes the deformation of the next frame near its rigid pose. If the target is unusable, fails and leaves the
@@ -20,10 +20,10 @@ public:
     Result<DeformableResult> next(const DeformableView& view, const IterationObserver& observe = {});
 
 private:
-    DeformationTracker(DeformationProblem problem, DeformableResult known, const RigidTransform& rigid,
+    DeformationTracker(DeformationProblem problem, DeformableResult previous, const RigidTransform& rigid,
                        const DeformableOptions& options);
-    DeformableResult warm(const DeformableView& view);
-    DeformationState startOf(const DeformableView& view) const;
+    DeformableResult warmStart(const DeformableView& view);
+    DeformationState shiftedInitialState(const DeformableView& view) const;
 
     DeformableOptions options_;
     DeformationProblem problem_;

@@ -28,17 +28,17 @@ bool isDeformed(const DeformableResult& result)
     return result.verdict != DeformationVerdict::Rigid && result.stopReason != StopReason::StoppedByUser;
 }
 
-const BranchMotion* motionOf(const DeformableResult& result, int branchId)
+const BranchMotion* findMotion(const DeformableResult& result, int branchId)
 {
     const auto found = std::ranges::find(result.branches, branchId, &BranchMotion::branchId);
     return found == result.branches.end() ? nullptr : &*found;
 }
 
-bool isOf(const VesselTree& tree, const DeformableResult& result)
+bool isCompatible(const VesselTree& tree, const DeformableResult& result)
 {
     return tree.branches.size() == result.branches.size() &&
            std::ranges::all_of(tree.branches, [&result](const VesselBranch& branch) {
-               const BranchMotion* motion = motionOf(result, branch.id);
+               const BranchMotion* motion = findMotion(result, branch.id);
                const std::size_t count = branch.pointsInPatient.size();
                return motion && motion->displacementMm.size() == count && motion->covariance.size() == count;
            });
@@ -46,12 +46,12 @@ bool isOf(const VesselTree& tree, const DeformableResult& result)
 
 VesselTree deformedTree(const VesselTree& tree, const DeformableResult& result)
 {
-    if (!isOf(tree, result)) {
+    if (!isCompatible(tree, result)) {
         return {};
     }
     VesselTree deformed = tree;
     for (VesselBranch& branch : deformed.branches) {
-        const std::vector<Eigen::Vector3d>& moved = motionOf(result, branch.id)->displacementMm;
+        const std::vector<Eigen::Vector3d>& moved = findMotion(result, branch.id)->displacementMm;
         for (std::size_t i = 0; i < moved.size(); ++i) {
             branch.pointsInPatient[i] += moved[i];
         }
@@ -72,7 +72,7 @@ VesselTree deformedTreeAt(const VesselTree& tree, const DeformableResult& result
     return deformed;
 }
 
-std::vector<double> distancesApart(const VesselBranch& branch, const VesselBranch& other,
+std::vector<double> pointDistances(const VesselBranch& branch, const VesselBranch& other,
                                    const RigidTransform& cameraFromPatient, std::size_t viewCount)
 {
     std::vector<double> apartMm;
@@ -85,7 +85,7 @@ std::vector<double> distancesApart(const VesselBranch& branch, const VesselBranc
     return apartMm;
 }
 
-DeformableResult seenFirst(DeformableResult result, std::size_t view)
+DeformableResult withViewFirst(DeformableResult result, std::size_t view)
 {
     if (view == 0) {
         return result;

@@ -8,12 +8,12 @@
 namespace angiopose::core {
 
 /// Whether a result belongs to this tree: same branches, each with the same number of points, in any order.
-bool isOf(const VesselTree& tree, const DeformableResult& result);
+bool isCompatible(const VesselTree& tree, const DeformableResult& result);
 
 /// Whether the result contains nonrigid motion; false if the fit was stopped before it could decide.
 bool isDeformed(const DeformableResult& result);
 
-const BranchMotion* motionOf(const DeformableResult& result, int branchId);   ///< null if there is none
+const BranchMotion* findMotion(const DeformableResult& result, int branchId);   ///< null if there is none
 
 /// Tree with the displacements of a result applied, patient LPS. Empty if the result does not belong to this tree.
 VesselTree deformedTree(const VesselTree& tree, const DeformableResult& result);
@@ -25,11 +25,11 @@ VesselTree deformedTreeAt(const VesselTree& tree, const DeformableResult& result
 
 /// Returns the distance of each point of a branch from the same point in the other tree, mm, with both trees in the
 /// camera of `cameraFromPatient`: across the ray for a single view, otherwise in space.
-std::vector<double> distancesApart(const VesselBranch& branch, const VesselBranch& other,
+std::vector<double> pointDistances(const VesselBranch& branch, const VesselBranch& other,
                                    const RigidTransform& cameraFromPatient, std::size_t viewCount);
 
 /// Returns the same result with the given view moved to the first place.
-DeformableResult seenFirst(DeformableResult result, std::size_t view);
+DeformableResult withViewFirst(DeformableResult result, std::size_t view);
 
 /// Rounds to the known accuracy and the precision of files: motions to 1 µm, covariances to three digits.
 void roundMotion(BranchMotion& motion);

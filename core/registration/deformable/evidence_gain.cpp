@@ -29,9 +29,10 @@ public:
         pull_ = Eigen::VectorXd::Zero(size);
         for (const MotionRow& row : rows) {
             Eigen::VectorXd steps = Eigen::VectorXd::Zero(size);   // scaled by the square roots of their prior
-            steps.head<6>() = poseRoot.transpose() * row.byPose;
+            steps.head<6>() = poseRoot.transpose() * row.poseJacobian;
             if (row.view > 0) {
-                steps.segment<6>(6 * static_cast<Eigen::Index>(row.view)) = geometryRoot.cwiseProduct(row.byGeometry);
+                steps.segment<6>(6 * static_cast<Eigen::Index>(row.view)) =
+                    geometryRoot.cwiseProduct(row.geometryJacobian);
             }
             reported_.selfadjointView<Eigen::Lower>().rankUpdate(steps, 1.0 / row.variance);
             pull_ += row.valueMm / row.variance * steps;

@@ -56,7 +56,7 @@ Eigen::MatrixXf lowerOfSquare(const Eigen::MatrixXf& lower)
 }   // namespace
 
 FieldPosterior::FieldPosterior(const FieldKernel& kernel, const MotionPrior& prior, std::vector<MotionRow> rows)
-    : kernel_(kernel), prior_(prior), rows_(std::move(rows)), combined_(kernel.combined(prior.motion))
+    : kernel_(kernel), prior_(prior), rows_(std::move(rows)), priorCovariance_(kernel.combined(prior.motion))
 {
     basis_ = basisOf(rows_);
     const auto count = rowAt(rows_.size());
@@ -80,7 +80,7 @@ Vector6d FieldPosterior::pose() const
 {
     Vector6d pulled = Vector6d::Zero();
     for (std::size_t r = 0; r < rows_.size(); ++r) {
-        pulled += explained_[rowAt(r)] * rows_[r].byPose;
+        pulled += explained_[rowAt(r)] * rows_[r].poseJacobian;
     }
     return prior_.pose * pulled;
 }
@@ -90,7 +90,7 @@ Vector6d FieldPosterior::geometry(std::size_t view) const
     Vector6d pulled = Vector6d::Zero();
     for (std::size_t r = 0; r < rows_.size(); ++r) {
         if (view > 0 && rows_[r].view == view) {
-            pulled += explained_[rowAt(r)] * rows_[r].byGeometry;
+            pulled += explained_[rowAt(r)] * rows_[r].geometryJacobian;
         }
     }
     return prior_.geometry * pulled;
@@ -98,11 +98,11 @@ Vector6d FieldPosterior::geometry(std::size_t view) const
 
 Eigen::Matrix3Xd FieldPosterior::motion() const
 {
-    Eigen::Matrix3Xd pulls = Eigen::Matrix3Xd::Zero(3, combined_.cols());
+    Eigen::Matrix3Xd pulls = Eigen::Matrix3Xd::Zero(3, priorCovariance_.cols());
     for (std::size_t r = 0; r < rows_.size(); ++r) {
-        pulls.col(rowAt(rows_[r].knot)) += explained_[rowAt(r)] * rows_[r].byMotion;
+        pulls.col(rowAt(rows_[r].knot)) += explained_[rowAt(r)] * rows_[r].motionJacobian;
     }
-    return (pulls.cast<float>() * combined_).cast<double>();
+    return (pulls.cast<float>() * priorCovariance_).cast<double>();
 }
 
 double FieldPosterior::logEvidence() const
@@ -139,11 +139,11 @@ FieldPosterior::RowBasis FieldPosterior::basisOf(const std::vector<MotionRow>& r
     RowBasis basis{Eigen::Matrix3Xf(3, rowAt(rows.size())),
                    Eigen::MatrixXf::Zero(6 + 6 * rowAt(lastView), rowAt(rows.size()))};
     for (std::size_t r = 0; r < rows.size(); ++r) {
-        basis.motion.col(rowAt(r)) = rows[r].byMotion.cast<float>();
-        basis.steps.col(rowAt(r)).head<6>() = (poseRoot.transpose() * rows[r].byPose).cast<float>();
+        basis.motion.col(rowAt(r)) = rows[r].motionJacobian.cast<float>();
+        basis.steps.col(rowAt(r)).head<6>() = (poseRoot.transpose() * rows[r].poseJacobian).cast<float>();
         if (rows[r].view > 0) {
             basis.steps.col(rowAt(r)).segment<6>(6 * rowAt(rows[r].view)) =
-                geometryRoot.cwiseProduct(rows[r].byGeometry).cast<float>();
+                geometryRoot.cwiseProduct(rows[r].geometryJacobian).cast<float>();
         }
     }
     return basis;
@@ -154,7 +154,7 @@ Eigen::VectorXf FieldPosterior::covariances(const MotionRow& row, const Eigen::V
 {
     Eigen::VectorXf alike = basis_.motion.transpose() * motion;
     for (std::size_t r = 0; r < rows_.size(); ++r) {
-        alike[rowAt(r)] *= combined_(rowAt(rows_[r].knot), rowAt(row.knot));
+        alike[rowAt(r)] *= priorCovariance_(rowAt(rows_[r].knot), rowAt(row.knot));
     }
     // A view without rows in rows_ contributes nothing: its geometry is independent of them.
     alike.noalias() += basis_.steps.transpose() * steps.head(basis_.steps.rows());
@@ -172,54 +172,55 @@ Eigen::VectorXd FieldPosterior::variancesOf(const std::vector<MotionRow>& others
     for (std::size_t k = 0; k < others.size(); ++k) {
         const auto knot = rowAt(others[k].knot);
         with.col(rowAt(k)) = covariances(others[k], basis.motion.col(rowAt(k)), basis.steps.col(rowAt(k)));
-        variances[rowAt(k)] = static_cast<double>(combined_(knot, knot) * basis.motion.col(rowAt(k)).squaredNorm() +
-                                                  basis.steps.col(rowAt(k)).squaredNorm());
+        variances[rowAt(k)] =
+            static_cast<double>(priorCovariance_(knot, knot) * basis.motion.col(rowAt(k)).squaredNorm() +
+                                basis.steps.col(rowAt(k)).squaredNorm());
     }
     const Eigen::MatrixXf whitened = inverseFactor_.triangularView<Eigen::Lower>() * with;
     variances -= whitened.colwise().squaredNorm().transpose().cast<double>();
     return variances.cwiseMax(0.0);
 }
 
-std::vector<Eigen::Matrix3d> FieldPosterior::placeCovariances(const std::vector<std::size_t>& knots,
-                                                              const std::vector<Eigen::Matrix<double, 3, 6>>& byPose,
-                                                              const Eigen::Matrix3d& cameraFromPatient) const
+std::vector<Eigen::Matrix3d> FieldPosterior::positionCovariances(
+    const std::vector<std::size_t>& knots, const std::vector<Eigen::Matrix<double, 3, 6>>& poseJacobian,
+    const Eigen::Matrix3d& cameraFromPatient) const
 {
     const auto rowCount = rowAt(rows_.size());
-    Eigen::MatrixXf with(rowCount, 3 * rowAt(byPose.size()));
-    for (std::size_t k = 0; k < byPose.size(); ++k) {
-        const Eigen::Matrix<float, 3, 6> posePart = (byPose[k] * prior_.pose).cast<float>();
+    Eigen::MatrixXf with(rowCount, 3 * rowAt(poseJacobian.size()));
+    for (std::size_t k = 0; k < poseJacobian.size(); ++k) {
+        const Eigen::Matrix<float, 3, 6> posePart = (poseJacobian[k] * prior_.pose).cast<float>();
         for (std::size_t r = 0; r < rows_.size(); ++r) {
-            const float kernel = combined_(rowAt(rows_[r].knot), rowAt(knots[k]));
+            const float kernel = priorCovariance_(rowAt(rows_[r].knot), rowAt(knots[k]));
             with.block<1, 3>(rowAt(r), 3 * rowAt(k)) =
                 (kernel * (cameraFromPatient.cast<float>() * basis_.motion.col(rowAt(r))) +
-                 posePart * rows_[r].byPose.cast<float>())
+                 posePart * rows_[r].poseJacobian.cast<float>())
                     .transpose();
         }
     }
     with = inverseFactor_.triangularView<Eigen::Lower>() * with;
-    std::vector<Eigen::Matrix3d> covariances(byPose.size());
-    for (std::size_t k = 0; k < byPose.size(); ++k) {
+    std::vector<Eigen::Matrix3d> covariances(poseJacobian.size());
+    for (std::size_t k = 0; k < poseJacobian.size(); ++k) {
         const auto whitened = with.middleCols<3>(3 * rowAt(k));
         const Eigen::Matrix3f explained = whitened.transpose() * whitened;
         covariances[k] =
-            static_cast<double>(combined_(rowAt(knots[k]), rowAt(knots[k]))) * Eigen::Matrix3d::Identity() +
-            byPose[k] * prior_.pose * byPose[k].transpose() - explained.cast<double>();
+            static_cast<double>(priorCovariance_(rowAt(knots[k]), rowAt(knots[k]))) * Eigen::Matrix3d::Identity() +
+            poseJacobian[k] * prior_.pose * poseJacobian[k].transpose() - explained.cast<double>();
     }
     return covariances;
 }
 
-LinearBelief FieldPosterior::beliefWithPose(const Eigen::Matrix<float, 6, Eigen::Dynamic>& byMotion,
-                                            const LinearBelief& pose) const
+GaussianEstimate FieldPosterior::posteriorWithPose(const Eigen::Matrix<float, 6, Eigen::Dynamic>& motionJacobian,
+                                                   const GaussianEstimate& pose) const
 {
     // Covariances of the functions with the motion of every knot, three columns per knot.
-    const Eigen::Index knots = combined_.cols();
+    const Eigen::Index knots = priorCovariance_.cols();
     Eigen::Matrix<float, 6, Eigen::Dynamic> withMotion(6, 3 * knots);
     for (Eigen::Index axis = 0; axis < 3; ++axis) {
         Eigen::Matrix<float, 6, Eigen::Dynamic> ofAxis(6, knots);
         for (Eigen::Index k = 0; k < knots; ++k) {
-            ofAxis.col(k) = byMotion.col(3 * k + axis);
+            ofAxis.col(k) = motionJacobian.col(3 * k + axis);
         }
-        ofAxis *= combined_;
+        ofAxis *= priorCovariance_;
         for (Eigen::Index k = 0; k < knots; ++k) {
             withMotion.col(3 * k + axis) = ofAxis.col(k);
         }
@@ -229,7 +230,7 @@ LinearBelief FieldPosterior::beliefWithPose(const Eigen::Matrix<float, 6, Eigen:
     for (std::size_t r = 0; r < rows_.size(); ++r) {
         reported.row(rowAt(r))
             << (withMotion.middleCols<3>(3 * rowAt(rows_[r].knot)) * basis_.motion.col(rowAt(r))).transpose(),
-            rows_[r].byPose.cast<float>().transpose(), static_cast<float>(rows_[r].valueMm);
+            rows_[r].poseJacobian.cast<float>().transpose(), static_cast<float>(rows_[r].valueMm);
     }
     reported = inverseFactor_.triangularView<Eigen::Lower>() * reported;
     const Eigen::MatrixXd whitened = reported.cast<double>();
@@ -239,16 +240,16 @@ LinearBelief FieldPosterior::beliefWithPose(const Eigen::Matrix<float, 6, Eigen:
     const Matrix6d stepCovariance = (squares.block<6, 6>(6, 6) + known).inverse();
     const Vector6d step = stepCovariance * (squares.block<6, 1>(6, 12) + known * pose.mean);
     const Matrix6d byStep = Matrix6d::Identity() - motionByPose;
-    const Matrix6d ofMotion = (withMotion * byMotion.transpose()).cast<double>();
+    const Matrix6d ofMotion = (withMotion * motionJacobian.transpose()).cast<double>();
     return {squares.block<6, 1>(0, 12) + byStep * step,
             ofMotion - squares.topLeftCorner<6, 6>() + byStep * stepCovariance * byStep.transpose()};
 }
 
-MotionVariances FieldPosterior::learnedVariances() const
+MotionVariances FieldPosterior::estimateVariances() const
 {
     // Accumulates sums over pairs of rows by the pairs of their knots.
     const auto count = rowAt(rows_.size());
-    const Eigen::Index knots = combined_.cols();
+    const Eigen::Index knots = priorCovariance_.cols();
     const Eigen::MatrixXf inverse = lowerOfSquare(inverseFactor_);
     Eigen::MatrixXf left = Eigen::MatrixXf::Zero(knots, knots);
     Eigen::Matrix3Xf pulls = Eigen::Matrix3Xf::Zero(3, knots);
@@ -273,7 +274,7 @@ MotionVariances FieldPosterior::learnedVariances() const
     return learned;
 }
 
-double FieldPosterior::determined() const
+double FieldPosterior::effectiveParameters() const
 {
     double left = 0.0;
     for (std::size_t r = 0; r < rows_.size(); ++r) {

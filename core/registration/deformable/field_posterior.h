@@ -12,9 +12,9 @@ namespace angiopose::core {
 struct MotionRow {
     std::size_t knot = 0;
     std::size_t view = 0;
-    Eigen::Vector3d byMotion;   ///< see KnotLook
-    Vector6d byPose;
-    Vector6d byGeometry;
+    Eigen::Vector3d motionJacobian;   ///< see KnotLook
+    Vector6d poseJacobian;
+    Vector6d geometryJacobian;
     double valueMm = 0.0;
     double variance = 1.0;   ///< mm²; knots without an observation have no row
 };
@@ -27,7 +27,7 @@ struct MotionPrior {
 };
 
 /// Gaussian distribution of six linear functions of pose and motion.
-struct LinearBelief {
+struct GaussianEstimate {
     Vector6d mean = Vector6d::Zero();
     Matrix6d covariance = Matrix6d::Zero();
 };
@@ -51,23 +51,23 @@ public:
     Eigen::VectorXd variancesOf(const std::vector<MotionRow>& others) const;
 
     /// Covariances of the positions of `knots` in the camera of the first view, mm², from pose and motion together;
-    /// `byPose[k]` is the derivative of the position of `knots[k]` with respect to the pose step.
-    std::vector<Eigen::Matrix3d> placeCovariances(const std::vector<std::size_t>& knots,
-                                                  const std::vector<Eigen::Matrix<double, 3, 6>>& byPose,
-                                                  const Eigen::Matrix3d& cameraFromPatient) const;
+    /// `poseJacobian[k]` is the derivative of the position of `knots[k]` with respect to the pose step.
+    std::vector<Eigen::Matrix3d> positionCovariances(const std::vector<std::size_t>& knots,
+                                                     const std::vector<Eigen::Matrix<double, 3, 6>>& poseJacobian,
+                                                     const Eigen::Matrix3d& cameraFromPatient) const;
 
-    /// Posterior of `byMotion` · (motion of all knots, patient axes, knot by knot) + pose step, given the prior `pose`
-    /// of that step. Requires a posterior built without a pose prior (zero covariance), because wide pose priors
+    /// Posterior of `motionJacobian` · (motion of all knots, patient axes, knot by knot) + pose step, given the prior
+    /// `pose` of that step. Requires a posterior built without a pose prior (zero covariance), because wide pose priors
     /// combined with precise rows need double precision.
-    LinearBelief beliefWithPose(const Eigen::Matrix<float, 6, Eigen::Dynamic>& byMotion,
-                                const LinearBelief& pose) const;
+    GaussianEstimate posteriorWithPose(const Eigen::Matrix<float, 6, Eigen::Dynamic>& motionJacobian,
+                                       const GaussianEstimate& pose) const;
 
     /// Variances that maximize the evidence of the estimated motions (MacKay 1992): σ² = |w|²/γ with γ effective
     /// parameters; a weak prior keeps them finite.
-    MotionVariances learnedVariances() const;
+    MotionVariances estimateVariances() const;
 
     /// Effective number of parameters that the rows determine: the degrees of freedom to subtract in a noise estimate.
-    double determined() const;
+    double effectiveParameters() const;
 
 private:
     /// Transposed design matrix with one column per row: motion (3), pose (6) and geometry (6 per view), each scaled by
@@ -85,7 +85,7 @@ private:
     MotionPrior prior_;
     std::vector<MotionRow> rows_;
     RowBasis basis_;
-    Eigen::MatrixXf combined_;   ///< prior covariance between the knots
+    Eigen::MatrixXf priorCovariance_;   ///< prior covariance between the knots
     Eigen::MatrixXf inverseFactor_;   ///< lower triangle V; VᵀV is the inverse of the covariance of the rows
     Eigen::VectorXd explained_;   ///< inverse covariance of the rows times their values
     double logDeterminant_ = 0.0;

@@ -1,6 +1,6 @@
 #include "core/registration/deformable/rigid_offset.h"
 
-#include "core/registration/deformable/motion_of_tree.h"
+#include "core/registration/deformable/deformed_result.h"
 
 #include <Eigen/Cholesky>
 #include <cmath>
@@ -49,18 +49,19 @@ StepOfPlaces nearestStep(const std::vector<Eigen::Vector3d>& arms, const std::ve
 
 /// Returns the posterior of the nearest step given the rows of a fit, with the prior of the initial pose in place of
 /// the fit's pose prior.
-LinearBelief beliefAboutStep(const DeformationProblem& problem, const DeformationFit& fit, const StepOfPlaces& nearest)
+GaussianEstimate stepPosterior(const DeformationProblem& problem, const DeformationFit& fit,
+                               const StepOfPlaces& nearest)
 {
     MotionPrior prior = problem.prior;
     prior.pose.setZero();
     prior.motion = fit.state().variances;
     const FieldPosterior posterior(problem.kernel, prior, fit.rows());
-    StepOfPlaces byMotion = nearest;
+    StepOfPlaces motionJacobian = nearest;
     for (Eigen::Index k = 0; 3 * k < nearest.cols(); ++k) {
-        byMotion.middleCols<3>(3 * k) = nearest.middleCols<3>(3 * k) * problem.start.rotation;
+        motionJacobian.middleCols<3>(3 * k) = nearest.middleCols<3>(3 * k) * problem.start.rotation;
     }
-    return posterior.beliefWithPose(byMotion.cast<float>(),
-                                    problem.startStep);   // for a rigid step, the nearest step is the step itself
+    return posterior.posteriorWithPose(motionJacobian.cast<float>(),
+                                       problem.startStep);   // for a rigid step, the nearest step is the step itself
 }
 
 /// Whether the views measure the depth: only several whose relative shift is known better than the shift of the pose.
@@ -69,15 +70,16 @@ bool isDepthMeasured(const DeformationProblem& problem)
     return problem.views.size() > 1 && problem.prior.geometry(5, 5) <= problem.prior.pose(5, 5);
 }
 
-/// Returns the shift between two points: in space if the depth is measured, otherwise in the image plane at their depth.
+/// Returns the shift between two points: in space if the depth is measured, otherwise in the image plane at their
+/// depth.
 double shiftMm(bool inSpace, const Eigen::Vector3d& from, const Eigen::Vector3d& to)
 {
     return inSpace ? (to - from).norm() : (to.head<2>() - to.z() / from.z() * from.head<2>()).norm();
 }
 
 /// Computes the mean and largest distance between the knots at the rigid pose and at their actual positions.
-void measureShifts(const VesselTree& tree, const DeformationProblem& problem, const KnotPlaces& from,
-                   const KnotPlaces& to, RigidOffset& offset)
+void measureShifts(const VesselTree& tree, const DeformationProblem& problem, const KnotPositions& from,
+                   const KnotPositions& to, RigidOffset& offset)
 {
     const TreeKnots& knots = problem.knots;
     const bool inSpace = isDepthMeasured(problem);
@@ -103,35 +105,35 @@ void measureShifts(const VesselTree& tree, const DeformationProblem& problem, co
 }   // namespace
 
 RigidOffset rigidOffset(const VesselTree& tree, const DeformationProblem& problem,
-                        const std::vector<DeformationFit>& runs, std::size_t best)
+                        const std::vector<DeformationFit>& fits, std::size_t best)
 {
     RigidOffset offset;
-    if (!runs[best].posterior()) {
+    if (!fits[best].posterior()) {
         return offset;
     }
     const std::vector<Eigen::Vector3d> arms = rigidArms(problem);
     const StepOfPlaces nearest = nearestStep(arms, problem.knots.lengthMm);
-    const LinearBelief belief = beliefAboutStep(problem, runs[best], nearest);
-    offset.step = belief.mean;
-    offset.covariance = inflationOf(runs[best]) * belief.covariance;
-    const KnotPlaces bestPlaces = placesInCamera(problem, runs[best]);
-    const std::vector<double> shares = sharesOfRuns(runs, best);
-    for (std::size_t run = 0; run < runs.size(); ++run) {
-        const KnotPlaces places = placesInCamera(problem, runs[run]);
+    const GaussianEstimate estimate = stepPosterior(problem, fits[best], nearest);
+    offset.step = estimate.mean;
+    offset.covariance = covarianceInflation(fits[best]) * estimate.covariance;
+    const KnotPositions bestPositions = knotPositionsInCamera(problem, fits[best]);
+    const std::vector<double> shares = fitWeights(fits, best);
+    for (std::size_t run = 0; run < fits.size(); ++run) {
+        const KnotPositions places = knotPositionsInCamera(problem, fits[run]);
         Vector6d apart = Vector6d::Zero();
         for (std::size_t k = 0; k < places.size(); ++k) {
-            apart += nearest.middleCols<3>(3 * static_cast<Eigen::Index>(k)) * (places[k] - bestPlaces[k]);
+            apart += nearest.middleCols<3>(3 * static_cast<Eigen::Index>(k)) * (places[k] - bestPositions[k]);
         }
         offset.covariance += shares[run] * apart * apart.transpose();
     }
-    KnotPlaces rigidPlaces;
+    KnotPositions rigidPlaces;
     double squares = 0.0;
     for (const Eigen::Vector3d& arm : arms) {
         rigidPlaces.push_back(problem.start.centroidInCamera + arm);
         squares += arm.squaredNorm();
     }
     offset.spreadMm = std::sqrt(squares / static_cast<double>(arms.size()));
-    measureShifts(tree, problem, rigidPlaces, bestPlaces, offset);
+    measureShifts(tree, problem, rigidPlaces, bestPositions, offset);
     const double leftMm = notFollowedShare * offset.meanMm;
     offset.covariance.diagonal().head<3>().array() += std::pow(leftMm / offset.spreadMm, 2);
     offset.covariance.diagonal().tail<3>().array() += leftMm * leftMm;

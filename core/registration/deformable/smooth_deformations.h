@@ -9,7 +9,7 @@
 namespace angiopose::core {
 
 /// Deformation found in one frame.
-struct DeformationInTime {
+struct TimedDeformation {
     int frame = 0;
     RigidTransform rigidCameraFromPatient;   ///< rigid pose of that frame
     std::shared_ptr<const DeformableResult> deformed;
@@ -19,6 +19,6 @@ struct DeformationInTime {
 /// frame, every vessel point performs a random walk, with a step variance estimated from the frames; each frame
 /// observes the point with its own covariance. The covariances remain those of the single frames, because errors are
 /// correlated between neighboring frames.
-std::vector<DeformationInTime> smoothInTime(const VesselTree& tree, const std::vector<DeformationInTime>& deformations);
+std::vector<TimedDeformation> smoothOverTime(const VesselTree& tree, const std::vector<TimedDeformation>& deformations);
 
 }   // namespace angiopose::core

@@ -7,8 +7,8 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double unseenCost = 1.8;   // cost of an unmatched knot, equal to that of a candidate at the gate
-constexpr double greatestDifferenceCost = 6.0;   // upper limit, because of crossing vessels and wrong candidates
+constexpr double unmatchedCost = 1.8;   // cost of an unmatched knot, equal to that of a candidate at the gate
+constexpr double maxDifferenceCost = 6.0;   // upper limit, because of crossing vessels and wrong candidates
 constexpr double appearCost = 2.0;   // cost if only one of two neighboring knots is matched
 constexpr double otherCurveCost = 0.3;   // cost of switching curves between neighbors; traced curves break at crossings
 
@@ -18,7 +18,7 @@ using StateLikelihoods = Eigen::VectorXd;
 StateLikelihoods ownLikelihoods(const KnotChoice& choice)
 {
     StateLikelihoods own(static_cast<Eigen::Index>(choice.candidates.size()) + 1);
-    own[0] = std::exp(-unseenCost);
+    own[0] = std::exp(-unmatchedCost);
     for (std::size_t c = 0; c < choice.candidates.size(); ++c) {
         own[static_cast<Eigen::Index>(c) + 1] = std::exp(-choice.candidates[c].cost);
     }
@@ -46,7 +46,7 @@ Eigen::MatrixXd pairLikelihoods(const KnotChoice& parent, const KnotChoice& chil
             // On a curved vessel, each normal measures a different component of the motion.
             const double squares = 0.5 * (here.offsetMm * here.offsetMm + there.offsetMm * there.offsetMm);
             const double spread = 2.0 * (variance + squares * turnSquared);
-            const double cost = std::min(greatestDifferenceCost, difference * difference / spread) +
+            const double cost = std::min(maxDifferenceCost, difference * difference / spread) +
                                 (here.curve != there.curve ? otherCurveCost : 0.0);
             pairs(p, c) = std::exp(-cost);
         }

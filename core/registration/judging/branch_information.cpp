@@ -68,8 +68,8 @@ const BranchInformation* best(const std::vector<BranchInformation>& branches, co
 
 }   // namespace
 
-Matrix6d pieceInformation(const ProjectionCamera& camera, const Eigen::Vector3d& fromInCamera,
-                          const Eigen::Vector3d& toInCamera, const Eigen::Vector3d& centerInCamera)
+Matrix6d segmentInformation(const ProjectionCamera& camera, const Eigen::Vector3d& fromInCamera,
+                            const Eigen::Vector3d& toInCamera, const Eigen::Vector3d& centerInCamera)
 {
     const auto fromPx = project(camera, fromInCamera);
     const auto toPx = project(camera, toInCamera);
@@ -98,7 +98,7 @@ std::vector<BranchInformation> branchInformation(const VesselTree& tree, const P
             const Eigen::Vector3d to = cameraFromPatient * branch.pointsInPatient[i];
             if (const double lengthPx = visibleLengthPx(camera, from, to); lengthPx > 0.0) {
                 reported.lengthPx += lengthPx;
-                reported.information += pieceInformation(camera, from, to, center) / unitVariancePx2;
+                reported.information += segmentInformation(camera, from, to, center) / unitVariancePx2;
             }
         }
         branches.push_back(reported);
@@ -118,8 +118,8 @@ Vector6d expectedStd(const std::vector<BranchInformation>& branches, const std::
     return stdOf(information);
 }
 
-std::vector<int> branchesThatPin(const std::vector<BranchInformation>& branches, int step, const Vector6d& priorStd,
-                                 int count)
+std::vector<int> bestBranchesForComponent(const std::vector<BranchInformation>& branches, int step,
+                                          const Vector6d& priorStd, int count)
 {
     std::vector<int> chosen;
     Matrix6d known = priorInformation(priorStd);
@@ -136,7 +136,7 @@ std::vector<int> branchesThatPin(const std::vector<BranchInformation>& branches,
     return chosen;
 }
 
-std::vector<int> bestInformedBranches(const std::vector<BranchInformation>& branches, const Vector6d& priorStd,
+std::vector<int> informativeBranchSet(const std::vector<BranchInformation>& branches, const Vector6d& priorStd,
                                       double tolerance)
 {
     Matrix6d known = priorInformation(priorStd);

@@ -11,8 +11,8 @@ namespace angiopose::core {
 /// Returns the Fisher information of a straight vessel segment for pose steps (rotation rad, shift mm) about
 /// `centerInCamera` in camera axes (ALGORITHMS §6.10), given one traced point per px with 1 px noise across the vessel.
 /// Zero if the segment does not project.
-Matrix6d pieceInformation(const ProjectionCamera& camera, const Eigen::Vector3d& fromInCamera,
-                          const Eigen::Vector3d& toInCamera, const Eigen::Vector3d& centerInCamera);
+Matrix6d segmentInformation(const ProjectionCamera& camera, const Eigen::Vector3d& fromInCamera,
+                            const Eigen::Vector3d& toInCamera, const Eigen::Vector3d& centerInCamera);
 
 /// Information that one branch contributes at a pose.
 struct BranchInformation {
@@ -33,12 +33,12 @@ Vector6d expectedStd(const std::vector<BranchInformation>& branches, const std::
 
 /// Returns up to `count` branches, best first, each chosen to reduce the σ of one step component (0…5) most, given the
 /// previous ones. Stops early if another branch would reduce it by less than a twentieth.
-std::vector<int> branchesThatPin(const std::vector<BranchInformation>& branches, int step, const Vector6d& priorStd,
-                                 int count);
+std::vector<int> bestBranchesForComponent(const std::vector<BranchInformation>& branches, int step,
+                                          const Vector6d& priorStd, int count);
 
 /// Returns a small set of branches, best first, that keeps every σ within `tolerance` (≥ 1) times its value for all
 /// branches: greedy D-optimal design, which picks the largest determinant of the information each time.
-std::vector<int> bestInformedBranches(const std::vector<BranchInformation>& branches, const Vector6d& priorStd,
+std::vector<int> informativeBranchSet(const std::vector<BranchInformation>& branches, const Vector6d& priorStd,
                                       double tolerance = 1.3);
 
 }   // namespace angiopose::core

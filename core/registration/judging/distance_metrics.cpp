@@ -124,7 +124,7 @@ DistanceMetrics distanceMetrics(const RegistrationProblem& problem, const RigidT
     metrics.medianMm = metrics.medianPx * mmPerPx;
     metrics.p75Mm = metrics.p75Px * mmPerPx;
     metrics.p95Mm = metrics.p95Px * mmPerPx;
-    metrics.coverage = shareBelow(reverse, agreementPx);
+    metrics.coverage = shareBelow(reverse, matchTolerancePx);
     metrics.reverseMeanPx = meanOf(reverse);
     metrics.reverseMeanMm = metrics.reverseMeanPx * mmPerPx;
     return metrics;
@@ -140,7 +140,7 @@ std::vector<BranchResidual> branchResiduals(const TreeSamples& tree, const Proje
     for (std::size_t b = 0; b < distances.size(); ++b) {
         const std::vector<double> shares = quantiles(distances[b], {0.5, 0.95});
         residuals.push_back({tree.branchIds[b], static_cast<int>(distances[b].size()), shares[0], shares[1],
-                             shareBelow(distances[b], agreementPx)});
+                             shareBelow(distances[b], matchTolerancePx)});
     }
     return residuals;
 }

@@ -6,7 +6,7 @@
 namespace angiopose::core {
 
 /// Maximum distance at which a point counts as lying on a vessel.
-inline constexpr double agreementPx = 3.0;
+inline constexpr double matchTolerancePx = 3.0;
 
 /// Tree points projected at one pose. Distances refer to the curves, not to their sample points.
 struct ProjectedTree {

@@ -37,14 +37,14 @@ public:
         endRun();
         sum.inViewMm += inViewMm_;
         sum.followedMm += followedMm_;
-        sum.branchesInView += inViewMm_ >= shortestRunMm ? 1 : 0;
-        sum.branchesFollowed += inViewMm_ >= shortestRunMm && followedMm_ >= 0.5 * inViewMm_ ? 1 : 0;
+        sum.branchesInView += inViewMm_ >= minStretchMm ? 1 : 0;
+        sum.branchesFollowed += inViewMm_ >= minStretchMm && followedMm_ >= 0.5 * inViewMm_ ? 1 : 0;
     }
 
 private:
     void endRun()
     {
-        followedMm_ += runMm_ >= shortestRunMm ? runMm_ : 0.0;
+        followedMm_ += runMm_ >= minStretchMm ? runMm_ : 0.0;
         runMm_ = gapMm_ = 0.0;
         gapPoints_ = 0;
     }
@@ -64,7 +64,7 @@ FollowedVessels followedVessels(const RegistrationProblem& problem, const Target
     const TreeSamples& tree = problem.tree;
     std::vector<double> residuals;   // NaN if no vessel with a similar direction is near
     Alignment(alignmentPoints(tree), problem.camera, target)
-        .collectResiduals(aboutCentroid(cameraFromPatient, tree.centroid), agreementPx, residuals);
+        .collectResiduals(aboutCentroid(cameraFromPatient, tree.centroid), matchTolerancePx, residuals);
     FollowedVessels sum;
     BranchWalk walk;
     for (std::size_t i = 0; i < tree.size(); ++i) {

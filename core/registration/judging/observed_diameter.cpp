@@ -29,7 +29,7 @@ std::vector<WidthPair> widthPairs(const RegistrationProblem& problem, const Targ
         const double expectedMm = 2.0 * problem.tree.radiusMm[i];
         const Eigen::Vector3d inCamera = pose * problem.tree.points[i];
         const auto pixel = project(problem.camera, inCamera);
-        if (!(expectedMm > 0.0) || !pixel || !(projected.distancePx[i] <= agreementPx)) {
+        if (!(expectedMm > 0.0) || !pixel || !(projected.distancePx[i] <= matchTolerancePx)) {
             continue;
         }
         const auto line = &target.nearest(pixel->x(), pixel->y()) - target.lines().data();

@@ -53,12 +53,13 @@ double depthShiftMm(const RegistrationProblem& problem, const RigidTransform& ca
     return (cameraFromPatient * problem.tree.centroid).z() - (problem.start * problem.tree.centroid).z();
 }
 
-double settlingShiftMm(const RegistrationProblem& problem, const TargetLines& target, const RigidTransform& pose,
-                       const RegistrationOptions& options)
+double refinementShiftMm(const RegistrationProblem& problem, const TargetLines& target, const RigidTransform& pose,
+                         const RegistrationOptions& options)
 {
     const TreeSamples& tree = problem.tree;
     Alignment alignment(alignmentPoints(tree, strideFor(tree.size(), usedShiftPoints)), problem.camera, target);
-    const StartPrior prior = startPrior(aboutCentroid(problem.start, tree.centroid), options, problem.freedom);
+    const InitialPosePrior prior =
+        initialPosePrior(aboutCentroid(problem.start, tree.centroid), options, problem.freedom);
     const RefinementResult settled = refine(alignment, prior, aboutCentroid(pose, tree.centroid), settleSchedule);
     return meanShiftMm(tree, pose, cameraFromPatient(settled.pose, tree.centroid));
 }

@@ -18,7 +18,7 @@ double expectedShiftMm(const RegistrationProblem& problem, const RigidTransform&
 double depthShiftMm(const RegistrationProblem& problem, const RigidTransform& cameraFromPatient);
 
 /// Returns the distance by which the pose moves when refined in place; large if the vessels fit better nearby.
-double settlingShiftMm(const RegistrationProblem& problem, const TargetLines& target, const RigidTransform& pose,
-                       const RegistrationOptions& options);
+double refinementShiftMm(const RegistrationProblem& problem, const TargetLines& target, const RigidTransform& pose,
+                         const RegistrationOptions& options);
 
 }   // namespace angiopose::core

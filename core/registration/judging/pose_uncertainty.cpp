@@ -23,49 +23,51 @@ Alignment informativeAlignment(const RegistrationProblem& problem, const TargetL
 /// Inverse restricted to the free steps, zero in the locked ones.
 Matrix6d inverseAmong(const StepBasis& free, const Matrix6d& information)
 {
-    const UpToSix reduced = free.transpose() * information * free;
+    const SmallMatrix reduced = free.transpose() * information * free;
     return free * inverseOf(reduced) * free.transpose();
 }
 
-/// Returns the matrix that converts steps about one point of the body to steps about another, offset by `armInCamera`.
-Matrix6d aboutOther(const Eigen::Vector3d& armInCamera)
+/// Returns the matrix that converts steps about one point of the body to steps about another, offset by
+/// `leverArmInCamera`.
+Matrix6d aboutOther(const Eigen::Vector3d& leverArmInCamera)
 {
     Matrix6d carry = Matrix6d::Identity();
-    carry.bottomLeftCorner<3, 3>() = -skew(armInCamera);
+    carry.bottomLeftCorner<3, 3>() = -skew(leverArmInCamera);
     return carry;
 }
 
 }   // namespace
 
-PoseKnowledge poseKnowledge(const RegistrationProblem& problem, const TargetLines& target,
-                            const RigidTransform& cameraFromPatient, const StartPrior& prior)
+UncertaintyEstimate estimateUncertainty(const RegistrationProblem& problem, const TargetLines& target,
+                                        const RigidTransform& cameraFromPatient, const InitialPosePrior& prior)
 {
     const CentroidPose pose = aboutCentroid(cameraFromPatient, problem.tree.centroid);
     const Alignment alignment = informativeAlignment(problem, target, pose);
-    if (problem.cameraSpread.isExact()) {
+    if (problem.cameraUncertainty.isExact()) {
         const Matrix6d information = tolerantInformation(alignment, prior, pose).hessian;
         return {poseUncertainty(problem, information, Matrix6d::Zero(), prior, pose), std::nullopt};
     }
-    const CameraEquations image = tolerantInformation(alignment, prior, pose, problem.cameraSpread);
+    const CameraEquations image = tolerantInformation(alignment, prior, pose, problem.cameraUncertainty);
     NormalEquations start;
     prior.add(pose, 1.0, start);
     StackedEquations all{image.hessian, image.gradient};
     all.hessian.topLeftCorner<6, 6>() += start.hessian;
     all.gradient.head<6>() += start.gradient;
-    const CameraInfluence influence(all, prior.freedom.freeSteps(pose), {&problem.cameraSpread, 1});
-    return {poseUncertainty(problem, image.hessian.topLeftCorner<6, 6>(), influence.covarianceOfPose(), prior, pose),
+    const CameraInfluence influence(all, prior.freedom.freeSteps(pose), {&problem.cameraUncertainty, 1});
+    return {poseUncertainty(problem, image.hessian.topLeftCorner<6, 6>(), influence.poseCovariance(), prior, pose),
             influence.evidence(0)};
 }
 
 PoseUncertainty poseUncertainty(const RegistrationProblem& problem, const Matrix6d& imageInformation,
-                                const Matrix6d& covarianceByCameras, const StartPrior& prior, const CentroidPose& pose)
+                                const Matrix6d& cameraCovariance, const InitialPosePrior& prior,
+                                const CentroidPose& pose)
 {
     const StepBasis free = prior.freedom.freeSteps(pose);
     const Matrix6d priorInformation = prior.informationAt(pose);
     const Vector6d priorStd = prior.std();
     const Matrix6d carry = aboutOther(pose.rotation * (problem.wholeTreeCentroid - problem.tree.centroid));
     PoseUncertainty uncertainty;
-    uncertainty.covariance = carry * covarianceByCameras * carry.transpose();
+    uncertainty.covariance = carry * cameraCovariance * carry.transpose();
     // A weak prior keeps the inverse finite where the image carries no information.
     const Matrix6d imageAlone = inverseAmong(free, imageInformation + 1e-6 * priorInformation);
     for (int k = 0; k < 6; ++k) {
@@ -89,18 +91,18 @@ void replaceImageCovariance(PoseUncertainty& uncertainty, const Matrix6d& covari
     Vector6d inMm = Vector6d::Ones();
     inMm.head<3>().setConstant(spreadMm);
     const Matrix6d covarianceInMm = inMm.asDiagonal() * covariance * inMm.asDiagonal();
-    uncertainty.weakestDirection = axesOf(covarianceInMm).directions.col(5);
+    uncertainty.weakestDirection = eigenDecomposition(covarianceInMm).directions.col(5);
 }
 
 PoseSigmas sigmasOf(const Matrix6d& covariance)
 {
     const Vector6d std = covariance.diagonal().cwiseMax(0.0).cwiseSqrt();
-    const Axes<2> lateral = axesOf(Eigen::Matrix2d(covariance.block<2, 2>(3, 3)));
+    const EigenDecomposition<2> lateral = eigenDecomposition(Eigen::Matrix2d(covariance.block<2, 2>(3, 3)));
     return {std.head<3>() * 180.0 / std::numbers::pi, std::sqrt(std::max(0.0, lateral.values[1])), std[5]};
 }
 
 Matrix6d poseInformation(const RegistrationProblem& problem, const TargetLines& target, const CentroidPose& pose,
-                         const StartPrior& prior)
+                         const InitialPosePrior& prior)
 {
     return tolerantInformation(informativeAlignment(problem, target, pose), prior, pose).hessian +
            prior.informationAt(pose);

@@ -1,13 +1,13 @@
 #pragma once
 
 #include "core/registration/matching/target_lines.h"
-#include "core/registration/pose/start_prior.h"
+#include "core/registration/pose/initial_pose_prior.h"
 #include "core/registration/problem/registration_problem.h"
 
 namespace angiopose::core {
 
 /// Information that one view provides about a pose and about its camera.
-struct PoseKnowledge {
+struct UncertaintyEstimate {
     PoseUncertainty uncertainty;
     std::optional<CameraEvidence> camera;   ///< nullopt if the camera is treated as exact
 };
@@ -15,13 +15,14 @@ struct PoseKnowledge {
 /// Estimates the pose covariance from the residuals across the vessels, their correlation along the branches, the prior
 /// of the initial pose (ALGORITHMS §6.10), and the camera errors (§6.18). A degree of freedom counts as observed if the
 /// image alone gives less than half the standard deviation of the prior.
-PoseKnowledge poseKnowledge(const RegistrationProblem& problem, const TargetLines& target,
-                            const RigidTransform& cameraFromPatient, const StartPrior& prior);
+UncertaintyEstimate estimateUncertainty(const RegistrationProblem& problem, const TargetLines& target,
+                                        const RigidTransform& cameraFromPatient, const InitialPosePrior& prior);
 
 /// Computes the pose uncertainty from the image information and the covariance caused by camera errors, both for steps
 /// (rad, mm) about the centroid of the used points in camera axes. Locked degrees of freedom are exact.
 PoseUncertainty poseUncertainty(const RegistrationProblem& problem, const Matrix6d& imageInformation,
-                                const Matrix6d& covarianceByCameras, const StartPrior& prior, const CentroidPose& pose);
+                                const Matrix6d& cameraCovariance, const InitialPosePrior& prior,
+                                const CentroidPose& pose);
 
 /// Replaces the image part of the covariance (about the centroid of the whole tree) and keeps the camera part.
 /// `spreadMm` is the RMS spread of the tree.
@@ -37,6 +38,6 @@ PoseSigmas sigmasOf(const Matrix6d& covariance);
 
 /// Returns the inverse covariance of a pose without locks, about the centroid of the used points.
 Matrix6d poseInformation(const RegistrationProblem& problem, const TargetLines& target, const CentroidPose& pose,
-                         const StartPrior& prior);
+                         const InitialPosePrior& prior);
 
 }   // namespace angiopose::core

@@ -29,13 +29,13 @@ bool isDeformed(const RegistrationResult& result)
 
 /// Expected distance between the deformed and the rigid vessels, including its uncertainty; 0 if no deformation was
 /// computed or found.
-double deformationOffMm(const RegistrationResult& result)
+double deformationErrorMm(const RegistrationResult& result)
 {
     return isDeformed(result) ? std::hypot(result.deformed->rigid.meanMm, result.deformed->placeStdMm) : 0.0;
 }
 
 /// Maps a distance to a soft threshold, 0…1.
-double surelyOff(double offMm)
+double softThreshold(double offMm)
 {
     constexpr double asManyMm = 1.8;
     constexpr double sharpness = 3.0;
@@ -62,13 +62,13 @@ constexpr std::array<Weight, signCount> weights{{
     {-1.0091, 1.3259, -0.4656, 0.5484},   // medianMm
     {1.3354, 1.4806, 0.1443, 0.3962},   // p95Mm
     {0.1813, 0.3853, -0.3365, -0.5566},   // inParts
-    {0.1413, 0.4283, 0.1197, 0.1842},   // filledForks
+    {0.1413, 0.4283, 0.1197, 0.1842},   // opacifiedBifurcations
     {0.5366, 1.3852, 0.6929, 0.2579},   // bendOff
     {0.1320, 0.3385, 0.0244, 0.0530},   // unsure
-    {0.1231, 0.3100, -0.1553, -0.8125},   // surelyOff
+    {0.1231, 0.3100, -0.1553, -0.8125},   // softThreshold
 }};
 
-constexpr double farthestUnits = 3.0;   // limit of the standardized values, about the training range
+constexpr double maxStandardized = 3.0;   // limit of the standardized values, about the training range
 // A tree farther than this from all vessels is rarely correct; the square terms must not predict otherwise.
 constexpr double farOffMm = 2.0;
 constexpr double farOffProbability = 0.45;
@@ -77,12 +77,12 @@ constexpr double farOffProbability = 0.45;
 bool isFarOff(const RegistrationResult& result)
 {
     const bool isNear = result.metrics.medianMm < farOffMm;   // false for a NaN median too
-    return !isNear && result.signs.treeShare <= 0.5 * result.signs.inViewShare;
+    return !isNear && result.indicators.treeShare <= 0.5 * result.indicators.inViewShare;
 }
 
 }   // namespace
 
-const std::array<std::string_view, signCount>& signNames()
+const std::array<std::string_view, signCount>& featureNames()
 {
     static constexpr std::array<std::string_view, signCount> names{
         "agreement", "treeShare", "coverage", "followedShare", "followedMm", "branches", "expectedError", "rival",
@@ -90,36 +90,36 @@ const std::array<std::string_view, signCount>& signNames()
     return names;
 }
 
-std::array<double, signCount> signVector(const RegistrationResult& result)
+std::array<double, signCount> featureVector(const RegistrationResult& result)
 {
     constexpr double maxOffMm = 5.0;
-    const FitSigns& signs = result.signs;
-    const double offMm = deformationOffMm(result);
+    const FitIndicators& indicators = result.indicators;
+    const double offMm = deformationErrorMm(result);
     const bool isUnsure = isDeformed(result) && result.deformed->verdict == DeformationVerdict::Unsure;
-    return {signs.agreement,
-            signs.treeShare,
+    return {indicators.agreement,
+            indicators.treeShare,
             std::isfinite(result.metrics.coverage) ? result.metrics.coverage : 0.0,
-            signs.followedShare,
-            logMm(signs.followedMm, 5.0),
-            logCount(signs.followedBranches),
-            logMm(signs.expectedErrorMm, 0.03),
-            logMm(signs.rivalMm, 0.3),
+            indicators.followedShare,
+            logMm(indicators.followedMm, 5.0),
+            logCount(indicators.followedBranches),
+            logMm(indicators.expectedErrorMm, 0.03),
+            logMm(indicators.alternativeMm, 0.3),
             logMm(result.metrics.medianMm, 0.05),
             logMm(result.metrics.p95Mm, 0.2),
-            signs.isPartlyOpacified ? 1.0 : 0.0,
-            signs.isPartlyOpacified ? logCount(signs.filledForks) : 0.0,
+            indicators.isPartlyOpacified ? 1.0 : 0.0,
+            indicators.isPartlyOpacified ? logCount(indicators.opacifiedBifurcations) : 0.0,
             std::min(offMm, maxOffMm),
             isUnsure ? 1.0 : 0.0,
-            surelyOff(offMm)};
+            softThreshold(offMm)};
 }
 
 double overlayProbability(const RegistrationResult& result)
 {
-    const std::array<double, signCount> values = signVector(result);
+    const std::array<double, signCount> values = featureVector(result);
     double logit = constantTerm;
     for (std::size_t k = 0; k < signCount; ++k) {
         const Weight& weight = weights[k];
-        const double units = std::clamp((values[k] - weight.mean) / weight.spread, -farthestUnits, farthestUnits);
+        const double units = std::clamp((values[k] - weight.mean) / weight.spread, -maxStandardized, maxStandardized);
         logit += weight.linear * units + weight.square * units * units;
     }
     const double probability = 1.0 / (1.0 + std::exp(-logit));

@@ -45,9 +45,9 @@ void BinGrid::fill(const std::vector<Eigen::Vector2d>& pointsPx, double cellPx)
 }
 
 /// Returns the cell of a position, clamped to at most one cell outside the grid to avoid overflow.
-Eigen::Vector2i BinGrid::cellOf(const Eigen::Vector2d& placePx) const
+Eigen::Vector2i BinGrid::cellOf(const Eigen::Vector2d& positionPx) const
 {
-    const Eigen::Vector2d cell = (placePx - origin_) / cellPx_;
+    const Eigen::Vector2d cell = (positionPx - origin_) / cellPx_;
     return {static_cast<int>(std::floor(std::clamp(cell.x(), -2.0, columns_ + 1.0))),
             static_cast<int>(std::floor(std::clamp(cell.y(), -2.0, rows_ + 1.0)))};
 }

@@ -20,9 +20,9 @@ public:
     /// Calls `visit(number)` for all points in the nine cells around a position, which includes all points within
     /// `cellPx`.
     template <class Visit>
-    void visitNear(const Eigen::Vector2d& placePx, const Visit& visit) const
+    void visitNear(const Eigen::Vector2d& positionPx, const Visit& visit) const
     {
-        const Eigen::Vector2i cell = cellOf(placePx);
+        const Eigen::Vector2i cell = cellOf(positionPx);
         const int fromRow = std::max(0, cell.y() - 1);
         const int toRow = std::min(rows_ - 1, cell.y() + 1);
         const int fromColumn = std::max(0, cell.x() - 1);
@@ -37,7 +37,7 @@ public:
     }
 
 private:
-    Eigen::Vector2i cellOf(const Eigen::Vector2d& placePx) const;
+    Eigen::Vector2i cellOf(const Eigen::Vector2d& positionPx) const;
 
     Eigen::Vector2d origin_ = Eigen::Vector2d::Zero();
     double cellPx_ = 1.0;

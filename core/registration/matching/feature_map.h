@@ -26,14 +26,14 @@ public:
 
 private:
     /// Truncates through int, which is faster than a direct conversion.
-    static std::size_t whole(double value) { return static_cast<std::size_t>(static_cast<int>(value)); }
+    static std::size_t truncated(double value) { return static_cast<std::size_t>(static_cast<int>(value)); }
 
     std::size_t cellOf(double u, double v) const
     {
         constexpr double perPx = 1.0 / cellPx;
         const double column = std::clamp((u + offsetPx_) * perPx, 0.0, columns_ - 1.0);
         const double row = std::clamp((v + offsetPx_) * perPx, 0.0, rows_ - 1.0);
-        return whole(row) * static_cast<std::size_t>(columns_) + whole(column);
+        return truncated(row) * static_cast<std::size_t>(columns_) + truncated(column);
     }
 
     std::vector<Eigen::Vector2d> points_;

@@ -9,9 +9,9 @@ namespace angiopose::core {
 namespace {
 
 constexpr double usualCellPx = 4.0;
-constexpr double usualPoints = 4000.0;   // number of points for the default cell size; more points get smaller cells
-constexpr double usualCells = 256.0;   // per axis; distant outliers must not cause a huge table
-constexpr int widestRows = 31;   // maximum number of rows searched on either side for a first point
+constexpr double typicalPoints = 4000.0;   // number of points for the default cell size; more points get smaller cells
+constexpr double maxCellsPerAxis = 256.0;   // per axis; distant outliers must not cause a huge table
+constexpr int maxSearchRows = 31;   // maximum number of rows searched on either side for a first point
 
 }   // namespace
 
@@ -25,9 +25,9 @@ GridIndex::GridIndex(std::vector<Eigen::Vector2d> pointsPx) : points_(std::move(
         highest = highest.cwiseMax(point);
     }
     const double extentPx = (highest - origin_).maxCoeff();
-    const double denser = std::max(1.0, std::sqrt(static_cast<double>(points_.size()) / usualPoints));
-    cellPx_ = std::max(usualCellPx / denser, extentPx / (usualCells * denser - 1.0));
-    perCell_ = 1.0 / cellPx_;
+    const double denser = std::max(1.0, std::sqrt(static_cast<double>(points_.size()) / typicalPoints));
+    cellPx_ = std::max(usualCellPx / denser, extentPx / (maxCellsPerAxis * denser - 1.0));
+    cellsPerPx_ = 1.0 / cellPx_;
     columns_ = static_cast<int>((highest.x() - origin_.x()) / cellPx_) + 1;
     rows_ = static_cast<int>((highest.y() - origin_.y()) / cellPx_) + 1;
 
@@ -60,8 +60,8 @@ struct GridIndex::Best {
 void GridIndex::searchRow(int row, double reachPx, const Eigen::Vector2d& queryPx, Best& best) const
 {
     const double middle = queryPx.x() - origin_.x();
-    const auto from = static_cast<int>(std::clamp((middle - reachPx) * perCell_, 0.0, columns_ - 1.0));
-    const auto to = static_cast<int>(std::clamp((middle + reachPx) * perCell_, 0.0, columns_ - 1.0));
+    const auto from = static_cast<int>(std::clamp((middle - reachPx) * cellsPerPx_, 0.0, columns_ - 1.0));
+    const auto to = static_cast<int>(std::clamp((middle + reachPx) * cellsPerPx_, 0.0, columns_ - 1.0));
     const std::int32_t* const start = &cellStart_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_)];
     for (std::int32_t k = start[from]; k < start[to + 1]; ++k) {
         const auto candidate = static_cast<std::size_t>(members_[static_cast<std::size_t>(k)]);
@@ -75,7 +75,7 @@ void GridIndex::searchRow(int row, double reachPx, const Eigen::Vector2d& queryP
 /// Searches row by row away from the query as long as a point closer than `best` is possible.
 void GridIndex::searchWithin(const Eigen::Vector2d& queryPx, Best& best) const
 {
-    const double place = (queryPx.y() - origin_.y()) * perCell_;
+    const double place = (queryPx.y() - origin_.y()) * cellsPerPx_;
     const auto middle = static_cast<int>(std::clamp(place, 0.0, rows_ - 1.0));
     for (int row = middle; row >= 0; --row) {
         const double awayPx = std::max(0.0, place - (row + 1)) * cellPx_;
@@ -97,10 +97,10 @@ std::size_t GridIndex::nearestIndex(const Eigen::Vector2d& queryPx) const
 {
     // Finds any point in successively wider bands of rows to limit the search; far from all points, an arbitrary point
     // sets the limit.
-    const double place = (queryPx.y() - origin_.y()) * perCell_;
+    const double place = (queryPx.y() - origin_.y()) * cellsPerPx_;
     const auto middle = static_cast<int>(std::clamp(place, 0.0, rows_ - 1.0));
     Best best;
-    for (int reach = 0; reach <= widestRows && !std::isfinite(best.squared); reach = 2 * reach + 1) {
+    for (int reach = 0; reach <= maxSearchRows && !std::isfinite(best.squared); reach = 2 * reach + 1) {
         for (int row = std::max(0, middle - reach); row <= std::min(rows_ - 1, middle + reach); ++row) {
             searchRow(row, (reach + 1) * cellPx_, queryPx, best);
         }

@@ -27,7 +27,7 @@ private:
     std::vector<Eigen::Vector2d> points_;
     Eigen::Vector2d origin_ = Eigen::Vector2d::Zero();
     double cellPx_ = 1.0;
-    double perCell_ = 1.0;
+    double cellsPerPx_ = 1.0;
     int columns_ = 1;
     int rows_ = 1;
     std::vector<std::int32_t> cellStart_;   ///< first entry of each cell in members_, with an end entry

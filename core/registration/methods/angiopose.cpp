@@ -7,7 +7,7 @@
 #include "core/registration/alignment/pose_ranking.h"
 #include "core/registration/alignment/pose_search.h"
 #include "core/registration/judging/pose_uncertainty.h"
-#include "core/registration/methods/chosen_branches.h"
+#include "core/registration/methods/auxiliary_fit.h"
 #include "core/support/stopwatch.h"
 
 #include <algorithm>
@@ -49,40 +49,41 @@ public:
     void tryStart();
     void searchFurther();
     void refineFinalists();
-    Messages fitChosen();
-    bool isMovedByChoice() const { return isMovedByChoice_; }
+    Messages fitAuxiliary();
+    bool isMovedByAuxiliary() const { return isMovedByAuxiliary_; }
 
-    RigidTransform pose() const { return inPatient(bestPose()); }
+    RigidTransform pose() const { return rigidPose(bestPose()); }
     StopReason stopReason() const;
     std::vector<Hypothesis> alternatives() const;
     std::shared_ptr<const TargetLines> target() const { return target_; }
     std::optional<double> agreement() const;
-    std::vector<std::uint8_t> filledPoints() const;
-    int filledForks() const { return refined_.empty() ? 0 : refined_.front().filledForks; }
+    std::vector<std::uint8_t> opacifiedPoints() const;
+    int opacifiedBifurcations() const { return refined_.empty() ? 0 : refined_.front().opacifiedBifurcations; }
 
 private:
     using Search = std::vector<CentroidPose> (PoseSearch::*)(const CentroidPose&, const SearchObserver&) const;
-    using Filing = void (PoseRanking::*)(const CentroidPose&);
-    void refineRoughly(const std::vector<CentroidPose>& hypotheses, Filing file = &PoseRanking::add);
+    using AddFunction = void (PoseRanking::*)(const CentroidPose&);
+    void refineRoughly(const std::vector<CentroidPose>& hypotheses, AddFunction file = &PoseRanking::add);
     void searchTerritories();
     ScoredPose refineFinely(const ScoredPose& candidate, FinalRefinement& ofWholeTree);
     void search(Search reach, const CentroidPose& start, double progress);
     std::vector<CentroidPose> auxiliaryHypotheses();
     const CentroidPose& bestPose() const;
-    RigidTransform inPatient(const CentroidPose& pose) const { return cameraFromPatient(pose, problem_.tree.centroid); }
-    Verdict report(std::string_view stage, double progress, double scalePx);
+    RigidTransform rigidPose(const CentroidPose& pose) const { return cameraFromPatient(pose, problem_.tree.centroid); }
+    ObserverDecision report(std::string_view stage, double progress, double scalePx);
 
     const RegistrationProblem& problem_;
     const RegistrationOptions& options_;
     ProgressLog& progress_;
     std::shared_ptr<const TargetLines> target_;
     CentroidPose start_;
-    StartPrior prior_;
+    InitialPosePrior prior_;
     PoseSearch search_;
     PoseRanking ranking_;
     DistanceOfPose reportedDistance_;
     std::vector<ScoredPose> refined_;   ///< refined finalists, best first; empty before that stage
-    bool isMovedByChoice_ = false;   ///< whether the auxiliary branches changed the pose from the fit of all branches
+    bool isMovedByAuxiliary_ =
+        false;   ///< whether the auxiliary branches changed the pose from the fit of all branches
 };
 
 AngioPose::AngioPose(const RegistrationProblem& problem, const RegistrationOptions& options, ProgressLog& progress)
@@ -91,28 +92,28 @@ AngioPose::AngioPose(const RegistrationProblem& problem, const RegistrationOptio
       progress_(progress),
       target_(std::make_shared<const TargetLines>(problem.target, problem.camera)),
       start_(aboutCentroid(problem.start, problem.tree.centroid)),
-      prior_(startPrior(start_, options, problem.freedom)),
+      prior_(initialPosePrior(start_, options, problem.freedom)),
       search_(problem, *target_, options),
-      ranking_(problem, *target_, prior_, TreeFilling::InParts)
+      ranking_(problem, *target_, prior_, TreeOpacification::Partial)
 {
 }
 
 /// Reports the best pose so far.
-Verdict AngioPose::report(std::string_view stage, double progress, double scalePx)
+ObserverDecision AngioPose::report(std::string_view stage, double progress, double scalePx)
 {
     IterationReport report;
     report.stage = stage;
     report.progress = progress;
     report.scalePx = scalePx;
     report.medianDistancePx = reportedDistance_.of(bestPose(), ranking_);
-    report.cameraFromPatient = inPatient(bestPose());
+    report.cameraFromPatient = rigidPose(bestPose());
     return progress_.report(report);
 }
 
 /// Refines the initial pose coarsely, which is often sufficient.
 void AngioPose::tryStart()
 {
-    if (report("search", 0.0, PoseRanking::schedule.startScalePx) == Verdict::Continue) {
+    if (report("search", 0.0, PoseRanking::schedule.startScalePx) == ObserverDecision::Continue) {
         ranking_.add(start_);
         report("search", 0.05, PoseRanking::schedule.endScalePx);
     }
@@ -122,20 +123,20 @@ void AngioPose::tryStart()
 void AngioPose::searchFurther()
 {
     if (options_.angiopose.search && !ranking_.isConclusive()) {
-        search(&PoseSearch::nearby, start_, 0.05);
+        search(&PoseSearch::searchNearby, start_, 0.05);
     }
     if (options_.angiopose.search && !ranking_.isConclusive()) {
         searchTerritories();
     }
     if (options_.angiopose.search && !ranking_.isPlausible()) {
-        search(&PoseSearch::wide, start_, 0.1);
+        search(&PoseSearch::searchWide, start_, 0.1);
     }
-    if (options_.angiopose.search && ranking_.isLost()) {
-        search(&PoseSearch::wide, search_.recentered(start_), 0.2);
+    if (options_.angiopose.search && ranking_.isMismatch()) {
+        search(&PoseSearch::searchWide, search_.recentered(start_), 0.2);
     }
     for (const CentroidPose& middle : {start_, search_.recentered(start_)}) {
-        if (options_.angiopose.search && ranking_.isLost()) {
-            search(&PoseSearch::byJunctions, middle, 0.25);
+        if (options_.angiopose.search && ranking_.isMismatch()) {
+            search(&PoseSearch::searchByJunctions, middle, 0.25);
         }
     }
     if (!progress_.isStopped() && !ranking_.isConclusive()) {
@@ -156,14 +157,14 @@ void AngioPose::search(Search reach, const CentroidPose& start, double progress)
 void AngioPose::searchTerritories()
 {
     if (!progress_.isStopped()) {
-        const auto found = search_.ofTerritories(start_, [&](double done) {
+        const auto found = search_.searchByTerritories(start_, [&](double done) {
             return report("search", 0.08 + 0.02 * done, PoseRanking::schedule.startScalePx);
         });
-        refineRoughly(found, &PoseRanking::addFilled);
+        refineRoughly(found, &PoseRanking::addPartlyOpacified);
     }
 }
 
-void AngioPose::refineRoughly(const std::vector<CentroidPose>& hypotheses, Filing file)
+void AngioPose::refineRoughly(const std::vector<CentroidPose>& hypotheses, AddFunction file)
 {
     for (const CentroidPose& hypothesis : hypotheses) {
         if (progress_.isStopped() || ranking_.isConclusive()) {
@@ -179,8 +180,8 @@ void AngioPose::refineRoughly(const std::vector<CentroidPose>& hypotheses, Filin
 std::vector<CentroidPose> AngioPose::auxiliaryHypotheses()
 {
     std::vector<CentroidPose> hypotheses;
-    if (problem_.auxiliaryIsChosen && options_.angiopose.search) {
-        hypotheses = search_.ofAuxiliary(start_, [&](double done) {
+    if (problem_.hasUserAuxiliary && options_.angiopose.search) {
+        hypotheses = search_.searchWithAuxiliary(start_, [&](double done) {
             return report("search", 0.3 + 0.1 * done, PoseRanking::schedule.startScalePx);
         });
     }
@@ -190,7 +191,7 @@ std::vector<CentroidPose> AngioPose::auxiliaryHypotheses()
     for (CentroidPose& hypothesis : hypotheses) {
         auxiliary.resetVisibility();
         hypothesis = refine(auxiliary, prior_, hypothesis, PoseRanking::schedule).pose;
-        if (report("auxiliary", searchEnds, PoseRanking::schedule.endScalePx) == Verdict::Stop) {
+        if (report("auxiliary", searchEnds, PoseRanking::schedule.endScalePx) == ObserverDecision::Stop) {
             break;
         }
     }
@@ -207,17 +208,17 @@ ScoredPose AngioPose::refineFinely(const ScoredPose& candidate, FinalRefinement&
     if (candidate.isOpacified.empty()) {
         result = ofWholeTree.refine(candidate.pose, observe);
     } else {
-        const RegistrationProblem filled = partOf(problem_, candidate.isOpacified);
+        const RegistrationProblem filled = restrictedProblem(problem_, candidate.isOpacified);
         result = FinalRefinement(filled, *target_, prior_, options_).refine(candidate.pose, observe);
     }
-    return ranking_.scored(result.pose, result.stopReason);
+    return ranking_.scoredPose(result.pose, result.stopReason);
 }
 
 void AngioPose::refineFinalists()
 {
     FinalRefinement refinement(problem_, *target_, prior_, options_);
     std::vector<ScoredPose> refined;
-    for (const ScoredPose& candidate : ranking_.distinct(worthRefining, finalistPoses)) {
+    for (const ScoredPose& candidate : ranking_.distinctPoses(worthRefining, finalistPoses)) {
         refined.push_back(refineFinely(candidate, refinement));
         if (progress_.isStopped()) {
             return;
@@ -237,32 +238,32 @@ const CentroidPose& AngioPose::bestPose() const
     return ranking_.isEmpty() ? start_ : ranking_.best().pose;
 }
 
-std::vector<std::uint8_t> AngioPose::filledPoints() const
+std::vector<std::uint8_t> AngioPose::opacifiedPoints() const
 {
     return refined_.empty() ? std::vector<std::uint8_t>() : refined_.front().isOpacified;
 }
 
 /// Solves the user's auxiliary branches once more, if any; the messages compare with the fit of all branches.
-Messages AngioPose::fitChosen()
+Messages AngioPose::fitAuxiliary()
 {
     const double weight = options_.angiopose.auxiliaryWeight;
-    if (!problem_.auxiliaryIsChosen || weight == 1.0 || refined_.empty() || progress_.isStopped()) {
+    if (!problem_.hasUserAuxiliary || weight == 1.0 || refined_.empty() || progress_.isStopped()) {
         return {};
     }
     ScoredPose& best = refined_.front();
     const std::optional<RegistrationProblem> filled =
-        best.isOpacified.empty() ? std::nullopt : std::optional(partOf(problem_, best.isOpacified));
+        best.isOpacified.empty() ? std::nullopt : std::optional(restrictedProblem(problem_, best.isOpacified));
     const RegistrationProblem& problem = filled ? *filled : problem_;
-    if (!problem.auxiliaryIsChosen) {   // the auxiliary branches appear unopacified
+    if (!problem.hasUserAuxiliary) {   // the auxiliary branches appear unopacified
         return {};
     }
-    const ChosenFit fit = fitChosenBranches(problem, *target_, prior_, best.pose, weight);
+    const AuxiliaryFit fit = fitAuxiliaryBranches(problem, *target_, prior_, best.pose, weight);
     const Vector6d step = stepBetween(best.pose, fit.pose);
-    isMovedByChoice_ = step.norm() > 0.0;
-    best = ranking_.scored(fit.pose, best.stopReason);
-    return {messages::chosenBranchesFitted(Quantity{fit.medianPx, 2, "px"}, Quantity{fit.medianBeforePx, 2, "px"},
-                                           Quantity{step.head<3>().norm() * degreesPerRadian, 2, "°"},
-                                           inMm(step.tail<3>().norm(), 2))
+    isMovedByAuxiliary_ = step.norm() > 0.0;
+    best = ranking_.scoredPose(fit.pose, best.stopReason);
+    return {messages::auxiliaryBranchesFitted(Quantity{fit.medianPx, 2, "px"}, Quantity{fit.medianBeforePx, 2, "px"},
+                                              Quantity{step.head<3>().norm() * degreesPerRadian, 2, "°"},
+                                              inMm(step.tail<3>().norm(), 2))
                 .as(Severity::Note)};
 }
 
@@ -283,14 +284,15 @@ std::vector<Hypothesis> AngioPose::alternatives() const
         return result;
     }
     const ScoredPose& best = refined_.front();
-    const Matrix6d information = best.isOpacified.empty()
-                                     ? poseInformation(problem_, *target_, best.pose, prior_)
-                                     : poseInformation(partOf(problem_, best.isOpacified), *target_, best.pose, prior_);
+    const Matrix6d information =
+        best.isOpacified.empty()
+            ? poseInformation(problem_, *target_, best.pose, prior_)
+            : poseInformation(restrictedProblem(problem_, best.isOpacified), *target_, best.pose, prior_);
     for (std::size_t k = 1; k < refined_.size(); ++k) {
         const Vector6d step = stepBetween(best.pose, refined_[k].pose);
         if (refined_[k].score >= nearlyAsGood * best.score &&
             step.dot(information * step) > distinctSigmas * distinctSigmas) {
-            result.push_back({inPatient(refined_[k].pose), refined_[k].score});
+            result.push_back({rigidPose(refined_[k].pose), refined_[k].score});
         }
     }
     return result;
@@ -314,17 +316,17 @@ MethodSolution solveAngioPose(const RegistrationProblem& problem, const Registra
     if (!progress.isStopped()) {
         run.refineFinalists();
     }
-    solution.warnings = run.fitChosen();
+    solution.warnings = run.fitAuxiliary();
     solution.cameraFromPatient = run.pose();
     solution.stopReason = run.stopReason();
     solution.iterations = progress.iterations();
     solution.alternatives = run.alternatives();
     solution.targetLines = run.target();
     solution.agreement = run.agreement();
-    solution.isOpacified = run.filledPoints();
-    solution.filledForks = run.filledForks();
-    solution.isSettled = !progress.isStopped() && !run.isMovedByChoice();
-    solution.wantsCare = !progress.isStopped();
+    solution.isOpacified = run.opacifiedPoints();
+    solution.opacifiedBifurcations = run.opacifiedBifurcations();
+    solution.isFullyRefined = !progress.isStopped() && !run.isMovedByAuxiliary();
+    solution.needsChecks = !progress.isStopped();
     solution.time.solveMs = stopwatch.lapMs();
     return solution;
 }

@@ -24,7 +24,7 @@ public:
     KernelPnpResult solve(const KernelProblem& problem, SearchStage stage, const RigidTransform& start,
                           const KernelObserver& observe) override;
     int maxIterations(SearchStage stage) const override { return stage == SearchStage::Auxiliary ? 1 : maxIterations_; }
-    bool canTurn() const override { return false; }
+    bool canSolveRotation() const override { return false; }
 
 private:
     /// Collects pairs for all points that project, at the pose last measured.
@@ -71,7 +71,7 @@ KernelPnpResult RepeatedPnp::solve(const KernelProblem& problem, SearchStage sta
         result.pose = *pose;
         measure(problem, result.pose, distances_);
         ++result.iterations;
-        if (observe && observe({result.iterations, 0.0, result.pose, &distances_}) == Verdict::Stop) {
+        if (observe && observe({result.iterations, 0.0, result.pose, &distances_}) == ObserverDecision::Stop) {
             result.stopReason = StopReason::StoppedByUser;
             break;
         }

@@ -5,8 +5,8 @@
 #include "core/registration/methods/pose_trials.h"
 #include "core/registration/picture/drr.h"
 #include "core/registration/picture/rank_correlation.h"
-#include "core/registration/picture/vessel_picture.h"
-#include "core/registration/pose/minimise.h"
+#include "core/registration/picture/vessel_image.h"
+#include "core/registration/pose/minimize.h"
 #include "core/registration/pose/pose_parameters.h"
 #include "core/support/random.h"
 #include "core/support/stopwatch.h"
@@ -38,7 +38,7 @@ std::vector<std::size_t> around(const ImageF& covered, double marginPx)
     Mask2d mask(covered.width, covered.height);
     std::transform(covered.pixels.begin(), covered.pixels.end(), mask.pixels.begin(),
                    [](float value) { return static_cast<std::uint8_t>(value > 0.0F ? 255 : 0); });
-    mask = dilated(mask, std::max(1, static_cast<int>(std::lround(marginPx))));
+    mask = dilate(mask, std::max(1, static_cast<int>(std::lround(marginPx))));
     std::vector<std::size_t> pixels;
     for (std::size_t i = 0; i < mask.pixels.size(); ++i) {
         if (mask.pixels[i] != 0) {
@@ -52,7 +52,7 @@ std::vector<std::size_t> around(const ImageF& covered, double marginPx)
 class MaskedSimilarity {
 public:
     MaskedSimilarity(const RegistrationProblem& problem, const RegistrationOptions& options)
-        : options_(options), drr_(problem), picture_(halved(vesselPicture(problem)))
+        : options_(options), drr_(problem), picture_(halved(vesselImage(problem)))
     {
     }
 
@@ -62,7 +62,7 @@ public:
 
     double of(const RigidTransform& pose) const
     {
-        return rankCorrelation(drawn(blurred(drr_.from(pose), blurPx_)), shown_);
+        return rankCorrelation(drawn(gaussianBlur(drr_.from(pose), blurPx_)), shown_);
     }
 
 private:
@@ -96,7 +96,7 @@ void MaskedSimilarity::beginStage(double blurPx, const std::vector<RigidTransfor
             pixels_.push_back(pixel);
         }
     }
-    shown_ = drawn(blurred(picture_, blurPx));
+    shown_ = drawn(gaussianBlur(picture_, blurPx));
 }
 
 std::vector<float> MaskedSimilarity::drawn(const ImageF& image) const
@@ -126,7 +126,7 @@ bool descend(const RegistrationProblem& problem, MaskedSimilarity& similarity, c
     simplex.firstStep = descent.firstStep;
     int left = descent.budget;
     while (left > 0 && !search.isStopped()) {
-        similarity.beginStage(descent.blurPx, {problem.start, search.inPatient(search.best())});
+        similarity.beginStage(descent.blurPx, {problem.start, search.rigidPose(search.best())});
         search.changeCost("radiographs", 0.0, std::numeric_limits<double>::infinity());
         const PoseParameters parameters(search.best(), clinicalUnits(4.0, 4.0, 8.0, 20.0), problem.freedom);
         double costAtFirst = std::numeric_limits<double>::infinity();
@@ -135,7 +135,7 @@ bool descend(const RegistrationProblem& problem, MaskedSimilarity& similarity, c
             const CentroidPose pose = parameters.pose(x);
             const double away = (pose.centroidInCamera.z() - search.start().centroidInCamera.z()) / maskDepthStdMm;
             const double value =
-                search.note(pose, descent.depthHold * away * away - similarity.of(search.inPatient(pose)));
+                search.recordTrial(pose, descent.depthHold * away * away - similarity.of(search.rigidPose(pose)));
             costAtFirst = std::isinf(costAtFirst) ? value : costAtFirst;
             return value;
         };

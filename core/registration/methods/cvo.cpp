@@ -12,12 +12,12 @@ namespace angiopose::core {
 namespace {
 
 constexpr int stepsAtFirstScale = 30;   // as in the published method
-constexpr double longestFlowStep = 0.5;   // in units of ℓ; for longer steps the truncated series is inaccurate
+constexpr double maxFlowStep = 0.5;   // in units of ℓ; for longer steps the truncated series is inaccurate
 constexpr double settledFlowPx = 1e-3;
 
 /// Returns the ascent direction in a metric that counts a rotation as the shift it causes at the RMS radius of the
 /// tree, restricted to the free steps.
-Vector6d uphill(const RegistrationProblem& problem, const Vector6d& gradient, const CentroidPose& pose)
+Vector6d ascentDirection(const RegistrationProblem& problem, const Vector6d& gradient, const CentroidPose& pose)
 {
     const double turnMm = problem.tree.spreadMm * problem.tree.spreadMm;
     NormalEquations metric;
@@ -27,7 +27,7 @@ Vector6d uphill(const RegistrationProblem& problem, const Vector6d& gradient, co
 }
 
 /// First maximum of the series, at most 1.
-double firstTop(const PowerSeries& series)
+double firstMaximum(const PowerSeries& series)
 {
     constexpr int stretches = 64;
     double below = 0.0;
@@ -54,15 +54,15 @@ struct FlowStep {
 FlowStep flowStep(const RegistrationProblem& problem, const KernelFlow& flow, const Vector6d& gradient,
                   const CentroidPose& pose, double scalePx)
 {
-    const Vector6d direction = uphill(problem, gradient, pose);
+    const Vector6d direction = ascentDirection(problem, gradient, pose);
     const double lengthMm = stepLengthMm(direction, problem.tree.spreadMm);
     if (!(lengthMm > 0.0)) {
         return {};
     }
     const double depthMm = std::max(minProjectableDepthMm, pose.centroidInCamera.z());
-    const double longestPx = longestFlowStep * scalePx;
+    const double longestPx = maxFlowStep * scalePx;
     const Vector6d longest = longestPx * millimetersPerPixel(problem.camera, depthMm) / lengthMm * direction;
-    const double share = firstTop(flow.along(longest));
+    const double share = firstMaximum(flow.along(longest));
     return {share * longest, share * longestPx};
 }
 
@@ -81,15 +81,15 @@ MethodSolution solveCvo(const RegistrationProblem& problem, const RegistrationOp
             flow.emplace(problem, flowOptions);
             search.changeCost("flow", flowOptions.scalePx, std::numeric_limits<double>::infinity());
         }
-        const KernelFlow::Slope slope = flow->at(pose);
-        search.note(pose, -slope.value);
+        const KernelFlow::ValueAndGradient slope = flow->at(pose);
+        search.recordTrial(pose, -slope.value);
         const bool isFinal = flowOptions.scalePx <= options.cvo.finalScalePx;
         const FlowStep next = flowStep(problem, *flow, slope.gradient, pose, flowOptions.scalePx);
         if (next.motionPx < settledFlowPx && (isFinal || slope.value == 0.0)) {
             reason = slope.value > 0.0 ? StopReason::Converged : StopReason::NoImprovement;
             break;
         }
-        pose = problem.freedom.moved(pose, next.step);
+        pose = problem.freedom.retract(pose, next.step);
         if (k + 1 >= stepsAtFirstScale && !isFinal) {
             flowOptions.scalePx = std::max(options.cvo.finalScalePx, options.cvo.decay * flowOptions.scalePx);
             flow.reset();

@@ -19,8 +19,8 @@ public:
             return KernelPnp(problem, seed_.prior, schedule).solve(start, observe);
         }
         schedule.freedom = stage == SearchStage::Turn ? Freedom::Rotation : Freedom::Full;
-        schedule.nearestMm = seed_.nearestMm;
-        schedule.farthestMm = seed_.farthestMm;
+        schedule.minDepthMm = seed_.minDepthMm;
+        schedule.maxDepthMm = seed_.maxDepthMm;
         return KernelPnp(problem, {}, schedule).solve(start, observe);
     }
 

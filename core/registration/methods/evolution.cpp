@@ -22,13 +22,13 @@ MethodSolution solveEvolution(const RegistrationProblem& problem, const Registra
     const PoseParameters parameters(search.start(), clinicalUnits(3.0, 3.0, 10.0, 20.0), problem.freedom);
     const auto cost = [&](const Eigen::VectorXd& x) {
         const CentroidPose pose = parameters.pose(x);
-        return search.note(pose, -brightness.of(pose, 1.0));
+        return search.recordTrial(pose, -brightness.of(pose, 1.0));
     };
-    const EvolveOptions evolution{options.evolution.population, options.evolution.evaluations, 1e-3,
-                                  static_cast<std::uint64_t>(options.randomSeed)};
+    const EvolutionSettings evolution{options.evolution.population, options.evolution.evaluations, 1e-3,
+                                      static_cast<std::uint64_t>(options.randomSeed)};
     const auto isStopped = [&] { return search.isStopped(); };
     const auto evolve =
-        options.evolution.strategy == EvolutionStrategy::OnePlusOne ? evolveOneByOne : evolveByCovariance;
+        options.evolution.strategy == EvolutionStrategy::OnePlusOne ? minimizeOnePlusOneEs : minimizeCmaEs;
     const bool isConverged = evolve(cost, parameters.count(), evolution, isStopped);
 
     MethodSolution solution = search.solution(isConverged ? StopReason::Converged : StopReason::IterationLimit);

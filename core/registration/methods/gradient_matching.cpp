@@ -2,8 +2,8 @@
 
 #include "core/imaging/image_filters.h"
 #include "core/registration/methods/pose_trials.h"
-#include "core/registration/picture/vessel_picture.h"
-#include "core/registration/pose/minimise.h"
+#include "core/registration/picture/vessel_image.h"
+#include "core/registration/pose/minimize.h"
 #include "core/registration/pose/pose_parameters.h"
 #include "core/support/stopwatch.h"
 
@@ -21,7 +21,7 @@ constexpr double unknownWallRadiusMm = 1.0;
 class WallAgreement {
 public:
     WallAgreement(const RegistrationProblem& problem, double scalePx)
-        : problem_(problem), picture_(blurred(vesselPicture(problem), scalePx))
+        : problem_(problem), picture_(gaussianBlur(vesselImage(problem), scalePx))
     {
     }
 
@@ -94,7 +94,7 @@ MethodSolution solveGradientMatching(const RegistrationProblem& problem, const R
     const Minimum minimum = minimize(
         [&](const Eigen::VectorXd& x, Eigen::VectorXd&) {
             const CentroidPose pose = parameters.pose(x);
-            return search.note(pose, -agreement.of(search.inPatient(pose)));
+            return search.recordTrial(pose, -agreement.of(search.rigidPose(pose)));
         },
         parameters.origin(), powell, [&] { return search.isStopped(); });
 

@@ -38,7 +38,7 @@ struct OpenBranch {
 struct Matched {
     CentroidPose pose;
     double score = 0.0;
-    std::vector<PlacePair> pairs;
+    std::vector<PointPixelPair> pairs;
     std::set<int> branches;   ///< tree edges already decided
     std::set<int> traced;   ///< traced edges already used
     std::deque<OpenBranch> open;
@@ -75,11 +75,11 @@ private:
     std::optional<Eigen::Vector2d> pixelOf(const Eigen::Vector3d& fromCentroid, const CentroidPose& pose) const;
     std::vector<Eigen::Vector2d> projected(const EdgeEnd& branch, const CentroidPose& pose) const;
     std::vector<Root> roots();
-    CentroidPose laidOn(int node, int tracedNode) const;
+    CentroidPose shiftedOnto(int node, int tracedNode) const;
     void open(Matched& state, int node, int tracedNode) const;
     std::vector<Matched> successors(const Matched& state);
     std::optional<Matched> extended(const Matched& rest, const OpenBranch& open, const EdgeEnd& way) const;
-    bool runAlike(const EdgeEnd& branch, const TracedPath& path, const CentroidPose& pose) const;
+    bool haveSimilarCourse(const EdgeEnd& branch, const TracedPath& path, const CentroidPose& pose) const;
 
     const RegistrationProblem& problem_;
     const RegistrationOptions& options_;
@@ -87,7 +87,7 @@ private:
     BranchGraph traced_;
     GraphScore score_;
     PoseTrials search_;
-    StartPrior prior_;
+    InitialPosePrior prior_;
     std::vector<std::pair<double, CentroidPose>> tried_;
 };
 
@@ -141,13 +141,13 @@ std::vector<Eigen::Vector2d> GraphSearch::projected(const EdgeEnd& branch, const
 }
 
 /// Returns the initial pose, shifted across the ray until the tree node projects onto the traced node.
-CentroidPose GraphSearch::laidOn(int node, int tracedNode) const
+CentroidPose GraphSearch::shiftedOnto(int node, int tracedNode) const
 {
     CentroidPose pose = search_.start();
     const Eigen::Vector3d place = pose.rotation * nodePlace(node) + pose.centroidInCamera;
     const Eigen::Vector3d ray = rayThroughPixel(problem_.camera, tracedPlace(tracedNode));
     pose.centroidInCamera += place.z() / ray.z() * ray - place;
-    return problem_.freedom.held(pose);
+    return problem_.freedom.restoreLocked(pose);
 }
 
 /// Returns the pairs of nodes of the same kind (bifurcation or end) that are close at the initial pose, limited to
@@ -174,7 +174,7 @@ std::vector<GraphSearch::Root> GraphSearch::roots()
     near.resize(std::min(near.size(), maxRootTrials));
     std::vector<Root> found;
     for (const Near& pair : near) {
-        const CentroidPose pose = laidOn(pair.node, pair.tracedNode);
+        const CentroidPose pose = shiftedOnto(pair.node, pair.tracedNode);
         found.push_back({score_.of(pose), pair.node, pair.tracedNode, pose});
     }
     std::ranges::stable_sort(found, std::ranges::greater{}, &Root::score);
@@ -191,7 +191,7 @@ void GraphSearch::open(Matched& state, int node, int tracedNode) const
     }
 }
 
-bool GraphSearch::runAlike(const EdgeEnd& branch, const TracedPath& path, const CentroidPose& pose) const
+bool GraphSearch::haveSimilarCourse(const EdgeEnd& branch, const TracedPath& path, const CentroidPose& pose) const
 {
     const std::size_t count = branches_.edges[static_cast<std::size_t>(branch.edge)].size();
     const Eigen::Vector3d first = tree().points[pointAt(branch, 0)];
@@ -205,7 +205,7 @@ bool GraphSearch::runAlike(const EdgeEnd& branch, const TracedPath& path, const 
         return false;
     }
     const Eigen::Vector2d heading = *to - *from;
-    const Eigen::Vector2d other = placeAlong(path.points, pathHeadingPx) - path.points.front();
+    const Eigen::Vector2d other = pointAtLength(path.points, pathHeadingPx) - path.points.front();
     return heading.norm() < undirectedPx || heading.dot(other) > minLikeCosine * heading.norm() * other.norm();
 }
 
@@ -217,25 +217,25 @@ std::optional<Matched> GraphSearch::extended(const Matched& rest, const OpenBran
     if (!(lengthPx > 0.0)) {
         return {};
     }
-    const TracedPath path = pathFrom(traced_, problem_.target, way, lengthPx);
+    const TracedPath path = followPath(traced_, problem_.target, way, lengthPx);
     const bool isTaken = std::ranges::any_of(path.edges, [&](int edge) { return rest.traced.contains(edge); });
-    if (isTaken || !runAlike(open.branch, path, rest.pose)) {
+    if (isTaken || !haveSimilarCourse(open.branch, path, rest.pose)) {
         return {};
     }
     Matched next = rest;
     next.traced.insert(path.edges.begin(), path.edges.end());
-    const double stretch = path.arrivesAt == TracedPath::nowhere ? 1.0 : path.lengthPx / lengthPx;
+    const double stretch = path.endNode == TracedPath::noNode ? 1.0 : path.lengthPx / lengthPx;
     const std::size_t stride = std::max<std::size_t>(1, seen.size() / pairsPerBranch);
     double along = 0.0;
     for (std::size_t step = 0; step < seen.size(); ++step) {
         along += step > 0 ? (seen[step] - seen[step - 1]).norm() : 0.0;
         if (step % stride == 0) {
             next.pairs.push_back({tree().points[pointAt(open.branch, step)] - tree().centroid,
-                                  placeAlong(path.points, stretch * along)});
+                                  pointAtLength(path.points, stretch * along)});
         }
     }
-    if (path.arrivesAt != TracedPath::nowhere) {
-        this->open(next, branches_.arrivalOf(open.branch), path.arrivesAt);
+    if (path.endNode != TracedPath::noNode) {
+        this->open(next, branches_.targetNode(open.branch), path.endNode);
     }
     next.pose = fitPairs(next.pairs, problem_.camera, prior_, graphPairStdMm, graphFitSteps, rest.pose);
     next.score = score_.of(next.pose);
@@ -258,7 +258,7 @@ std::vector<Matched> GraphSearch::successors(const Matched& state)
     std::vector<Matched> next;
     for (const EdgeEnd& way : traced_.nodes[static_cast<std::size_t>(open.tracedNode)]) {
         if (auto more = rest.traced.contains(way.edge) ? std::nullopt : extended(rest, open, way)) {
-            search_.note(more->pose, -more->score);
+            search_.recordTrial(more->pose, -more->score);
             next.push_back(std::move(*more));
         }
     }
@@ -269,7 +269,7 @@ std::vector<Matched> GraphSearch::successors(const Matched& state)
 void GraphSearch::run()
 {
     search_.changeCost("graph", GraphScore::scalePx, -score_.of(search_.start()));
-    search_.tick();
+    search_.advanceProgress();
     std::vector<Matched> states;
     std::set<std::pair<double, std::size_t>> queue;   // best first; ties in order of creation
     const auto add = [&](Matched state) {

@@ -26,8 +26,8 @@ void refineByKernel(const RegistrationProblem& problem, std::span<const Centroid
         }
         const RigidTransform start{pose.rotation, pose.centroidInCamera};
         KernelPnp(full, {}, schedule).solve(start, [&](const KernelIteration& step) {
-            search.note({step.pose.rotation, step.pose.translation}, kernelLoss(*step.distances, finalScalePx));
-            return search.isStopped() ? Verdict::Stop : Verdict::Continue;
+            search.recordTrial({step.pose.rotation, step.pose.translation}, kernelLoss(*step.distances, finalScalePx));
+            return search.isStopped() ? ObserverDecision::Stop : ObserverDecision::Continue;
         });
     }
 }

@@ -3,7 +3,7 @@
 #include "core/messages/messages.h"
 #include "core/registration/methods/pose_trials.h"
 #include "core/registration/pnp/pair_deformation.h"
-#include "core/registration/pose/minimise.h"
+#include "core/registration/pose/minimize.h"
 #include "core/registration/pose/pose_parameters.h"
 #include "core/support/stopwatch.h"
 
@@ -16,7 +16,7 @@ namespace {
 constexpr double branchReachDecay = 0.8;
 constexpr double shortestBranchReachPx = 5.0;
 constexpr int evaluationsPerFit = 60;
-constexpr int usualEvaluations = 15;   // evaluations per round, estimated for the progress display
+constexpr int typicalEvaluations = 15;   // evaluations per round, estimated for the progress display
 constexpr std::size_t minBranchPairs = 6;
 constexpr double settledBranchesMm = 1e-3;
 
@@ -45,7 +45,7 @@ double pairCost(const RegistrationProblem& problem, const std::vector<BranchPair
 }
 
 /// Finds the pose that best aligns the pairs by L-BFGS over Euler angles and shift, and stores it in `search`.
-void layOnto(const RegistrationProblem& problem, const std::vector<BranchPair>& pairs, PoseTrials& search)
+void fitToPairs(const RegistrationProblem& problem, const std::vector<BranchPair>& pairs, PoseTrials& search)
 {
     MinimizeOptions lbfgs;
     lbfgs.minimizer = Minimizer::Lbfgs;
@@ -58,12 +58,12 @@ void layOnto(const RegistrationProblem& problem, const std::vector<BranchPair>& 
         Vector6d stepGradient;
         const double meanSquare = pairCost(problem, pairs, pose, stepGradient);
         gradient = parameters.gradient(x, stepGradient);
-        return search.note(pose, meanSquare);
+        return search.recordTrial(pose, meanSquare);
     };
     minimize(cost, parameters.origin(), lbfgs, [&] { return search.isStopped(); });
 }
 
-Message whatMoved(const PairDeformation& deformation)
+Message displacementMessage(const PairDeformation& deformation)
 {
     return messages::matchedBranchesMoved(inMm(deformation.rmsMm, 2), inMm(deformation.largestMm, 2),
                                           Quantity{deformation.medianPx, 2, "px"},
@@ -73,16 +73,16 @@ Message whatMoved(const PairDeformation& deformation)
 
 /// Deforms the tree onto the matched curves beyond the rigid pose and describes the motion in messages; empty if
 /// stopped or if nothing moves.
-Messages lettingMove(const RegistrationProblem& problem, const BranchMatching& matching, double reachPx,
-                     PoseTrials& search)
+Messages deformOntoCurves(const RegistrationProblem& problem, const BranchMatching& matching, double reachPx,
+                          PoseTrials& search)
 {
     const auto isStopped = [&] {
-        search.tick();
+        search.advanceProgress();
         return search.isStopped();
     };
     const PairDeformation deformation =
         deformOntoPairs(problem, matching.tree(), search.best(), matching.pairs(search.best(), reachPx), isStopped);
-    return deformation.largestMm > 0.0 && !search.isStopped() ? Messages{whatMoved(deformation)} : Messages();
+    return deformation.largestMm > 0.0 && !search.isStopped() ? Messages{displacementMessage(deformation)} : Messages();
 }
 
 }   // namespace
@@ -93,19 +93,19 @@ MethodSolution solveMatchedBranches(const RegistrationProblem& problem, const Re
     Stopwatch stopwatch;
     const BranchMatching matching(problem);
     const double targetMs = stopwatch.lapMs();
-    PoseTrials search(problem, usualEvaluations * options.branches.rounds + deformationEvaluations, progress);
+    PoseTrials search(problem, typicalEvaluations * options.branches.rounds + deformationEvaluations, progress);
     StopReason reason = StopReason::IterationLimit;
     double reachPx = std::max(options.branches.reachPx, shortestBranchReachPx);
     for (int round = 0; round < options.branches.rounds && !search.isStopped(); ++round) {
         const CentroidPose before = search.best();
         const std::vector<BranchPair> pairs = matching.pairs(before, reachPx);
-        search.tick();
+        search.advanceProgress();
         if (pairs.size() < minBranchPairs) {
             reason = StopReason::NoImprovement;
             break;
         }
         search.changeCost("branches", reachPx, std::numeric_limits<double>::infinity());
-        layOnto(problem, pairs, search);
+        fitToPairs(problem, pairs, search);
         const double motionMm = stepLengthMm(stepBetween(before, search.best()), problem.tree.spreadMm);
         if (reachPx <= shortestBranchReachPx && motionMm < settledBranchesMm) {
             reason = StopReason::Converged;
@@ -115,7 +115,7 @@ MethodSolution solveMatchedBranches(const RegistrationProblem& problem, const Re
     }
     Messages notes;
     if (options.branches.motion && !search.isStopped()) {
-        notes = lettingMove(problem, matching, reachPx, search);
+        notes = deformOntoCurves(problem, matching, reachPx, search);
     }
     MethodSolution solution = search.solution(reason);
     solution.warnings = std::move(notes);

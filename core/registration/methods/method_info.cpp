@@ -46,8 +46,8 @@ std::optional<Message> findProblem(const RegistrationOptions& options)
     for (const OptionField& field : optionFields()) {
         if (!isInRange(field, options)) {
             const OptionRange range = rangeOf(field);
-            return messages::optionOutOfRange(field.key, Quantity{range.min, Quantity::asNeeded},
-                                              Quantity{range.max, Quantity::asNeeded});
+            return messages::optionOutOfRange(field.key, Quantity{range.min, Quantity::significantDigits},
+                                              Quantity{range.max, Quantity::significantDigits});
         }
     }
     return findProblem(options.locks, *findMethod(options.method));

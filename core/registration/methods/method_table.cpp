@@ -20,8 +20,8 @@ const std::vector<Method>& table()
         {{"iterative-pnp", "DynaWeightPnP*", "Kernel-weighted iterative PnP on all points (Song, Ghaffari)."},
          solveIterativePnp},
         {{"nicp", "NICP",
-          "Gradient ascent of the mean kernel between tree and traced vessels, or of the image brightness (Aylward "
-          "2003; re-implementation, our parameters)."},
+          "Gradient ascent of the mean kernel value between tree and traced vessels, or of the image intensity "
+          "(Aylward 2003; re-implementation, our parameters)."},
          solveNicp},
         {{"nicp-alternating", "NICP*",
           "NICP inside the alternating search (Song, Ghaffari; re-implementation, our parameters)."},
@@ -30,7 +30,7 @@ const std::vector<Method>& table()
           "Minimum Huber loss of the distances to the nearest traced vessel (Rivest-Hénault 2012; re-implementation, "
           "our parameters)."},
          solveDtIcp},
-        {{"assembled-icp", "Assembled ICP", "Repeated least squares on nearest pairs, with OpenCV's SQPNP."},
+        {{"assembled-icp", "Assembled ICP", "Iterative closest points with OpenCV's SQPnP solver."},
          solveAssembledIcp,
          false},
         {{"rgbr", "RGBR",
@@ -49,11 +49,11 @@ const std::vector<Method>& table()
           "our parameters)."},
          solveOgmm},
         {{"cvo", "CVO",
-          "Gradient flow of the inner product of tree and traced vessels as functions in the image (Ghaffari 2019; "
-          "re-implementation, our parameters)."},
+          "Gradient flow of the inner product of tree and traced vessels, represented as functions in the image "
+          "(Ghaffari 2019; re-implementation, our parameters)."},
          solveCvo},
         {{"matched-branches", "Matched branches",
-          "Least squares on branches matched by their graphs, followed by length-preserving vessel motion (Groher "
+          "Least squares on branches matched by graph matching, followed by length-preserving vessel motion (Groher "
           "2009; re-implementation, our parameters)."},
          solveMatchedBranches},
         {{"graph-matching", "Graph matching",
@@ -61,16 +61,16 @@ const std::vector<Method>& table()
           "re-implementation, our parameters)."},
          solveGraphMatching},
         {{"particle", "Particles",
-          "Many poses at once, resampled by likelihood, or a walk over the out-of-plane angles (after Tian 2022; "
+          "Particle filter resampled by likelihood, or a sweep over the out-of-plane angles (after Tian 2022; "
           "re-implementation, our parameters)."},
          solveParticle},
         {{"evolution", "Evolution",
-          "Image brightness under the vessels at their own width, evolution strategy (Jomier 2006; re-implementation, "
-          "our parameters)."},
+          "Image intensity under the vessels at the scale of each vessel, optimized by an evolution strategy (Jomier "
+          "2006; re-implementation, our parameters)."},
          solveEvolution},
         {{"wire", "Wire or catheter",
-          "For images that show only a wire or catheter: finds its path through the tree, and the pose near the last "
-          "full registration."},
+          "For images that show only a guidewire or catheter: finds its path through the tree, and the pose near the "
+          "last full registration."},
          solveWire},
     };
     return rows;

@@ -36,7 +36,7 @@ MethodSolution climb(const RegistrationProblem& problem, const RegistrationOptio
     return solution;
 }
 
-constexpr double widenings[] = {2.0, 1.0};   // blur factors; the wider initial blur has a larger capture range
+constexpr double widthScales[] = {2.0, 1.0};   // blur factors; the wider initial blur has a larger capture range
 constexpr double firstMotionPx = 2.0;
 constexpr double settledBrightnessPx = 0.01;
 
@@ -48,14 +48,14 @@ double meanMotionPx(const RegistrationProblem& problem, const CentroidPose& pose
 }
 
 /// Descends along the gradient until the steps become negligible; returns whether they did.
-bool settle(const RegistrationProblem& problem, const VesselBrightness& brightness, double widening, int iterations,
+bool settle(const RegistrationProblem& problem, const VesselBrightness& brightness, double widthScale, int iterations,
             PoseTrials& search)
 {
-    double motionPx = firstMotionPx * widening;
+    double motionPx = firstMotionPx * widthScale;
     for (int i = 0; i < iterations && !search.isStopped(); ++i) {
         const CentroidPose pose = search.best();
         const double before = search.bestCost();
-        const Vector6d direction = problem.freedom.dampedStep(brightness.pull(pose, widening), 1e-3, pose);
+        const Vector6d direction = problem.freedom.dampedStep(brightness.normalEquations(pose, widthScale), 1e-3, pose);
         const double unitPx = meanMotionPx(problem, pose, direction);
         if (!(unitPx > 0.0)) {
             return true;
@@ -63,8 +63,8 @@ bool settle(const RegistrationProblem& problem, const VesselBrightness& brightne
         motionPx *= 2.0;
         do {
             motionPx *= 0.5;
-            const CentroidPose next = problem.freedom.moved(pose, motionPx / unitPx * direction);
-            search.note(next, -brightness.of(next, widening));
+            const CentroidPose next = problem.freedom.retract(pose, motionPx / unitPx * direction);
+            search.recordTrial(next, -brightness.of(next, widthScale));
         } while (!(search.bestCost() < before) && motionPx > settledBrightnessPx && !search.isStopped());
         if (!(search.bestCost() < before)) {
             return true;
@@ -82,9 +82,9 @@ MethodSolution climbBrightness(const RegistrationProblem& problem, const Registr
     const double targetMs = stopwatch.lapMs();
     PoseTrials search(problem, 2 * options.nicp.iterations, progress);
     bool isSettled = true;
-    for (const double widening : widenings) {
-        search.changeCost("brightness", 0.0, -brightness.of(search.best(), widening));
-        isSettled = settle(problem, brightness, widening, options.nicp.iterations, search);
+    for (const double widthScale : widthScales) {
+        search.changeCost("brightness", 0.0, -brightness.of(search.best(), widthScale));
+        isSettled = settle(problem, brightness, widthScale, options.nicp.iterations, search);
     }
     MethodSolution solution = search.solution(isSettled ? StopReason::Converged : StopReason::IterationLimit);
     solution.time.targetMs = targetMs;

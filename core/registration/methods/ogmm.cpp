@@ -2,7 +2,7 @@
 
 #include "core/registration/methods/pose_trials.h"
 #include "core/registration/pnp/oriented_mixture.h"
-#include "core/registration/pose/minimise.h"
+#include "core/registration/pose/minimize.h"
 #include "core/registration/pose/pose_parameters.h"
 #include "core/support/stopwatch.h"
 
@@ -42,7 +42,7 @@ MethodSolution solveOgmm(const RegistrationProblem& problem, const RegistrationO
             Vector6d stepGradient;
             const double distance = mixture.distance(pose, stepGradient);
             gradient = parameters.gradient(x, stepGradient);
-            return search.note(pose, distance);
+            return search.recordTrial(pose, distance);
         };
         isConverged = minimize(cost, parameters.origin(), lbfgs, [&] { return search.isStopped(); }).isConverged;
         mixtureOptions.scalePx *= ratio;

@@ -45,7 +45,7 @@ public:
     }
 
     std::vector<Scored> filterParticles();
-    std::vector<Scored> walkOutOfPlane();
+    std::vector<Scored> sweepOutOfPlane();
     void refine(const std::vector<Scored>& best);
     MethodSolution solution() const { return search_.solution(StopReason::Converged); }
 
@@ -57,13 +57,13 @@ private:
                    ? across * across
                    : options_.particle.count * options_.particle.rounds;
     }
-    Scored scored(const CentroidPose& pose)
+    Scored scoredPose(const CentroidPose& pose)
     {
         const double agreement = kernel_.agreement(pose, likelihoodScalePx);
-        search_.note(pose, -agreement);
+        search_.recordTrial(pose, -agreement);
         return {pose, agreement};
     }
-    std::vector<Scored> survivors(const std::vector<Scored>& particles, CounterRandom& random) const;
+    std::vector<Scored> resample(const std::vector<Scored>& particles, CounterRandom& random) const;
     CentroidPose solvedInPlane(CentroidPose pose);
 
     const RegistrationProblem& problem_;
@@ -77,7 +77,7 @@ std::vector<Scored> ParticleSearch::filterParticles()
 {
     CounterRandom random(static_cast<std::uint64_t>(options_.randomSeed));
     const Vector6d spread = clinicalUnits(1.5, 2.0, 4.0, 8.0);
-    std::vector<Scored> particles(static_cast<std::size_t>(options_.particle.count), scored(search_.start()));
+    std::vector<Scored> particles(static_cast<std::size_t>(options_.particle.count), scoredPose(search_.start()));
     double width = 1.0;
     for (int round = 0; round < options_.particle.rounds && !search_.isStopped(); ++round, width *= spreadDecay) {
         for (Scored& particle : particles) {
@@ -85,23 +85,23 @@ std::vector<Scored> ParticleSearch::filterParticles()
             for (double& value : step) {
                 value = width * random.normal();
             }
-            CentroidPose pose = problem_.freedom.moved(particle.pose, step.cwiseProduct(spread));
+            CentroidPose pose = problem_.freedom.retract(particle.pose, step.cwiseProduct(spread));
             for (int k = 0; k < stepsPerSurvivor; ++k) {
-                pose = kernel_.stepped(pose, likelihoodScalePx, false);
+                pose = kernel_.gaussNewtonStep(pose, likelihoodScalePx, false);
             }
-            particle = scored(pose);
+            particle = scoredPose(pose);
             if (search_.isStopped()) {
                 return {};
             }
         }
-        particles = survivors(particles, random);
+        particles = resample(particles, random);
     }
     sortBestFirst(particles);
     return particles;
 }
 
 /// Systematic resampling: one random offset, then even spacing.
-std::vector<Scored> ParticleSearch::survivors(const std::vector<Scored>& particles, CounterRandom& random) const
+std::vector<Scored> ParticleSearch::resample(const std::vector<Scored>& particles, CounterRandom& random) const
 {
     double best = 0.0;
     for (const Scored& particle : particles) {
@@ -131,14 +131,14 @@ CentroidPose ParticleSearch::solvedInPlane(CentroidPose pose)
     const double ratio = std::pow(likelihoodScalePx / 40.0, 1.0 / (stepsPerCell - 1));
     double scalePx = 40.0;
     for (int k = 0; k < stepsPerCell; ++k, scalePx *= ratio) {
-        pose = kernel_.stepped(pose, scalePx, true);
+        pose = kernel_.gaussNewtonStep(pose, scalePx, true);
     }
     return pose;
 }
 
 /// Sweeps the two out-of-plane angles, in which local optima mainly differ, from the initial pose outward and solves
 /// the remaining parameters in each cell. Continues to the neighbors of a cell only if it beats all previous cells.
-std::vector<Scored> ParticleSearch::walkOutOfPlane()
+std::vector<Scored> ParticleSearch::sweepOutOfPlane()
 {
     constexpr int across = 2 * cellsToEachSide + 1;
     constexpr auto cellCount = static_cast<std::size_t>(across) * across;
@@ -149,14 +149,14 @@ std::vector<Scored> ParticleSearch::walkOutOfPlane()
         CentroidPose from;
     };
     std::array<bool, cellCount> isSeen{};
-    std::deque<Cell> waiting{{cellsToEachSide, cellsToEachSide, search_.start()}};
+    std::deque<Cell> queue{{cellsToEachSide, cellsToEachSide, search_.start()}};
     isSeen[cellIndex(cellsToEachSide, across, cellsToEachSide)] = true;
     std::vector<Scored> solved;
     double best = -1.0;
-    while (!waiting.empty() && !search_.isStopped()) {
-        const Cell cell = waiting.front();
-        waiting.pop_front();
-        solved.push_back(scored(solvedInPlane(cell.from)));
+    while (!queue.empty() && !search_.isStopped()) {
+        const Cell cell = queue.front();
+        queue.pop_front();
+        solved.push_back(scoredPose(solvedInPlane(cell.from)));
         if (solved.back().agreement <= best) {
             continue;
         }
@@ -172,7 +172,7 @@ std::vector<Scored> ParticleSearch::walkOutOfPlane()
                 isSeen[number] = true;
                 Vector6d turn = Vector6d::Zero();
                 turn.head<2>() = cellDeg * perDeg * Eigen::Vector2d(dx, dy);
-                waiting.push_back({x, y, problem_.freedom.moved(solved.back().pose, turn)});
+                queue.push_back({x, y, problem_.freedom.retract(solved.back().pose, turn)});
             }
         }
     }
@@ -198,7 +198,7 @@ MethodSolution solveParticle(const RegistrationProblem& problem, const Registrat
     Stopwatch stopwatch;
     ParticleSearch search(problem, options, progress);
     const double targetMs = stopwatch.lapMs();
-    search.refine(options.particle.search == ParticleSearchKind::OutOfPlane ? search.walkOutOfPlane()
+    search.refine(options.particle.search == ParticleSearchKind::OutOfPlane ? search.sweepOutOfPlane()
                                                                             : search.filterParticles());
     MethodSolution solution = search.solution();
     solution.time.targetMs = targetMs;

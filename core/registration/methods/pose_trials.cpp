@@ -19,7 +19,7 @@ PoseTrials::PoseTrials(const RegistrationProblem& problem, int budget, ProgressL
       best_(start_),
       bestCost_(std::numeric_limits<double>::infinity()),
       budget_(std::max(1, budget)),
-      reportEvery_(std::max(1, budget / reportsInAll))
+      reportInterval_(std::max(1, budget / reportsInAll))
 {
     const std::size_t stride = std::max<std::size_t>(1, problem.tree.size() / probeCount);
     for (std::size_t i = 0; i < problem.tree.size(); i += stride) {
@@ -27,12 +27,12 @@ PoseTrials::PoseTrials(const RegistrationProblem& problem, int budget, ProgressL
     }
 }
 
-RigidTransform PoseTrials::inPatient(const CentroidPose& pose) const
+RigidTransform PoseTrials::rigidPose(const CentroidPose& pose) const
 {
     return cameraFromPatient(pose, problem_.tree.centroid);
 }
 
-double PoseTrials::note(const CentroidPose& pose, double cost)
+double PoseTrials::recordTrial(const CentroidPose& pose, double cost)
 {
     if (progress_.isStopped()) {
         return cost;   // keeps the reported pose as the result
@@ -41,13 +41,13 @@ double PoseTrials::note(const CentroidPose& pose, double cost)
         bestCost_ = cost;
         best_ = pose;
     }
-    tick();
+    advanceProgress();
     return cost;
 }
 
-void PoseTrials::tick()
+void PoseTrials::advanceProgress()
 {
-    if (!progress_.isStopped() && tried_++ % reportEvery_ == 0) {
+    if (!progress_.isStopped() && trialCount_++ % reportInterval_ == 0) {
         report();
     }
 }
@@ -62,7 +62,7 @@ void PoseTrials::changeCost(std::string_view stage, double scalePx, double costO
 MethodSolution PoseTrials::solution(StopReason reason) const
 {
     MethodSolution solution;
-    solution.cameraFromPatient = inPatient(best_);
+    solution.cameraFromPatient = rigidPose(best_);
     solution.cameraFromPatient.rotation = nearestRotation(solution.cameraFromPatient.rotation);
     solution.stopReason = progress_.isStopped() ? StopReason::StoppedByUser : reason;
     solution.iterations = progress_.iterations();
@@ -73,9 +73,9 @@ void PoseTrials::report()
 {
     IterationReport report;
     report.stage = stage_;
-    report.progress = static_cast<double>(tried_) / budget_;
+    report.progress = static_cast<double>(trialCount_) / budget_;
     report.scalePx = scalePx_;
-    report.cameraFromPatient = inPatient(best_);
+    report.cameraFromPatient = rigidPose(best_);
     distances_.clear();
     for (const Eigen::Vector3d& probe : probes_) {
         const auto pixel = project(problem_.camera, report.cameraFromPatient * probe);

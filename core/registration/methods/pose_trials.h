@@ -14,13 +14,13 @@ public:
     PoseTrials(const RegistrationProblem& problem, int budget, ProgressLog& progress);
 
     const CentroidPose& start() const { return start_; }
-    RigidTransform inPatient(const CentroidPose& pose) const;
+    RigidTransform rigidPose(const CentroidPose& pose) const;
 
     /// Records a trial pose and its cost; returns the cost.
-    double note(const CentroidPose& pose, double cost);
+    double recordTrial(const CentroidPose& pose, double cost);
 
     /// Counts work without a trial pose, so that progress reports and stop checks continue.
-    void tick();
+    void advanceProgress();
 
     /// Switches to a new cost: the best pose is kept until a better one by the new cost is found.
     void changeCost(std::string_view stage, double scalePx, double costOfBest);
@@ -41,8 +41,8 @@ private:
     CentroidPose best_;
     double bestCost_;
     int budget_;
-    int tried_ = 0;
-    int reportEvery_;
+    int trialCount_ = 0;
+    int reportInterval_;
     std::string_view stage_ = "search";
     double scalePx_ = 0.0;
     std::vector<Eigen::Vector3d> probes_;   ///< tree points used to measure the reported distance

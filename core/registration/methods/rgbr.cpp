@@ -1,7 +1,7 @@
 #include "core/registration/methods/methods.h"
 
 #include "core/registration/methods/pose_trials.h"
-#include "core/registration/picture/vessel_picture.h"
+#include "core/registration/picture/vessel_image.h"
 #include "core/registration/picture/wall_sites.h"
 #include "core/registration/pnp/pair_fit.h"
 #include "core/support/random.h"
@@ -27,7 +27,7 @@ constexpr double pairStdMm = 1.0;
 constexpr int fitSteps = 3;
 
 /// Point on a vessel wall and the image edge found for it.
-using Correspondence = PlacePair;
+using Correspondence = PointPixelPair;
 
 class Rgbr {
 public:
@@ -35,7 +35,7 @@ public:
         : options_(options),
           freedom_(problem.freedom),
           spreadMm_(problem.tree.spreadMm),
-          gradients_(vesselPicture(problem), problem.camera, blurPx),
+          gradients_(vesselImage(problem), problem.camera, blurPx),
           sites_(wallSites(problem.tree, maxSites)),
           fewSites_(wallSites(problem.tree, scoringSites)),
           random_(static_cast<std::uint64_t>(options.randomSeed)),
@@ -79,7 +79,7 @@ MethodSolution Rgbr::run()
         }
         const Vector6d motion = stepBetween(pose, next);
         pose = next;
-        search_.note(pose, -gradients_.score(sites_, pose));
+        search_.recordTrial(pose, -gradients_.score(sites_, pose));
         const bool isShort = reachMm <= shortestReachMm;
         if (isShort && motion.tail<3>().norm() + spreadMm_ * motion.head<3>().norm() < settledGradientMm) {
             reason = StopReason::Converged;
@@ -96,20 +96,20 @@ std::vector<Correspondence> Rgbr::findEdges(const CentroidPose& pose, double rea
     std::vector<Correspondence> pairs;
     const int steps = static_cast<int>(reachMm / stepMm);
     for (const WallSite& site : sites_) {
-        const Eigen::Vector3d place = pose.rotation * site.place + pose.centroidInCamera;
+        const Eigen::Vector3d position = pose.rotation * site.position + pose.centroidInCamera;
         const Eigen::Vector3d normal = pose.rotation * site.normal;
         double best = 0.0;
         int bestStep = 0;
         for (int k = 0; k <= 2 * steps; ++k) {
             const int step = k % 2 == 0 ? -k / 2 : (k + 1) / 2;   // nearest first; in a tie the nearest wins
-            const double agreement = gradients_.agreement(place + stepMm * step * normal, normal);
+            const double agreement = gradients_.agreement(position + stepMm * step * normal, normal);
             if (agreement > best) {
                 best = agreement;
                 bestStep = step;
             }
         }
         if (best > 0.0) {
-            pairs.push_back({site.place, *project(gradients_.camera(), place + stepMm * bestStep * normal)});
+            pairs.push_back({site.position, *project(gradients_.camera(), position + stepMm * bestStep * normal)});
         }
     }
     return pairs;
@@ -128,12 +128,12 @@ CentroidPose Rgbr::chooseByRansac(const std::vector<Correspondence>& pairs, cons
     CentroidPose best = from;
     double bestScore = gradients_.score(fewSites_, from);
     for (int h = 0; h < options_.rgbr.hypotheses && !search_.isStopped(); ++h) {
-        search_.tick();
+        search_.advanceProgress();
         std::array<Correspondence, 3> three;
         for (Correspondence& pair : three) {
             pair = pairs[static_cast<std::size_t>(random_.index(static_cast<int>(pairs.size())))];
         }
-        const double area = (three[1].place - three[0].place).cross(three[2].place - three[0].place).norm();
+        const double area = (three[1].position - three[0].position).cross(three[2].position - three[0].position).norm();
         if (area < 0.25 * spreadMm_ * spreadMm_) {
             continue;   // pairs too close together or collinear
         }
@@ -155,15 +155,15 @@ CentroidPose Rgbr::fit(std::span<const Correspondence> pairs, const CentroidPose
 {
     Vector6d std;
     std << rotationStd, rotationStd, rotationStd, lateralStdMm, lateralStdMm, gradientDepthStdMm;
-    const StartPrior prior = independentPrior(from, std, freedom_);
+    const InitialPosePrior prior = independentPrior(from, std, freedom_);
     return fitPairs(pairs, gradients_.camera(), prior, pairStdMm, fitSteps, from);
 }
 
 double Rgbr::distanceMm(const Correspondence& pair, const CentroidPose& pose) const
 {
-    const Eigen::Vector3d place = pose.rotation * pair.place + pose.centroidInCamera;
-    const auto pixel = project(gradients_.camera(), place);
-    return pixel ? (*pixel - pair.pixel).norm() * millimetersPerPixel(gradients_.camera(), place.z())
+    const Eigen::Vector3d position = pose.rotation * pair.position + pose.centroidInCamera;
+    const auto pixel = project(gradients_.camera(), position);
+    return pixel ? (*pixel - pair.pixel).norm() * millimetersPerPixel(gradients_.camera(), position.z())
                  : std::numeric_limits<double>::infinity();
 }
 

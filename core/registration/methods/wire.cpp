@@ -1,6 +1,6 @@
 #include "core/registration/methods/methods.h"
 
-#include "core/registration/wire/follow_wire.h"
+#include "core/registration/wire/find_wire_path.h"
 #include "core/support/stopwatch.h"
 
 namespace angiopose::core {
@@ -9,8 +9,8 @@ MethodSolution solveWire(const RegistrationProblem& problem, const RegistrationO
 {
     MethodSolution solution;
     Stopwatch stopwatch;
-    const auto finding =
-        std::make_shared<const WireFinding>(followWire(problem, options, [&](double share, const RigidTransform& best) {
+    const auto finding = std::make_shared<const WireResult>(
+        findWirePath(problem, options, [&](double share, const RigidTransform& best) {
             IterationReport report;
             report.stage = "search";
             report.progress = share;
@@ -26,7 +26,7 @@ MethodSolution solveWire(const RegistrationProblem& problem, const RegistrationO
                           : finding->paths.empty() ? StopReason::NoImprovement
                                                    : StopReason::Converged;
     solution.iterations = progress.iterations();
-    solution.isSettled = true;
+    solution.isFullyRefined = true;
     solution.time.solveMs = stopwatch.lapMs();
     return solution;
 }

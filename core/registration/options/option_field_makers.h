@@ -53,42 +53,42 @@ void write(Options& options, const OptionValue& value)
 }
 
 /// Key, label and help text of an option.
-struct Words {
+struct OptionText {
     std::string_view key, label, help;
 };
 
 template <auto... Path>
-OptionField row(const Words& words, OptionType type)
+OptionField row(const OptionText& text, OptionType type)
 {
-    return {words.key, words.label, words.help, std::move(type), {}, read<Path...>, write<Path...>};
+    return {text.key, text.label, text.help, std::move(type), {}, read<Path...>, write<Path...>};
 }
 
 template <auto... Path>
-OptionField toggle(const Words& words)
+OptionField toggle(const OptionText& text)
 {
     static_assert(std::is_same_v<ValueAt<Path...>, bool>);
-    return row<Path...>(words, SwitchOption{});
+    return row<Path...>(text, SwitchOption{});
 }
 
 template <auto... Path>
-OptionField choice(const Words& words, std::vector<std::string_view> names)
+OptionField choice(const OptionText& text, std::vector<std::string_view> names)
 {
     static_assert(std::is_enum_v<ValueAt<Path...>>);
-    return row<Path...>(words, ChoiceOption{std::move(names)});
+    return row<Path...>(text, ChoiceOption{std::move(names)});
 }
 
 template <auto... Path>
-OptionField number(const Words& words, const NumberOption& number)
+OptionField number(const OptionText& text, const NumberOption& number)
 {
     static_assert(std::is_same_v<ValueAt<Path...>, double>);
-    return row<Path...>(words, number);
+    return row<Path...>(text, number);
 }
 
 template <auto... Path>
-OptionField count(const Words& words, int min, int max)
+OptionField count(const OptionText& text, int min, int max)
 {
     static_assert(std::is_same_v<ValueAt<Path...>, int>);
-    return row<Path...>(words, NumberOption{"", static_cast<double>(min), static_cast<double>(max), 0});
+    return row<Path...>(text, NumberOption{"", static_cast<double>(min), static_cast<double>(max), 0});
 }
 
 inline OptionField onlyFor(std::vector<std::string_view> methods, OptionField field)

@@ -21,7 +21,7 @@ const std::vector<OptionField>& optionFields()
         std::vector<OptionField> all;
         for (const auto make :
              {commonFields, seedFields, alternatingFields, solverFields, geometryFields, icpFields, nicpFields,
-              imageFields, globalFields, flowFields, graphFields, wireFields, closingFields}) {
+              imageFields, globalFields, flowFields, graphFields, wireFields, randomSeedFields}) {
             const std::vector<OptionField> group = make();
             all.insert(all.end(), group.begin(), group.end());
         }
@@ -36,7 +36,7 @@ const OptionField* findOption(std::string_view key)
     return found == optionFields().end() ? nullptr : &*found;
 }
 
-bool isFor(const OptionField& field, std::string_view method)
+bool appliesTo(const OptionField& field, std::string_view method)
 {
     return field.methods.empty() || std::ranges::find(field.methods, method) != field.methods.end();
 }

@@ -46,7 +46,7 @@ const std::vector<OptionField>& optionFields();
 /// Option with this key, or null.
 const OptionField* findOption(std::string_view key);
 
-bool isFor(const OptionField& field, std::string_view method);
+bool appliesTo(const OptionField& field, std::string_view method);
 
 /// Names of the values of a switch or choice; empty for numbers.
 std::span<const std::string_view> namesOf(const OptionField& field);

@@ -42,6 +42,6 @@ std::vector<OptionField> graphFields();
 std::vector<OptionField> wireFields();
 
 /// Options of the random number generator, the last rows of the table.
-std::vector<OptionField> closingFields();
+std::vector<OptionField> randomSeedFields();
 
 }   // namespace angiopose::core::option_fields

@@ -8,14 +8,14 @@ namespace angiopose::core {
 namespace {
 
 /// Whether the option stores the number exactly; integer options would round it.
-bool holdsNumber(const OptionField& field, const OptionValue& number)
+bool storesExactly(const OptionField& field, const OptionValue& number)
 {
     RegistrationOptions kept;
     field.write(kept, number);
     return field.read(kept) == number;
 }
 
-Message misfit(const OptionField& field, const std::string& text)
+Message invalidValueMessage(const OptionField& field, const std::string& text)
 {
     const auto names = namesOf(field);
     if (!names.empty()) {
@@ -34,15 +34,15 @@ Result<OptionValue> optionValue(const OptionField& field, const std::string& tex
     double number = 0.0;
     const auto parsed = std::from_chars(text.data(), text.data() + text.size(), number);
     if (parsed.ec != std::errc{} || parsed.ptr != text.data() + text.size()) {
-        return Error(misfit(field, text));
+        return Error(invalidValueMessage(field, text));
     }
     if (const auto value = valueFrom(field, number)) {
-        return holdsNumber(field, *value) ? Result<OptionValue>(*value)
-                                          : Error(messages::optionNeedsWholeNumber(field.key, text));
+        return storesExactly(field, *value) ? Result<OptionValue>(*value)
+                                            : Error(messages::optionNeedsWholeNumber(field.key, text));
     }
     const OptionRange range = rangeOf(field);
-    return Error(messages::optionValueOutOfRange(field.key, Quantity{range.min, Quantity::asNeeded},
-                                                 Quantity{range.max, Quantity::asNeeded}, text));
+    return Error(messages::optionValueOutOfRange(field.key, Quantity{range.min, Quantity::significantDigits},
+                                                 Quantity{range.max, Quantity::significantDigits}, text));
 }
 
 Status setOption(RegistrationOptions& options, const std::string& assignment)

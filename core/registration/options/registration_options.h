@@ -205,7 +205,7 @@ struct GeometryOptions {
     double focalPercent = 3.0;   ///< 1-σ, for GeometrySpread::Given
     double principalPx = 10.0;   ///< 1-σ of each coordinate, for GeometrySpread::Given
     bool estimate = false;   ///< if the images contradict the camera, register again with the estimated camera
-    bool otherFrames =
+    bool checkOrientation =
         true;   ///< angiopose only: whether to test, after a failed registration, if the image is mirrored or rotated
 
     bool operator==(const GeometryOptions&) const = default;

@@ -3,7 +3,7 @@
 #include "core/imaging/mark_ball.h"
 #include "core/imaging/reduce_volume.h"
 #include "core/imaging/volume.h"
-#include "core/registration/picture/tube_picture.h"
+#include "core/registration/picture/tube_image.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,15 +20,15 @@ constexpr double minDenseHu = 300.0;   // above air; excludes the lung, which wo
 constexpr double tissueHu = 150.0;   // soft tissue without contrast agent; denser voxels contain it
 
 /// Adds a value to the four pixels around a position with bilinear weights.
-void splat(ImageF& image, const Eigen::Vector2d& place, float value)
+void splat(ImageF& image, const Eigen::Vector2d& position, float value)
 {
-    const double x = std::floor(place.x());
-    const double y = std::floor(place.y());
+    const double x = std::floor(position.x());
+    const double y = std::floor(position.y());
     if (!(x >= 0.0 && y >= 0.0 && x + 1.0 < image.width && y + 1.0 < image.height)) {
         return;
     }
-    const auto fx = static_cast<float>(place.x() - x);
-    const auto fy = static_cast<float>(place.y() - y);
+    const auto fx = static_cast<float>(position.x() - x);
+    const auto fy = static_cast<float>(position.y() - y);
     const int left = static_cast<int>(x);
     const int top = static_cast<int>(y);
     image.at(left, top) += (1.0F - fx) * (1.0F - fy) * value;
@@ -39,7 +39,7 @@ void splat(ImageF& image, const Eigen::Vector2d& place, float value)
 
 }   // namespace
 
-Drr::Drr(const RegistrationProblem& problem) : tree_(problem.tree), camera_(halved(problem.camera))
+Drr::Drr(const RegistrationProblem& problem) : tree_(problem.tree), camera_(halfSizeCamera(problem.camera))
 {
     if (problem.volume) {
         collectVoxels(*problem.volume);
@@ -72,15 +72,15 @@ void Drr::collectVoxels(const Volume& volume)
 
 ImageF Drr::from(const RigidTransform& cameraFromPatient) const
 {
-    return vessels_.voxels.empty() ? pictureOf(tree_, camera_, cameraFromPatient)
+    return vessels_.voxels.empty() ? renderTubes(tree_, camera_, cameraFromPatient)
                                    : vessels_.from(camera_, cameraFromPatient);
 }
 
-ImageF XrayedVoxels::from(const ProjectionCamera& camera, const RigidTransform& cameraFromPatient) const
+ImageF ProjectedVoxels::from(const ProjectionCamera& camera, const RigidTransform& cameraFromPatient) const
 {
     ImageF image(camera.width, camera.height);
     for (const Voxel& voxel : voxels) {
-        const Eigen::Vector3d point = cameraFromPatient * voxel.place;
+        const Eigen::Vector3d point = cameraFromPatient * voxel.position;
         const auto pixel = project(camera, point);
         if (!pixel) {
             continue;
@@ -98,12 +98,12 @@ ImageF XrayedVoxels::from(const ProjectionCamera& camera, const RigidTransform& 
     return image;
 }
 
-BodyDrr::BodyDrr(const Volume& scan, const ProjectionCamera& camera, int longestSidePx) : camera_(camera)
+BodyDrr::BodyDrr(const Volume& scan, const ProjectionCamera& camera, int maxSidePx) : camera_(camera)
 {
-    while (std::max(camera_.width, camera_.height) > longestSidePx) {
-        camera_ = halved(camera_);
+    while (std::max(camera_.width, camera_.height) > maxSidePx) {
+        camera_ = halfSizeCamera(camera_);
     }
-    const auto body = reduced(scan, voxelsIn(scan.geometry, {}), maxBodyVoxels, [] { return true; });
+    const auto body = downsample(scan, voxelRangeIn(scan.geometry, {}), maxBodyVoxels, [] { return true; });
     if (!body) {
         return;
     }

@@ -9,9 +9,9 @@
 namespace angiopose::core {
 
 /// Voxels projected individually to render a DRR.
-struct XrayedVoxels {
+struct ProjectedVoxels {
     struct Voxel {
-        Eigen::Vector3d place;   ///< position, patient LPS, mm
+        Eigen::Vector3d position;   ///< position, patient LPS, mm
         float brightness = 0.0F;
     };
     std::vector<Voxel> voxels;
@@ -25,14 +25,14 @@ struct XrayedVoxels {
 /// For scans that are not in HU, integrates the values above the darkest one.
 class BodyDrr {
 public:
-    /// `longestSidePx` limits the size of the DRRs, which cover the camera's field of view.
-    BodyDrr(const Volume& scan, const ProjectionCamera& camera, int longestSidePx);
+    /// `maxSidePx` limits the size of the DRRs, which cover the camera's field of view.
+    BodyDrr(const Volume& scan, const ProjectionCamera& camera, int maxSidePx);
 
     ImageF from(const RigidTransform& cameraFromPatient) const { return body_.from(camera_, cameraFromPatient); }
 
 private:
     ProjectionCamera camera_;
-    XrayedVoxels body_;
+    ProjectedVoxels body_;
 };
 
 /// Renders DRRs of the vessels at half the image resolution: line integrals of the CTA inside the dilated tree or,
@@ -50,7 +50,7 @@ private:
 
     const TreeSamples& tree_;
     ProjectionCamera camera_;
-    XrayedVoxels vessels_;   ///< empty if there is no CTA
+    ProjectedVoxels vessels_;   ///< empty if there is no CTA
 };
 
 }   // namespace angiopose::core

@@ -1,7 +1,7 @@
 #include "core/registration/picture/vessel_brightness.h"
 
 #include "core/imaging/image_filters.h"
-#include "core/registration/picture/vessel_picture.h"
+#include "core/registration/picture/vessel_image.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,10 +30,10 @@ VesselBrightness::VesselBrightness(const RegistrationProblem& problem) : camera_
             {tree.points[i] - tree.centroid, tree.tangents[i], radiusMm, 2.0 / (1.0 + std::exp(-2.0 * radiusMm))});
         weightSum_ += points_.back().weight;
     }
-    const ImageF picture = vesselPicture(problem);
-    ImageF center = blurred(picture, finestPx);
+    const ImageF picture = vesselImage(problem);
+    ImageF center = gaussianBlur(picture, finestPx);
     for (std::size_t level = 0; level < levelCount; ++level) {
-        ImageF around = blurred(picture, finestPx * std::exp2(static_cast<double>(level) + 1.0));
+        ImageF around = gaussianBlur(picture, finestPx * std::exp2(static_cast<double>(level) + 1.0));
         std::transform(center.pixels.begin(), center.pixels.end(), around.pixels.begin(), center.pixels.begin(),
                        [](float inner, float outer) { return inner - outer; });
         levels_.push_back(std::move(center));
@@ -52,11 +52,11 @@ VesselBrightness::Level VesselBrightness::levelOf(const Eigen::Vector3d& pointIn
 
 double VesselBrightness::brightnessAt(const Eigen::Vector2d& pixel, const Level& level) const
 {
-    if (!isOn(levels_.front(), pixel)) {
+    if (!isInside(levels_.front(), pixel)) {
         return 0.0;
     }
-    const double finer = sampled(levels_[level.finer], pixel.x(), pixel.y());
-    const double coarser = sampled(levels_[level.finer + 1], pixel.x(), pixel.y());
+    const double finer = sampleBilinear(levels_[level.finer], pixel.x(), pixel.y());
+    const double coarser = sampleBilinear(levels_[level.finer + 1], pixel.x(), pixel.y());
     return finer + level.share * (coarser - finer);
 }
 
@@ -67,19 +67,19 @@ Eigen::Vector2d VesselBrightness::gradientAt(const Eigen::Vector2d& pixel, const
     return finer + level.share * (coarser - finer);
 }
 
-double VesselBrightness::of(const CentroidPose& pose, double widening) const
+double VesselBrightness::of(const CentroidPose& pose, double widthScale) const
 {
     double sum = 0.0;
     for (const Point& point : points_) {
         const Eigen::Vector3d inCamera = pose.rotation * point.fromCentroid + pose.centroidInCamera;
         if (const auto pixel = project(camera_, inCamera)) {
-            sum += point.weight * brightnessAt(*pixel, levelOf(inCamera, widening * point.radiusMm));
+            sum += point.weight * brightnessAt(*pixel, levelOf(inCamera, widthScale * point.radiusMm));
         }
     }
     return sum / weightSum_;
 }
 
-NormalEquations VesselBrightness::pull(const CentroidPose& pose, double widening) const
+NormalEquations VesselBrightness::normalEquations(const CentroidPose& pose, double widthScale) const
 {
     NormalEquations equations;
     for (const Point& point : points_) {
@@ -95,7 +95,7 @@ NormalEquations VesselBrightness::pull(const CentroidPose& pose, double widening
         if (!across.allFinite()) {
             continue;   // vessel seen end-on
         }
-        const double slope = across.dot(gradientAt(*pixel, levelOf(inCamera, widening * point.radiusMm)));
+        const double slope = across.dot(gradientAt(*pixel, levelOf(inCamera, widthScale * point.radiusMm)));
         const Eigen::Vector3d row = jacobian.transpose() * across;
         Vector6d gradient;
         gradient << arm.cross(row), row;

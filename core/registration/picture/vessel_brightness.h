@@ -16,11 +16,11 @@ public:
 
     /// Returns the weighted mean ridge intensity along the projected tree, with vessel widths scaled by `widening`;
     /// points outside the image count as 0.
-    double of(const CentroidPose& pose, double widening) const;
+    double of(const CentroidPose& pose, double widthScale) const;
 
     /// Half the negative gradient of `of` for steps (rad, mm) about the pose, using only the brightness change across
     /// each vessel; the matrix is the bias matrix that compensates for the frequency of directions.
-    NormalEquations pull(const CentroidPose& pose, double widening) const;
+    NormalEquations normalEquations(const CentroidPose& pose, double widthScale) const;
 
 private:
     struct Point {

@@ -1,7 +1,7 @@
 #include "core/registration/picture/wall_sites.h"
 
 #include "core/imaging/image_filters.h"
-#include "core/registration/picture/vessel_picture.h"
+#include "core/registration/picture/vessel_image.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,9 +16,9 @@ constexpr double minWallCosine = 0.5;   // cosine of 60°
 
 }   // namespace
 
-std::vector<WallSite> wallSites(const TreeSamples& tree, std::size_t most)
+std::vector<WallSite> wallSites(const TreeSamples& tree, std::size_t maxSites)
 {
-    const std::size_t rings = std::max<std::size_t>(1, most / sitesAround);
+    const std::size_t rings = std::max<std::size_t>(1, maxSites / sitesAround);
     const std::size_t stride = std::max<std::size_t>(1, (tree.size() + rings - 1) / rings);
     std::vector<WallSite> sites;
     for (std::size_t i = 0; i < tree.size(); i += stride) {
@@ -35,13 +35,13 @@ std::vector<WallSite> wallSites(const TreeSamples& tree, std::size_t most)
 }
 
 BackprojectedGradients::BackprojectedGradients(const ImageF& picture, const ProjectionCamera& camera, double blurPx)
-    : picture_(blurred(picture, blurPx)), camera_(camera)
+    : picture_(gaussianBlur(picture, blurPx)), camera_(camera)
 {
 }
 
-double BackprojectedGradients::agreement(const Eigen::Vector3d& place, const Eigen::Vector3d& normal) const
+double BackprojectedGradients::agreement(const Eigen::Vector3d& position, const Eigen::Vector3d& normal) const
 {
-    const auto pixel = project(camera_, place);
+    const auto pixel = project(camera_, position);
     if (!pixel) {
         return 0.0;
     }
@@ -49,7 +49,7 @@ double BackprojectedGradients::agreement(const Eigen::Vector3d& place, const Eig
     // Converts the gradient from image to camera axes; a mirrored image flips the first axis.
     const Eigen::Vector3d inDetector(std::copysign(gradient.x(), gradient.x() * camera_.fx),
                                      std::copysign(gradient.y(), gradient.y() * camera_.fy), 0.0);
-    const Eigen::Vector3d ray = place.normalized();
+    const Eigen::Vector3d ray = position.normalized();
     const Eigen::Vector3d carriedBack = inDetector - ray * ray.dot(inDetector);
     const double strength = carriedBack.norm();
     const double cosine = strength > 0.0 ? std::abs(normal.dot(carriedBack)) / strength : 0.0;
@@ -60,7 +60,7 @@ double BackprojectedGradients::score(const std::vector<WallSite>& sites, const C
 {
     double sum = 0.0;
     for (const WallSite& site : sites) {
-        sum += agreement(pose.rotation * site.place + pose.centroidInCamera, pose.rotation * site.normal);
+        sum += agreement(pose.rotation * site.position + pose.centroidInCamera, pose.rotation * site.normal);
     }
     return sum / static_cast<double>(sites.size());
 }

@@ -31,8 +31,8 @@ struct Round {
     double loss = 0.0;
 };
 
-Round lookAround(const KernelProblem& problem, const std::vector<Eigen::Vector3d>& points, const AffineRows& map,
-                 double huberPx)
+Round accumulateRound(const KernelProblem& problem, const std::vector<Eigen::Vector3d>& points, const AffineRows& map,
+                      double huberPx)
 {
     Round round;
     for (const Eigen::Vector3d& point : points) {
@@ -53,18 +53,18 @@ Round lookAround(const KernelProblem& problem, const std::vector<Eigen::Vector3d
 RigidTransform rigidPart(const KernelProblem& problem, const RigidTransform& start, const AffineRows& map)
 {
     std::vector<Eigen::Vector3d> points;
-    std::vector<Eigen::Vector2d> partnersPx;
+    std::vector<Eigen::Vector2d> matchesPx;
     for (const Eigen::Vector3d& point : problem.points) {
         const Eigen::Vector3d inCamera = start * point;
         if (inCamera.z() > minProjectableDepthMm) {
             points.push_back(point);
-            partnersPx.push_back(pixelOf(problem.camera, map, inCamera));
+            matchesPx.push_back(pixelOf(problem.camera, map, inCamera));
         }
     }
     KernelSchedule schedule;
     schedule.maxIterations = rigidIterations;
     schedule.finalScalePx = 1e3;
-    KernelProblem known{points, problem.camera, problem.target, partnersPx};
+    KernelProblem known{points, problem.camera, problem.target, matchesPx};
     known.freedom = problem.freedom;
     return KernelPnp(known, {}, schedule).solve(start).pose;
 }
@@ -87,7 +87,7 @@ KernelPnpResult rigidPartOfAffineIcp(const KernelProblem& problem, const RigidTr
     AffineRows map;
     double loss = std::numeric_limits<double>::infinity();
     while (result.iterations < options.maxIterations) {
-        const Round round = lookAround(problem, points, map, options.huberPx);
+        const Round round = accumulateRound(problem, points, map, options.huberPx);
         if (!(round.loss < (1.0 - settledAffineShare) * loss)) {
             result.stopReason = StopReason::Converged;
             break;
@@ -96,7 +96,7 @@ KernelPnpResult rigidPartOfAffineIcp(const KernelProblem& problem, const RigidTr
         const auto solver = round.squares.ldlt();
         map = {solver.solve(round.towardsX), solver.solve(round.towardsY)};
         ++result.iterations;
-        if (observe && observe({result.iterations, options.huberPx, start, &atStart}) == Verdict::Stop) {
+        if (observe && observe({result.iterations, options.huberPx, start, &atStart}) == ObserverDecision::Stop) {
             result.stopReason = StopReason::StoppedByUser;
             return result;
         }

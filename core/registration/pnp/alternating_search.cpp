@@ -43,9 +43,9 @@ private:
     void turnAboutSource(const Stage& stage);
     void solveAuxiliary(const Stage& stage);
     StopReason solveFull(const Stage& stage);
-    std::optional<StopReason> closeRound();
+    std::optional<StopReason> checkTermination();
 
-    Verdict reportStep(const Stage& stage, const KernelIteration& step);
+    ObserverDecision reportStep(const Stage& stage, const KernelIteration& step);
     void keepIfBest(const KernelIteration& step);
 
     const RegistrationProblem& problem_;
@@ -66,11 +66,11 @@ private:
 MethodSolution AlternatingSearch::run(Alternation alternation)
 {
     MethodSolution solution;
-    const bool turns = alternation.turnsFirst && solver_.canTurn();
+    const bool turns = alternation.rotatesFirst && solver_.canSolveRotation();
     if (turns) {
         turnAboutSource({SearchStage::Turn, "rotation", 0.0, turnShare});
     }
-    const bool hasAuxiliary = alternation.alternates && isSolvableAlone(seed_.auxiliary, seed_.points);
+    const bool hasAuxiliary = alternation.alternates && determinesPose(seed_.auxiliary, seed_.points);
     const double begin = turns ? turnShare : 0.0;
     const double roundShare = (1.0 - begin) / (alternation.alternates ? maxRounds : 1);
     for (int round = 0; round < maxRounds && !progress_.isStopped(); ++round) {
@@ -83,7 +83,7 @@ MethodSolution AlternatingSearch::run(Alternation alternation)
             break;
         }
         const StopReason ofFullProblem = solveFull({SearchStage::Full, "refine", fullFrom, from + roundShare});
-        const std::optional<StopReason> ofLoop = closeRound();
+        const std::optional<StopReason> ofLoop = checkTermination();
         if (!alternation.alternates || ofLoop) {
             solution.stopReason = alternation.alternates ? *ofLoop : ofFullProblem;
             break;
@@ -112,17 +112,17 @@ void AlternatingSearch::turnAboutSource(const Stage& stage)
 void AlternatingSearch::solveAuxiliary(const Stage& stage)
 {
     std::vector<Eigen::Vector3d> points;
-    std::vector<Eigen::Vector2d> partnersPx;
+    std::vector<Eigen::Vector2d> matchesPx;
     for (const Eigen::Vector3d& point : seed_.auxiliary) {
         if (const auto pixel = project(problem_.camera, pose_ * point)) {
             points.push_back(point);
-            partnersPx.push_back(seed_.target->nearest(*pixel));
+            matchesPx.push_back(seed_.target->nearest(*pixel));
         }
     }
-    if (!isSolvableAlone(points, seed_.points)) {
+    if (!determinesPose(points, seed_.points)) {
         return;
     }
-    KernelProblem held{points, problem_.camera, seed_.target.get(), partnersPx};
+    KernelProblem held{points, problem_.camera, seed_.target.get(), matchesPx};
     held.freedom = seed_.freedom;
     const auto observe = [&](const KernelIteration& step) { return reportStep(stage, step); };
     pose_ = solver_.solve(held, SearchStage::Auxiliary, pose_, observe).pose;
@@ -142,7 +142,7 @@ StopReason AlternatingSearch::solveFull(const Stage& stage)
 /// Decision 1: returns the reason to end the loop, if any. A worse round does not end the loop, because the matches
 /// fixed at the new pose often push it out in the next round. A round that ends where the previous one did ends the
 /// loop, because the next one would repeat it.
-std::optional<StopReason> AlternatingSearch::closeRound()
+std::optional<StopReason> AlternatingSearch::checkTermination()
 {
     measure(full_, pose_, distances_);
     keepIfBest({0, 0.0, pose_, &distances_});
@@ -158,7 +158,7 @@ std::optional<StopReason> AlternatingSearch::closeRound()
     return std::nullopt;
 }
 
-Verdict AlternatingSearch::reportStep(const Stage& stage, const KernelIteration& step)
+ObserverDecision AlternatingSearch::reportStep(const Stage& stage, const KernelIteration& step)
 {
     const double done = static_cast<double>(step.iteration) / solver_.maxIterations(stage.kind);
     IterationReport report;

@@ -9,7 +9,7 @@ namespace angiopose::core {
 
 /// Enabled parts of the alternating search; if both are disabled, it solves a single problem with all points.
 struct Alternation {
-    bool turnsFirst = false;
+    bool rotatesFirst = false;
     bool alternates = false;
 };
 

@@ -1,6 +1,6 @@
 #include "core/registration/pnp/branch_graph.h"
 
-#include "core/registration/alignment/branch_pieces.h"
+#include "core/registration/alignment/branch_segments.h"
 #include "core/registration/matching/bin_grid.h"
 
 #include <algorithm>
@@ -48,11 +48,11 @@ private:
 };
 
 /// Two ends per edge: its first point, and the point after its last one if the curve continues.
-std::vector<Eigen::Vector3d> endsOf(const std::vector<BranchPiece>& pieces, const std::vector<Eigen::Vector3d>& points,
-                                    const std::vector<int>& curveIndex)
+std::vector<Eigen::Vector3d> endsOf(const std::vector<BranchSegment>& pieces,
+                                    const std::vector<Eigen::Vector3d>& points, const std::vector<int>& curveIndex)
 {
     std::vector<Eigen::Vector3d> ends;
-    for (const BranchPiece& piece : pieces) {
+    for (const BranchSegment& piece : pieces) {
         const bool shouldContinue = piece.to < points.size() && curveIndex[piece.to] == piece.branchIndex;
         ends.push_back(points[piece.from]);
         ends.push_back(points[shouldContinue ? piece.to : piece.to - 1]);
@@ -60,18 +60,18 @@ std::vector<Eigen::Vector3d> endsOf(const std::vector<BranchPiece>& pieces, cons
     return ends;
 }
 
-BranchGraph graphOf(const std::vector<Eigen::Vector3d>& points, const std::vector<int>& curveIndex, double touching)
+BranchGraph graphOf(const std::vector<Eigen::Vector3d>& points, const std::vector<int>& curveIndex, double maxGap)
 {
-    const std::vector<BranchPiece> pieces = branchPieces(points, curveIndex, touching).pieces;
+    const std::vector<BranchSegment> pieces = splitAtBifurcations(points, curveIndex, maxGap).pieces;
     const std::vector<Eigen::Vector3d> ends = endsOf(pieces, points, curveIndex);
     std::vector<Eigen::Vector2d> flat(ends.size());
     std::ranges::transform(ends, flat.begin(), [](const Eigen::Vector3d& end) { return end.head<2>(); });
     BinGrid near;
-    near.fill(flat, touching);
+    near.fill(flat, maxGap);
     Grouping groups(ends.size());
     for (std::size_t i = 0; i < ends.size(); ++i) {
         near.visitNear(flat[i], [&](std::size_t j) {
-            if (j < i && (ends[j] - ends[i]).norm() <= touching) {
+            if (j < i && (ends[j] - ends[i]).norm() <= maxGap) {
                 groups.join(i, j);
             }
         });
@@ -92,7 +92,7 @@ BranchGraph graphOf(const std::vector<Eigen::Vector3d>& points, const std::vecto
 
 BranchGraph graphOf(const TreeSamples& tree)
 {
-    return graphOf(tree.points, tree.branchIndex, branchesTouchMm);
+    return graphOf(tree.points, tree.branchIndex, maxBranchGapMm);
 }
 
 BranchGraph graphOf(const TargetSamples& target)

@@ -31,7 +31,7 @@ struct BranchGraph {
     std::vector<std::vector<EdgeEnd>> nodes;   ///< edge ends at each node, in ascending order of the edge
 
     /// Node reached by following the edge.
-    int arrivalOf(const EdgeEnd& way) const
+    int targetNode(const EdgeEnd& way) const
     {
         return edges[static_cast<std::size_t>(way.edge)].nodes[way.isReversed ? 0 : 1];
     }

@@ -12,11 +12,12 @@ constexpr double minCloseness = 0.05;   // minimum closeness of a candidate, 0â€
 constexpr std::size_t maxCurvesPerEdge = 6;
 constexpr double closenessOfNone = 0.1;   // closeness assigned to the alternative that no curve matches
 constexpr int relaxations = 8;
-constexpr double ownSay = 0.25;   // weight of an edge's own probability relative to the support of its neighbors
+constexpr double ownWeight = 0.25;   // weight of an edge's own probability relative to the support of its neighbors
 constexpr double supportOfNone = 0.25;
 constexpr double pairedReaches = 3.0;
 constexpr double minPairCosine = 0.5;
-constexpr double shortestSeen = 1e-3;   // minimum projected fraction of the length; below it, the vessel is seen end-on
+constexpr double minProjectedShare =
+    1e-3;   // minimum projected fraction of the length; below it, the vessel is seen end-on
 
 std::vector<std::vector<int>> neighborsIn(const BranchGraph& graph)
 {
@@ -33,18 +34,18 @@ std::vector<std::vector<int>> neighborsIn(const BranchGraph& graph)
     return neighbors;
 }
 
-std::set<std::pair<int, int>> meetingsIn(const BranchGraph& graph)
+std::set<std::pair<int, int>> connectionsIn(const BranchGraph& graph)
 {
-    std::set<std::pair<int, int>> meetings;
+    std::set<std::pair<int, int>> connections;
     for (const std::vector<EdgeEnd>& ends : graph.nodes) {
         for (const EdgeEnd& a : ends) {
             for (const EdgeEnd& b : ends) {
-                meetings.emplace(graph.edges[static_cast<std::size_t>(a.edge)].curve,
-                                 graph.edges[static_cast<std::size_t>(b.edge)].curve);
+                connections.emplace(graph.edges[static_cast<std::size_t>(a.edge)].curve,
+                                    graph.edges[static_cast<std::size_t>(b.edge)].curve);
             }
         }
     }
-    return meetings;
+    return connections;
 }
 
 }   // namespace
@@ -53,15 +54,16 @@ BranchMatching::BranchMatching(const RegistrationProblem& problem)
     : problem_(problem),
       tree_(graphOf(problem.tree)),
       neighbors_(neighborsIn(tree_)),
-      meetings_(meetingsIn(graphOf(problem.target)))
+      connectedCurves_(connectionsIn(graphOf(problem.target)))
 {
     const std::vector<int>& index = problem.target.curveIndex;
     for (std::size_t j = 0; j < index.size(); ++j) {
-        curves_.try_emplace(index[j], Stretch{j, j}).first->second.to = j + 1;
+        curves_.try_emplace(index[j], CurveRange{j, j}).first->second.to = j + 1;
     }
 }
 
-std::optional<BranchMatching::Seen> BranchMatching::look(std::size_t point, const CentroidPose& pose) const
+std::optional<BranchMatching::ProjectedSample> BranchMatching::projectSample(std::size_t point,
+                                                                             const CentroidPose& pose) const
 {
     const TreeSamples& tree = problem_.tree;
     const Eigen::Vector3d place = pose.rotation * (tree.points[point] - tree.centroid) + pose.centroidInCamera;
@@ -70,10 +72,10 @@ std::optional<BranchMatching::Seen> BranchMatching::look(std::size_t point, cons
         return {};
     }
     const Eigen::Vector2d along = projectionJacobian(problem_.camera, place) * (pose.rotation * tree.tangents[point]);
-    if (along.norm() < shortestSeen * std::abs(problem_.camera.fx) / place.z()) {
+    if (along.norm() < minProjectedShare * std::abs(problem_.camera.fx) / place.z()) {
         return {};
     }
-    return Seen{*pixel, along.normalized()};
+    return ProjectedSample{*pixel, along.normalized()};
 }
 
 /// Returns, for each curve, the closeness to the edge, averaged over the points of the edge.
@@ -85,7 +87,7 @@ BranchMatching::Candidates BranchMatching::closenessOf(const BranchEdge& edge, c
     Candidates means;
     const auto count = static_cast<double>((edge.size() + stride - 1) / stride);
     for (std::size_t i = edge.from; i < edge.to; i += stride) {
-        const auto seen = look(i, pose);
+        const auto seen = projectSample(i, pose);
         if (!seen) {
             continue;
         }
@@ -138,7 +140,7 @@ double BranchMatching::supportOf(int curve, const std::vector<int>& neighbors,
         double unseen = 1.0;
         for (const auto& [other, likely] : candidates[static_cast<std::size_t>(neighbor)]) {
             unseen -= likely;
-            support += meet(curve, other) ? likely : 0.0;
+            support += areConnected(curve, other) ? likely : 0.0;
         }
         support += std::max(0.0, unseen) * supportOfNone;
     }
@@ -154,10 +156,10 @@ void BranchMatching::relax(std::vector<Candidates>& candidates) const
             double whole = 0.0;
             for (auto& [curve, probability] : candidates[e]) {
                 none -= probability;
-                probability *= ownSay + supportOf(curve, neighbors_[e], before);
+                probability *= ownWeight + supportOf(curve, neighbors_[e], before);
                 whole += probability;
             }
-            whole += std::max(0.0, none) * (ownSay + supportOfNone);
+            whole += std::max(0.0, none) * (ownWeight + supportOfNone);
             for (auto& [curve, probability] : candidates[e]) {
                 probability /= std::max(whole, 1e-300);
             }
@@ -193,7 +195,8 @@ std::vector<int> BranchMatching::match(const CentroidPose& pose, double reachPx)
 }
 
 /// Returns the matched point on the curve; nullopt beyond the ends of the curve, where it does not show the vessel.
-std::optional<Eigen::Vector2d> BranchMatching::partnerOf(const Seen& seen, const Stretch& curve, double reachPx) const
+std::optional<Eigen::Vector2d> BranchMatching::matchOnCurve(const ProjectedSample& seen, const CurveRange& curve,
+                                                            double reachPx) const
 {
     const TargetSamples& target = problem_.target;
     const auto distance = [&](std::size_t j) { return (target.points[j] - seen.pixel).squaredNorm(); };
@@ -218,8 +221,8 @@ std::vector<BranchPair> BranchMatching::pairs(const CentroidPose& pose, double r
     std::vector<BranchPair> pairs;
     for (std::size_t e = 0; e < matched.size(); ++e) {
         for (std::size_t i = tree_.edges[e].from; i < tree_.edges[e].to && matched[e] != noCurve; ++i) {
-            const auto seen = look(i, pose);
-            const auto partner = seen ? partnerOf(*seen, curves_.at(matched[e]), reachPx) : std::nullopt;
+            const auto seen = projectSample(i, pose);
+            const auto partner = seen ? matchOnCurve(*seen, curves_.at(matched[e]), reachPx) : std::nullopt;
             if (partner) {
                 pairs.push_back({i, *partner});
             }

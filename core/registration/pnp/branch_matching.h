@@ -37,26 +37,27 @@ public:
 private:
     using Candidates = std::map<int, double>;   ///< probability of each curve; the remainder to 1 is that of no curve
 
-    struct Seen {
+    struct ProjectedSample {
         Eigen::Vector2d pixel;
         Eigen::Vector2d direction;   ///< unit vector
     };
-    struct Stretch {
+    struct CurveRange {
         std::size_t from, to;   ///< range of the target points of one curve
     };
-    std::optional<Seen> look(std::size_t point, const CentroidPose& pose) const;
+    std::optional<ProjectedSample> projectSample(std::size_t point, const CentroidPose& pose) const;
     Candidates closenessOf(const BranchEdge& edge, const CentroidPose& pose, double reachPx, const BinGrid& near) const;
     static Candidates candidatesOf(const Candidates& closeness);
     double supportOf(int curve, const std::vector<int>& neighbors, const std::vector<Candidates>& candidates) const;
     void relax(std::vector<Candidates>& candidates) const;
-    bool meet(int a, int b) const { return a == b || meetings_.contains({a, b}); }
-    std::optional<Eigen::Vector2d> partnerOf(const Seen& seen, const Stretch& curve, double reachPx) const;
+    bool areConnected(int a, int b) const { return a == b || connectedCurves_.contains({a, b}); }
+    std::optional<Eigen::Vector2d> matchOnCurve(const ProjectedSample& seen, const CurveRange& curve,
+                                                double reachPx) const;
 
     const RegistrationProblem& problem_;
     BranchGraph tree_;
     std::vector<std::vector<int>> neighbors_;   ///< for each edge, the edges with a common node
-    std::set<std::pair<int, int>> meetings_;   ///< pairs of connected curves
-    std::map<int, Stretch> curves_;
+    std::set<std::pair<int, int>> connectedCurves_;   ///< pairs of connected curves
+    std::map<int, CurveRange> curves_;
 };
 
 }   // namespace angiopose::core

@@ -3,7 +3,7 @@
 #include "core/registration/pnp/affine_icp.h"
 #include "core/registration/pnp/source_steps.h"
 #include "core/registration/pose/damped_descent.h"
-#include "core/registration/pose/minimise.h"
+#include "core/registration/pose/minimize.h"
 #include "core/registration/pose/pose_parameters.h"
 
 #include <algorithm>
@@ -54,7 +54,7 @@ private:
     double huberPx_;
 };
 
-double spreadOf(std::span<const Eigen::Vector3d> points, const Eigen::Vector3d& mean)
+double rmsSpread(std::span<const Eigen::Vector3d> points, const Eigen::Vector3d& mean)
 {
     double squares = 0.0;
     for (const Eigen::Vector3d& point : points) {
@@ -98,22 +98,22 @@ KernelPnpResult DistanceDescent::descend(const KernelProblem& problem, Freedom f
 {
     HuberSquares squares(problem, freedom, options_.huberPx);
     EvaluationPair<HuberEvaluation> evaluations;
-    DampedDescent descent(squares, start, evaluations, {.triesPerStep = descentTriesPerStep});
+    DampedDescent descent(squares, start, evaluations, {.maxTriesPerStep = descentTriesPerStep});
     KernelPnpResult result;
     result.scalePx = options_.huberPx;
     while (result.iterations < options_.maxIterations) {
         const double before = descent.evaluation().loss;
-        const bool isTaken = descent.step().isTaken;
-        if (isTaken) {
+        const bool isAccepted = descent.step().isAccepted;
+        if (isAccepted) {
             ++result.iterations;
             const KernelIteration step{result.iterations, options_.huberPx, descent.state(),
                                        &descent.evaluation().distances};
-            if (observe && observe(step) == Verdict::Stop) {
+            if (observe && observe(step) == ObserverDecision::Stop) {
                 result.stopReason = StopReason::StoppedByUser;
                 break;
             }
         }
-        if (!isTaken || before - descent.evaluation().loss < settledDescentShare * before) {
+        if (!isAccepted || before - descent.evaluation().loss < settledDescentShare * before) {
             result.stopReason = StopReason::Converged;
             break;
         }
@@ -129,7 +129,7 @@ KernelPnpResult DistanceDescent::descendSmoothly(const KernelProblem& problem, c
 {
     const SourceFreedom& freedom = problem.freedom;
     const Eigen::Vector3d centroid = freedom.isFull() ? meanOf(problem.points) : freedom.centroidInStart();
-    const PoseParameters parameters(aboutCentroid(start, centroid), metricUnits(spreadOf(problem.points, centroid)),
+    const PoseParameters parameters(aboutCentroid(start, centroid), metricUnits(rmsSpread(problem.points, centroid)),
                                     freedom.aboutCentroid());
     KernelDistances distances;
     KernelPnpResult result;
@@ -146,7 +146,7 @@ KernelPnpResult DistanceDescent::descendSmoothly(const KernelProblem& problem, c
             least = loss;
             result.pose = transform;
             ++result.iterations;
-            isStopped = observe && observe({result.iterations, 0.0, transform, &distances}) == Verdict::Stop;
+            isStopped = observe && observe({result.iterations, 0.0, transform, &distances}) == ObserverDecision::Stop;
         }
         return loss;
     };
@@ -172,7 +172,7 @@ void DistanceDescent::tryAffine(const KernelProblem& problem, const KernelObserv
                                                   [&](const KernelIteration& step) {
                                                       KernelIteration numbered = step;
                                                       numbered.iteration += before;
-                                                      return observe ? observe(numbered) : Verdict::Continue;
+                                                      return observe ? observe(numbered) : ObserverDecision::Continue;
                                                   });
     result.iterations += affine.iterations;
     if (affine.stopReason == StopReason::StoppedByUser) {

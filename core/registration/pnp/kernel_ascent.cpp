@@ -54,14 +54,14 @@ bool OneScale::step(const Vector6d& metric, Freedom freedom)
 {
     NormalEquations equations = kernelEquations(problem_, current_, scalePx_);
     addPrior(prior_, pose_, equations);
-    const Vector6d direction = problem_.freedom.descent(equations.gradient, metric, pose_, freedom);
+    const Vector6d direction = problem_.freedom.descentDirection(equations.gradient, metric, pose_, freedom);
     const double unitPx = largestMotionPx(direction);
     if (!(unitPx > 0.0)) {
         return false;
     }
     const double slope = 2.0 * equations.gradient.dot(direction) / unitPx;   // slope of the cost per px of motion
     for (double motionPx = motionPx_; motionPx >= settledAscentPx; motionPx *= 0.5) {
-        const RigidTransform candidate = problem_.freedom.moved(pose_, motionPx / unitPx * direction);
+        const RigidTransform candidate = problem_.freedom.retract(pose_, motionPx / unitPx * direction);
         measure(problem_, candidate, trial_, scalePx_);
         const double cost = costOf(candidate, trial_);
         if (cost <= cost_ + armijo * slope * motionPx) {
@@ -138,7 +138,8 @@ KernelPnpResult KernelAscent::solve(const KernelProblem& problem, SearchStage st
             }
             ++result.iterations;
             const int step = scale * options_.iterationsPerScale + i + 1;
-            if (observe && observe({step, result.scalePx, ascent.pose(), &ascent.distances()}) == Verdict::Stop) {
+            if (observe &&
+                observe({step, result.scalePx, ascent.pose(), &ascent.distances()}) == ObserverDecision::Stop) {
                 result.pose = ascent.pose();
                 result.stopReason = StopReason::StoppedByUser;
                 return result;

@@ -39,10 +39,10 @@ constexpr std::size_t maxNeighbors = 64;
 constexpr double radiusInScales = 3.0;
 
 /// Finds target points other than the nearest that also attract a tree point, by the problem's rule.
-class FurtherSearch {
+class FurtherMatchSearch {
 public:
-    FurtherSearch(const KernelProblem& problem, double scalePx)
-        : search_(problem.fixedPartnersPx.empty() ? problem.search : nullptr)
+    FurtherMatchSearch(const KernelProblem& problem, double scalePx)
+        : search_(problem.fixedMatchesPx.empty() ? problem.search : nullptr)
     {
         const bool isRadius = problem.neighbors == Neighbors::Radius;
         count_ = isRadius ? maxNeighbors : fewNeighbors;
@@ -52,7 +52,7 @@ public:
         }
     }
 
-    void add(std::size_t point, const Eigen::Vector2d& pixel, std::vector<FurtherPartner>& further)
+    void add(std::size_t point, const Eigen::Vector2d& pixel, std::vector<FurtherMatch>& further)
     {
         if (search_ == nullptr) {
             return;
@@ -76,12 +76,12 @@ private:
 void measure(const KernelProblem& problem, const RigidTransform& pose, KernelDistances& distances, double scalePx)
 {
     const std::size_t count = problem.points.size();
-    assert(problem.fixedPartnersPx.empty() || problem.fixedPartnersPx.size() == count);
+    assert(problem.fixedMatchesPx.empty() || problem.fixedMatchesPx.size() == count);
     distances.inCamera.resize(count);
     distances.residualPx.resize(count);
     distances.squaredPx.resize(count);
     distances.further.clear();
-    FurtherSearch further(problem, scalePx);
+    FurtherMatchSearch further(problem, scalePx);
     for (std::size_t i = 0; i < count; ++i) {
         distances.inCamera[i] = pose * problem.points[i];
         const auto pixel = project(problem.camera, distances.inCamera[i]);
@@ -91,7 +91,7 @@ void measure(const KernelProblem& problem, const RigidTransform& pose, KernelDis
             continue;
         }
         const Eigen::Vector2d partner =
-            problem.fixedPartnersPx.empty() ? problem.target->nearest(*pixel) : problem.fixedPartnersPx[i];
+            problem.fixedMatchesPx.empty() ? problem.target->nearest(*pixel) : problem.fixedMatchesPx[i];
         distances.residualPx[i] = *pixel - partner;
         distances.squaredPx[i] = distances.residualPx[i].squaredNorm();
         further.add(i, *pixel, distances.further);
@@ -105,7 +105,7 @@ double kernelLoss(const KernelDistances& distances, double scalePx)
     for (const double squared : distances.squaredPx) {
         loss -= std::expm1(factor * squared);
     }
-    for (const FurtherPartner& partner : distances.further) {
+    for (const FurtherMatch& partner : distances.further) {
         loss -= std::exp(factor * partner.squaredPx);
     }
     return loss;
@@ -122,7 +122,7 @@ NormalEquations kernelEquations(const KernelProblem& problem, const KernelDistan
         }
         addPair(problem.camera, distances.inCamera[i], distances.residualPx[i], weight, equations);
     }
-    for (const FurtherPartner& partner : distances.further) {
+    for (const FurtherMatch& partner : distances.further) {
         const double weight = std::exp(factor * partner.squaredPx);
         if (weight >= 1e-12) {
             addPair(problem.camera, distances.inCamera[partner.point], partner.residualPx, weight, equations);
@@ -169,7 +169,7 @@ int countWithin(const KernelDistances& distances, double radiusPx)
     const auto near = std::count_if(distances.squaredPx.begin(), distances.squaredPx.end(),
                                     [limit](double squared) { return squared <= limit; });
     const auto further = std::count_if(distances.further.begin(), distances.further.end(),
-                                       [limit](const FurtherPartner& partner) { return partner.squaredPx <= limit; });
+                                       [limit](const FurtherMatch& partner) { return partner.squaredPx <= limit; });
     return static_cast<int>(near + further);
 }
 

@@ -17,14 +17,14 @@ struct KernelProblem {
     ProjectionCamera camera;
     const PointIndex* target = nullptr;   ///< index for matching to the nearest target point at every evaluation
     std::span<const Eigen::Vector2d>
-        fixedPartnersPx;   ///< if not empty: one fixed match per point, independent of the pose
+        fixedMatchesPx;   ///< if not empty: one fixed match per point, independent of the pose
     const NeighborSearch* search = nullptr;   ///< for further matches by rule `neighbors`; unused with fixed matches
     Neighbors neighbors = Neighbors::Closest;
     SourceFreedom freedom{};   ///< allowed motions of the pose
 };
 
 /// Additional target point, besides the nearest, that attracts a tree point.
-struct FurtherPartner {
+struct FurtherMatch {
     std::size_t point = 0;
     Eigen::Vector2d residualPx;   ///< projection minus target point
     double squaredPx = 0.0;
@@ -35,7 +35,7 @@ struct KernelDistances {
     std::vector<Eigen::Vector3d> inCamera;
     std::vector<Eigen::Vector2d> residualPx;   ///< projection minus matched target point
     std::vector<double> squaredPx;   ///< infinite for points that do not project
-    std::vector<FurtherPartner> further;   ///< empty if only the nearest target points count
+    std::vector<FurtherMatch> further;   ///< empty if only the nearest target points count
 };
 
 /// Projects, matches (point to point) and measures all points. The matches within a radius depend on the kernel width.

@@ -24,17 +24,17 @@ KernelFlow::KernelFlow(const RegistrationProblem& problem, const FlowOptions& op
     }
     const std::size_t everyTarget = targetStride(problem.target, wantedPx);
     for (std::size_t j = 0; j < problem.target.size(); j += everyTarget) {
-        places_.push_back(problem.target.points[j]);
+        positions_.push_back(problem.target.points[j]);
         directions_.push_back(problem.target.tangents[j]);
     }
-    grid_.fill(places_, flowReachInScales * options.scalePx);
+    grid_.fill(positions_, flowReachInScales * options.scalePx);
 }
 
-void KernelFlow::look(const CentroidPose& pose)
+void KernelFlow::projectSamples(const CentroidPose& pose)
 {
-    seen_.clear();
+    projectedSamples_.clear();
     for (const Sample& sample : samples_) {
-        Seen seen;
+        ProjectedSample seen;
         seen.arm = pose.rotation * sample.fromCentroid;
         seen.inCamera = seen.arm + pose.centroidInCamera;
         const auto pixel = project(camera_, seen.inCamera);
@@ -49,12 +49,12 @@ void KernelFlow::look(const CentroidPose& pose)
         } else {
             seen.direction.setZero();
         }
-        seen_.push_back(seen);
+        projectedSamples_.push_back(seen);
     }
 }
 
 /// The squared cosine replaces the color product of the published method; opposite directions count as equal.
-double KernelFlow::labelOf(const Seen& seen, std::size_t target) const
+double KernelFlow::labelOf(const ProjectedSample& seen, std::size_t target) const
 {
     if (!options_.directions || seen.direction.isZero()) {
         return 1.0;
@@ -63,17 +63,17 @@ double KernelFlow::labelOf(const Seen& seen, std::size_t target) const
     return cosine * cosine;
 }
 
-KernelFlow::Slope KernelFlow::at(const CentroidPose& pose)
+KernelFlow::ValueAndGradient KernelFlow::at(const CentroidPose& pose)
 {
-    look(pose);
+    projectSamples(pose);
     pairs_.clear();
-    Slope slope;
+    ValueAndGradient slope;
     const double perSquare = 1.0 / (options_.scalePx * options_.scalePx);
-    for (std::size_t i = 0; i < seen_.size(); ++i) {
-        const Seen& seen = seen_[i];
+    for (std::size_t i = 0; i < projectedSamples_.size(); ++i) {
+        const ProjectedSample& seen = projectedSamples_[i];
         Eigen::Vector2d byPixel = Eigen::Vector2d::Zero();
         grid_.visitNear(seen.pixel, [&](std::size_t j) {
-            const Eigen::Vector2d gap = seen.pixel - places_[j];
+            const Eigen::Vector2d gap = seen.pixel - positions_[j];
             const double kernel = std::exp(-0.5 * perSquare * gap.squaredNorm());
             if (kernel < minKernel) {
                 return;
@@ -102,7 +102,7 @@ PowerSeries KernelFlow::along(const Vector6d& step) const
     for (const Pair& pair : pairs_) {
         if (pair.seen != projected) {   // pairs are grouped by tree sample
             projected = pair.seen;
-            const Seen& seen = seen_[static_cast<std::size_t>(projected)];
+            const ProjectedSample& seen = projectedSamples_[static_cast<std::size_t>(projected)];
             std::array<PowerSeries, 3> place;
             Eigen::Vector3d term = seen.arm;   // exp(sω^) arm = Σ (ω^)ᵏ arm sᵏ / k!
             for (std::size_t k = 0; k < PowerSeries::terms; ++k) {
@@ -118,7 +118,7 @@ PowerSeries KernelFlow::along(const Vector6d& step) const
             u = camera_.fx * (place[0] / place[2]);
             v = camera_.fy * (place[1] / place[2]);
         }
-        const Eigen::Vector2d& target = places_[static_cast<std::size_t>(pair.target)];
+        const Eigen::Vector2d& target = positions_[static_cast<std::size_t>(pair.target)];
         PowerSeries du = u;
         PowerSeries dv = v;
         du.at[0] += camera_.cx - target.x();

@@ -21,11 +21,11 @@ public:
     /// Subsamples tree and target to the resolution of the scale.
     KernelFlow(const RegistrationProblem& problem, const FlowOptions& options);
 
-    struct Slope {
+    struct ValueAndGradient {
         double value = 0.0;   ///< F
         Vector6d gradient = Vector6d::Zero();   ///< with respect to pose steps (rad, mm), for fixed labels c_ij
     };
-    Slope at(const CentroidPose& pose);
+    ValueAndGradient at(const CentroidPose& pose);
 
     /// Returns F along a step from the pose of the last call of `at`, as a series in the fraction of the step, for the
     /// same pairs and labels.
@@ -37,7 +37,7 @@ private:
         Eigen::Vector3d tangent;   ///< unit vector
     };
     /// Projection of a sample in front of the source.
-    struct Seen {
+    struct ProjectedSample {
         Eigen::Vector3d arm;   ///< offset from the centroid, camera axes
         Eigen::Vector3d inCamera;
         Eigen::Vector2d pixel;
@@ -47,16 +47,16 @@ private:
         std::int32_t seen, target;
         double label;   ///< direction similarity c_ij
     };
-    void look(const CentroidPose& pose);
-    double labelOf(const Seen& seen, std::size_t target) const;
+    void projectSamples(const CentroidPose& pose);
+    double labelOf(const ProjectedSample& seen, std::size_t target) const;
 
     FlowOptions options_;
     ProjectionCamera camera_;
     std::vector<Sample> samples_;
-    std::vector<Eigen::Vector2d> places_;   ///< target point positions
+    std::vector<Eigen::Vector2d> positions_;   ///< target point positions
     std::vector<Eigen::Vector2d> directions_;   ///< target directions, unit vectors
     BinGrid grid_;
-    std::vector<Seen> seen_;
+    std::vector<ProjectedSample> projectedSamples_;
     std::vector<Pair> pairs_;
 };
 

@@ -17,7 +17,7 @@ constexpr double kernelReachInScales = 3.0;
 struct KernelEvaluation {
     KernelDistances distances;
     double loss = 0.0;   ///< N − E_data at the current ℓ
-    double pull = 0.0;   ///< cost of the prior
+    double priorTerm = 0.0;   ///< cost of the prior
     bool isInDepth = false;   ///< whether the pose respects the depth limits
 };
 
@@ -35,8 +35,8 @@ public:
     {
         measure(problem(), pose, evaluation.distances, scalePx_);
         evaluation.loss = kernelLoss(evaluation.distances, scalePx_);
-        evaluation.pull = priorCost(prior_, pose);
-        evaluation.isInDepth = depthMm(pose) > schedule_.nearestMm && depthMm(pose) < schedule_.farthestMm;
+        evaluation.priorTerm = priorCost(prior_, pose);
+        evaluation.isInDepth = depthMm(pose) > schedule_.minDepthMm && depthMm(pose) < schedule_.maxDepthMm;
         return true;
     }
 
@@ -47,13 +47,13 @@ public:
         return equations;
     }
 
-    std::optional<double> decrease(const KernelEvaluation& here, const KernelEvaluation& there) const
+    std::optional<double> decrease(const KernelEvaluation& current, const KernelEvaluation& next) const
     {
-        if (!there.isInDepth || !(there.loss <= here.loss)) {
+        if (!next.isInDepth || !(next.loss <= current.loss)) {
             return {};
         }
         // The weighted squares are a majorizer of the loss 2ℓ²(1 − exp(−d²/2ℓ²)).
-        return 2.0 * scalePx_ * scalePx_ * (here.loss - there.loss) + here.pull - there.pull;
+        return 2.0 * scalePx_ * scalePx_ * (current.loss - next.loss) + current.priorTerm - next.priorTerm;
     }
 
     double scalePx() const { return scalePx_; }
@@ -92,7 +92,7 @@ KernelPnpResult KernelPnp::solve(const RigidTransform& start, const KernelObserv
             descent.relinearize();
         }
     };
-    ScaleAnnealing annealing(schedule_.decay, startScalePx(problem_, schedule_, evaluations.here.distances),
+    ScaleAnnealing annealing(schedule_.decay, startScalePx(problem_, schedule_, evaluations.current.distances),
                              schedule_.finalScalePx);
     setScale(annealing.scalePx());
 
@@ -100,23 +100,23 @@ KernelPnpResult KernelPnp::solve(const RigidTransform& start, const KernelObserv
     result.stopReason = StopReason::IterationLimit;
     while (result.iterations < schedule_.maxIterations) {
         const StepOutcome outcome = descent.step();
-        if (outcome.isSettled || !outcome.isTaken) {
-            if (annealing.sharpen()) {
+        if (outcome.isConverged || !outcome.isAccepted) {
+            if (annealing.shrinkScale()) {
                 setScale(annealing.scalePx());
                 descent.resetDamping();
                 continue;
             }
-            result.stopReason = outcome.isSettled ? StopReason::Converged : StopReason::NoImprovement;
+            result.stopReason = outcome.isConverged ? StopReason::Converged : StopReason::NoImprovement;
             break;
         }
         ++result.iterations;
         const KernelDistances& distances = descent.evaluation().distances;
         if (observe &&
-            observe({result.iterations, annealing.scalePx(), descent.state(), &distances}) == Verdict::Stop) {
+            observe({result.iterations, annealing.scalePx(), descent.state(), &distances}) == ObserverDecision::Stop) {
             result.stopReason = StopReason::StoppedByUser;
             break;
         }
-        annealing.noteStep(countWithin(distances, kernelReachInScales * annealing.scalePx()));
+        annealing.countStep(countWithin(distances, kernelReachInScales * annealing.scalePx()));
         setScale(annealing.scalePx());
     }
     result.pose = descent.state();

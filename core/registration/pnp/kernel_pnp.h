@@ -17,8 +17,8 @@ struct KernelSchedule {
     StartScale startScale = StartScale::Largest;
     Decay decay = Decay::Halving;
     Freedom freedom = Freedom::Full;
-    double nearestMm = 0.0;   ///< minimum distance of the points' centroid from the source
-    double farthestMm =
+    double minDepthMm = 0.0;   ///< minimum distance of the points' centroid from the source
+    double maxDepthMm =
         std::numeric_limits<double>::infinity();   ///< maximum distance of the points' centroid from the source
 };
 
@@ -30,7 +30,7 @@ struct KernelIteration {
     const KernelDistances* distances = nullptr;   ///< distances at `pose`
 };
 
-using KernelObserver = std::function<Verdict(const KernelIteration&)>;
+using KernelObserver = std::function<ObserverDecision(const KernelIteration&)>;
 
 struct KernelPnpResult {
     RigidTransform pose;

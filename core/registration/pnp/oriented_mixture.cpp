@@ -10,7 +10,7 @@ namespace {
 
 constexpr double mixtureReachInScales = 4.2426;   // kernel cutoff: 3σ of a product of two Gaussians, 3√2 σ
 constexpr double samplesPerScale = 4.0;
-constexpr double shortestDirection = 1e-3;   // relative to a vessel perpendicular to the ray
+constexpr double minDirectionLength = 1e-3;   // relative to a vessel perpendicular to the ray
 
 }   // namespace
 
@@ -26,37 +26,37 @@ OrientedMixture::OrientedMixture(const RegistrationProblem& problem, const Mixtu
     const TargetSamples& target = problem.target;
     const std::size_t everyTarget = targetStride(target, wantedPx);
     for (std::size_t j = 0; j < target.size(); j += everyTarget) {
-        targetPlaces_.push_back(target.points[j]);
+        targetPositions_.push_back(target.points[j]);
         targetDirections_.push_back(target.tangents[j]);
     }
-    targetGrid_.fill(targetPlaces_, reachPx_);
+    targetGrid_.fill(targetPositions_, reachPx_);
 }
 
 void OrientedMixture::project(const CentroidPose& pose)
 {
     projected_.clear();
-    places_.clear();
+    positions_.clear();
     directions_.clear();
     for (const Sample& sample : samples_) {
         const Eigen::Vector3d p = pose.rotation * sample.fromCentroid + pose.centroidInCamera;
-        const auto place = core::project(camera_, p);
+        const auto position = core::project(camera_, p);
         const Eigen::Vector3d t = pose.rotation * sample.tangent;
         const Eigen::Vector2d direction(camera_.fx * (t.x() * p.z() - p.x() * t.z()),
                                         camera_.fy * (t.y() * p.z() - p.y() * t.z()));
         const double length = direction.norm();
-        if (place && length > shortestDirection * std::abs(camera_.fx) * p.z()) {
+        if (position && length > minDirectionLength * std::abs(camera_.fx) * p.z()) {
             projected_.push_back({p, t, length});
-            places_.push_back(*place);
+            positions_.push_back(*position);
             directions_.emplace_back(direction / length);
         }
     }
 }
 
-OrientedMixture::Pair OrientedMixture::compare(const Eigen::Vector2d& place, const Eigen::Vector2d& direction,
-                                               const Eigen::Vector2d& otherPlace,
+OrientedMixture::Pair OrientedMixture::compare(const Eigen::Vector2d& position, const Eigen::Vector2d& direction,
+                                               const Eigen::Vector2d& otherPosition,
                                                const Eigen::Vector2d& otherDirection) const
 {
-    const Eigen::Vector2d gap = place - otherPlace;
+    const Eigen::Vector2d gap = position - otherPosition;
     if (gap.squaredNorm() > reachPx_ * reachPx_) {
         return {};
     }
@@ -77,42 +77,44 @@ double OrientedMixture::distance(const CentroidPose& pose, Vector6d& gradient)
 {
     gradient.setZero();
     project(pose);
-    ownGrid_.fill(places_, reachPx_);
+    selfGrid_.fill(positions_, reachPx_);
     const auto count = static_cast<double>(samples_.size());
     const double selfFactor = options_.selfWeight / (count * count);
-    const double crossFactor = -2.0 / (count * static_cast<double>(targetPlaces_.size()));
+    const double crossFactor = -2.0 / (count * static_cast<double>(targetPositions_.size()));
     double sum = 0.0;
-    for (std::size_t i = 0; i < places_.size(); ++i) {
+    for (std::size_t i = 0; i < positions_.size(); ++i) {
         Pair self;
         Pair cross;
         const auto add = [](const Pair& pair, Pair& to) {
             to.value += pair.value;
-            to.byPlace += pair.byPlace;
-            to.byDirection += pair.byDirection;
+            to.positionGradient += pair.positionGradient;
+            to.directionGradient += pair.directionGradient;
         };
-        targetGrid_.visitNear(places_[i], [&](std::size_t j) {
-            add(compare(places_[i], directions_[i], targetPlaces_[j], targetDirections_[j]), cross);
+        targetGrid_.visitNear(positions_[i], [&](std::size_t j) {
+            add(compare(positions_[i], directions_[i], targetPositions_[j], targetDirections_[j]), cross);
         });
-        ownGrid_.visitNear(places_[i], [&](std::size_t j) {
-            add(compare(places_[i], directions_[i], places_[j], directions_[j]), self);
+        selfGrid_.visitNear(positions_[i], [&](std::size_t j) {
+            add(compare(positions_[i], directions_[i], positions_[j], directions_[j]), self);
         });
         sum += selfFactor * self.value + crossFactor * cross.value;
         // Both members of a self pair move, which doubles the derivative of the first.
-        carryBack(i, 2.0 * selfFactor * self.byPlace + crossFactor * cross.byPlace,
-                  2.0 * selfFactor * self.byDirection + crossFactor * cross.byDirection, pose, gradient);
+        backpropagate(i, 2.0 * selfFactor * self.positionGradient + crossFactor * cross.positionGradient,
+                      2.0 * selfFactor * self.directionGradient + crossFactor * cross.directionGradient, pose,
+                      gradient);
     }
     return sum;
 }
 
-void OrientedMixture::carryBack(std::size_t sample, const Eigen::Vector2d& byPlace, const Eigen::Vector2d& byDirection,
-                                const CentroidPose& pose, Vector6d& gradient) const
+void OrientedMixture::backpropagate(std::size_t sample, const Eigen::Vector2d& positionGradient,
+                                    const Eigen::Vector2d& directionGradient, const CentroidPose& pose,
+                                    Vector6d& gradient) const
 {
     const auto& [p, t, length] = projected_[sample];
     const Eigen::Vector2d& unit = directions_[sample];
-    const Eigen::Vector2d byRaw = (byDirection - unit * unit.dot(byDirection)) / length;
+    const Eigen::Vector2d byRaw = (directionGradient - unit * unit.dot(directionGradient)) / length;
     const double dx = camera_.fx * byRaw.x();
     const double dy = camera_.fy * byRaw.y();
-    Eigen::Vector3d byPoint = projectionJacobian(camera_, p).transpose() * byPlace;
+    Eigen::Vector3d byPoint = projectionJacobian(camera_, p).transpose() * positionGradient;
     byPoint += Eigen::Vector3d(-dx * t.z(), -dy * t.z(), dx * t.x() + dy * t.y());
     const Eigen::Vector3d byTangent(dx * p.z(), dy * p.z(), -dx * p.x() - dy * p.y());
     gradient.head<3>() += (p - pose.centroidInCamera).cross(byPoint) + t.cross(byTangent);

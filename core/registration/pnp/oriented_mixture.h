@@ -36,26 +36,26 @@ private:
     /// Kernel between two oriented points: value, and half the derivatives with respect to the first point.
     struct Pair {
         double value = 0.0;
-        Eigen::Vector2d byPlace = Eigen::Vector2d::Zero();
-        Eigen::Vector2d byDirection = Eigen::Vector2d::Zero();
+        Eigen::Vector2d positionGradient = Eigen::Vector2d::Zero();
+        Eigen::Vector2d directionGradient = Eigen::Vector2d::Zero();
     };
     void project(const CentroidPose& pose);
-    Pair compare(const Eigen::Vector2d& place, const Eigen::Vector2d& direction, const Eigen::Vector2d& otherPlace,
-                 const Eigen::Vector2d& otherDirection) const;
-    void carryBack(std::size_t sample, const Eigen::Vector2d& byPlace, const Eigen::Vector2d& byDirection,
-                   const CentroidPose& pose, Vector6d& gradient) const;
+    Pair compare(const Eigen::Vector2d& position, const Eigen::Vector2d& direction,
+                 const Eigen::Vector2d& otherPosition, const Eigen::Vector2d& otherDirection) const;
+    void backpropagate(std::size_t sample, const Eigen::Vector2d& positionGradient,
+                       const Eigen::Vector2d& directionGradient, const CentroidPose& pose, Vector6d& gradient) const;
 
     MixtureOptions options_;
     ProjectionCamera camera_;
     double reachPx_;   ///< kernel cutoff
     std::vector<Sample> samples_;
     std::vector<Projected> projected_;   ///< projected samples in front of the source
-    std::vector<Eigen::Vector2d> places_;   ///< positions of the projected samples
+    std::vector<Eigen::Vector2d> positions_;   ///< positions of the projected samples
     std::vector<Eigen::Vector2d> directions_;   ///< unit directions of the projected samples
-    std::vector<Eigen::Vector2d> targetPlaces_;
+    std::vector<Eigen::Vector2d> targetPositions_;
     std::vector<Eigen::Vector2d> targetDirections_;
     BinGrid targetGrid_;
-    BinGrid ownGrid_;
+    BinGrid selfGrid_;
 };
 
 }   // namespace angiopose::core

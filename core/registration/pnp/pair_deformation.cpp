@@ -1,6 +1,6 @@
 #include "core/registration/pnp/pair_deformation.h"
 
-#include "core/registration/pose/minimise.h"
+#include "core/registration/pose/minimize.h"
 
 #include <algorithm>
 #include <cmath>

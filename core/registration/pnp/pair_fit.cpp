@@ -2,14 +2,14 @@
 
 namespace angiopose::core {
 
-CentroidPose fitPairs(std::span<const PlacePair> pairs, const ProjectionCamera& camera, const StartPrior& prior,
-                      double pairStdMm, int steps, const CentroidPose& from)
+CentroidPose fitPairs(std::span<const PointPixelPair> pairs, const ProjectionCamera& camera,
+                      const InitialPosePrior& prior, double pairStdMm, int steps, const CentroidPose& from)
 {
     CentroidPose pose = from;
     for (int step = 0; step < steps; ++step) {
         NormalEquations equations;
-        for (const PlacePair& pair : pairs) {
-            const Eigen::Vector3d arm = pose.rotation * pair.place;
+        for (const PointPixelPair& pair : pairs) {
+            const Eigen::Vector3d arm = pose.rotation * pair.position;
             const auto pixel = project(camera, arm + pose.centroidInCamera);
             if (!pixel) {
                 continue;
@@ -23,7 +23,7 @@ CentroidPose fitPairs(std::span<const PlacePair> pairs, const ProjectionCamera& 
             equations.gradient += rows.transpose() * (mmPerPx * (*pixel - pair.pixel));
         }
         prior.add(pose, pairStdMm * pairStdMm, equations);
-        pose = prior.freedom.moved(pose, prior.freedom.dampedStep(equations, 0.0, pose));
+        pose = prior.freedom.retract(pose, prior.freedom.dampedStep(equations, 0.0, pose));
     }
     return pose;
 }

@@ -22,7 +22,7 @@ public:
     virtual int maxIterations(SearchStage stage) const = 0;
 
     /// Whether the solver can solve for the rotation alone.
-    virtual bool canTurn() const { return true; }
+    virtual bool canSolveRotation() const { return true; }
 };
 
 }   // namespace angiopose::core

@@ -17,7 +17,7 @@ ScaleAnnealing::ScaleAnnealing(Decay decay, double startPx, double finalPx)
 {
 }
 
-void ScaleAnnealing::noteStep(int pointsInReach)
+void ScaleAnnealing::countStep(int pointsInReach)
 {
     ++stepsAtScale_;
     const bool stagnates = pointsInReach <= maxInReach_;
@@ -25,11 +25,11 @@ void ScaleAnnealing::noteStep(int pointsInReach)
     const bool isDue =
         decay_ == Decay::Halving ? stepsAtScale_ >= stepsPerHalving : stagnates && stepsAtScale_ >= minStepsToStagnate;
     if (isDue) {
-        sharpen();
+        shrinkScale();
     }
 }
 
-bool ScaleAnnealing::sharpen()
+bool ScaleAnnealing::shrinkScale()
 {
     if (isFinal()) {
         return false;

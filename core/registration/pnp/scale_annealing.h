@@ -13,10 +13,10 @@ public:
     bool isFinal() const { return scalePx_ <= finalPx_; }
 
     /// Counts an accepted step after which `pointsInReach` points are within reach of the kernel; shrinks ℓ when due.
-    void noteStep(int pointsInReach);
+    void countStep(int pointsInReach);
 
     /// Shrinks ℓ immediately, for when the current width allows no further gain; returns false if ℓ is already final.
-    bool sharpen();
+    bool shrinkScale();
 
 private:
     Decay decay_;

@@ -80,16 +80,16 @@ SeedProblem makeSeedProblem(const RegistrationProblem& problem, const Registrati
     }
     seed.freedom = {problem.freedom, problem.start, problem.tree.centroid};
     const double depthMm = (problem.start * problem.tree.centroid).z();
-    seed.nearestMm = std::max(0.0, depthMm - depthGuardMm);
-    seed.farthestMm = depthMm + depthGuardMm;
+    seed.minDepthMm = std::max(0.0, depthMm - depthGuardMm);
+    seed.maxDepthMm = depthMm + depthGuardMm;
     seed.prior = priorOf(options, depthMm, static_cast<double>(seed.points.size()));
     seed.schedule.maxIterations = options.maxIterations;
     seed.schedule.finalScalePx = options.finalScalePx;
     seed.schedule.startScale = options.seed.startScale;
     seed.schedule.decay = options.seed.decay;
     if (seed.prior.strength == 0.0) {
-        seed.schedule.nearestMm = seed.nearestMm;
-        seed.schedule.farthestMm = seed.farthestMm;
+        seed.schedule.minDepthMm = seed.minDepthMm;
+        seed.schedule.maxDepthMm = seed.maxDepthMm;
     }
     seed.target = makeIndex(options.seed.index, problem);
     seed.neighbors = options.seed.neighbors;
@@ -99,7 +99,7 @@ SeedProblem makeSeedProblem(const RegistrationProblem& problem, const Registrati
     return seed;
 }
 
-bool isSolvableAlone(const std::vector<Eigen::Vector3d>& auxiliary, const std::vector<Eigen::Vector3d>& points)
+bool determinesPose(const std::vector<Eigen::Vector3d>& auxiliary, const std::vector<Eigen::Vector3d>& points)
 {
     return auxiliary.size() >= minAuxiliaryPoints && rmsSpread(auxiliary) >= minSpreadShare * rmsSpread(points);
 }

@@ -18,8 +18,8 @@ struct SeedProblem {
     std::vector<Eigen::Vector3d> auxiliary;   ///< points {p'} selected by option `auxiliary`
     PosePrior prior;   ///< prior of the full problem, from the preset
     KernelSchedule schedule;   ///< schedule of the full problem
-    double nearestMm = 0.0;   ///< minimum depth in all solves without a prior
-    double farthestMm = 0.0;
+    double minDepthMm = 0.0;   ///< minimum depth in all solves without a prior
+    double maxDepthMm = 0.0;
     std::unique_ptr<PointIndex> target;   ///< index type selected by option `index`
     std::unique_ptr<NeighborSearch> search;   ///< null if only the nearest target points count
     Neighbors neighbors = Neighbors::Closest;
@@ -36,6 +36,6 @@ SeedProblem makeSeedProblem(const RegistrationProblem& problem, const Registrati
 
 /// Whether {p'} can determine a pose: at least four points whose spread is at least 30 % of the tree's (ALGORITHMS
 /// §3.2).
-bool isSolvableAlone(const std::vector<Eigen::Vector3d>& auxiliary, const std::vector<Eigen::Vector3d>& points);
+bool determinesPose(const std::vector<Eigen::Vector3d>& auxiliary, const std::vector<Eigen::Vector3d>& points);
 
 }   // namespace angiopose::core

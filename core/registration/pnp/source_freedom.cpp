@@ -15,8 +15,8 @@ Vector6d SourceFreedom::dampedStep(const NormalEquations& equations, double damp
                     : core::dampedStep(equations, damping, freeTwists(pose, freedom));
 }
 
-Vector6d SourceFreedom::descent(const Vector6d& gradient, const Vector6d& weights, const RigidTransform& pose,
-                                Freedom freedom) const
+Vector6d SourceFreedom::descentDirection(const Vector6d& gradient, const Vector6d& weights, const RigidTransform& pose,
+                                         Freedom freedom) const
 {
     if (isFull()) {
         return -weights.cwiseProduct(gradient);
@@ -30,13 +30,13 @@ Vector6d SourceFreedom::descent(const Vector6d& gradient, const Vector6d& weight
     return direction;
 }
 
-RigidTransform SourceFreedom::moved(const RigidTransform& pose, const Vector6d& twist) const
+RigidTransform SourceFreedom::retract(const RigidTransform& pose, const Vector6d& twist) const
 {
     RigidTransform next = expSe3(twist) * pose;
     if (isFull()) {
         return next;
     }
-    return cameraFromPatient(freedom_.held(core::aboutCentroid(next, centroidInStart_)), centroidInStart_);
+    return cameraFromPatient(freedom_.restoreLocked(core::aboutCentroid(next, centroidInStart_)), centroidInStart_);
 }
 
 /// A rotation about the centroid c by ω is a rotation about the source plus a shift by c × ω.

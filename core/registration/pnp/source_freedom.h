@@ -24,11 +24,11 @@ public:
                         Freedom freedom = Freedom::Full) const;
 
     /// Returns the negative gradient, scaled by `weights` and restricted to the allowed motions.
-    Vector6d descent(const Vector6d& gradient, const Vector6d& weights, const RigidTransform& pose,
-                     Freedom freedom) const;
+    Vector6d descentDirection(const Vector6d& gradient, const Vector6d& weights, const RigidTransform& pose,
+                              Freedom freedom) const;
 
     /// Applies a twist to a pose; locked parameters keep their exact values.
-    RigidTransform moved(const RigidTransform& pose, const Vector6d& twist) const;
+    RigidTransform retract(const RigidTransform& pose, const Vector6d& twist) const;
 
 private:
     StepBasis freeTwists(const RigidTransform& pose, Freedom freedom) const;

@@ -15,9 +15,9 @@ Vector6d SourceSteps::step(const RigidTransform& pose, const NormalEquations& eq
     return problem_.freedom.dampedStep(equations, damping, pose, freedom_);
 }
 
-RigidTransform SourceSteps::moved(const RigidTransform& pose, const Vector6d& step) const
+RigidTransform SourceSteps::retract(const RigidTransform& pose, const Vector6d& step) const
 {
-    return problem_.freedom.moved(pose, step);
+    return problem_.freedom.retract(pose, step);
 }
 
 double SourceSteps::lengthMm(const RigidTransform& pose, const Vector6d& step) const

@@ -15,7 +15,7 @@ public:
     SourceSteps(const KernelProblem& problem, Freedom freedom);
 
     Vector6d step(const RigidTransform& pose, const NormalEquations& equations, double damping) const;
-    RigidTransform moved(const RigidTransform& pose, const Vector6d& step) const;
+    RigidTransform retract(const RigidTransform& pose, const Vector6d& step) const;
 
     /// Returns the length of a step, counting a rotation as the shift it causes at the depth of the points.
     double lengthMm(const RigidTransform& pose, const Vector6d& step) const;

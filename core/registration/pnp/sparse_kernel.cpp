@@ -19,12 +19,12 @@ NormalEquations aboutCentroid(const NormalEquations& equations, const Eigen::Vec
 
 }   // namespace
 
-SparseKernel::SparseKernel(const RegistrationProblem& problem, std::size_t most)
+SparseKernel::SparseKernel(const RegistrationProblem& problem, std::size_t maxPoints)
     : camera_(problem.camera),
       freedom_(problem.freedom),
       target_(problem.target.points, problem.camera.width, problem.camera.height)
 {
-    const std::size_t stride = std::max<std::size_t>(1, (problem.tree.size() + most - 1) / most);
+    const std::size_t stride = std::max<std::size_t>(1, (problem.tree.size() + maxPoints - 1) / maxPoints);
     for (std::size_t i = 0; i < problem.tree.size(); i += stride) {
         points_.emplace_back(problem.tree.points[i] - problem.tree.centroid);
     }
@@ -36,14 +36,14 @@ double SparseKernel::agreement(const CentroidPose& pose, double scalePx)
     return 1.0 - kernelLoss(distances_, scalePx) / static_cast<double>(points_.size());
 }
 
-CentroidPose SparseKernel::stepped(const CentroidPose& pose, double scalePx, bool inPlaneOnly)
+CentroidPose SparseKernel::gaussNewtonStep(const CentroidPose& pose, double scalePx, bool inPlaneOnly)
 {
     measure(problem(), {pose.rotation, pose.centroidInCamera}, distances_);
     const NormalEquations equations =
         aboutCentroid(kernelEquations(problem(), distances_, scalePx), pose.centroidInCamera);
     const PoseFreedom freedom =
-        inPlaneOnly ? freedom_.alsoLocking({PoseAxis::LaoRao, PoseAxis::CraCau}, pose) : freedom_;
-    return freedom.moved(pose, freedom.dampedStep(equations, damping, pose));
+        inPlaneOnly ? freedom_.withLockedAxes({PoseAxis::LaoRao, PoseAxis::CraCau}, pose) : freedom_;
+    return freedom.retract(pose, freedom.dampedStep(equations, damping, pose));
 }
 
 }   // namespace angiopose::core

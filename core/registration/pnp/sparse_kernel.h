@@ -9,14 +9,14 @@ namespace angiopose::core {
 /// Kernel agreement of a few tree points with the target, fast enough to evaluate for thousands of poses.
 class SparseKernel {
 public:
-    SparseKernel(const RegistrationProblem& problem, std::size_t most);
+    SparseKernel(const RegistrationProblem& problem, std::size_t maxPoints);
 
     /// Mean of exp(−d²/2ℓ²), 0…1.
     double agreement(const CentroidPose& pose, double scalePx);
 
     /// Pose after one Gauss–Newton step on the kernel-weighted squares; with `inPlaneOnly` the out-of-plane rotations
     /// are fixed.
-    CentroidPose stepped(const CentroidPose& pose, double scalePx, bool inPlaneOnly);
+    CentroidPose gaussNewtonStep(const CentroidPose& pose, double scalePx, bool inPlaneOnly);
 
 private:
     KernelProblem problem() const { return {points_, camera_, &target_, {}}; }

@@ -14,7 +14,7 @@ constexpr double minStraightCosine = 0.7071;   // cosine of 45°
 /// Returns the unit direction at the start of a polyline; nullopt if all points coincide.
 std::optional<Eigen::Vector2d> headingOf(const std::vector<Eigen::Vector2d>& points)
 {
-    const Eigen::Vector2d chord = placeAlong(points, headingPx) - points.front();
+    const Eigen::Vector2d chord = pointAtLength(points, headingPx) - points.front();
     return chord.norm() > 0.0 ? std::optional<Eigen::Vector2d>(chord.normalized()) : std::nullopt;
 }
 
@@ -30,13 +30,14 @@ std::vector<Eigen::Vector2d> pointsAlong(const BranchGraph& graph, const TargetS
 }
 
 /// Returns the edge that continues the path at its final node with the smallest change of direction, at most 45°.
-std::optional<EdgeEnd> straightOn(const BranchGraph& graph, const TargetSamples& target, const TracedPath& path)
+std::optional<EdgeEnd> straightContinuation(const BranchGraph& graph, const TargetSamples& target,
+                                            const TracedPath& path)
 {
     const std::vector<Eigen::Vector2d> backwards(path.points.rbegin(), path.points.rend());
     const auto back = headingOf(backwards);
     std::optional<EdgeEnd> best;
     double bestCosine = minStraightCosine;
-    for (const EdgeEnd& way : graph.nodes[static_cast<std::size_t>(path.arrivesAt)]) {
+    for (const EdgeEnd& way : graph.nodes[static_cast<std::size_t>(path.endNode)]) {
         if (!back || std::ranges::find(path.edges, way.edge) != path.edges.end()) {
             continue;
         }
@@ -61,7 +62,7 @@ double lengthOf(const std::vector<Eigen::Vector2d>& points)
     return length;
 }
 
-Eigen::Vector2d placeAlong(const std::vector<Eigen::Vector2d>& points, double alongPx)
+Eigen::Vector2d pointAtLength(const std::vector<Eigen::Vector2d>& points, double alongPx)
 {
     double left = std::max(0.0, alongPx);
     for (std::size_t i = 1; i < points.size(); ++i) {
@@ -74,19 +75,19 @@ Eigen::Vector2d placeAlong(const std::vector<Eigen::Vector2d>& points, double al
     return points.back();
 }
 
-TracedPath pathFrom(const BranchGraph& graph, const TargetSamples& target, EdgeEnd way, double wantedPx)
+TracedPath followPath(const BranchGraph& graph, const TargetSamples& target, EdgeEnd way, double wantedPx)
 {
     TracedPath path;
     for (std::optional<EdgeEnd> next = way; next;) {
         const std::vector<Eigen::Vector2d> more = pointsAlong(graph, target, *next);
         path.points.insert(path.points.end(), more.begin(), more.end());
         path.edges.push_back(next->edge);
-        path.arrivesAt = graph.arrivalOf(*next);
+        path.endNode = graph.targetNode(*next);
         path.lengthPx = lengthOf(path.points);
-        next = path.lengthPx < muchShorter * wantedPx ? straightOn(graph, target, path) : std::nullopt;
+        next = path.lengthPx < muchShorter * wantedPx ? straightContinuation(graph, target, path) : std::nullopt;
     }
     if (path.lengthPx > muchLonger * wantedPx) {
-        path.arrivesAt = TracedPath::nowhere;
+        path.endNode = TracedPath::noNode;
         path.lengthPx = wantedPx;
     }
     return path;

@@ -9,20 +9,20 @@ namespace angiopose::core {
 
 /// Path along the traced vessels that starts at a node.
 struct TracedPath {
-    static constexpr int nowhere = -1;
+    static constexpr int noNode = -1;
 
     std::vector<Eigen::Vector2d> points;   ///< px
     std::vector<int> edges;   ///< indices of the graph's edges along the path
-    int arrivesAt = nowhere;   ///< final node; `nowhere` if the path was cut short
+    int endNode = noNode;   ///< final node; `nowhere` if the path was cut short
     double lengthPx = 0.0;
 };
 
 /// Follows `way` and continues straight through further nodes while the path is much shorter than `wantedPx`; if it is
 /// much longer, cuts it at that length. The path contains at least one point.
-TracedPath pathFrom(const BranchGraph& graph, const TargetSamples& target, EdgeEnd way, double wantedPx);
+TracedPath followPath(const BranchGraph& graph, const TargetSamples& target, EdgeEnd way, double wantedPx);
 
 /// Returns the point at arc length `alongPx` of a polyline, clamped to its ends.
-Eigen::Vector2d placeAlong(const std::vector<Eigen::Vector2d>& points, double alongPx);
+Eigen::Vector2d pointAtLength(const std::vector<Eigen::Vector2d>& points, double alongPx);
 
 double lengthOf(const std::vector<Eigen::Vector2d>& points);
 

@@ -12,7 +12,7 @@ RigidTransform cameraFromPatient(const CentroidPose& pose, const Eigen::Vector3d
     return {pose.rotation, pose.centroidInCamera - pose.rotation * centroidInPatient};
 }
 
-CentroidPose moved(const CentroidPose& pose, const Vector6d& step)
+CentroidPose retract(const CentroidPose& pose, const Vector6d& step)
 {
     return {expSo3(step.head<3>()) * pose.rotation, pose.centroidInCamera + step.tail<3>()};
 }

@@ -16,7 +16,7 @@ CentroidPose aboutCentroid(const RigidTransform& cameraFromPatient, const Eigen:
 RigidTransform cameraFromPatient(const CentroidPose& pose, const Eigen::Vector3d& centroidInPatient);
 
 /// Pose after a step (rotation vector rad, shift mm) in camera axes.
-CentroidPose moved(const CentroidPose& pose, const Vector6d& step);
+CentroidPose retract(const CentroidPose& pose, const Vector6d& step);
 
 /// Returns the step from one pose to the other; inverse of `moved`.
 Vector6d stepBetween(const CentroidPose& from, const CentroidPose& to);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/registration/pose/damped_step.h"
-#include "core/support/verdict.h"
+#include "core/support/observer_decision.h"
 
 #include <concepts>
 #include <optional>
@@ -28,7 +28,7 @@ concept LeastSquaresProblem = requires(P& problem, const typename P::State& stat
         problem.step(state, equations, 1e-3)
         } -> std::convertible_to<typename P::Step>;
     {
-        problem.moved(state, step)
+        problem.retract(state, step)
         } -> std::convertible_to<typename P::State>;
     /// Returns the decrease of the cost from the first to the second evaluation; nullopt to reject the step.
     {
@@ -41,23 +41,23 @@ concept LeastSquaresProblem = requires(P& problem, const typename P::State& stat
 };
 
 struct StepOptions {
-    int triesPerStep = 1;   ///< attempts per step, with increasing damping
-    double settledMm = 0.0;   ///< a step with less motion ends the descent
-    double settledGain = 0.0;   ///< a step with a smaller predicted decrease ends the descent
+    int maxTriesPerStep = 1;   ///< attempts per step, with increasing damping
+    double minMotionMm = 0.0;   ///< a step with less motion ends the descent
+    double minGain = 0.0;   ///< a step with a smaller predicted decrease ends the descent
 };
 
 /// Result of one step. A tiny last step may be both accepted and final.
 struct StepOutcome {
-    bool isTaken = false;
-    bool isSettled = false;   ///< whether the descent has converged
+    bool isAccepted = false;
+    bool isConverged = false;   ///< whether the descent has converged
     bool isStopped = false;   ///< the observer returned Stop
 };
 
 /// Evaluations of the descent at its current and next state; must outlive it to allow buffers to be reused.
 template <class Evaluation>
 struct EvaluationPair {
-    Evaluation here;
-    Evaluation there;
+    Evaluation current;
+    Evaluation next;
 };
 
 /// Levenberg–Marquardt (ALGORITHMS §1): linearizes, computes the damped step and takes it if the problem accepts it.
@@ -71,11 +71,11 @@ public:
                   const StepOptions& options)
         : problem_(problem), options_(options), evaluations_(evaluations), state_(start)
     {
-        isFeasible_ = problem_.evaluate(state_, evaluations_.here);
+        isFeasible_ = problem_.evaluate(state_, evaluations_.current);
     }
 
     const State& state() const { return state_; }
-    Evaluation& evaluation() { return evaluations_.here; }
+    Evaluation& evaluation() { return evaluations_.current; }
     bool isFeasible() const { return isFeasible_; }   ///< false if the problem cannot be evaluated at the initial state
 
     /// Discards the normal equations; call after the problem changed but the evaluation remains valid, or was modified.
@@ -84,7 +84,7 @@ public:
     /// Evaluates the current state again; call after the problem has changed.
     void reevaluate()
     {
-        isFeasible_ = problem_.evaluate(state_, evaluations_.here);
+        isFeasible_ = problem_.evaluate(state_, evaluations_.current);
         relinearize();
     }
 
@@ -95,12 +95,12 @@ public:
     /// Takes up to `most` steps until convergence and returns the last outcome; `after` receives the outcome of each
     /// step and may return Stop.
     template <class After>
-    StepOutcome descend(int most, const After& after)
+    StepOutcome descend(int maxSteps, const After& after)
     {
         StepOutcome outcome;
-        for (int k = 0; k < most && !outcome.isSettled && !outcome.isStopped; ++k) {
+        for (int k = 0; k < maxSteps && !outcome.isConverged && !outcome.isStopped; ++k) {
             outcome = step();
-            outcome.isStopped = after(outcome) == Verdict::Stop;
+            outcome.isStopped = after(outcome) == ObserverDecision::Stop;
         }
         return outcome;
     }
@@ -120,23 +120,23 @@ template <LeastSquaresProblem Problem>
 StepOutcome DampedDescent<Problem>::step()
 {
     if (!isLinearized_) {
-        equations_ = problem_.equations(state_, evaluations_.here);
+        equations_ = problem_.equations(state_, evaluations_.current);
         isLinearized_ = true;
     }
-    for (int attempt = 0; attempt < options_.triesPerStep; ++attempt) {
+    for (int attempt = 0; attempt < options_.maxTriesPerStep; ++attempt) {
         const typename Problem::Step step = problem_.step(state_, equations_, damping_.factor());
-        const double promised = predictedDecrease(equations_, step);
-        if (!(promised > 0.0)) {
+        const double predicted = predictedDecrease(equations_, step);
+        if (!(predicted > 0.0)) {
             return {false, true};
         }
-        const bool isTiny = promised < options_.settledGain || problem_.lengthMm(state_, step) < options_.settledMm;
-        const State trial = problem_.moved(state_, step);
-        const bool canEvaluate = problem_.evaluate(trial, evaluations_.there);
-        const auto decrease = canEvaluate ? problem_.decrease(evaluations_.here, evaluations_.there) : std::nullopt;
+        const bool isTiny = predicted < options_.minGain || problem_.lengthMm(state_, step) < options_.minMotionMm;
+        const State trial = problem_.retract(state_, step);
+        const bool canEvaluate = problem_.evaluate(trial, evaluations_.next);
+        const auto decrease = canEvaluate ? problem_.decrease(evaluations_.current, evaluations_.next) : std::nullopt;
         if (decrease) {
-            damping_.accept(*decrease / promised);
+            damping_.accept(*decrease / predicted);
             state_ = trial;
-            std::swap(evaluations_.here, evaluations_.there);
+            std::swap(evaluations_.current, evaluations_.next);
             relinearize();
             return {true, isTiny};
         }

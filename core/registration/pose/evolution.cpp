@@ -112,8 +112,8 @@ void CovarianceSearch::adapt(std::vector<Child>& children)
 
 }   // namespace
 
-bool evolveByCovariance(const EvolutionCost& cost, Eigen::Index dimensions, const EvolveOptions& options,
-                        const StopCheck& isStopped)
+bool minimizeCmaEs(const EvolutionCost& cost, Eigen::Index dimensions, const EvolutionSettings& options,
+                   const StopCheck& isStopped)
 {
     CovarianceSearch search(dimensions, options.population);
     CounterRandom random(options.seed);
@@ -130,15 +130,15 @@ bool evolveByCovariance(const EvolutionCost& cost, Eigen::Index dimensions, cons
         }
         evaluations += options.population;
         search.adapt(children);
-        if (search.width() < options.settledStep) {
+        if (search.width() < options.minStepSize) {
             return true;
         }
     }
     return false;
 }
 
-bool evolveOneByOne(const EvolutionCost& cost, Eigen::Index dimensions, const EvolveOptions& options,
-                    const StopCheck& isStopped)
+bool minimizeOnePlusOneEs(const EvolutionCost& cost, Eigen::Index dimensions, const EvolutionSettings& options,
+                          const StopCheck& isStopped)
 {
     constexpr double growth = 1.05;
     const double shrinkage = std::pow(growth, -0.25);
@@ -157,7 +157,7 @@ bool evolveOneByOne(const EvolutionCost& cost, Eigen::Index dimensions, const Ev
         }
         const double factor = isBetter ? growth : shrinkage;
         spread += (factor - 1.0) / draw.squaredNorm() * step * draw.transpose();
-        if (spread.norm() < options.settledStep) {
+        if (spread.norm() < options.minStepSize) {
             return true;
         }
     }

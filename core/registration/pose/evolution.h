@@ -6,10 +6,10 @@
 
 namespace angiopose::core {
 
-struct EvolveOptions {
+struct EvolutionSettings {
     int population = 16;
     int maxEvaluations = 3000;
-    double settledStep = 1e-3;   ///< width of the search distribution at which the search ends, in units of x
+    double minStepSize = 1e-3;   ///< width of the search distribution at which the search ends, in units of x
     std::uint64_t seed = 1;
 };
 
@@ -21,12 +21,12 @@ using StopCheck = std::function<bool()>;
 /// if it ran out of evaluations or was stopped. Of the libraries that implement it, Debian 12 packages only pagmo2
 /// (neither libcmaes nor ensmallen; NLopt has no implementation): to replace these hundred lines in one comparison
 /// method it would require TBB, Boost.Serialization and bounded problems, and it cannot be stopped within a generation.
-bool evolveByCovariance(const EvolutionCost& cost, Eigen::Index dimensions, const EvolveOptions& options,
-                        const StopCheck& isStopped);
+bool minimizeCmaEs(const EvolutionCost& cost, Eigen::Index dimensions, const EvolutionSettings& options,
+                   const StopCheck& isStopped);
 
 /// Minimizes with one parent and one child per generation: a success widens the search by 1.05, a failure narrows it by
 /// the fourth root of 1.05, both along the step taken (Styner et al. 2000).
-bool evolveOneByOne(const EvolutionCost& cost, Eigen::Index dimensions, const EvolveOptions& options,
-                    const StopCheck& isStopped);
+bool minimizeOnePlusOneEs(const EvolutionCost& cost, Eigen::Index dimensions, const EvolutionSettings& options,
+                          const StopCheck& isStopped);
 
 }   // namespace angiopose::core

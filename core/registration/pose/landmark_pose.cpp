@@ -4,8 +4,8 @@
 #include "core/messages/messages.h"
 #include "core/registration/pose/centroid_pose.h"
 #include "core/registration/pose/damped_descent.h"
+#include "core/registration/pose/initial_pose_prior.h"
 #include "core/registration/pose/sqpnp.h"
-#include "core/registration/pose/start_prior.h"
 #include "core/support/symmetric.h"
 
 #include <algorithm>
@@ -45,7 +45,7 @@ public:
     using Equations = NormalEquations;
 
     LandmarkSquares(std::span<const Landmark> landmarks, const ProjectionCamera& camera,
-                    const std::optional<StartPrior>& prior)
+                    const std::optional<InitialPosePrior>& prior)
         : landmarks_(landmarks), camera_(camera), prior_(prior), centroid_(Eigen::Vector3d::Zero())
     {
         for (const Landmark& landmark : landmarks) {
@@ -62,14 +62,14 @@ public:
     {
         evaluation = {0.0, {}};
         for (const Landmark& landmark : landmarks_) {
-            const Eigen::Vector3d turned = pose.rotation * (landmark.pointInPatient - centroid_);
-            const auto pixel = project(camera_, turned + pose.centroidInCamera);
+            const Eigen::Vector3d rotated = pose.rotation * (landmark.pointInPatient - centroid_);
+            const auto pixel = project(camera_, rotated + pose.centroidInCamera);
             if (!pixel) {
                 return false;
             }
             const Eigen::Vector2d residual = (*pixel - landmark.pixel) / clickStdPx;
             evaluation.cost += residual.squaredNorm();
-            add(turned, turned + pose.centroidInCamera, residual, evaluation.equations);
+            add(rotated, rotated + pose.centroidInCamera, residual, evaluation.equations);
         }
         if (prior_) {
             evaluation.cost += prior_->cost(pose);
@@ -88,7 +88,7 @@ public:
         return dampedStep(equations, damping);
     }
 
-    CentroidPose moved(const CentroidPose& pose, const Vector6d& step) const { return core::moved(pose, step); }
+    CentroidPose retract(const CentroidPose& pose, const Vector6d& step) const { return core::retract(pose, step); }
 
     std::optional<double> decrease(const LandmarkEvaluation& here, const LandmarkEvaluation& there) const
     {
@@ -98,19 +98,19 @@ public:
     double lengthMm(const CentroidPose&, const Vector6d& step) const { return stepLengthMm(step, spreadMm_); }
 
 private:
-    void add(const Eigen::Vector3d& turned, const Eigen::Vector3d& inCamera, const Eigen::Vector2d& residual,
+    void add(const Eigen::Vector3d& rotated, const Eigen::Vector3d& inCamera, const Eigen::Vector2d& residual,
              NormalEquations& equations) const
     {
         const Eigen::Matrix<double, 2, 3> byPoint = projectionJacobian(camera_, inCamera) / clickStdPx;
         Eigen::Matrix<double, 2, 6> jacobian;
-        jacobian << -byPoint * skew(turned), byPoint;
+        jacobian << -byPoint * skew(rotated), byPoint;
         equations.hessian += jacobian.transpose() * jacobian;
         equations.gradient += jacobian.transpose() * residual;
     }
 
     std::span<const Landmark> landmarks_;
     const ProjectionCamera& camera_;
-    std::optional<StartPrior> prior_;
+    std::optional<InitialPosePrior> prior_;
     Eigen::Vector3d centroid_;
     double spreadMm_ = 0.0;   ///< distance of the farthest landmark from the centroid
 };
@@ -123,11 +123,11 @@ struct Fit {
 Fit refined(LandmarkSquares& squares, const CentroidPose& start)
 {
     EvaluationPair<LandmarkEvaluation> evaluations;
-    DampedDescent descent(squares, start, evaluations, {.settledMm = settledLandmarksMm});
+    DampedDescent descent(squares, start, evaluations, {.minMotionMm = settledLandmarksMm});
     if (!descent.isFeasible()) {
         return {start};
     }
-    descent.descend(maxLandmarkSteps, [](const StepOutcome&) { return Verdict::Continue; });
+    descent.descend(maxLandmarkSteps, [](const StepOutcome&) { return ObserverDecision::Continue; });
     return {descent.state(), descent.evaluation().cost};
 }
 
@@ -141,7 +141,7 @@ double rmsSpread(const Eigen::Matrix<double, Size, Eigen::Dynamic>& points, int 
         const Eigen::Vector<double, Size> offset = points.col(i) - mean;
         scatter += offset * offset.transpose() / static_cast<double>(points.cols());
     }
-    return std::sqrt(std::max(0.0, axesOf(scatter).values[Size - 1 - rank]));
+    return std::sqrt(std::max(0.0, eigenDecomposition(scatter).values[Size - 1 - rank]));
 }
 
 std::optional<Message> findDegeneracy(std::span<const Landmark> landmarks, bool hasBefore)
@@ -149,7 +149,7 @@ std::optional<Message> findDegeneracy(std::span<const Landmark> landmarks, bool 
     if (landmarks.empty()) {
         return messages::landmarksMissing();
     }
-    const bool isEnough = landmarks.size() >= enoughLandmarks;
+    const bool isEnough = landmarks.size() >= minLandmarks;
     if (!isEnough && !hasBefore) {
         return messages::landmarksTooFew(landmarks.size());
     }
@@ -163,15 +163,15 @@ std::optional<Message> findDegeneracy(std::span<const Landmark> landmarks, bool 
         return messages::landmarksNotFinite();
     }
     if (landmarks.size() > 1 && (rmsSpread<3>(points, 0) < minSpreadMm || rmsSpread<2>(pixels, 0) < minSpreadPx)) {
-        return messages::landmarksInOnePlace();
+        return messages::landmarksCoincide();
     }
     if (isEnough && rmsSpread<3>(points, 1) < minSpreadMm) {
-        return messages::landmarksOnOneLine();
+        return messages::landmarksCollinear();
     }
     return {};
 }
 
-StartPrior priorAt(const CentroidPose& before)
+InitialPosePrior priorAt(const CentroidPose& before)
 {
     const double turn = priorTurnDeg / degreesPerRadian;
     Vector6d std;
@@ -186,8 +186,8 @@ const Fit& chosen(const Fit& near, const Fit& other)
     return near.cost <= showsNothing ? near : other;
 }
 
-LandmarkPose judged(const LandmarkSquares& squares, const Fit& fit, std::span<const Landmark> landmarks,
-                    const ProjectionCamera& camera)
+LandmarkPose assessLandmarkFit(const LandmarkSquares& squares, const Fit& fit, std::span<const Landmark> landmarks,
+                               const ProjectionCamera& camera)
 {
     LandmarkPose result;
     result.cameraFromPatient = cameraFromPatient(fit.pose, squares.centroid());
@@ -206,7 +206,7 @@ LandmarkPose judged(const LandmarkSquares& squares, const Fit& fit, std::span<co
     return result;
 }
 
-std::optional<RigidTransform> solvedAlone(std::span<const Landmark> landmarks, const ProjectionCamera& camera)
+std::optional<RigidTransform> solveWithoutPrior(std::span<const Landmark> landmarks, const ProjectionCamera& camera)
 {
     std::vector<Eigen::Vector3d> points;
     std::vector<Eigen::Vector2d> pixels;
@@ -236,20 +236,20 @@ Result<LandmarkPose> poseFromLandmarks(std::span<const Landmark> landmarks, cons
     if (const auto degeneracy = findDegeneracy(landmarks, before.has_value())) {
         return Error(*degeneracy);
     }
-    const bool isEnough = landmarks.size() >= enoughLandmarks;
+    const bool isEnough = landmarks.size() >= minLandmarks;
     const Eigen::Vector3d centroid = LandmarkSquares(landmarks, camera, std::nullopt).centroid();
     const auto start = before ? std::optional(aboutCentroid(*before, centroid)) : std::nullopt;
     LandmarkSquares squares(landmarks, camera, isEnough ? std::nullopt : std::optional(priorAt(*start)));
 
     const Fit near = start ? refined(squares, *start) : Fit{};
-    const auto alone = isEnough ? solvedAlone(landmarks, camera) : std::nullopt;
+    const auto alone = isEnough ? solveWithoutPrior(landmarks, camera) : std::nullopt;
     const Fit other = alone ? refined(squares, aboutCentroid(*alone, centroid)) : Fit{};
     const Fit& best = chosen(near, other);
     if (!std::isfinite(best.cost)) {
         return Error(messages::landmarksWithoutPose());
     }
-    LandmarkPose result = judged(squares, best, landmarks, camera);
-    result.leansOnPrior = !isEnough;
+    LandmarkPose result = assessLandmarkFit(squares, best, landmarks, camera);
+    result.usesPrior = !isEnough;
     return result;
 }
 

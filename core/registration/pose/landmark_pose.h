@@ -13,7 +13,7 @@
 namespace angiopose::core {
 
 /// Minimum number of pairs that determine a pose without a previous pose.
-inline constexpr std::size_t enoughLandmarks = 4;
+inline constexpr std::size_t minLandmarks = 4;
 
 /// Pose that aligns landmarks with their image points, and its accuracy.
 struct LandmarkPose {
@@ -22,7 +22,7 @@ struct LandmarkPose {
     double rmsPx = 0.0;
     double depthStdMm = 0.0;   ///< 1-σ along the ray for click errors of clickStdPx
     double rotationStdDeg = 0.0;   ///< 1-σ about the least certain camera axis, for the same click errors
-    bool leansOnPrior = false;   ///< too few pairs: undetermined parameters keep their previous values
+    bool usesPrior = false;   ///< too few pairs: undetermined parameters keep their previous values
 };
 
 /// Distance between each landmark's projection and its pixel; infinite behind the source.

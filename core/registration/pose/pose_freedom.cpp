@@ -11,7 +11,7 @@ namespace {
 constexpr std::array axisOfCoordinate{PoseAxis::CraCau, PoseAxis::LaoRao, PoseAxis::Roll,
                                       PoseAxis::Right,  PoseAxis::Up,     PoseAxis::AlongRay};
 
-Eigen::Matrix3d turnBy(const Eigen::Vector3d& angles)
+Eigen::Matrix3d rotationFromAngles(const Eigen::Vector3d& angles)
 {
     return (Eigen::AngleAxisd(angles.z(), Eigen::Vector3d::UnitZ()) *
             Eigen::AngleAxisd(angles.x(), Eigen::Vector3d::UnitX()) *
@@ -19,7 +19,8 @@ Eigen::Matrix3d turnBy(const Eigen::Vector3d& angles)
         .toRotationMatrix();
 }
 
-/// Inverse of turnBy for |θx| ≤ 90°: bottom row (−cos θx sin θy, sin θx, cos θx cos θy), middle column Rz Rx e_y.
+/// Inverse of rotationFromAngles for |θx| ≤ 90°: bottom row (−cos θx sin θy, sin θx, cos θx cos θy), middle column Rz
+/// Rx e_y.
 Eigen::Vector3d anglesOf(const Eigen::Matrix3d& turn)
 {
     return {std::asin(std::clamp(turn(2, 1), -1.0, 1.0)), std::atan2(-turn(2, 0), turn(2, 2)),
@@ -27,7 +28,7 @@ Eigen::Vector3d anglesOf(const Eigen::Matrix3d& turn)
 }
 
 /// Returns the rotation vector per rad of each angle, one per column, camera axes.
-Eigen::Matrix3d turnsPerAngle(const Eigen::Vector3d& angles)
+Eigen::Matrix3d rotationPerAngle(const Eigen::Vector3d& angles)
 {
     const Eigen::Matrix3d roll = Eigen::AngleAxisd(angles.z(), Eigen::Vector3d::UnitZ()).toRotationMatrix();
     const Eigen::Matrix3d tilt = Eigen::AngleAxisd(angles.x(), Eigen::Vector3d::UnitX()).toRotationMatrix();
@@ -57,7 +58,7 @@ bool PoseFreedom::isLocked(Eigen::Index coordinate) const
     return isLocked(axisOfCoordinate[static_cast<std::size_t>(coordinate)]);
 }
 
-PoseFreedom PoseFreedom::alsoLocking(std::initializer_list<PoseAxis> axes, const CentroidPose& pose) const
+PoseFreedom PoseFreedom::withLockedAxes(std::initializer_list<PoseAxis> axes, const CentroidPose& pose) const
 {
     PoseLocks locks = locks_;
     for (const PoseAxis axis : axes) {
@@ -84,13 +85,13 @@ Vector6d PoseFreedom::coordinates(const CentroidPose& pose) const
 
 CentroidPose PoseFreedom::poseAt(const Vector6d& coordinates) const
 {
-    const Eigen::Matrix3d rotation = turnBy(coordinates.head<3>()) * frame_.reference;
+    const Eigen::Matrix3d rotation = rotationFromAngles(coordinates.head<3>()) * frame_.reference;
     return {rotation, coordinates.tail<3>() - rotation * frame_.pivotFromCentroid};
 }
 
 Matrix6d PoseFreedom::stepsPerCoordinate(const CentroidPose& pose) const
 {
-    const Eigen::Matrix3d turns = turnsPerAngle(anglesOf(pose.rotation * frame_.reference.transpose()));
+    const Eigen::Matrix3d turns = rotationPerAngle(anglesOf(pose.rotation * frame_.reference.transpose()));
     Matrix6d steps = Matrix6d::Identity();
     steps.topLeftCorner<3, 3>() = turns;
     steps.bottomLeftCorner<3, 3>() = skew(pose.rotation * frame_.pivotFromCentroid) * turns;
@@ -113,7 +114,7 @@ StepBasis PoseFreedom::freeSteps(const CentroidPose& pose) const
     return free;
 }
 
-CentroidPose PoseFreedom::held(const CentroidPose& pose) const
+CentroidPose PoseFreedom::restoreLocked(const CentroidPose& pose) const
 {
     if (isFull()) {
         return pose;
@@ -130,9 +131,9 @@ Vector6d PoseFreedom::dampedStep(const NormalEquations& equations, double dampin
     return isFull() ? core::dampedStep(equations, damping) : core::dampedStep(equations, damping, freeSteps(pose));
 }
 
-CentroidPose PoseFreedom::moved(const CentroidPose& pose, const Vector6d& step) const
+CentroidPose PoseFreedom::retract(const CentroidPose& pose, const Vector6d& step) const
 {
-    return held(core::moved(pose, step));
+    return restoreLocked(core::retract(pose, step));
 }
 
 }   // namespace angiopose::core

@@ -28,7 +28,7 @@ public:
     bool isLocked(Eigen::Index coordinate) const;
 
     /// Returns a copy in which these axes are also locked, at their values in `pose`.
-    PoseFreedom alsoLocking(std::initializer_list<PoseAxis> axes, const CentroidPose& pose) const;
+    PoseFreedom withLockedAxes(std::initializer_list<PoseAxis> axes, const CentroidPose& pose) const;
 
     /// Returns the same freedom for motions cameraFromStart of a tree in the frame of the initial camera.
     PoseFreedom fromStart(const Eigen::Matrix3d& startRotation) const;
@@ -43,13 +43,13 @@ public:
     StepBasis freeSteps(const CentroidPose& pose) const;
 
     /// Pose with the locked coordinates restored.
-    CentroidPose held(const CentroidPose& pose) const;
+    CentroidPose restoreLocked(const CentroidPose& pose) const;
 
     /// Damped step by core::dampedStep that changes no locked coordinate, to first order.
     Vector6d dampedStep(const NormalEquations& equations, double damping, const CentroidPose& pose) const;
 
     /// Pose after a step; locked coordinates keep their exact values.
-    CentroidPose moved(const CentroidPose& pose, const Vector6d& step) const;
+    CentroidPose retract(const CentroidPose& pose, const Vector6d& step) const;
 
 private:
     PoseLocks locks_{};

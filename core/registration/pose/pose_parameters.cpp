@@ -6,7 +6,7 @@ namespace angiopose::core {
 namespace {
 
 /// Without locks, measures the angles from the origin, where they are independent.
-PoseFreedom countedFrom(const CentroidPose& origin, const PoseFreedom& freedom)
+PoseFreedom relativeTo(const CentroidPose& origin, const PoseFreedom& freedom)
 {
     return freedom.isFull() ? PoseFreedom({}, {origin.rotation, {0.0, 0.0, 0.0}}, origin) : freedom;
 }
@@ -14,7 +14,7 @@ PoseFreedom countedFrom(const CentroidPose& origin, const PoseFreedom& freedom)
 }   // namespace
 
 PoseParameters::PoseParameters(const CentroidPose& origin, const Vector6d& unit, const PoseFreedom& freedom)
-    : freedom_(countedFrom(origin, freedom)), origin_(freedom_.coordinates(origin)), unit_(unit)
+    : freedom_(relativeTo(origin, freedom)), origin_(freedom_.coordinates(origin)), unit_(unit)
 {
     for (Eigen::Index k = 0; k < unit.size(); ++k) {
         if (!freedom.isLocked(k)) {
@@ -30,7 +30,7 @@ CentroidPose PoseParameters::pose(const Eigen::VectorXd& x) const
         const Eigen::Index k = free_[static_cast<std::size_t>(i)];
         coordinates[k] += unit_[k] * x[i];
     }
-    return freedom_.held(freedom_.poseAt(coordinates));
+    return freedom_.restoreLocked(freedom_.poseAt(coordinates));
 }
 
 Eigen::VectorXd PoseParameters::gradient(const Eigen::VectorXd& x, const Vector6d& stepGradient) const

@@ -6,7 +6,7 @@ namespace angiopose::core {
 
 Error inView(std::size_t number, const Error& error)
 {
-    return error.isStop() ? error : Error(messages::inView(number, error.message));
+    return error.isCancellation() ? error : Error(messages::inView(number, error.message));
 }
 
 }   // namespace angiopose::core

@@ -7,7 +7,7 @@
 namespace angiopose::core {
 
 class TargetLines;
-struct WireFinding;
+struct WireResult;
 
 /// Result of a method, to be assessed by registerVessels.
 struct MethodSolution {
@@ -22,12 +22,12 @@ struct MethodSolution {
         agreement;   ///< AgreementScore of the pose, if the method computed it, for reuse in the assessment
     std::vector<std::uint8_t>
         isOpacified;   ///< 1 for each opacified tree point; empty if the whole tree is assumed to be opacified
-    int filledForks = 0;   ///< number of bifurcations where three or more opacified segments meet
-    std::shared_ptr<const WireFinding> wire;   ///< result of the wire method
-    bool isSettled =
+    int opacifiedBifurcations = 0;   ///< number of bifurcations where three or more opacified segments meet
+    std::shared_ptr<const WireResult> wire;   ///< result of the wire method
+    bool isFullyRefined =
         false;   ///< refined with the residuals used for its assessment, so that refining it again does not move it
-    bool wantsCare = false;   ///< registerVessels may constrain a depth that the image does not determine, and check
-                              ///< the image orientation
+    bool needsChecks = false;   ///< registerVessels may constrain a depth that the image does not determine, and check
+                                ///< the image orientation
 };
 
 }   // namespace angiopose::core

@@ -9,7 +9,7 @@ constexpr std::size_t usualReports = 256;
 
 }   // namespace
 
-Verdict ProgressLog::report(IterationReport report)
+ObserverDecision ProgressLog::report(IterationReport report)
 {
     progress_ = std::clamp(report.progress, progress_, 1.0);
     report.progress = progress_;
@@ -20,20 +20,20 @@ Verdict ProgressLog::report(IterationReport report)
         history_.reserve(usualReports);
     }
     history_.push_back(report);
-    if (observe_ && observe_(report) == Verdict::Stop) {
+    if (observe_ && observe_(report) == ObserverDecision::Stop) {
         isStopped_ = true;
     }
-    return isStopped_ ? Verdict::Stop : Verdict::Continue;
+    return isStopped_ ? ObserverDecision::Stop : ObserverDecision::Continue;
 }
 
-Verdict ProgressLog::askAgain(std::string_view stage)
+ObserverDecision ProgressLog::checkForStop(std::string_view stage)
 {
     if (observe_ && !history_.empty()) {
         IterationReport report = history_.back();
         report.stage = stage.empty() ? report.stage : stage;
-        isStopped_ = observe_(report) == Verdict::Stop || isStopped_;
+        isStopped_ = observe_(report) == ObserverDecision::Stop || isStopped_;
     }
-    return isStopped_ ? Verdict::Stop : Verdict::Continue;
+    return isStopped_ ? ObserverDecision::Stop : ObserverDecision::Continue;
 }
 
 }   // namespace angiopose::core

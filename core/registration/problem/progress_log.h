@@ -16,11 +16,11 @@ public:
 
     /// Forwards a report with its step number and step length, without letting the progress decrease. After the
     /// observer has returned Stop, always returns Stop.
-    Verdict report(IterationReport report);
+    ObserverDecision report(IterationReport report);
 
     /// Checks for a stop request while the pose is unchanged by forwarding the last report again, with another stage if
     /// given, without recording it.
-    Verdict askAgain(std::string_view stage = {});
+    ObserverDecision checkForStop(std::string_view stage = {});
 
     bool isStopped() const { return isStopped_; }
     int iterations() const { return static_cast<int>(history_.size()); }

@@ -2,7 +2,7 @@
 
 #include "core/messages/messages.h"
 #include "core/registration/problem/auxiliary_points.h"
-#include "core/vessel/ordered_curves.h"
+#include "core/vessel/reordered_curves.h"
 
 #include <algorithm>
 #include <cmath>
@@ -89,7 +89,7 @@ std::optional<Message> findUnknownBranch(const VesselTree& tree, const std::vect
 {
     for (const int id : branchIds) {
         if (tree.find(id) == nullptr) {
-            return messages::chosenBranchMissing(id, role());
+            return messages::selectedBranchMissing(id, role());
         }
     }
     return {};
@@ -168,32 +168,32 @@ Result<RegistrationProblem> makeProblem(const RegistrationInput& input, const Re
     }
     RegistrationProblem problem;
     problem.camera = input.camera;
-    problem.cameraSpread = spreadFor(input.cameraSpread, options.geometry);
+    problem.cameraUncertainty = cameraSpreadFor(input.cameraUncertainty, options.geometry);
     problem.start = {nearestRotation(input.initialCameraFromPatient.rotation),
                      input.initialCameraFromPatient.translation};
     const bool isEven = options.resample;
     problem.tree = samplesOf(isEven ? resampled(tree, options.pointSpacingMm) : tree);
     problem.wholeTreeCentroid = centroidInPatient(input.tree);
     markNodes(tree, problem.tree);
-    const std::optional<OrderedCurves> reordered = putInOrder(input.target);
+    const std::optional<ReorderedCurves> reordered = reorderCurves(input.target);
     const Centerline2d& target = reordered ? reordered->curves : input.target;
     if (reordered) {
         problem.notes.push_back(
             messages::targetReordered(static_cast<int>(reordered->reorderedPoints)).as(Severity::Note));
     }
-    problem.target = sampledTarget(target, options);
+    problem.target = sampleTarget(target, options);
     problem.freedom = freedomOf(input, options.locks, problem);
     problem.auxiliary = auxiliaryPoints(problem.tree, input.auxiliaryBranchIds, options);
-    problem.auxiliaryIsChosen = !input.auxiliaryBranchIds.empty();
+    problem.hasUserAuxiliary = !input.auxiliaryBranchIds.empty();
     problem.image = input.image;
     problem.polarity = input.polarity;
     problem.shutter = input.shutter;
     problem.volume = input.volume;
-    problem.tableReading = input.tableReading;
+    problem.tableAngles = input.tableAngles;
     return problem;
 }
 
-RegistrationProblem partOf(const RegistrationProblem& whole, const std::vector<std::uint8_t>& isKept)
+RegistrationProblem restrictedProblem(const RegistrationProblem& whole, const std::vector<std::uint8_t>& isKept)
 {
     RegistrationProblem part = whole;
     part.tree = TreeSamples();
@@ -217,11 +217,11 @@ RegistrationProblem partOf(const RegistrationProblem& whole, const std::vector<s
             part.auxiliary.push_back(numberInPart[static_cast<std::size_t>(number)]);
         }
     }
-    part.auxiliaryIsChosen = whole.auxiliaryIsChosen && !part.auxiliary.empty();
+    part.hasUserAuxiliary = whole.hasUserAuxiliary && !part.auxiliary.empty();
     return part;
 }
 
-CameraSpread spreadFor(const CameraSpread& byOrigin, const GeometryOptions& options)
+CameraUncertainty cameraSpreadFor(const CameraUncertainty& byOrigin, const GeometryOptions& options)
 {
     switch (options.spread) {
         case GeometrySpread::Given:
@@ -234,7 +234,7 @@ CameraSpread spreadFor(const CameraSpread& byOrigin, const GeometryOptions& opti
     return byOrigin;
 }
 
-TargetSamples sampledTarget(const Centerline2d& target, const RegistrationOptions& options)
+TargetSamples sampleTarget(const Centerline2d& target, const RegistrationOptions& options)
 {
     return samplesOf(options.resample ? resampled(target, options.targetSpacingPx) : target);
 }

@@ -35,7 +35,7 @@ struct TargetSamples {
 /// Validated and resampled registration input; common starting point of all methods.
 struct RegistrationProblem {
     ProjectionCamera camera;
-    CameraSpread cameraSpread{};   ///< standard deviations of the camera errors selected by the options
+    CameraUncertainty cameraUncertainty{};   ///< standard deviations of the camera errors selected by the options
     RigidTransform start;   ///< initial cameraFromPatient, exactly rigid
     TreeSamples tree;   ///< samples without the excluded branches
     Eigen::Vector3d wholeTreeCentroid =
@@ -43,12 +43,12 @@ struct RegistrationProblem {
     PoseFreedom freedom;   ///< defined by the locks in the options
     TargetSamples target;
     std::vector<int> auxiliary;   ///< indices of the tree points {p'}, selected by option `auxiliary`
-    bool auxiliaryIsChosen = false;   ///< whether the user selected branches for {p'}
+    bool hasUserAuxiliary = false;   ///< whether the user selected branches for {p'}
     std::shared_ptr<const ImageF> image;   ///< input image in the camera's size, or null
     Polarity polarity = Polarity::VesselsDark;
     std::shared_ptr<const Mask2d> shutter;   ///< shutter of the input image, or null
     std::shared_ptr<const Volume> volume;   ///< CTA, or null
-    std::optional<TableReading> tableReading{};   ///< from the input, see RegistrationInput
+    std::optional<TableAngles> tableAngles{};   ///< from the input, see RegistrationInput
     Messages notes{};   ///< notes on how the input was interpreted
 };
 
@@ -58,12 +58,12 @@ struct RegistrationProblem {
 Result<RegistrationProblem> makeProblem(const RegistrationInput& input, const RegistrationOptions& options);
 
 /// Returns the problem restricted to the tree points for which `isKept` is 1, with the same rotation center.
-RegistrationProblem partOf(const RegistrationProblem& whole, const std::vector<std::uint8_t>& isKept);
+RegistrationProblem restrictedProblem(const RegistrationProblem& whole, const std::vector<std::uint8_t>& isKept);
 
 /// Returns the standard deviations of the camera errors selected by the options.
-CameraSpread spreadFor(const CameraSpread& byOrigin, const GeometryOptions& options);
+CameraUncertainty cameraSpreadFor(const CameraUncertainty& byOrigin, const GeometryOptions& options);
 
 /// Samples a valid target for the methods; used for the next frame of a cine run.
-TargetSamples sampledTarget(const Centerline2d& target, const RegistrationOptions& options);
+TargetSamples sampleTarget(const Centerline2d& target, const RegistrationOptions& options);
 
 }   // namespace angiopose::core

@@ -1,13 +1,13 @@
 #pragma once
 
-#include "core/geometry/camera_spread.h"
+#include "core/geometry/camera_uncertainty.h"
 #include "core/geometry/patient_position.h"
 #include "core/geometry/rigid_transform.h"
 #include "core/imaging/angiogram.h"
 #include "core/registration/options/registration_options.h"
 #include "core/registration/problem/wire_path.h"
+#include "core/support/observer_decision.h"
 #include "core/support/result.h"
-#include "core/support/verdict.h"
 #include "core/vessel/centerline2d.h"
 #include "core/vessel/vessel_tree.h"
 
@@ -39,9 +39,9 @@ struct RegistrationInput {
     Polarity polarity = Polarity::VesselsDark;   ///< polarity of `image`
     std::shared_ptr<const Mask2d> shutter{};   ///< shutter of `image`, see Angiogram::shutter; null if there is none
     std::shared_ptr<const Volume> volume{};   ///< CTA that shows the tree; null: DRRs are rendered from tubes
-    CameraSpread cameraSpread{};   ///< standard deviations of the camera errors; zero for an exact camera
-    std::optional<TableReading>
-        tableReading{};   ///< alternative initial angles, for a gantry that reports its angles relative to the table
+    CameraUncertainty cameraUncertainty{};   ///< standard deviations of the camera errors; zero for an exact camera
+    std::optional<TableAngles>
+        tableAngles{};   ///< alternative initial angles, for a gantry that reports its angles relative to the table
 };
 
 enum class StopReason { Converged, IterationLimit, NoImprovement, StoppedByUser };
@@ -58,7 +58,7 @@ struct IterationReport {
     std::size_t view = 0;   ///< index of the view to which the pose belongs, if several views are registered jointly
 };
 
-using IterationObserver = std::function<Verdict(const IterationReport&)>;
+using IterationObserver = std::function<ObserverDecision(const IterationReport&)>;
 
 /// Agreement of one branch with the image.
 struct BranchResidual {
@@ -125,18 +125,19 @@ struct Hypothesis {
 };
 
 /// Indicators for estimating the error of a fit without ground truth (ALGORITHMS §6.21).
-struct FitSigns {
+struct FitIndicators {
     double agreement = 0.0;   ///< in both directions, 0…1 (§6.8); of the opacified parts if partly opacified
     double treeShare = 0.0;   ///< fraction of the tree points along traced vessels
     double inViewShare = 0.0;   ///< fraction of the tree points inside the image
     double followedShare = 0.0;   ///< fraction of the tree length inside the image that follows traced vessels
     double followedMm = 0.0;   ///< tree length that follows traced vessels
     int followedBranches = 0;
-    double settlingMm = 0.0;   ///< shift of the pose when refined in place, see settlingShiftMm
+    double refinementMm = 0.0;   ///< shift of the pose when refined in place, see settlingShiftMm
     double expectedErrorMm = 0.0;   ///< 1-σ displacement from the covariance of a rigid tree
-    double rivalMm = 0.0;   ///< displacement of the tree between the result and the farthest alternative
+    double alternativeMm = 0.0;   ///< displacement of the tree between the result and the farthest alternative
     bool isPartlyOpacified = false;
-    int filledForks = 0;   ///< for a partly opacified tree: bifurcations where three or more opacified segments meet
+    int opacifiedBifurcations =
+        0;   ///< for a partly opacified tree: bifurcations where three or more opacified segments meet
     bool isSinglePath = false;   ///< whether the matched segments form a single path without bifurcations
     bool isLumen = false;   ///< widths indicate opacified vessels, not a wire or catheter; also false if unknown
 };
@@ -167,7 +168,7 @@ struct RegistrationResult {
     /// views, each result stores it with its own view first; MultiViewResult stores it once for all views.
     std::shared_ptr<const DeformableResult> deformed;
     std::vector<IterationReport> history;   ///< for the convergence plot
-    FitSigns signs;
+    FitIndicators indicators;
     /// Probability that the overlay lies within 2 mm of the vessels, averaged over the tree (ALGORITHMS §6.21). Unknown
     /// (nullopt) for methods other than the default, for several views and for manually set poses.
     std::optional<double> probabilityWithin2Mm;

@@ -15,7 +15,7 @@ struct WarpCell {
 /// Dynamic programming table with all alignments of the first knots and the first curve points.
 class Warping {
 public:
-    Warping(const ObservedKnots& seen, const WireCurve& curve, const WireModel& model)
+    Warping(const ProjectedKnots& seen, const WireCurve& curve, const WireModel& model)
         : seen_(seen), curve_(curve), model_(model), cells_(seen.size() * curve.size())
     {
         for (std::size_t j = 0; j < seen.size(); ++j) {
@@ -58,17 +58,17 @@ private:
     {
         const double squaredMm2 = seen_.mmPerPx * seen_.mmPerPx * (seen_.pixels[j] - curve_.pointsPx[k]).squaredNorm();
         const double variance = model_.varianceMm2(seen_.radiusMm[j]);
-        if (!model_.isBeside(squaredMm2, variance)) {
+        if (!model_.isNearAxis(squaredMm2, variance)) {
             return;
         }
-        const double perMm = model_.placeCostPerMm(squaredMm2, variance);
+        const double perMm = model_.positionCostPerMm(squaredMm2, variance);
         WarpCell best{skipped(curve_.alongPx[k]), 0.0, {}};
         for (const WireMove& move : wireMoves) {
             if (j < move.knots || k < move.points) {
                 continue;
             }
-            const ObservedStep step =
-                seenStep(model_, seen_.pixels[j] - seen_.pixels[j - move.knots], curve_, k, move.points, seen_.mmPerPx);
+            const StepCost step =
+                stepCost(model_, seen_.pixels[j] - seen_.pixels[j - move.knots], curve_, k, move.points, seen_.mmPerPx);
             const double sum = at(j - move.knots, k - move.points).cost + step.cost + perMm * step.lengthMm;
             best = sum < best.cost ? WarpCell{sum, step.lengthMm, move} : best;
         }
@@ -91,7 +91,7 @@ private:
         return pairs;
     }
 
-    const ObservedKnots& seen_;
+    const ProjectedKnots& seen_;
     const WireCurve& curve_;
     const WireModel& model_;
     std::vector<WarpCell> cells_;
@@ -104,7 +104,7 @@ double WireAlignment::followedPx(const WireCurve& curve) const
     return pairs.empty() ? 0.0 : curve.alongPx[pairs.back().point] - curve.alongPx[pairs.front().point];
 }
 
-WireAlignment alignWire(const ObservedKnots& seen, const WireCurve& curve, const WireModel& model)
+WireAlignment alignWire(const ProjectedKnots& seen, const WireCurve& curve, const WireModel& model)
 {
     return Warping(seen, curve, model).cheapest();
 }

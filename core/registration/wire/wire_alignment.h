@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/registration/wire/observed_knots.h"
-#include "core/registration/wire/observed_steps.h"
+#include "core/registration/wire/projected_knots.h"
+#include "core/registration/wire/step_cost.h"
 
 #include <cstddef>
 #include <vector>
@@ -25,6 +25,6 @@ struct WireAlignment {
 };
 
 /// Cheapest alignment (dynamic time warping with free ends). `seen` contains the knots of the path, in order.
-WireAlignment alignWire(const ObservedKnots& seen, const WireCurve& curve, const WireModel& model);
+WireAlignment alignWire(const ProjectedKnots& seen, const WireCurve& curve, const WireModel& model);
 
 }   // namespace angiopose::core

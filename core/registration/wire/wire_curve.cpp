@@ -28,7 +28,7 @@ std::vector<Line> linesOf(const TargetSamples& target)
 struct Joint {
     std::size_t line = 0;
     bool atFront = false;   ///< whether the line attaches to the front of the chain
-    bool isTurned = false;   ///< whether the line must be reversed
+    bool isReversed = false;   ///< whether the line must be reversed
     double gapPx = std::numeric_limits<double>::infinity();
 };
 
@@ -37,12 +37,12 @@ Joint nearestJoint(const Line& chain, const std::vector<Line>& lines)
     Joint best;
     for (std::size_t i = 0; i < lines.size(); ++i) {
         for (const bool atFront : {false, true}) {
-            for (const bool isTurned : {false, true}) {
+            for (const bool isReversed : {false, true}) {
                 const Eigen::Vector2d& end = atFront ? chain.front() : chain.back();
-                const Eigen::Vector2d& other = atFront != isTurned ? lines[i].back() : lines[i].front();
+                const Eigen::Vector2d& other = atFront != isReversed ? lines[i].back() : lines[i].front();
                 const double gapPx = (end - other).norm();
                 if (gapPx < best.gapPx) {
-                    best = {i, atFront, isTurned, gapPx};
+                    best = {i, atFront, isReversed, gapPx};
                 }
             }
         }
@@ -52,7 +52,7 @@ Joint nearestJoint(const Line& chain, const std::vector<Line>& lines)
 
 void join(Line& chain, Line line, const Joint& joint)
 {
-    if (joint.isTurned) {
+    if (joint.isReversed) {
         std::ranges::reverse(line);
     }
     chain.insert(joint.atFront ? chain.begin() : chain.end(), line.begin(), line.end());

@@ -18,8 +18,8 @@ constexpr double settledWireMm = 0.01;
 constexpr double alongShare = 0.05;   // weight of a shift along the wire, which is barely visible
 
 /// Measurement from one matched pair: position across the wire, weakly along it, and shape of the preceding step.
-struct WireSight {
-    Eigen::Vector3d place;   // knot relative to the centroid, patient axes, mm
+struct WireMeasurement {
+    Eigen::Vector3d position;   // knot relative to the centroid, patient axes, mm
     Eigen::Vector3d before;   // knot at the start of the step, in the same frame
     Eigen::Vector2d pixel;
     Eigen::Matrix2d whitening;   // converts px to sigmas
@@ -39,7 +39,8 @@ public:
     using Evaluation = EvaluationAt;
     using Equations = NormalEquations;
 
-    WireSquares(const WireProblem& problem, const std::vector<WireSight>& sights) : problem_(problem), sights_(sights)
+    WireSquares(const WireProblem& problem, const std::vector<WireMeasurement>& measurements)
+        : problem_(problem), measurements_(measurements)
     {
     }
 
@@ -47,15 +48,16 @@ public:
     {
         evaluation = {problem_.prior.cost(pose), {}};
         problem_.prior.add(pose, 1.0, evaluation.equations);
-        for (const WireSight& sight : sights_) {
-            const std::optional<Seen> here = seen(pose, sight.place);
-            const std::optional<Seen> before = seen(pose, sight.before);
+        for (const WireMeasurement& measurement : measurements_) {
+            const std::optional<ProjectedKnot> here = seen(pose, measurement.position);
+            const std::optional<ProjectedKnot> before = seen(pose, measurement.before);
             if (!here || !before) {
                 return false;
             }
-            add(sight.whitening * (here->pixel - sight.pixel), sight.whitening * here->jacobian, evaluation);
-            add(sight.shape * (here->pixel - before->pixel - sight.stepPx),
-                sight.shape * (here->jacobian - before->jacobian), evaluation);
+            add(measurement.whitening * (here->pixel - measurement.pixel), measurement.whitening * here->jacobian,
+                evaluation);
+            add(measurement.shape * (here->pixel - before->pixel - measurement.stepPx),
+                measurement.shape * (here->jacobian - before->jacobian), evaluation);
         }
         return true;
     }
@@ -70,9 +72,9 @@ public:
         return problem_.prior.freedom.dampedStep(equations, damping, pose);
     }
 
-    CentroidPose moved(const CentroidPose& pose, const Vector6d& step) const
+    CentroidPose retract(const CentroidPose& pose, const Vector6d& step) const
     {
-        return problem_.prior.freedom.moved(pose, step);
+        return problem_.prior.freedom.retract(pose, step);
     }
 
     std::optional<double> decrease(const EvaluationAt& here, const EvaluationAt& there) const
@@ -83,22 +85,22 @@ public:
     double lengthMm(const CentroidPose&, const Vector6d& step) const { return stepLengthMm(step, problem_.spreadMm); }
 
 private:
-    struct Seen {
+    struct ProjectedKnot {
         Eigen::Vector2d pixel;
         Eigen::Matrix<double, 2, 6> jacobian;   // derivative of the pixel with respect to the pose step
     };
 
-    std::optional<Seen> seen(const CentroidPose& pose, const Eigen::Vector3d& place) const
+    std::optional<ProjectedKnot> seen(const CentroidPose& pose, const Eigen::Vector3d& position) const
     {
-        const Eigen::Vector3d turned = pose.rotation * place;
-        const Eigen::Vector3d inCamera = turned + pose.centroidInCamera;
+        const Eigen::Vector3d rotated = pose.rotation * position;
+        const Eigen::Vector3d inCamera = rotated + pose.centroidInCamera;
         const auto pixel = project(problem_.camera, inCamera);
         if (!pixel) {
             return std::nullopt;
         }
         const Eigen::Matrix<double, 2, 3> byPoint = projectionJacobian(problem_.camera, inCamera);
-        Seen seen{*pixel, {}};
-        seen.jacobian << -byPoint * skew(turned), byPoint;
+        ProjectedKnot seen{*pixel, {}};
+        seen.jacobian << -byPoint * skew(rotated), byPoint;
         return seen;
     }
 
@@ -111,70 +113,71 @@ private:
     }
 
     const WireProblem& problem_;
-    const std::vector<WireSight>& sights_;
+    const std::vector<WireMeasurement>& measurements_;
 };
 
 /// Sigmas per px, along and across the wire, of the difference between a step of the path and that of the wire.
-Eigen::Matrix2d shapeOf(const WireModel& model, const ObservedStep& step, const Eigen::Matrix2d& axes, double mmPerPx)
+Eigen::Matrix2d shapeOf(const WireModel& model, const StepCost& step, const Eigen::Matrix2d& axes, double mmPerPx)
 {
-    if (step.cost >= model.turnedCost * step.lengthMm / model.shapeMm || step.lengthMm <= WireModel::minStepMm) {
+    if (step.cost >= model.maxShapeCost * step.lengthMm / model.shapeMm || step.lengthMm <= WireModel::minStepMm) {
         return Eigen::Matrix2d::Zero();
     }
     const double perMm = 1.0 / std::sqrt(step.lengthMm * model.shapeMm);
     return mmPerPx * perMm * Eigen::Vector2d(1.0 / model.stretch, 1.0 / model.turn).asDiagonal() * axes;
 }
 
-std::vector<WireSight> sightsOf(const WireProblem& problem, const TreeWay& way, const ObservedKnots& seen,
-                                const WireAlignment& alignment, const WireModel& model)
+std::vector<WireMeasurement> measurementsOf(const WireProblem& problem, const TreePath& way, const ProjectedKnots& seen,
+                                            const WireAlignment& alignment, const WireModel& model)
 {
     const WireCurve& curve = problem.curveOf(way);
-    std::vector<WireSight> sights;
-    sights.reserve(alignment.pairs.size());
+    std::vector<WireMeasurement> measurements;
+    measurements.reserve(alignment.pairs.size());
     for (const WirePair& pair : alignment.pairs) {
         const Eigen::Vector2d along = curve.tangents[pair.point];
         Eigen::Matrix2d axes;
         axes << along.transpose(), -along.y(), along.x();
         const std::size_t before = pair.knot - pair.move.knots;
-        const ObservedStep step = seenStep(model, seen.pixels[pair.knot] - seen.pixels[before], curve, pair.point,
-                                           pair.move.points, seen.mmPerPx);
+        const StepCost step = stepCost(model, seen.pixels[pair.knot] - seen.pixels[before], curve, pair.point,
+                                       pair.move.points, seen.mmPerPx);
         const double perSigma =
-            seen.mmPerPx * std::sqrt(pair.lengthMm / (model.placeMm * model.varianceMm2(seen.radiusMm[pair.knot])));
+            seen.mmPerPx *
+            std::sqrt(pair.lengthMm / (model.positionLengthMm * model.varianceMm2(seen.radiusMm[pair.knot])));
         const double stepPx = curve.alongPx[pair.point] - curve.alongPx[pair.point - pair.move.points];
-        sights.push_back({problem.knots.places[way.knots[pair.knot]] - problem.centroid,
-                          problem.knots.places[way.knots[before]] - problem.centroid, curve.pointsPx[pair.point],
-                          perSigma * Eigen::Vector2d(alongShare, 1.0).asDiagonal() * axes, stepPx * along,
-                          shapeOf(model, step, axes, seen.mmPerPx)});
+        measurements.push_back({problem.knots.places[way.knots[pair.knot]] - problem.centroid,
+                                problem.knots.places[way.knots[before]] - problem.centroid, curve.pointsPx[pair.point],
+                                perSigma * Eigen::Vector2d(alongShare, 1.0).asDiagonal() * axes, stepPx * along,
+                                shapeOf(model, step, axes, seen.mmPerPx)});
     }
-    return sights;
+    return measurements;
 }
 
 /// One iteration: aligns the curve with the path, then fits the pose; returns false once the pose no longer changes.
-bool takeTurn(const WireProblem& problem, const WireModel& model, WireFit& fit)
+bool alignAndFit(const WireProblem& problem, const WireModel& model, WireFit& fit)
 {
-    const ObservedKnots seen = problem.seen(fit.way.knots, fit.pose);
+    const ProjectedKnots seen = problem.seen(fit.way.knots, fit.pose);
     fit.alignment = alignWire(seen, problem.curveOf(fit.way), model);
-    const std::vector<WireSight> sights = sightsOf(problem, fit.way, seen, fit.alignment, model);
-    WireSquares squares(problem, sights);
+    const std::vector<WireMeasurement> measurements = measurementsOf(problem, fit.way, seen, fit.alignment, model);
+    WireSquares squares(problem, measurements);
     EvaluationPair<WireSquares::EvaluationAt> evaluations;
-    DampedDescent descent(squares, fit.pose, evaluations, {.settledMm = settledWireMm});
+    DampedDescent descent(squares, fit.pose, evaluations, {.minMotionMm = settledWireMm});
     if (!descent.isFeasible()) {
         return false;
     }
-    descent.descend(stepsPerRound, [](const StepOutcome&) { return Verdict::Continue; });
+    descent.descend(stepsPerRound, [](const StepOutcome&) { return ObserverDecision::Continue; });
     const bool hasMoved = stepLengthMm(stepBetween(fit.pose, descent.state()), problem.spreadMm) > settledWireMm;
     fit.pose = descent.state();
     return hasMoved;
 }
 
 /// Laplace approximation about the pose: evidence of the image relative to the prior.
-void weigh(const WireProblem& problem, const WireModel& model, WireFit& fit)
+void computeEvidence(const WireProblem& problem, const WireModel& model, WireFit& fit)
 {
-    const ObservedKnots seen = problem.seen(fit.way.knots, fit.pose);
+    const ProjectedKnots seen = problem.seen(fit.way.knots, fit.pose);
     fit.alignment = alignWire(seen, problem.curveOf(fit.way), model);
-    const std::vector<WireSight> sights = sightsOf(problem, fit.way, seen, fit.alignment, model);
+    const std::vector<WireMeasurement> measurements = measurementsOf(problem, fit.way, seen, fit.alignment, model);
     WireSquares::EvaluationAt evaluation;
     fit.logEvidence = -fit.alignment.cost - 0.5 * problem.prior.cost(fit.pose);
-    if (!WireSquares(problem, sights).evaluate(fit.pose, evaluation)) {
+    if (!WireSquares(problem, measurements).evaluate(fit.pose, evaluation)) {
         return;
     }
     const StepBasis free = problem.prior.freedom.freeSteps(fit.pose);
@@ -192,24 +195,24 @@ void weigh(const WireProblem& problem, const WireModel& model, WireFit& fit)
 
 }   // namespace
 
-ObservedKnots WireProblem::seen(const std::vector<std::size_t>& which, const CentroidPose& pose) const
+ProjectedKnots WireProblem::seen(const std::vector<std::size_t>& which, const CentroidPose& pose) const
 {
-    return seenKnots(knots, which, camera, cameraFromPatient(pose, centroid), pose.centroidInCamera.z());
+    return projectWireKnots(knots, which, camera, cameraFromPatient(pose, centroid), pose.centroidInCamera.z());
 }
 
-WireFit fitWire(const WireProblem& problem, const TreeWay& way, const CentroidPose& start, const WireModel& model)
+WireFit fitWire(const WireProblem& problem, const TreePath& way, const CentroidPose& start, const WireModel& model)
 {
     WireFit fit{way, start, {}};
     WireModel reaching = model;
     for (const double reachMm : reachesMm) {
         reaching.reachMm = reachMm;
         for (int round = 0; round < roundsPerReach; ++round) {
-            takeTurn(problem, reaching, fit);
+            alignAndFit(problem, reaching, fit);
         }
     }
-    for (int round = 0; round < finalRounds && takeTurn(problem, model, fit); ++round) {
+    for (int round = 0; round < finalRounds && alignAndFit(problem, model, fit); ++round) {
     }
-    weigh(problem, model, fit);
+    computeEvidence(problem, model, fit);
     return fit;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/registration/pose/start_prior.h"
-#include "core/registration/wire/likely_ways.h"
+#include "core/registration/pose/initial_pose_prior.h"
+#include "core/registration/wire/likely_paths.h"
 #include "core/registration/wire/wire_alignment.h"
 
 namespace angiopose::core {
@@ -13,16 +13,16 @@ struct WireProblem {
     Eigen::Vector3d centroid;   ///< patient LPS mm, rotation center of the poses
     double spreadMm = 1.0;   ///< RMS distance of the tree points from the centroid
     const WireCurve& curve;
-    const WireCurve& turned;   ///< same curve in the opposite direction
-    const StartPrior& prior;   ///< errors of the previous registered pose
+    const WireCurve& reversedCurve;   ///< same curve in the opposite direction
+    const InitialPosePrior& prior;   ///< errors of the previous registered pose
 
-    const WireCurve& curveOf(const TreeWay& way) const { return way.isCurveTurned ? turned : curve; }
-    ObservedKnots seen(const std::vector<std::size_t>& which, const CentroidPose& pose) const;
+    const WireCurve& curveOf(const TreePath& way) const { return way.isCurveReversed ? reversedCurve : curve; }
+    ProjectedKnots seen(const std::vector<std::size_t>& which, const CentroidPose& pose) const;
 };
 
 /// Most likely pose for one path, assuming that the wire follows it.
 struct WireFit {
-    TreeWay way;
+    TreePath way;
     CentroidPose pose;
     WireAlignment alignment;
     Matrix6d covariance = Matrix6d::Zero();   ///< covariance of pose steps (rad, mm); locked components have no error
@@ -31,6 +31,6 @@ struct WireFit {
 
 /// Alternates between aligning the curve with the path and fitting the pose, while reducing the assumed pose error to
 /// zero (ALGORITHMS §6.22).
-WireFit fitWire(const WireProblem& problem, const TreeWay& way, const CentroidPose& start, const WireModel& model);
+WireFit fitWire(const WireProblem& problem, const TreePath& way, const CentroidPose& start, const WireModel& model);
 
 }   // namespace angiopose::core

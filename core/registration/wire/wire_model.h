@@ -24,13 +24,13 @@ inline constexpr std::array<WireMove, 6> wireMoves{{{1, 1}, {2, 1}, {1, 2}, {3, 
 struct WireModel {
     double offAxisMm = 1.5;   ///< 1-σ distance from the axis, independent of the vessel's width
     double offAxisOfRadius = 0.5;   ///< additional 1-σ distance in vessel radii, for a uniform distribution over a disk
-    double placeMm = 30.0;   ///< length of wire that counts as one position measurement
-    double farCost = 4.5;   ///< maximum cost of one position measurement, at three sigmas
+    double positionLengthMm = 30.0;   ///< length of wire that counts as one position measurement
+    double maxPositionCost = 4.5;   ///< maximum cost of one position measurement, at three sigmas
     double turn =
         0.2;   ///< 1-σ lateral difference between a step of the wire and that of the axis, relative to the step length
     double stretch = 0.3;   ///< 1-σ difference in length, relative to the step length
     double shapeMm = 7.5;   ///< length of wire that counts as one shape measurement
-    double turnedCost = 4.5;   ///< maximum cost of one shape measurement
+    double maxShapeCost = 4.5;   ///< maximum cost of one shape measurement
     double skipPerMm = 0.5;   ///< cost where the wire extends beyond either end of the path
     double maxSigmas = 4.0;   ///< maximum distance from the axis; beyond it, the wire lies in another vessel
     double reachMm = 0.0;   ///< 1-σ of the remaining pose error
@@ -41,16 +41,16 @@ struct WireModel {
         return offAxisMm * offAxisMm + ofLumenMm * ofLumenMm + reachMm * reachMm;
     }
 
-    bool isBeside(double squaredMm2, double varianceMm2) const
+    bool isNearAxis(double squaredMm2, double varianceMm2) const
     {
         return squaredMm2 < maxSigmas * maxSigmas * varianceMm2;
     }
 
     /// −log likelihood per mm of wire at this distance from the axis.
-    double placeCostPerMm(double squaredMm2, double varianceMm2) const
+    double positionCostPerMm(double squaredMm2, double varianceMm2) const
     {
         const double widening = 0.5 * std::log(varianceMm2 / this->varianceMm2(0.0));
-        return std::min(farCost, 0.5 * squaredMm2 / varianceMm2 + widening) / placeMm;
+        return std::min(maxPositionCost, 0.5 * squaredMm2 / varianceMm2 + widening) / positionLengthMm;
     }
 
     /// Returns the negative log likelihood of a step's shape: `ofTree` is the step of the tree along and across the
@@ -59,7 +59,7 @@ struct WireModel {
     {
         const double aside = ofTree.y() / turn;
         const double longer = (ofTree.x() - ofWireMm) / stretch;
-        return std::min(turnedCost * lengthMm, 0.5 * (aside * aside + longer * longer) / lengthMm) / shapeMm;
+        return std::min(maxShapeCost * lengthMm, 0.5 * (aside * aside + longer * longer) / lengthMm) / shapeMm;
     }
 
     static constexpr double minStepMm = 0.02;   ///< shorter steps carry no information

@@ -11,12 +11,12 @@ constexpr double minFollowedMm = 3.0;   // minimum length of wire in a listed br
 constexpr double minFollowedShare = 0.2;   // minimum fraction of the wire that follows a reported path
 constexpr double minProbability = 0.01;
 constexpr std::size_t maxPaths = 9;
-constexpr double sameCourse = 0.85;   // minimum overlap of two paths reported as one
+constexpr double minOverlap = 0.85;   // minimum overlap of two paths reported as one
 constexpr double temperature =
     0.8;   // softmax temperature that calibrates the evidence to hit rates (wire_table --world made-up)
 
 /// Returns the fraction of the longer course that the other one shares.
-double sharedPart(const std::vector<std::size_t>& a, const std::vector<std::size_t>& b)
+double overlapShare(const std::vector<std::size_t>& a, const std::vector<std::size_t>& b)
 {
     std::vector<std::size_t> shared;
     std::ranges::set_intersection(a, b, std::back_inserter(shared));
@@ -67,7 +67,7 @@ WirePath WireReport::pathOf(const WireFit& fit) const
     }
     path.cameraFromPatient = cameraFromPatient(fit.pose, wire_.centroid);
     path.followedShare = fit.alignment.followedPx(wire_.curve) / std::max(1e-9, wire_.curve.lengthPx());
-    const ObservedKnots seen = wire_.seen(fit.way.knots, fit.pose);
+    const ProjectedKnots seen = wire_.seen(fit.way.knots, fit.pose);
     double squares = 0.0;
     double count = 0.0;
     for (const WirePair& pair : fit.alignment.pairs) {
@@ -98,7 +98,7 @@ std::vector<WireReport::ReportedPath> WireReport::reportedPaths(const std::vecto
         known.push_back(std::move(branches));
         std::vector<std::size_t> course = courseOf(fit);
         const auto same = std::ranges::find_if(
-            reported, [&](const ReportedPath& other) { return sharedPart(other.course, course) >= sameCourse; });
+            reported, [&](const ReportedPath& other) { return overlapShare(other.course, course) >= minOverlap; });
         if (same != reported.end()) {
             same->logEvidences.push_back(fit.logEvidence);
         } else {
@@ -108,30 +108,30 @@ std::vector<WireReport::ReportedPath> WireReport::reportedPaths(const std::vecto
     return reported;
 }
 
-WireFinding WireReport::of(const std::vector<WireFit>& fits, std::size_t wantedWay) const
+WireResult WireReport::of(const std::vector<WireFit>& fits, std::size_t pathRank) const
 {
-    WireFinding finding;
-    finding.gapShare = wire_.curve.gapShare;
-    finding.stdBefore = wire_.prior.std();
+    WireResult result;
+    result.gapShare = wire_.curve.gapShare;
+    result.initialStd = wire_.prior.std();
     std::vector<ReportedPath> reported = reportedPaths(fits);
     if (!reported.empty()) {
-        shareOut(reported);
+        assignProbabilities(reported);
         std::erase_if(reported, [&](const ReportedPath& way) {
             return way.path.probability < minProbability && &way != &reported.front();
         });
         reported.resize(std::min(reported.size(), maxPaths));
-        finding.isAskedFor = wantedWay <= reported.size();
-        if (finding.isAskedFor) {
-            const auto wanted = reported.begin() + static_cast<std::ptrdiff_t>(wantedWay) - 1;
+        result.hasRequestedPath = pathRank <= reported.size();
+        if (result.hasRequestedPath) {
+            const auto wanted = reported.begin() + static_cast<std::ptrdiff_t>(pathRank) - 1;
             std::rotate(reported.begin(), wanted, wanted + 1);
         }
-        finding.covariance = spreadOf(reported);
-        finding.isFollowed = followedBy(*reported.front().fit);
+        result.covariance = totalCovariance(reported);
+        result.isFollowed = pointsOnPath(*reported.front().fit);
         for (ReportedPath& way : reported) {
-            finding.paths.push_back(std::move(way.path));
+            result.paths.push_back(std::move(way.path));
         }
     }
-    return finding;
+    return result;
 }
 
 /// Returns the knots along the wire, sorted.
@@ -143,7 +143,7 @@ std::vector<std::size_t> WireReport::courseOf(const WireFit& fit) const
     return course;
 }
 
-std::vector<std::uint8_t> WireReport::followedBy(const WireFit& fit) const
+std::vector<std::uint8_t> WireReport::pointsOnPath(const WireFit& fit) const
 {
     std::vector<std::uint8_t> isFollowed(problem_.tree.size(), 0);
     for (std::size_t i = 0; i < isFollowed.size(); ++i) {
@@ -157,7 +157,7 @@ std::vector<std::uint8_t> WireReport::followedBy(const WireFit& fit) const
 
 /// Assigns probabilities by evidence, including the possibility that the wire follows none of the paths; sorts the most
 /// likely first.
-void WireReport::shareOut(std::vector<ReportedPath>& reported) const
+void WireReport::assignProbabilities(std::vector<ReportedPath>& reported) const
 {
     const double best = reported.front().fit->logEvidence;
     const auto weight = [&](double logEvidence) { return std::exp((logEvidence - best) / temperature); };
@@ -176,7 +176,7 @@ void WireReport::shareOut(std::vector<ReportedPath>& reported) const
 }
 
 /// Total covariance of the first path's pose about the tree centroid: within-path plus between-path.
-Matrix6d WireReport::spreadOf(const std::vector<ReportedPath>& reported) const
+Matrix6d WireReport::totalCovariance(const std::vector<ReportedPath>& reported) const
 {
     const CentroidPose& best = reported.front().fit->pose;
     Matrix6d covariance = Matrix6d::Zero();

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/registration/wire/follow_wire.h"
+#include "core/registration/wire/find_wire_path.h"
 #include "core/registration/wire/wire_fit.h"
 #include "core/vessel/vessel_tree.h"
 
@@ -20,8 +20,8 @@ public:
     WireReport(const RegistrationProblem& problem, const VesselTree& tree, const WireProblem& wire,
                const WireModel& model, double mmPerPx);
 
-    /// `fits` are sorted most likely first; `wantedWay` is the rank of the path to use, 1 the most likely.
-    WireFinding of(const std::vector<WireFit>& fits, std::size_t wantedWay) const;
+    /// `fits` are sorted most likely first; `pathRank` is the rank of the path to use, 1 the most likely.
+    WireResult of(const std::vector<WireFit>& fits, std::size_t pathRank) const;
 
 private:
     /// Group of paths that the image does not distinguish, represented by the most likely one.
@@ -36,9 +36,9 @@ private:
     WirePath pathOf(const WireFit& fit) const;
     std::vector<ReportedPath> reportedPaths(const std::vector<WireFit>& fits) const;
     std::vector<std::size_t> courseOf(const WireFit& fit) const;
-    std::vector<std::uint8_t> followedBy(const WireFit& fit) const;
-    void shareOut(std::vector<ReportedPath>& reported) const;
-    Matrix6d spreadOf(const std::vector<ReportedPath>& reported) const;
+    std::vector<std::uint8_t> pointsOnPath(const WireFit& fit) const;
+    void assignProbabilities(std::vector<ReportedPath>& reported) const;
+    Matrix6d totalCovariance(const std::vector<ReportedPath>& reported) const;
 
     const RegistrationProblem& problem_;
     const VesselTree& tree_;

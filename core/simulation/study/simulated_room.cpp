@@ -12,29 +12,30 @@ namespace {
 enum RoomStream : std::uint64_t { RoomTree = 1, RoomGeometry, RoomViews };
 
 constexpr double isocenterMm = 750.0;
-constexpr double farthestOffMm = 100.0;   ///< maximum distance of the vessels from the isocenter, along the beam
-constexpr double centringMm = 8.0;   ///< 1-σ perpendicular to the beam
+constexpr double maxOffsetMm = 100.0;   ///< maximum distance of the vessels from the isocenter, along the beam
+constexpr double centeringMm = 8.0;   ///< 1-σ perpendicular to the beam
 constexpr double objectPlaneMm = 40.0;   ///< standard deviation of the assumed object plane, relative to the vessels
 constexpr double steepBeamDeg = 60.0;   ///< beam angle above which the device assumes the object at the isocenter
-constexpr double strayTableMm = 40.0;   ///< standard deviation of the table position in the header if the table moved
+constexpr double tableErrorStdMm =
+    40.0;   ///< standard deviation of the table position in the header if the table moved
 
 double roundedToStep(double value, double step)
 {
     return std::round(value / step) * step;
 }
 
-Eigen::Vector3d drawnOffset(double std, CounterRandom& random)
+Eigen::Vector3d randomOffset(double std, CounterRandom& random)
 {
     const double x = std * random.normal(), y = std * random.normal(), z = std * random.normal();
     return {x, y, z};
 }
 
-CArm drawArm(std::size_t view, double extentMm, const DsaOptions& dsa, CounterRandom& random)
+CArm drawRoomCArm(std::size_t view, double extentMm, const DsaOptions& dsa, CounterRandom& random)
 {
     const auto reported = [](double value) { return Sourced<double>{value, Origin::Header, ""}; };
     const double primary = view == 0 ? random.uniform(-40.0, 0.0) : random.uniform(30.0, 90.0);
     const double sid = roundedToStep(random.uniform(1000.0, 1200.0), 1.0);
-    const double fieldMm = random.uniform(1.15, 1.3) * extentMm * sid / (isocenterMm - farthestOffMm);
+    const double fieldMm = random.uniform(1.15, 1.3) * extentMm * sid / (isocenterMm - maxOffsetMm);
     CArm arm;
     arm.sourceToDetectorMm = reported(sid);
     arm.sourceToIsocenterMm = reported(isocenterMm);
@@ -50,18 +51,18 @@ SimulatedCase simulateRoomView(std::uint64_t seed, std::size_t view, const Grown
 {
     CounterRandom random = CounterRandom(seed).fork(RoomGeometry).fork(view);
     const Eigen::Vector3d centroid = centroidInPatient(grown.tree);
-    ViewGeometryTruth geometry;
-    CArm& header = geometry.header = drawArm(view, extentMm, dsa, random);
+    TrueViewGeometry geometry;
+    CArm& header = geometry.header = drawRoomCArm(view, extentMm, dsa, random);
     CArm truth = header;
     *truth.primaryAngleDeg.value += room.angleErrorDeg * random.normal();
     *truth.secondaryAngleDeg.value += room.angleErrorDeg * random.normal();
     const Eigen::Vector3d beam = detectorDirection(*truth.primaryAngleDeg.value, *truth.secondaryAngleDeg.value);
-    const double offMm = random.uniform(-farthestOffMm, farthestOffMm);
-    const Eigen::Vector3d aside = drawnOffset(centringMm, random);
+    const double offMm = random.uniform(-maxOffsetMm, maxOffsetMm);
+    const Eigen::Vector3d aside = randomOffset(centeringMm, random);
     const Eigen::Vector3d byTable = centroid + offMm * beam + aside - beam * beam.dot(aside);
-    const Eigen::Vector3d moved = drawnOffset(view > 0 ? room.breathingMm : 0.0, random);
+    const Eigen::Vector3d moved = randomOffset(view > 0 ? room.breathingMm : 0.0, random);
     const double planeMm = isocenterMm - offMm + objectPlaneMm * random.normal();
-    const Eigen::Vector3d stray = drawnOffset(strayTableMm, random);
+    const Eigen::Vector3d stray = randomOffset(tableErrorStdMm, random);
     const bool isSteep = std::abs(beam.y()) < std::cos(steepBeamDeg * 3.14159265358979323846 / 180.0);
     header.sourceToObjectMm = {isSteep ? isocenterMm : roundedToStep(planeMm, 1.0), Origin::Header, ""};
     const bool isMirrored = view > 0 && room.isMirrored;

@@ -56,13 +56,13 @@ Takeoff nearestTakeoff(const std::vector<VesselBranch>& branches, std::size_t ch
     return nearest;
 }
 
-/// Converts a given tree to a GrownTree: roots it (rootedAt) at the branch end with the largest radius and lets every
+/// Converts a given tree to a GrownTree: roots it (rootTreeAt) at the branch end with the largest radius and lets every
 /// branch but the trunk leave from the nearest point of the branches before it, so disconnected components are
 /// supplied too. Unknown radii follow Murray's law from `rootRadiusMm` (assignMurrayRadii).
 GrownTree withTakeoffs(const VesselTree& tree, double rootRadiusMm)
 {
     GrownTree grown;
-    grown.tree = rootedAt(tree, rootOf(tree));
+    grown.tree = rootTreeAt(tree, rootOf(tree));
     for (std::size_t b = 0; b < grown.tree.branches.size(); ++b) {
         grown.takeoffs.push_back(nearestTakeoff(grown.tree.branches, b));
     }
@@ -91,12 +91,12 @@ enum StudyStream : std::uint64_t { StudyTrees = 1, StudyViews, StudyHeaders };
 
 constexpr double percent = 0.01;
 
-struct ChosenTree {
+struct CaseTree {
     GrownTree grown;
     double extentMm = 0.0;
 };
 
-ChosenTree treeAt(const SimulatedStudy& study, std::size_t tree)
+CaseTree treeAt(const SimulatedStudy& study, std::size_t tree)
 {
     std::size_t first = 0;
     for (const StudyTree& row : study.trees) {
@@ -109,26 +109,26 @@ ChosenTree treeAt(const SimulatedStudy& study, std::size_t tree)
         }
         first += static_cast<std::size_t>(row.count);
     }
-    assert(false);   // unreachable: placeOf returns only existing trees
+    assert(false);   // unreachable: studyCaseOf returns only existing trees
     return {};
 }
 
-void disturb(Sourced<double>& value, double factor)
+void multiplyValue(Sourced<double>& value, double factor)
 {
     *value.value *= factor;
 }
 
 /// Adds errors to the header values and recomputes the initial pose from them, about the isocenter assumed so far.
-void makeHeaderWrong(SimulatedCase& simulated, const HeaderErrors& errors, CounterRandom random)
+void addHeaderErrors(SimulatedCase& simulated, const HeaderErrors& errors, CounterRandom random)
 {
     CArm& header = simulated.angiogram.cArm;
     const Eigen::Vector3d isocenter =
         simulated.initialCameraFromPatient.inverse() * Eigen::Vector3d(0.0, 0.0, *header.sourceToIsocenterMm.value);
-    disturb(header.sourceToDetectorMm, 1.0 + percent * errors.distancePercent * random.normal());
-    disturb(header.sourceToIsocenterMm, 1.0 + percent * errors.distancePercent * random.normal());
+    multiplyValue(header.sourceToDetectorMm, 1.0 + percent * errors.distancePercent * random.normal());
+    multiplyValue(header.sourceToIsocenterMm, 1.0 + percent * errors.distancePercent * random.normal());
     const double spacing = 1.0 + percent * errors.spacingPercent * random.normal();
-    disturb(header.columnSpacingMm, spacing);
-    disturb(header.rowSpacingMm, spacing);
+    multiplyValue(header.columnSpacingMm, spacing);
+    multiplyValue(header.rowSpacingMm, spacing);
     *header.primaryAngleDeg.value += errors.angleDeg * random.normal();
     *header.secondaryAngleDeg.value += errors.angleDeg * random.normal();
     if (const auto pose = cameraFromPatient(header, isocenter)) {
@@ -136,7 +136,7 @@ void makeHeaderWrong(SimulatedCase& simulated, const HeaderErrors& errors, Count
     }
 }
 
-bool areRight(const HeaderErrors& errors)
+bool areZero(const HeaderErrors& errors)
 {
     return errors.distancePercent == 0.0 && errors.spacingPercent == 0.0 && errors.angleDeg == 0.0;
 }
@@ -152,7 +152,7 @@ std::size_t SimulatedStudy::treeCount() const
     return count;
 }
 
-StudyPlace placeOf(const SimulatedStudy& study, std::size_t index)
+StudyCase studyCaseOf(const SimulatedStudy& study, std::size_t index)
 {
     const auto perSetting = static_cast<std::size_t>(study.casesPerSetting);
     const std::size_t number = index % perSetting;
@@ -161,14 +161,14 @@ StudyPlace placeOf(const SimulatedStudy& study, std::size_t index)
 
 SimulatedCase simulateStudyCase(const SimulatedStudy& study, std::size_t index)
 {
-    const StudyPlace place = placeOf(study, index);
+    const StudyCase place = studyCaseOf(study, index);
     const StudySetting& setting = study.settings[place.setting];
-    const ChosenTree tree = treeAt(study, place.tree);
+    const CaseTree tree = treeAt(study, place.tree);
     const CounterRandom random(study.seed);
     SimulatedCase simulated =
         simulateViewOf(tree.grown, tree.extentMm, random.fork(StudyViews).fork(place.number)(), setting.dsa);
-    if (!areRight(setting.header)) {
-        makeHeaderWrong(simulated, setting.header, random.fork(StudyHeaders).fork(index));
+    if (!areZero(setting.header)) {
+        addHeaderErrors(simulated, setting.header, random.fork(StudyHeaders).fork(index));
     }
     return simulated;
 }

@@ -44,12 +44,12 @@ struct SimulatedStudy {
 };
 
 /// Setting and tree of a case, and the number of the case within its setting, from 0.
-struct StudyPlace {
+struct StudyCase {
     std::size_t setting = 0;
     std::size_t number = 0;
     std::size_t tree = 0;
 };
-StudyPlace placeOf(const SimulatedStudy& study, std::size_t index);
+StudyCase studyCaseOf(const SimulatedStudy& study, std::size_t index);
 
 /// Simulates the case with this index. Cases with the same number show the same view and tree in every setting.
 SimulatedCase simulateStudyCase(const SimulatedStudy& study, std::size_t index);

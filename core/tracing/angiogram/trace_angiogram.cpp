@@ -5,26 +5,26 @@
 #include "core/messages/messages.h"
 #include "core/support/parallel_for.h"
 #include "core/tracing/angiogram/curves/bridge_gaps.h"
-#include "core/tracing/angiogram/curves/contrast_seen.h"
+#include "core/tracing/angiogram/curves/contrast_score.h"
 #include "core/tracing/angiogram/curves/curve_refinement.h"
-#include "core/tracing/angiogram/curves/devices_from_rim.h"
-#include "core/tracing/angiogram/curves/lines_across.h"
-#include "core/tracing/angiogram/curves/painted_vessels.h"
+#include "core/tracing/angiogram/curves/devices_from_edge.h"
+#include "core/tracing/angiogram/curves/earlier_structures.h"
+#include "core/tracing/angiogram/curves/rasterize_vessels.h"
 #include "core/tracing/angiogram/curves/skeleton_graph.h"
+#include "core/tracing/angiogram/curves/straight_crossings.h"
 #include "core/tracing/angiogram/curves/suspect_curves.h"
 #include "core/tracing/angiogram/curves/vessel_branches.h"
 #include "core/tracing/angiogram/curves/vessel_trunk.h"
-#include "core/tracing/angiogram/curves/visible_before.h"
 #include "core/tracing/angiogram/frame/burned_in_text.h"
+#include "core/tracing/angiogram/frame/denoise_frame.h"
 #include "core/tracing/angiogram/frame/drawn_mask.h"
 #include "core/tracing/angiogram/frame/field_mask.h"
 #include "core/tracing/angiogram/frame/flatten_background.h"
 #include "core/tracing/angiogram/frame/report_page.h"
-#include "core/tracing/angiogram/frame/steady_frame.h"
 #include "core/tracing/angiogram/frame/widest_vessel.h"
 #include "core/tracing/angiogram/frame/working_size.h"
+#include "core/tracing/angiogram/ridges/background_between_vessels.h"
 #include "core/tracing/angiogram/ridges/clutter_level.h"
-#include "core/tracing/angiogram/ridges/part_neighbors.h"
 #include "core/tracing/angiogram/ridges/vessel_threshold.h"
 #include "core/tracing/angiogram/ridges/vesselness.h"
 
@@ -45,8 +45,8 @@ constexpr std::size_t frameSamples = 200000;
 constexpr double gapReachPx = 14.0;
 constexpr double minEvidenceInGap = 0.75;
 constexpr int maxTracingThreads = 2;   // memory bandwidth limits the gain from more threads
-constexpr double minShareStill = 0.35;   // minimum fraction of the traced length, if nothing else is opacified
-constexpr double maxShareStill = 0.5;   // above this, the vessels are stationary as well (phantom or patient)
+constexpr double minStationaryFraction = 0.35;   // minimum fraction of the traced length, if nothing else is opacified
+constexpr double maxStationaryFraction = 0.5;   // above this, the vessels are stationary as well (phantom or patient)
 
 bool isFinite(const ImageF& frame)
 {
@@ -69,7 +69,7 @@ std::optional<Message> problemWith(const ImageF& frame)
     }
     const float first = frame.pixels.front();
     if (std::all_of(frame.pixels.begin(), frame.pixels.end(), [first](float value) { return value == first; })) {
-        return messages::frameOfOneColor();
+        return messages::frameOfOneGrayValue();
     }
     return {};
 }
@@ -78,11 +78,11 @@ std::optional<Message> problemWith(const TraceOptions& options)
 {
     const auto& [thinnest, widest, branchLength, componentLength, sensitivity] = options;
     if (!(thinnest > 0.0 && thinnest <= widest && std::isfinite(widest))) {
-        return messages::traceRadiiUnusable(Quantity{thinnest, Quantity::asNeeded, "px"},
-                                            Quantity{widest, Quantity::asNeeded, "px"});
+        return messages::traceRadiiUnusable(Quantity{thinnest, Quantity::significantDigits, "px"},
+                                            Quantity{widest, Quantity::significantDigits, "px"});
     }
     if (!(sensitivity > 0.0 && std::isfinite(sensitivity))) {
-        return messages::traceSensitivityUnusable(Quantity{sensitivity, Quantity::asNeeded});
+        return messages::traceSensitivityUnusable(Quantity{sensitivity, Quantity::significantDigits});
     }
     return {};
 }
@@ -111,15 +111,15 @@ Mask2d tracedField(const ImageF& vesselsDark, const TraceOptions& options, const
 {
     Mask2d field;
     Mask2d text;
-    atOnce([&] { field = findField(vesselsDark, 2.0 * options.maxVesselRadiusPx, shutter); },
-           [&] { text = burnedInText(vesselsDark); });
+    runInParallel([&] { field = findField(vesselsDark, 2.0 * options.maxVesselRadiusPx, shutter); },
+                  [&] { text = burnedInTextMask(vesselsDark); });
     return without(std::move(field), text);
 }
 
 /// Returns the 99.9 % quantile of the ridge strength, which is scaled to 1.
-float topOf(const ImageF& ridges)
+float saturationLevel(const ImageF& ridges)
 {
-    return std::max(ranked(evenSample(ridges.pixels, frameSamples), 0.999), 1e-12F);
+    return std::max(grayQuantile(subsample(ridges.pixels, frameSamples), 0.999), 1e-12F);
 }
 
 /// Scales the ridges to 0…1.
@@ -133,16 +133,16 @@ ImageF normalized(ImageF ridges, float top)
 
 /// Closes short gaps between vessel pixels, then fills holes (some created by the bridges) that are smaller than any
 /// vessel loop and not background between two vessels.
-Mask2d wholeVessels(const Mask2d& vessels, const Mask2d& ground, const ImageF& evidence, int smallestLoopPx)
+Mask2d completeVessels(const Mask2d& vessels, const Mask2d& background, const ImageF& evidence, int smallestLoopPx)
 {
-    const Mask2d bridged = withGapsBridged(without(vessels, ground), evidence, gapReachPx, minEvidenceInGap);
-    return without(withHolesFilled(bridged, smallestLoopPx), ground);
+    const Mask2d bridged = bridgeGaps(without(vessels, background), evidence, gapReachPx, minEvidenceInGap);
+    return without(fillSmallHoles(bridged, smallestLoopPx), background);
 }
 
 std::vector<Curve2d> centeredCurves(std::vector<std::vector<Eigen::Vector2d>> paths, const ImageF& opacity,
                                     const Mask2d& field, double maxRadiusPx)
 {
-    std::erase_if(paths, [&](const auto& path) { return runsStraightAcross(path, field); });
+    std::erase_if(paths, [&](const auto& path) { return crossesFieldStraight(path, field); });
     std::vector<Curve2d> curves(paths.size());
     parallelFor(
         paths.size(), std::min(maxTracingThreads, threadCount(0)),
@@ -152,7 +152,7 @@ std::vector<Curve2d> centeredCurves(std::vector<std::vector<Eigen::Vector2d>> pa
 }
 
 /// Vessels found in a frame of typical size.
-struct SeenVessels {
+struct DetectedVessels {
     Mask2d fieldMask;
     ImageF vesselness;
     double clutter = 0.0;   ///< in units of the vesselness
@@ -160,32 +160,35 @@ struct SeenVessels {
     std::vector<std::vector<Eigen::Vector2d>> paths;   ///< center paths of the vessel mask
 };
 
-SeenVessels seenVessels(const ImageF& vesselsDark, const TraceOptions& options, const Mask2d& shutter)
+DetectedVessels detectVessels(const ImageF& vesselsDark, const TraceOptions& options, const Mask2d& shutter)
 {
-    SeenVessels seen;
-    seen.fieldMask = tracedField(vesselsDark, options, shutter);
-    seen.opacity = flattenBackground(vesselsDark, seen.fieldMask, surroundingsInRadii * options.maxVesselRadiusPx);
-    const Clutter clutter(seen.opacity, seen.fieldMask,
-                          ridgeScales(options.minVesselRadiusPx, options.maxVesselRadiusPx));
-    const ImageF ridges = ridgeStrength(seen.opacity, clutter.scales());
+    DetectedVessels detected;
+    detected.fieldMask = tracedField(vesselsDark, options, shutter);
+    detected.opacity =
+        flattenBackground(vesselsDark, detected.fieldMask, surroundingsInRadii * options.maxVesselRadiusPx);
+    const ClutterEstimate clutter(detected.opacity, detected.fieldMask,
+                                  ridgeScales(options.minVesselRadiusPx, options.maxVesselRadiusPx));
+    const ImageF ridges = ridgeStrength(detected.opacity, clutter.scales());
     double clutterLevel = 0.0;
     ImageF clear;
-    atOnce([&] { clear = withoutStars(ridges, seen.opacity); }, [&] { clutterLevel = clutter.level(ridges); });
-    const double unit = clearRidge(clear, clutterLevel, options.sensitivity);
-    const ImageF evidence = vesselEvidence(clear, seen.fieldMask, unit);
+    runInParallel([&] { clear = removeStarArtifacts(ridges, detected.opacity); },
+                  [&] { clutterLevel = clutter.level(ridges); });
+    const double unit = vesselThreshold(clear, clutterLevel, options.sensitivity);
+    const ImageF evidence = vesselEvidence(clear, detected.fieldMask, unit);
     const int smallestLoopPx = static_cast<int>(options.maxVesselRadiusPx * options.maxVesselRadiusPx);
-    const Mask2d vessels = withHolesFilled(vesselPixels(evidence), smallestLoopPx);
-    const Mask2d ground = groundBetweenNeighbors(vessels, evidence, seen.opacity, clutter.scales(), unit);
-    Mask2d whole;
-    atOnce([&] { whole = wholeVessels(vessels, ground, evidence, smallestLoopPx); },
-           [&] {
-               const float top = topOf(clear);
-               seen.clutter = clutterLevel / static_cast<double>(top);
-               seen.vesselness = normalized(std::move(clear), top);
-           });
-    seen.paths = orderedCurves(vesselBranches(whole, evidence, seen.opacity, seen.fieldMask, options),
-                               crossingInRadii * options.maxVesselRadiusPx);
-    return seen;
+    const Mask2d vessels = fillSmallHoles(segmentVessels(evidence), smallestLoopPx);
+    const Mask2d background = findBackgroundBetweenVessels(vessels, evidence, detected.opacity, clutter.scales(), unit);
+    Mask2d completed;
+    runInParallel([&] { completed = completeVessels(vessels, background, evidence, smallestLoopPx); },
+                  [&] {
+                      const float top = saturationLevel(clear);
+                      detected.clutter = clutterLevel / static_cast<double>(top);
+                      detected.vesselness = normalized(std::move(clear), top);
+                  });
+    detected.paths =
+        orderCurves(extractVesselBranches(completed, evidence, detected.opacity, detected.fieldMask, options),
+                    crossingInRadii * options.maxVesselRadiusPx);
+    return detected;
 }
 
 void addSuspects(AngiogramTrace& trace, const std::vector<int>& ids)
@@ -196,7 +199,7 @@ void addSuspects(AngiogramTrace& trace, const std::vector<int>& ids)
 }
 
 /// Removes the vessel trunk from the suspects: unlike a catheter, it has branches and is wider than they are.
-void spareTrunk(AngiogramTrace& trace)
+void unmarkTrunk(AngiogramTrace& trace)
 {
     if (const auto trunk = widestTrunk(trace.centerline)) {
         std::erase(trace.suspectCurves, *trunk);
@@ -205,54 +208,54 @@ void spareTrunk(AngiogramTrace& trace)
 
 double contrastOf(const AngiogramTrace& trace)
 {
-    return contrastSeen(trace.centerline, trace.suspectCurves, trace.vesselness, trace.clutter);
+    return contrastScore(trace.centerline, trace.suspectCurves, trace.vesselness, trace.clutter);
 }
 
 /// Adds the warning about missing contrast; drawn masks have neither clutter nor contrast agent.
-void addWordOfContrast(AngiogramTrace& trace)
+void warnAboutContrast(AngiogramTrace& trace)
 {
     if (trace.clutter > 0.0 && contrastOf(trace) < minContrast) {
         trace.warnings = {messages::frameWithLittleContrast()};
     }
 }
 
-void addWhatStandsStill(AngiogramTrace& trace, const Angiogram& run, int frame)
+void markStationaryCurves(AngiogramTrace& trace, const Angiogram& run, int frame)
 {
-    const std::vector<int> still = stillCurves(trace.centerline, run.frames, frame, run.polarity);
-    if (still.empty()) {
+    const std::vector<int> stationary = findStationaryCurves(trace.centerline, run.frames, frame, run.polarity);
+    if (stationary.empty()) {
         return;
     }
     double length = 0.0;
-    double stillLength = 0.0;
+    double stationaryLength = 0.0;
     for (const Curve2d& curve : trace.centerline.curves) {
         length += curve.lengthPx();
-        stillLength += std::ranges::binary_search(still, curve.id) ? curve.lengthPx() : 0.0;
+        stationaryLength += std::ranges::binary_search(stationary, curve.id) ? curve.lengthPx() : 0.0;
     }
     const std::vector<int> suspects = trace.suspectCurves;
-    addSuspects(trace, still);
+    addSuspects(trace, stationary);
     const bool isOpacified = contrastOf(trace) >= minContrast;
-    trace.standsStill = !isOpacified && stillLength >= minShareStill * length;
-    if (!isOpacified || stillLength > maxShareStill * length) {
+    trace.isStationary = !isOpacified && stationaryLength >= minStationaryFraction * length;
+    if (!isOpacified || stationaryLength > maxStationaryFraction * length) {
         trace.suspectCurves = suspects;
     }
-    spareTrunk(trace);
+    unmarkTrunk(trace);
 }
 
-void addWordOfFirstFrame(AngiogramTrace& trace, const Angiogram& run, int frame)
+void markEarlierStructures(AngiogramTrace& trace, const Angiogram& run, int frame)
 {
-    const SeenBefore seen =
-        seenBefore(trace.centerline, run.frames[static_cast<std::size_t>(frame)], run.frames.front(), run.polarity);
-    addSuspects(trace, seen.curveIds);
-    spareTrunk(trace);
-    if (seen.isEverything && contrastOf(trace) < surelyContrast) {   // otherwise opacified from the start
-        trace.warnings = {messages::frameWithNothingNew()};
+    const EarlierStructures detected = findEarlierStructures(
+        trace.centerline, run.frames[static_cast<std::size_t>(frame)], run.frames.front(), run.polarity);
+    addSuspects(trace, detected.curveIds);
+    unmarkTrunk(trace);
+    if (detected.isNearlyAll && contrastOf(trace) < definiteContrast) {   // otherwise opacified from the start
+        trace.warnings = {messages::frameWithoutContrastArrival()};
     } else {
-        addWordOfContrast(trace);
+        warnAboutContrast(trace);
     }
 }
 
 /// Traces a drawn mask without segmentation, like a label image.
-Result<AngiogramTrace> traceDrawn(Mask2d drawn, const TraceOptions& options)
+Result<AngiogramTrace> traceDrawnMask(Mask2d drawn, const TraceOptions& options)
 {
     auto curves = traceMask(drawn, options);
     if (!curves) {
@@ -270,10 +273,10 @@ Result<AngiogramTrace> traceDrawn(Mask2d drawn, const TraceOptions& options)
 
 }   // namespace
 
-Result<AngiogramTrace> traceAngiogram(const ImageF& frame, Polarity polarity, const TraceOptions& asked,
+Result<AngiogramTrace> traceAngiogram(const ImageF& frame, Polarity polarity, const TraceOptions& requested,
                                       const Mask2d& shutter)
 {
-    const TraceOptions options = settledFor(asked);
+    const TraceOptions options = resolveOptions(requested);
     if (const auto problem = problemWith(options)) {
         return Error(*problem);
     }
@@ -283,32 +286,32 @@ Result<AngiogramTrace> traceAngiogram(const ImageF& frame, Polarity polarity, co
     if (isReportPage(frame)) {
         return Error(messages::frameIsReportPage());
     }
-    if (auto drawn = drawnMask(frame)) {
-        return traceDrawn(std::move(*drawn), options);
+    if (auto drawn = vesselMaskFromDrawing(frame)) {
+        return traceDrawnMask(std::move(*drawn), options);
     }
     const ImageF vesselsDark = withVesselsDark(frame, polarity);
-    const WorkingSize size = workingSizeOf(frame);
-    auto seen = seenVessels(toWorkingSize(vesselsDark, size), options, shutter);
+    const WorkingSize size = chooseWorkingSize(frame);
+    auto detected = detectVessels(toWorkingSize(vesselsDark, size), options, shutter);
     AngiogramTrace trace;
-    trace.fieldMask = fromWorkingSize(seen.fieldMask, size, frame.width, frame.height);
-    trace.vesselness = fromWorkingSize(seen.vesselness, size, frame.width, frame.height);
-    trace.clutter = seen.clutter;
+    trace.fieldMask = fromWorkingSize(detected.fieldMask, size, frame.width, frame.height);
+    trace.vesselness = fromWorkingSize(detected.vesselness, size, frame.width, frame.height);
+    trace.clutter = detected.clutter;
     const double maxRadiusPx = options.maxVesselRadiusPx / size.factor();
     const ImageF opacity = size.halvings == 0
-                               ? std::move(seen.opacity)
+                               ? std::move(detected.opacity)
                                : flattenBackground(vesselsDark, trace.fieldMask, surroundingsInRadii * maxRadiusPx);
-    for (auto& path : seen.paths) {
+    for (auto& path : detected.paths) {
         path = fromWorkingSize(std::move(path), size);
     }
-    trace.centerline.curves = centeredCurves(std::move(seen.paths), opacity, trace.fieldMask, maxRadiusPx);
+    trace.centerline.curves = centeredCurves(std::move(detected.paths), opacity, trace.fieldMask, maxRadiusPx);
     if (trace.centerline.curves.empty()) {
         return Error(messages::frameWithoutVessels());
     }
-    trace.vesselMask = paintedVessels(trace.centerline, frame.width, frame.height);
+    trace.vesselMask = rasterizeVessels(trace.centerline, frame.width, frame.height);
     trace.suspectCurves = suspectCurves(trace.centerline, std::max(frame.width, frame.height));
-    addSuspects(trace, devicesFromRim(trace.centerline, trace.fieldMask));
-    spareTrunk(trace);
-    addWordOfContrast(trace);
+    addSuspects(trace, findDevicesFromEdge(trace.centerline, trace.fieldMask));
+    unmarkTrunk(trace);
+    warnAboutContrast(trace);
     return trace;
 }
 
@@ -317,25 +320,25 @@ Result<AngiogramTrace> traceFrame(const Angiogram& run, int frame, const TraceOp
     if (frame < 0 || frame >= run.frameCount()) {
         return Error(messages::frameMissing(frame + 1, run.frameCount()));
     }
-    auto traced = traceAngiogram(steadyFrame(run.frames, frame), run.polarity,
-                                 settledFor(options, run.cArm, run.width(), run.height()), run.shutter);
+    auto traced = traceAngiogram(denoiseFrame(run.frames, frame), run.polarity,
+                                 resolveOptions(options, run.cArm, run.width(), run.height()), run.shutter);
     if (!traced) {
         return traced;
     }
     AngiogramTrace trace = std::move(traced).value();
-    addWhatStandsStill(trace, run, frame);
+    markStationaryCurves(trace, run, frame);
     if (frame > 0) {
-        addWordOfFirstFrame(trace, run, frame);
+        markEarlierStructures(trace, run, frame);
     }
     return trace;
 }
 
-Result<Centerline2d> traceMask(const Mask2d& mask, const TraceOptions& asked)
+Result<Centerline2d> traceMask(const Mask2d& mask, const TraceOptions& requested)
 {
-    const TraceOptions options = settledFor(asked);
+    const TraceOptions options = resolveOptions(requested);
     Centerline2d centerline;
-    const SkeletonGraph branches = drawnBranches(mask, options);
-    for (const auto& path : orderedCurves(branches, crossingInRadii * options.maxVesselRadiusPx)) {
+    const SkeletonGraph branches = extractDrawnBranches(mask, options);
+    for (const auto& path : orderCurves(branches, crossingInRadii * options.maxVesselRadiusPx)) {
         centerline.curves.push_back(smoothCurve(path, static_cast<int>(centerline.curves.size()) + 1));
     }
     if (centerline.curves.empty()) {

@@ -20,7 +20,7 @@ struct AngiogramTrace {
     double clutter = 0.0;   ///< vesselness of noise and background; 0 for drawn masks
     Mask2d vesselMask;   ///< pixels between the walls of the curves, at half height of the edges
     Mask2d fieldMask;   ///< exposed area inside shutter and border, without burned-in text
-    bool standsStill = false;   ///< mostly stationary lines: no contrast agent moves in this run
+    bool isStationary = false;   ///< mostly stationary lines: no contrast agent moves in this run
     Messages warnings;   ///< for example that no contrast agent arrives in this run
 };
 

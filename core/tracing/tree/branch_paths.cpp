@@ -1,6 +1,6 @@
 #include "core/tracing/tree/branch_paths.h"
 
-#include "core/tracing/tree/departure.h"
+#include "core/tracing/tree/edge_takeoff.h"
 #include "core/tracing/tree/root_end.h"
 
 #include <algorithm>
@@ -11,8 +11,8 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double directionWorth = 0.8;
-constexpr double seedToWallMm = 5.0;   ///< maximum distance from a seed to the wall of its vessel
+constexpr double directionWeight = 0.8;
+constexpr double maxSeedToWallMm = 5.0;   ///< maximum distance from a seed to the wall of its vessel
 
 /// A path that starts at `node` along `edge`.
 struct Start {
@@ -22,25 +22,25 @@ struct Start {
     int generation = 0;
 };
 
-class Gatherer {
+class PathBuilder {
 public:
-    explicit Gatherer(const VesselGraph& graph)
+    explicit PathBuilder(const VesselGraph& graph)
         : graph_(graph),
-          meeting_(graph.edgesByNode()),
+          edgesByNode_(graph.edgesByNode()),
           used_(graph.edges.size(), false),
           owner_(graph.nodesMm.size(), -1)
     {
     }
 
     std::vector<BranchPath> run(const std::optional<Eigen::Vector3d>& rootMm,
-                                const std::vector<Eigen::Vector3d>& seedsMm, PathPieces withoutSeeds)
+                                const std::vector<Eigen::Vector3d>& seedsMm, PathComponents withoutSeeds)
     {
-        for (const std::vector<int>& nodes : pieces()) {
-            const bool isAsked =
-                !seedsMm.empty() ? isNearOne(nodes, seedsMm) : paths_.empty() || withoutSeeds == PathPieces::All;
-            const int root = isAsked ? rootOf(nodes, rootMm) : -1;
+        for (const std::vector<int>& nodes : components()) {
+            const bool isSelected =
+                !seedsMm.empty() ? isNearSeed(nodes, seedsMm) : paths_.empty() || withoutSeeds == PathComponents::All;
+            const int root = isSelected ? rootOf(nodes, rootMm) : -1;
             if (root >= 0) {
-                const std::vector<std::size_t>& edges = meeting_[static_cast<std::size_t>(root)];
+                const std::vector<std::size_t>& edges = edgesByNode_[static_cast<std::size_t>(root)];
                 starts_.push_back({edges.front(), root, -1, 0});
                 for (const std::size_t e : edges) {   // a ring may have several edges at its root
                     starts_.push_back({e, root, static_cast<int>(paths_.size()), 1});
@@ -57,56 +57,56 @@ private:
     /// Returns the root node of a component: a free end, or the widest node if there is no free end.
     int rootOf(const std::vector<int>& nodes, const std::optional<Eigen::Vector3d>& rootMm) const
     {
-        const int end = rootEnd(graph_, meeting_, nodes, rootMm);
+        const int end = findRootEnd(graph_, edgesByNode_, nodes, rootMm);
         return end >= 0 ? end : *std::ranges::max_element(nodes, {}, [this](int node) { return nodeRadius(node); });
     }
 
     /// Returns the nodes of each connected component, greatest vessel length first.
-    std::vector<std::vector<int>> pieces() const
+    std::vector<std::vector<int>> components() const
     {
-        std::vector<std::vector<int>> found;
+        std::vector<std::vector<int>> unsorted;
         std::vector<double> lengths;
-        std::vector<bool> seen(graph_.nodesMm.size(), false);
-        for (int node = 0; node < static_cast<int>(seen.size()); ++node) {
-            if (seen[static_cast<std::size_t>(node)] || meeting_[static_cast<std::size_t>(node)].empty()) {
+        std::vector<bool> visited(graph_.nodesMm.size(), false);
+        for (int node = 0; node < static_cast<int>(visited.size()); ++node) {
+            if (visited[static_cast<std::size_t>(node)] || edgesByNode_[static_cast<std::size_t>(node)].empty()) {
                 continue;
             }
-            seen[static_cast<std::size_t>(node)] = true;
-            std::vector<int> piece{node};
+            visited[static_cast<std::size_t>(node)] = true;
+            std::vector<int> component{node};
             double length = 0.0;
-            for (std::size_t n = 0; n < piece.size(); ++n) {
-                for (const std::size_t e : meeting_[static_cast<std::size_t>(piece[n])]) {
+            for (std::size_t n = 0; n < component.size(); ++n) {
+                for (const std::size_t e : edgesByNode_[static_cast<std::size_t>(component[n])]) {
                     const VesselEdge& edge = graph_.edges[e];
                     length += 0.5 * edge.lengthMm();
-                    const int other = edge.startNode == piece[n] ? edge.endNode : edge.startNode;
-                    if (!seen[static_cast<std::size_t>(other)]) {
-                        seen[static_cast<std::size_t>(other)] = true;
-                        piece.push_back(other);
+                    const int other = edge.startNode == component[n] ? edge.endNode : edge.startNode;
+                    if (!visited[static_cast<std::size_t>(other)]) {
+                        visited[static_cast<std::size_t>(other)] = true;
+                        component.push_back(other);
                     }
                 }
             }
-            found.push_back(std::move(piece));
+            unsorted.push_back(std::move(component));
             lengths.push_back(length);
         }
-        std::vector<std::size_t> order(found.size());
+        std::vector<std::size_t> order(unsorted.size());
         std::iota(order.begin(), order.end(), 0);
         std::stable_sort(order.begin(), order.end(),
                          [&](std::size_t a, std::size_t b) { return lengths[a] > lengths[b]; });
         std::vector<std::vector<int>> sorted;
         sorted.reserve(order.size());
         for (const std::size_t p : order) {
-            sorted.push_back(std::move(found[p]));
+            sorted.push_back(std::move(unsorted[p]));
         }
         return sorted;
     }
 
-    bool isNearOne(const std::vector<int>& nodes, const std::vector<Eigen::Vector3d>& seedsMm) const
+    bool isNearSeed(const std::vector<int>& nodes, const std::vector<Eigen::Vector3d>& seedsMm) const
     {
         for (const int node : nodes) {
-            for (const std::size_t e : meeting_[static_cast<std::size_t>(node)]) {
+            for (const std::size_t e : edgesByNode_[static_cast<std::size_t>(node)]) {
                 const VesselEdge& edge = graph_.edges[e];
                 for (std::size_t i = 0; i < edge.pointsMm.size(); ++i) {
-                    const double reach = seedToWallMm + 1.5 * edge.radiusMm[i];
+                    const double reach = maxSeedToWallMm + 1.5 * edge.radiusMm[i];
                     if (std::any_of(seedsMm.begin(), seedsMm.end(),
                                     [&](const auto& seed) { return (seed - edge.pointsMm[i]).norm() <= reach; })) {
                         return true;
@@ -134,21 +134,23 @@ private:
         BranchPath path{start.parent, start.generation, -1, {}, {}};
         std::size_t edge = start.edge;
         int node = start.node;
-        ownedBy(node, index);
+        claimNode(node, index);
         for (bool shouldContinue = true; shouldContinue;) {
-            const VesselEdge way = graph_.leaving(edge, node);
+            const VesselEdge directedEdge = graph_.leaving(edge, node);
             used_[edge] = true;
             const std::ptrdiff_t skip = path.pointsMm.empty() ? 0 : 1;   // the node is already in the path
-            path.pointsMm.insert(path.pointsMm.end(), way.pointsMm.begin() + skip, way.pointsMm.end());
-            path.radiusMm.insert(path.radiusMm.end(), way.radiusMm.begin() + skip, way.radiusMm.end());
-            node = way.endNode;
+            path.pointsMm.insert(path.pointsMm.end(), directedEdge.pointsMm.begin() + skip,
+                                 directedEdge.pointsMm.end());
+            path.radiusMm.insert(path.radiusMm.end(), directedEdge.radiusMm.begin() + skip,
+                                 directedEdge.radiusMm.end());
+            node = directedEdge.endNode;
             shouldContinue = false;
-            path.endsOn = ownedBy(node, index);
-            if (path.endsOn >= 0) {
+            path.loopTarget = claimNode(node, index);
+            if (path.loopTarget >= 0) {
                 break;   // the other edges at this node are branches of the vessel that was reached
             }
-            const std::size_t next = continuation(way);
-            for (const std::size_t e : meeting_[static_cast<std::size_t>(node)]) {
+            const std::size_t next = continuation(directedEdge);
+            for (const std::size_t e : edgesByNode_[static_cast<std::size_t>(node)]) {
                 if (e == next) {
                     shouldContinue = true;
                 } else if (!used_[e]) {
@@ -161,7 +163,7 @@ private:
     }
 
     /// Returns the previous owner of a node (-1 if none) and assigns an unowned node to `path`.
-    int ownedBy(int node, int path)
+    int claimNode(int node, int path)
     {
         int& owner = owner_[static_cast<std::size_t>(node)];
         const int before = owner;
@@ -170,20 +172,21 @@ private:
     }
 
     /// Returns the edge that continues the vessel after `way`, or the number of edges if the vessel ends.
-    std::size_t continuation(const VesselEdge& way) const
+    std::size_t continuation(const VesselEdge& directedEdge) const
     {
-        const Departure arriving = departureOf(reversed(way), nodeRadius(way.endNode));
+        const EdgeTakeoff arriving = measureTakeoff(reversed(directedEdge), nodeRadius(directedEdge.endNode));
         std::size_t best = graph_.edges.size();
-        double bestWorth = -std::numeric_limits<double>::infinity();
-        for (const std::size_t e : meeting_[static_cast<std::size_t>(way.endNode)]) {
+        double bestScore = -std::numeric_limits<double>::infinity();
+        for (const std::size_t e : edgesByNode_[static_cast<std::size_t>(directedEdge.endNode)]) {
             if (used_[e]) {
                 continue;
             }
-            const Departure departure = departureOf(graph_.leaving(e, way.endNode), nodeRadius(way.endNode));
-            const double worth = std::min(1.0, departure.radiusMm / arriving.radiusMm) -
-                                 directionWorth * departure.direction.dot(arriving.direction);
-            if (worth > bestWorth + 1e-9) {
-                bestWorth = worth;
+            const EdgeTakeoff takeoff =
+                measureTakeoff(graph_.leaving(e, directedEdge.endNode), nodeRadius(directedEdge.endNode));
+            const double score = std::min(1.0, takeoff.radiusMm / arriving.radiusMm) -
+                                 directionWeight * takeoff.direction.dot(arriving.direction);
+            if (score > bestScore + 1e-9) {
+                bestScore = score;
                 best = e;
             }
         }
@@ -191,7 +194,7 @@ private:
     }
 
     const VesselGraph& graph_;
-    std::vector<std::vector<std::size_t>> meeting_;   ///< edge indices by node
+    std::vector<std::vector<std::size_t>> edgesByNode_;   ///< edge indices by node
     std::vector<bool> used_;
     std::vector<int> owner_;   ///< first path through each node
     std::deque<Start> starts_;
@@ -200,10 +203,10 @@ private:
 
 }   // namespace
 
-std::vector<BranchPath> branchPaths(const VesselGraph& graph, const std::optional<Eigen::Vector3d>& rootMm,
-                                    const std::vector<Eigen::Vector3d>& seedsMm, PathPieces withoutSeeds)
+std::vector<BranchPath> splitIntoPaths(const VesselGraph& graph, const std::optional<Eigen::Vector3d>& rootMm,
+                                       const std::vector<Eigen::Vector3d>& seedsMm, PathComponents withoutSeeds)
 {
-    return Gatherer(graph).run(rootMm, seedsMm, withoutSeeds);
+    return PathBuilder(graph).run(rootMm, seedsMm, withoutSeeds);
 }
 
 }   // namespace angiopose::core

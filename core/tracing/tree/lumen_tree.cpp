@@ -3,11 +3,11 @@
 #include "core/imaging/interpolate_grid.h"
 #include "core/imaging/volume.h"
 #include "core/support/parallel_for.h"
+#include "core/tracing/tree/boundary_stubs.h"
 #include "core/tracing/tree/branch_paths.h"
-#include "core/tracing/tree/drop_dim_parts.h"
+#include "core/tracing/tree/dim_subtrees.h"
 #include "core/tracing/tree/prune_spurs.h"
-#include "core/tracing/tree/rim_stubs.h"
-#include "core/tracing/tree/tree_of_paths.h"
+#include "core/tracing/tree/tree_from_paths.h"
 #include "core/tracing/tree/vessel_curve.h"
 #include "core/tracing/tree/vessel_graph.h"
 #include "core/tracing/volume/voxels/distance_map.h"
@@ -23,12 +23,12 @@ namespace angiopose::core {
 namespace {
 
 /// Mask padded on all sides: voxel p of the original is voxel p + `offset` here. The outermost voxels are clear.
-struct WiderMask {
+struct PaddedMask {
     VoxelMask mask;
     Eigen::Vector3i offset = Eigen::Vector3i::Ones();
 };
 
-constexpr double longestCut = 2.5;   ///< maximum aspect ratio of a cut across a vessel
+constexpr double maxCutAspectRatio = 2.5;   ///< maximum aspect ratio of a cut across a vessel
 constexpr int maxLayers = 60;
 
 /// One side of the grid: the plane at `position` across `axis`; `outwards` is -1 or +1.
@@ -57,7 +57,7 @@ int layersOf(const std::vector<Eigen::Vector3i>& voxels, int axis)
     const Eigen::Vector3i extent = (high - low).array() + 1;
     const int a = extent[(axis + 1) % 3];
     const int b = extent[(axis + 2) % 3];
-    if (std::max(a, b) > longestCut * std::min(a, b)) {
+    if (std::max(a, b) > maxCutAspectRatio * std::min(a, b)) {
         return 0;
     }
     const double radius = std::sqrt(static_cast<double>(voxels.size()) / std::numbers::pi);
@@ -112,7 +112,7 @@ void findCuts(const VoxelMask& mask, const Face& face, std::vector<Cut>& cuts)
 /// Extends vessels that the grid boundary cuts by slightly more than their radius. Thinning shortens a vessel end by
 /// about that much and would otherwise lose the last segment, or a short wide trunk entirely. Vessels along the
 /// boundary are not extended.
-WiderMask continuedBeyondRim(const VoxelMask& mask)
+PaddedMask extendBeyondBoundary(const VoxelMask& mask)
 {
     const Eigen::Vector3i& size = mask.geometry.size;
     std::vector<Cut> cuts;
@@ -120,61 +120,61 @@ WiderMask continuedBeyondRim(const VoxelMask& mask)
         findCuts(mask, {axis, 0, -1}, cuts);
         findCuts(mask, {axis, size[axis] - 1, 1}, cuts);
     }
-    WiderMask wider;
+    PaddedMask padded;
     Eigen::Vector3i after = Eigen::Vector3i::Ones();
     for (const Cut& cut : cuts) {
-        int& room = cut.face.outwards < 0 ? wider.offset[cut.face.axis] : after[cut.face.axis];
-        room = std::max(room, cut.layers + 1);
+        int& padding = cut.face.outwards < 0 ? padded.offset[cut.face.axis] : after[cut.face.axis];
+        padding = std::max(padding, cut.layers + 1);
     }
     VolumeGeometry grid;
-    grid.size = size + wider.offset + after;
-    wider.mask = VoxelMask(grid);
+    grid.size = size + padded.offset + after;
+    padded.mask = VoxelMask(grid);
     for (int k = 0; k < size.z(); ++k) {
         for (int j = 0; j < size.y(); ++j) {
-            const Eigen::Vector3i to = Eigen::Vector3i(0, j, k) + wider.offset;
-            std::copy_n(&mask.at(0, j, k), size.x(), &wider.mask.at(to.x(), to.y(), to.z()));
+            const Eigen::Vector3i to = Eigen::Vector3i(0, j, k) + padded.offset;
+            std::copy_n(&mask.at(0, j, k), size.x(), &padded.mask.at(to.x(), to.y(), to.z()));
         }
     }
     for (const Cut& cut : cuts) {
         for (const Eigen::Vector3i& voxel : cut.voxels) {
             for (int layer = 1; layer <= cut.layers; ++layer) {
-                Eigen::Vector3i to = voxel + wider.offset;
+                Eigen::Vector3i to = voxel + padded.offset;
                 to[cut.face.axis] += layer * cut.face.outwards;
-                wider.mask.at(to.x(), to.y(), to.z()) = 1;
+                padded.mask.at(to.x(), to.y(), to.z()) = 1;
             }
         }
     }
-    return wider;
+    return padded;
 }
 
 constexpr double minLoopInBranches = 4.0;   ///< minimum circumference of a kept loop, in minimum branch lengths
 
-Eigen::Vector3d onGrid(const Eigen::Vector3d& inPatient, const VolumeGeometry& grid)
+Eigen::Vector3d toGridMm(const Eigen::Vector3d& inPatient, const VolumeGeometry& grid)
 {
     return grid.spacingMm.cwiseProduct(grid.patientFromVoxel().inverse() * inPatient);
 }
 
-std::vector<Eigen::Vector3d> startsOn(const VolumeGeometry& grid, const VesselTracingOptions& options)
+std::vector<Eigen::Vector3d> startsOnGrid(const VolumeGeometry& grid, const VesselTracingOptions& options)
 {
     std::vector<Eigen::Vector3d> startsMm;
     for (const Eigen::Vector3d& seed : options.seedsInPatient) {
-        startsMm.push_back(onGrid(seed, grid));
+        startsMm.push_back(toGridMm(seed, grid));
     }
     return startsMm;
 }
 
-std::vector<BranchPath> pathsIn(const VesselGraph& graph, const VesselTracingOptions& options,
-                                const VolumeGeometry& grid)
+std::vector<BranchPath> tracePaths(const VesselGraph& graph, const VesselTracingOptions& options,
+                                   const VolumeGeometry& grid)
 {
     std::optional<Eigen::Vector3d> rootMm;
     if (options.rootInPatient) {
-        rootMm = onGrid(*options.rootInPatient, grid);
+        rootMm = toGridMm(*options.rootInPatient, grid);
     }
-    const PathPieces pieces = options.pieces == TracedPieces::All ? PathPieces::All : PathPieces::First;
-    return branchPaths(graph, rootMm, startsOn(grid, options), pieces);
+    const PathComponents pieces = options.pieces == TracedPieces::All ? PathComponents::All : PathComponents::First;
+    return splitIntoPaths(graph, rootMm, startsOnGrid(grid, options), pieces);
 }
 
-LoopCount openLoopsAsAsked(VesselGraph& graph, const VesselTracingOptions& options, TracingProgress& progress)
+LoopCount applyLoopOption(VesselGraph& graph, const VesselTracingOptions& options, TracingProgress& progress)
 {
     return options.loops == VesselLoops::Kept
                ? openSmallLoops(graph, minLoopInBranches * options.minBranchLengthMm, progress)
@@ -182,19 +182,19 @@ LoopCount openLoopsAsAsked(VesselGraph& graph, const VesselTracingOptions& optio
 }
 
 /// Removes dim subtrees from the spanning forest, then restores the loop-closing edges whose end nodes both remain.
-int dropDimPartsAsAsked(VesselGraph& graph, const BloodFill& fill, const VolumeGeometry& grid,
-                        const VesselTracingOptions& options)
+int removeDimSubtreesOnly(VesselGraph& graph, const PointOpacification& opacification, const VolumeGeometry& grid,
+                          const VesselTracingOptions& options)
 {
     const bool hasLoops = options.loops == VesselLoops::Kept;
-    const std::vector<VesselEdge> closing = hasLoops ? takeClosingEdges(graph) : std::vector<VesselEdge>();
+    const std::vector<VesselEdge> closing = hasLoops ? extractClosingEdges(graph) : std::vector<VesselEdge>();
     const std::vector<int> before = graph.degrees();
-    const int dropped = dropDimParts(graph, fill, startsOn(grid, options), grid.spacingMm.maxCoeff());
+    const int dropped = removeDimSubtrees(graph, opacification, startsOnGrid(grid, options), grid.spacingMm.maxCoeff());
     const std::vector<int> after = graph.degrees();
-    const auto isThere = [&](int node) {
+    const auto hasEdges = [&](int node) {
         return after[static_cast<std::size_t>(node)] > 0 || before[static_cast<std::size_t>(node)] == 0;   // ring
     };
     for (const VesselEdge& edge : closing) {
-        if (isThere(edge.startNode) && isThere(edge.endNode)) {
+        if (hasEdges(edge.startNode) && hasEdges(edge.endNode)) {
             graph.edges.push_back(edge);
         }
     }
@@ -204,11 +204,11 @@ int dropDimPartsAsAsked(VesselGraph& graph, const BloodFill& fill, const VolumeG
 /// Computes the skeleton of the lumen on a mask extended beyond the grid boundary, then restricts it to the grid.
 std::vector<std::size_t> skeletonOf(const VoxelMask& lumen, TracingProgress& progress)
 {
-    WiderMask wider = continuedBeyondRim(lumen);
-    const VolumeGeometry grid = wider.mask.geometry;
+    PaddedMask padded = extendBeyondBoundary(lumen);
+    const VolumeGeometry grid = padded.mask.geometry;
     std::vector<std::size_t> within;
-    for (const std::size_t voxel : thinnedInPlace(std::move(wider.mask), progress)) {
-        const Eigen::Vector3i place = grid.voxelAt(voxel) - wider.offset;
+    for (const std::size_t voxel : skeletonizeInPlace(std::move(padded.mask), progress)) {
+        const Eigen::Vector3i place = grid.voxelAt(voxel) - padded.offset;
         if (lumen.geometry.contains(place)) {
             within.push_back(lumen.geometry.index(place.x(), place.y(), place.z()));
         }
@@ -216,44 +216,44 @@ std::vector<std::size_t> skeletonOf(const VoxelMask& lumen, TracingProgress& pro
     return within;
 }
 
-void closeGapsAsAsked(VesselGraph& graph, const VolumeGeometry& grid, const VesselTracingOptions& options,
-                      TracingProgress& progress, LumenTree& found)
+void closeGapsIfRequested(VesselGraph& graph, const VolumeGeometry& grid, const VesselTracingOptions& options,
+                          TracingProgress& progress, LumenTree& output)
 {
     if (options.pieces == TracedPieces::All) {
         const ClosedGaps closed = closeClearGaps(graph, grid.spacingMm.maxCoeff(), progress);
-        found.closedGaps.count += closed.count;
-        found.closedGaps.longestMm = std::max(found.closedGaps.longestMm, closed.longestMm);
+        output.closedGaps.count += closed.count;
+        output.closedGaps.longestMm = std::max(output.closedGaps.longestMm, closed.longestMm);
     }
 }
 
-VesselGraph prunedGraph(const VoxelMask& lumen, const BloodFill& fill, const VesselTracingOptions& options,
-                        TracingProgress& progress, LumenTree& found)
+VesselGraph prunedGraph(const VoxelMask& lumen, const PointOpacification& opacification,
+                        const VesselTracingOptions& options, TracingProgress& progress, LumenTree& output)
 {
     progress.enter("thinning", 0.7, 0.8);
     const DistanceMap distances = distanceMap(lumen, threadCount(options.threads), progress);
-    found.skeleton = skeletonOf(lumen, progress);
+    output.skeleton = skeletonOf(lumen, progress);
     if (progress.isStopped()) {
         return {};
     }
     progress.enter("branches", 0.8, 1.0);
-    VesselGraph graph = vesselGraph(found.skeleton, distances, progress);
-    found.loops = openLoopsAsAsked(graph, options, progress);
+    VesselGraph graph = buildVesselGraph(output.skeleton, distances, progress);
+    output.loops = applyLoopOption(graph, options, progress);
     const SpurLimits limits{.minLengthMm = options.minBranchLengthMm, .minRadiusMm = options.minBranchRadiusMm};
-    closeGapsAsAsked(graph, lumen.geometry, options, progress, found);
+    closeGapsIfRequested(graph, lumen.geometry, options, progress, output);
     pruneSpurs(graph, limits, progress);
-    closeGapsAsAsked(graph, lumen.geometry, options, progress, found);   // ends are more reliable without spurs
-    found.dimParts = dropDimPartsAsAsked(graph, fill, lumen.geometry, options);
+    closeGapsIfRequested(graph, lumen.geometry, options, progress, output);   // ends are more reliable without spurs
+    output.dimSubtrees = removeDimSubtreesOnly(graph, opacification, lumen.geometry, options);
     pruneSpurs(graph, limits, progress);
     return graph;
 }
 
 /// Returns the indices of the paths that are not stubs at the grid boundary.
-std::vector<std::size_t> branchesAmong(const std::vector<BranchPath>& paths, const std::vector<VesselCurve>& curves,
-                                       const VoxelMask& lumen, double minMm)
+std::vector<std::size_t> selectBranches(const std::vector<BranchPath>& paths, const std::vector<VesselCurve>& curves,
+                                        const VoxelMask& lumen, double minMm)
 {
     std::vector<bool> isLeaf(paths.size(), true);
     for (const BranchPath& path : paths) {
-        for (const int other : {path.parent, path.endsOn}) {
+        for (const int other : {path.parent, path.loopTarget}) {
             if (other >= 0) {
                 isLeaf[static_cast<std::size_t>(other)] = false;
             }
@@ -261,11 +261,12 @@ std::vector<std::size_t> branchesAmong(const std::vector<BranchPath>& paths, con
     }
     std::vector<std::size_t> branches;
     for (std::size_t n = 0; n < paths.size(); ++n) {
-        const bool canBeStub = isLeaf[n] && paths[n].endsOn < 0;
+        const bool canBeStub = isLeaf[n] && paths[n].loopTarget < 0;
         const bool isStub =
-            canBeStub && (paths[n].parent >= 0
-                              ? isRimStub(curves[n], curves[static_cast<std::size_t>(paths[n].parent)], lumen, minMm)
-                              : isRimCrumb(curves[n], lumen, minMm));
+            canBeStub &&
+            (paths[n].parent >= 0
+                 ? isBoundaryStub(curves[n], curves[static_cast<std::size_t>(paths[n].parent)], lumen, minMm)
+                 : isBoundaryFragment(curves[n], lumen, minMm));
         if (!isStub) {
             branches.push_back(n);
         }
@@ -275,29 +276,29 @@ std::vector<std::size_t> branchesAmong(const std::vector<BranchPath>& paths, con
 
 }   // namespace
 
-LumenTree lumenTree(const VoxelMask& lumen, const BloodFill& fill, const VesselTracingOptions& options,
-                    TracingProgress& progress)
+LumenTree traceLumenTree(const VoxelMask& lumen, const PointOpacification& opacification,
+                         const VesselTracingOptions& options, TracingProgress& progress)
 {
     LumenTree result;
     const VolumeGeometry& grid = lumen.geometry;
-    const VesselGraph graph = prunedGraph(lumen, fill, options, progress, result);
-    const std::vector<BranchPath> paths = pathsIn(graph, options, grid);
-    const std::vector<VesselCurve> curves = curvesOfPaths(
-        paths, [&fill](const BranchPath&) { return fill; }, grid, options.pointSpacingMm, progress);
+    const VesselGraph graph = prunedGraph(lumen, opacification, options, progress, result);
+    const std::vector<BranchPath> paths = tracePaths(graph, options, grid);
+    const std::vector<VesselCurve> curves = curvesFromPaths(
+        paths, [&opacification](const BranchPath&) { return opacification; }, grid, options.pointSpacingMm, progress);
     if (curves.size() < paths.size()) {
         return {};
     }
-    for (const std::size_t n : branchesAmong(paths, curves, lumen, options.minBranchLengthMm)) {
+    for (const std::size_t n : selectBranches(paths, curves, lumen, options.minBranchLengthMm)) {
         const int id = static_cast<int>(result.tree.branches.size()) + 1;
-        result.tree.branches.push_back(branchOfCurve(curves[n], id, paths[n].generation, grid));
+        result.tree.branches.push_back(branchFromCurve(curves[n], id, paths[n].generation, grid));
     }
     return result;
 }
 
-BloodFill fillOf(const VoxelMask& mask)
+PointOpacification opacificationIn(const VoxelMask& mask)
 {
     return [&mask](const Eigen::Vector3d& pointMm) {
-        return interpolated(mask.geometry, pointMm, [&mask](const Eigen::Vector3i& at) {
+        return interpolateTrilinear(mask.geometry, pointMm, [&mask](const Eigen::Vector3i& at) {
             return mask.at(at.x(), at.y(), at.z()) != 0 ? 1.0 : 0.0;
         });
     };

@@ -18,15 +18,15 @@ struct LumenTree {
     std::vector<std::size_t> skeleton;   ///< lumen voxels on the skeleton, ascending
     LoopCount loops;
     ClosedGaps closedGaps;   ///< only if all components are traced
-    int dimParts = 0;   ///< number of subtrees removed as veins or organs
+    int dimSubtrees = 0;   ///< number of subtrees removed as veins or organs
 };
 
 /// Traces the tree of a lumen: thinning → graph → tree → smooth centerlines with radii. `lumen` is in patient axis
 /// order; `fill` locates the wall with subvoxel accuracy. No branches if none is long enough or when stopped.
-LumenTree lumenTree(const VoxelMask& lumen, const BloodFill& fill, const VesselTracingOptions& options,
-                    TracingProgress& progress);
+LumenTree traceLumenTree(const VoxelMask& lumen, const PointOpacification& opacification,
+                         const VesselTracingOptions& options, TracingProgress& progress);
 
 /// Returns a linear interpolator of the mask, with value 0.5 at the wall.
-BloodFill fillOf(const VoxelMask& mask);
+PointOpacification opacificationIn(const VoxelMask& mask);
 
 }   // namespace angiopose::core

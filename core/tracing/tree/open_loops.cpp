@@ -29,11 +29,11 @@ double relativeWidth(const VesselGraph& graph, const VesselEdge& edge)
     return *std::min_element(edge.radiusMm.begin(), edge.radiusMm.end()) / atNodes;
 }
 
-int representative(std::vector<int>& above, int node)
+int representative(std::vector<int>& parents, int node)
 {
-    while (above[static_cast<std::size_t>(node)] != node) {
-        int& up = above[static_cast<std::size_t>(node)];
-        up = above[static_cast<std::size_t>(up)];
+    while (parents[static_cast<std::size_t>(node)] != node) {
+        int& up = parents[static_cast<std::size_t>(node)];
+        up = parents[static_cast<std::size_t>(up)];
         node = up;
     }
     return node;
@@ -71,42 +71,42 @@ void addHalves(VesselGraph& graph, const VesselEdge& edge)
 }
 
 /// Path lengths along a forest.
-class WaysAlongForest {
+class ForestPaths {
 public:
-    explicit WaysAlongForest(const VesselGraph& forest) : forest_(forest), meeting_(forest.edgesByNode()) {}
+    explicit ForestPaths(const VesselGraph& forest) : forest_(forest), edgesByNode_(forest.edgesByNode()) {}
 
-    /// Returns the path length between two nodes, or `enoughMm` if they are not connected.
-    double lengthMm(int from, int to, double enoughMm) const
+    /// Returns the path length between two nodes, or `limitMm` if they are not connected.
+    double lengthMm(int from, int to, double limitMm) const
     {
-        std::vector<double> ways(forest_.nodesMm.size(), -1.0);
+        std::vector<double> distances(forest_.nodesMm.size(), -1.0);
         std::vector<int> reached{from};
-        ways[static_cast<std::size_t>(from)] = 0.0;
+        distances[static_cast<std::size_t>(from)] = 0.0;
         for (std::size_t n = 0; n < reached.size(); ++n) {
             const auto node = static_cast<std::size_t>(reached[n]);
             if (reached[n] == to) {
-                return ways[node];
+                return distances[node];
             }
-            for (const std::size_t e : meeting_[node]) {
+            for (const std::size_t e : edgesByNode_[node]) {
                 const VesselEdge& edge = forest_.edges[e];
                 const int next = edge.startNode == reached[n] ? edge.endNode : edge.startNode;
-                double& way = ways[static_cast<std::size_t>(next)];
-                if (way < 0.0) {
-                    way = ways[node] + edge.lengthMm();
+                double& distance = distances[static_cast<std::size_t>(next)];
+                if (distance < 0.0) {
+                    distance = distances[node] + edge.lengthMm();
                     reached.push_back(next);
                 }
             }
         }
-        return enoughMm;
+        return limitMm;
     }
 
 private:
     const VesselGraph& forest_;
-    std::vector<std::vector<std::size_t>> meeting_;
+    std::vector<std::vector<std::size_t>> edgesByNode_;
 };
 
 }   // namespace
 
-std::vector<VesselEdge> takeClosingEdges(VesselGraph& graph)
+std::vector<VesselEdge> extractClosingEdges(VesselGraph& graph)
 {
     std::vector<VesselEdge> edges = std::move(graph.edges);
     graph.edges.clear();
@@ -119,16 +119,16 @@ std::vector<VesselEdge> takeClosingEdges(VesselGraph& graph)
     std::iota(order.begin(), order.end(), 0);
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return widths[a] > widths[b]; });
 
-    std::vector<int> above(graph.nodesMm.size());
-    std::iota(above.begin(), above.end(), 0);
+    std::vector<int> parents(graph.nodesMm.size());
+    std::iota(parents.begin(), parents.end(), 0);
     std::vector<VesselEdge> closing;
     for (const std::size_t e : order) {
-        const int start = representative(above, edges[e].startNode);
-        const int end = representative(above, edges[e].endNode);
+        const int start = representative(parents, edges[e].startNode);
+        const int end = representative(parents, edges[e].endNode);
         if (start == end) {
             closing.push_back(std::move(edges[e]));
         } else {
-            above[static_cast<std::size_t>(start)] = end;
+            parents[static_cast<std::size_t>(start)] = end;
             graph.edges.push_back(std::move(edges[e]));
         }
     }
@@ -137,7 +137,7 @@ std::vector<VesselEdge> takeClosingEdges(VesselGraph& graph)
 
 int openLoops(VesselGraph& graph)
 {
-    const std::vector<VesselEdge> closing = takeClosingEdges(graph);
+    const std::vector<VesselEdge> closing = extractClosingEdges(graph);
     for (const VesselEdge& edge : closing) {
         addHalves(graph, edge);
     }
@@ -146,9 +146,9 @@ int openLoops(VesselGraph& graph)
 
 LoopCount openSmallLoops(VesselGraph& graph, double minLengthMm, TracingProgress& progress)
 {
-    const std::vector<VesselEdge> closing = takeClosingEdges(graph);
+    const std::vector<VesselEdge> closing = extractClosingEdges(graph);
     const VesselGraph forest = graph;
-    const WaysAlongForest ways(forest);
+    const ForestPaths distances(forest);
     LoopCount loops;
     for (const VesselEdge& edge : closing) {
         if (!progress.advance(0.0)) {
@@ -156,7 +156,7 @@ LoopCount openSmallLoops(VesselGraph& graph, double minLengthMm, TracingProgress
         }
         const double widestMm = *std::max_element(edge.radiusMm.begin(), edge.radiusMm.end());
         const double minMm = minLengthMm + 2.0 * std::numbers::pi * widestMm;
-        if (edge.lengthMm() + ways.lengthMm(edge.startNode, edge.endNode, minMm) >= minMm) {
+        if (edge.lengthMm() + distances.lengthMm(edge.startNode, edge.endNode, minMm) >= minMm) {
             graph.edges.push_back(edge);
             ++loops.kept;
         } else {

@@ -22,6 +22,6 @@ struct LoopCount {
 LoopCount openSmallLoops(VesselGraph& graph, double minLengthMm, TracingProgress& progress);
 
 /// Removes the edges that close loops and returns them; the remaining graph is the spanning forest of `openLoops`.
-std::vector<VesselEdge> takeClosingEdges(VesselGraph& graph);
+std::vector<VesselEdge> extractClosingEdges(VesselGraph& graph);
 
 }   // namespace angiopose::core

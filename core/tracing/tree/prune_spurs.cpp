@@ -8,7 +8,7 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double never = std::numeric_limits<double>::infinity();
+constexpr double neverRemoved = std::numeric_limits<double>::infinity();
 
 /// Part of a spur outside the parent's wall, up to the tip of the spur.
 struct Protrusion {
@@ -35,25 +35,25 @@ Protrusion protrusionOf(const VesselEdge& fromParent, double parentRadiusMm)
 }
 
 /// Removes and joins edges, keeping track of the edges at each node and the score of each spur.
-class Pruner {
+class SpurPruner {
 public:
-    Pruner(VesselGraph& graph, const SpurLimits& limits)
-        : graph_(graph), limits_(limits), meeting_(graph.edgesByNode()), worths_(graph.edges.size(), never)
+    SpurPruner(VesselGraph& graph, const SpurLimits& limits)
+        : graph_(graph), limits_(limits), edgesByNode_(graph.edgesByNode()), scores_(graph.edges.size(), neverRemoved)
     {
     }
 
-    void joinAll()
+    void mergeAll()
     {
         for (int node = 0; node < static_cast<int>(graph_.nodesMm.size()); ++node) {
-            joinThrough(node);
+            mergeEdgesAt(node);
         }
     }
 
     void prune(TracingProgress& progress)
     {
         for (std::size_t e = 0; e < graph_.edges.size() && progress.advance(0.0); ++e) {
-            if (!isGone(e)) {
-                setWorth(e, worthOf(e));
+            if (!isRemoved(e)) {
+                setScore(e, scoreOf(e));
             }
         }
         while (!spurs_.empty() && progress.advance(0.0)) {
@@ -61,23 +61,23 @@ public:
         }
     }
 
-    void dropGone()
+    void removeEmptyEdges()
     {
         std::erase_if(graph_.edges, [](const VesselEdge& edge) { return edge.pointsMm.empty(); });
     }
 
 private:
-    std::vector<std::size_t>& meetingAt(int node) { return meeting_[static_cast<std::size_t>(node)]; }
-    const std::vector<std::size_t>& meetingAt(int node) const { return meeting_[static_cast<std::size_t>(node)]; }
-    bool isGone(std::size_t e) const { return graph_.edges[e].pointsMm.empty(); }
+    std::vector<std::size_t>& edgesAt(int node) { return edgesByNode_[static_cast<std::size_t>(node)]; }
+    const std::vector<std::size_t>& edgesAt(int node) const { return edgesByNode_[static_cast<std::size_t>(node)]; }
+    bool isRemoved(std::size_t e) const { return graph_.edges[e].pointsMm.empty(); }
 
     /// Returns the vessel radius at a node: the largest inscribed sphere around the node, except those in the spur.
-    double widthAt(int node, std::size_t spur) const
+    double vesselRadiusAt(int node, std::size_t spur) const
     {
         const Eigen::Vector3d& center = graph_.nodesMm[static_cast<std::size_t>(node)];
         const double around = graph_.nodeRadiusMm[static_cast<std::size_t>(node)];
         double radius = around;
-        for (const std::size_t e : meetingAt(node)) {
+        for (const std::size_t e : edgesAt(node)) {
             const VesselEdge& edge = graph_.edges[e];
             for (std::size_t i = 0; e != spur && i < edge.pointsMm.size(); ++i) {
                 if ((edge.pointsMm[i] - center).norm() < around) {
@@ -89,21 +89,21 @@ private:
     }
 
     /// Scores an edge: spurs below 1 are removed, lowest first; infinite if the edge is not a spur.
-    double worthOf(std::size_t e) const
+    double scoreOf(std::size_t e) const
     {
         const VesselEdge& edge = graph_.edges[e];
-        const bool startsFree = meetingAt(edge.startNode).size() == 1;
-        const bool endsFree = meetingAt(edge.endNode).size() == 1;
+        const bool startsFree = edgesAt(edge.startNode).size() == 1;
+        const bool endsFree = edgesAt(edge.endNode).size() == 1;
         if (startsFree && endsFree) {
             return (edge.lengthMm() + edge.radiusMm.front() + edge.radiusMm.back()) / limits_.minLengthMm;
         }
         if (!startsFree && !endsFree) {
-            return never;
+            return neverRemoved;
         }
         const VesselEdge fromParent = endsFree ? edge : reversed(edge);
-        const Protrusion out = protrusionOf(fromParent, widthAt(fromParent.startNode, e));
-        const double needed = std::max(limits_.minLengthMm, limits_.minLengthInRadii * out.radiusMm);
-        return out.radiusMm < limits_.minRadiusMm ? 0.0 : out.lengthMm / needed;
+        const Protrusion protrusion = protrusionOf(fromParent, vesselRadiusAt(fromParent.startNode, e));
+        const double requiredMm = std::max(limits_.minLengthMm, limits_.minLengthInRadii * protrusion.radiusMm);
+        return protrusion.radiusMm < limits_.minRadiusMm ? 0.0 : protrusion.lengthMm / requiredMm;
     }
 
     void remove(std::size_t e)
@@ -112,35 +112,35 @@ private:
         const int end = graph_.edges[e].endNode;
         erase(e);
         for (const int node : {start, end}) {
-            joinThrough(node);
-            for (const std::size_t touched : meetingAt(node)) {
-                setWorth(touched, worthOf(touched));
+            mergeEdgesAt(node);
+            for (const std::size_t touched : edgesAt(node)) {
+                setScore(touched, scoreOf(touched));
             }
         }
     }
 
     void erase(std::size_t e)
     {
-        std::erase(meetingAt(graph_.edges[e].startNode), e);
-        std::erase(meetingAt(graph_.edges[e].endNode), e);
+        std::erase(edgesAt(graph_.edges[e].startNode), e);
+        std::erase(edgesAt(graph_.edges[e].endNode), e);
         graph_.edges[e] = {};
-        setWorth(e, never);
+        setScore(e, neverRemoved);
     }
 
     /// Updates the score of an edge in the removal queue (lowest first, ties by index).
-    void setWorth(std::size_t e, double worth)
+    void setScore(std::size_t e, double score)
     {
-        spurs_.erase({worths_[e], e});
-        worths_[e] = worth;
-        if (worth < 1.0) {
-            spurs_.emplace(worth, e);
+        spurs_.erase({scores_[e], e});
+        scores_[e] = score;
+        if (score < 1.0) {
+            spurs_.emplace(score, e);
         }
     }
 
     /// Joins the edges at `node` into the first one if exactly two different edges meet there.
-    void joinThrough(int node)
+    void mergeEdgesAt(int node)
     {
-        const std::vector<std::size_t> pair = meetingAt(node);
+        const std::vector<std::size_t> pair = edgesAt(node);
         if (pair.size() != 2 || pair[0] == pair[1]) {
             return;
         }
@@ -153,16 +153,16 @@ private:
         first.endNode = second.endNode;
         first.pointsMm.insert(first.pointsMm.end(), second.pointsMm.begin() + 1, second.pointsMm.end());
         first.radiusMm.insert(first.radiusMm.end(), second.radiusMm.begin() + 1, second.radiusMm.end());
-        meetingAt(first.startNode).push_back(pair[0]);
-        meetingAt(first.endNode).push_back(pair[0]);
+        edgesAt(first.startNode).push_back(pair[0]);
+        edgesAt(first.endNode).push_back(pair[0]);
         graph_.edges[pair[0]] = std::move(first);
-        setWorth(pair[0], worthOf(pair[0]));
+        setScore(pair[0], scoreOf(pair[0]));
     }
 
     VesselGraph& graph_;
     const SpurLimits& limits_;
-    std::vector<std::vector<std::size_t>> meeting_;   ///< edges by node; an edge from a node to itself counts twice
-    std::vector<double> worths_;
+    std::vector<std::vector<std::size_t>> edgesByNode_;   ///< edges by node; an edge from a node to itself counts twice
+    std::vector<double> scores_;
     std::set<std::pair<double, std::size_t>> spurs_;   ///< score (below 1) and edge index of each spur
 };
 
@@ -170,10 +170,10 @@ private:
 
 void pruneSpurs(VesselGraph& graph, const SpurLimits& limits, TracingProgress& progress)
 {
-    Pruner pruner(graph, limits);
-    pruner.joinAll();
+    SpurPruner pruner(graph, limits);
+    pruner.mergeAll();
     pruner.prune(progress);
-    pruner.dropGone();
+    pruner.removeEmptyEdges();
 }
 
 }   // namespace angiopose::core

@@ -1,7 +1,7 @@
 #include "core/tracing/tree/root_end.h"
 
 #include "core/support/quantile.h"
-#include "core/tracing/tree/departure.h"
+#include "core/tracing/tree/edge_takeoff.h"
 
 #include <algorithm>
 #include <limits>
@@ -10,42 +10,43 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double alike = 1e-9;   ///< mm; smaller differences are treated as equal
+constexpr double equalityToleranceMm = 1e-9;   ///< mm; smaller differences are treated as equal
 /// Maximum width of a spur relative to the vessel at whose end it lies; a coronary artery has 0.15 of the aortic width.
-constexpr double spurShare = 0.3;
+constexpr double maxSpurWidthRatio = 0.3;
 
 /// Score of an end as a candidate for the root.
-struct RootWorth {
+struct RootScore {
     double first = -std::numeric_limits<double>::infinity();
     double second = 0.0;   ///< decides between equal first scores
 
-    bool isAbove(const RootWorth& other) const
+    bool isBetterThan(const RootScore& other) const
     {
-        return first > other.first + alike || (first > other.first - alike && second > other.second + alike);
+        return first > other.first + equalityToleranceMm ||
+               (first > other.first - equalityToleranceMm && second > other.second + equalityToleranceMm);
     }
 };
 
 class RootFinder {
 public:
-    RootFinder(const VesselGraph& graph, const std::vector<std::vector<std::size_t>>& meeting)
-        : graph_(graph), meeting_(meeting)
+    RootFinder(const VesselGraph& graph, const std::vector<std::vector<std::size_t>>& edgesByNode)
+        : graph_(graph), edgesByNode_(edgesByNode)
     {
     }
 
-    int among(const std::vector<int>& nodes, const std::optional<Eigen::Vector3d>& rootMm) const
+    int bestAmong(const std::vector<int>& nodes, const std::optional<Eigen::Vector3d>& rootMm) const
     {
         int best = -1;
-        RootWorth bestWorth;
+        RootScore bestScore;
         for (const int node : nodes) {
-            const std::vector<std::size_t>& edges = meeting_[static_cast<std::size_t>(node)];
+            const std::vector<std::size_t>& edges = edgesByNode_[static_cast<std::size_t>(node)];
             if (edges.size() != 1) {
                 continue;
             }
-            const RootWorth worth = rootMm
-                                        ? RootWorth{-(graph_.nodesMm[static_cast<std::size_t>(node)] - *rootMm).norm()}
-                                        : worthOf(edges.front(), node);
-            if (worth.isAbove(bestWorth)) {
-                bestWorth = worth;
+            const RootScore score = rootMm
+                                        ? RootScore{-(graph_.nodesMm[static_cast<std::size_t>(node)] - *rootMm).norm()}
+                                        : scoreOf(edges.front(), node);
+            if (score.isBetterThan(bestScore)) {
+                bestScore = score;
                 best = node;
             }
         }
@@ -58,14 +59,14 @@ private:
     /// Scores an end by the median width of the vessel that ends there. The end edge may be a spur: a stump on the wall
     /// of a wide vessel, which does not count, or a coronary artery at the aortic root, which ends where the aorta
     /// does.
-    RootWorth worthOf(std::size_t endEdge, int endNode) const
+    RootScore scoreOf(std::size_t endEdge, int endNode) const
     {
         const VesselEdge fromEnd = graph_.leaving(endEdge, endNode);
         double width = widthOf(endEdge);
         std::size_t edge = endEdge;
         int node = fromEnd.endNode;
         for (std::size_t n = 0; n < graph_.edges.size(); ++n) {
-            const std::optional<std::size_t> wide = wideEdgeBesideSpurs(node, edge);
+            const std::optional<std::size_t> wide = wideEdgeAmongSpurs(node, edge);
             if (!wide) {
                 break;
             }
@@ -73,15 +74,15 @@ private:
             node = graph_.leaving(edge, node).endNode;
             width = std::max(width, widthOf(edge));
         }
-        return {width, departureOf(fromEnd, nodeRadius(endNode)).radiusMm};
+        return {width, measureTakeoff(fromEnd, nodeRadius(endNode)).radiusMm};
     }
 
     /// Returns the median radius of an edge; for an edge with a free end, excludes the part inside the vessel it joins.
     double widthOf(std::size_t e) const
     {
-        const bool endsFree = meeting_[static_cast<std::size_t>(graph_.edges[e].endNode)].size() == 1;
+        const bool endsFree = edgesByNode_[static_cast<std::size_t>(graph_.edges[e].endNode)].size() == 1;
         const VesselEdge edge = graph_.leaving(e, endsFree ? graph_.edges[e].endNode : graph_.edges[e].startNode);
-        const bool isEnd = meeting_[static_cast<std::size_t>(edge.startNode)].size() == 1;
+        const bool isEnd = edgesByNode_[static_cast<std::size_t>(edge.startNode)].size() == 1;
         const Eigen::Vector3d& junction = edge.pointsMm.back();
         std::vector<double> radii{edge.radiusMm.front()};
         for (std::size_t i = 1; i < edge.pointsMm.size(); ++i) {
@@ -93,12 +94,12 @@ private:
     }
 
     /// Returns the only wide vessel that ends at the node if `arriving` and all other edges there are thin spurs.
-    std::optional<std::size_t> wideEdgeBesideSpurs(int node, std::size_t arriving) const
+    std::optional<std::size_t> wideEdgeAmongSpurs(int node, std::size_t arriving) const
     {
         std::optional<std::size_t> widest;
         double widestMm = 0.0;
         double nextMm = 0.0;
-        for (const std::size_t e : meeting_[static_cast<std::size_t>(node)]) {
+        for (const std::size_t e : edgesByNode_[static_cast<std::size_t>(node)]) {
             const double width = widthOf(e);
             nextMm = std::max(nextMm, std::min(width, widestMm));
             if (width > widestMm) {
@@ -106,19 +107,19 @@ private:
                 widest = e;
             }
         }
-        return widest != arriving && nextMm < spurShare * widestMm ? widest : std::nullopt;
+        return widest != arriving && nextMm < maxSpurWidthRatio * widestMm ? widest : std::nullopt;
     }
 
     const VesselGraph& graph_;
-    const std::vector<std::vector<std::size_t>>& meeting_;   ///< edge indices by node
+    const std::vector<std::vector<std::size_t>>& edgesByNode_;   ///< edge indices by node
 };
 
 }   // namespace
 
-int rootEnd(const VesselGraph& graph, const std::vector<std::vector<std::size_t>>& meeting,
-            const std::vector<int>& nodes, const std::optional<Eigen::Vector3d>& rootMm)
+int findRootEnd(const VesselGraph& graph, const std::vector<std::vector<std::size_t>>& edgesByNode,
+                const std::vector<int>& nodes, const std::optional<Eigen::Vector3d>& rootMm)
 {
-    return RootFinder(graph, meeting).among(nodes, rootMm);
+    return RootFinder(graph, edgesByNode).bestAmong(nodes, rootMm);
 }
 
 }   // namespace angiopose::core

@@ -10,14 +10,14 @@
 namespace angiopose::core {
 namespace {
 
-constexpr int centringRounds = 3;
-constexpr double stationarySteps = 4.0;   ///< λ of the first smoothing, which only removes voxel stair steps
+constexpr int centeringRounds = 3;
+constexpr double initialStiffness = 4.0;   ///< λ of the first smoothing, which only removes voxel stair steps
 constexpr double firmWeight = 50.0;
-constexpr int holdingRounds = 3;
-constexpr double minShareOfWay = 0.5;   ///< relative to the original path; lower outside the lumen
+constexpr int maxPullBackRounds = 3;
+constexpr double minOpacificationOfPath = 0.5;   ///< relative to the original path; lower outside the lumen
 constexpr double radiusStiffness = 3.0;   ///< relative to the stiffness of the curve; widths vary more slowly
 
-VesselCurve evenly(const VesselCurve& curve, double spacingMm)
+VesselCurve resampleEvenly(const VesselCurve& curve, double spacingMm)
 {
     const std::vector<PolylineStation> stations = evenStations<3>(curve.pointsMm, spacingMm);
     return {interpolate(curve.pointsMm, stations), interpolate(curve.radiusMm, stations)};
@@ -40,7 +40,7 @@ std::size_t nearestPoint(const std::vector<Eigen::Vector3d>& points, const Eigen
 }
 
 /// Counts the leading points that lie within the parent's lumen.
-std::size_t pointsWithin(const VesselCurve& parent, const std::vector<Eigen::Vector3d>& points)
+std::size_t countPointsInside(const VesselCurve& parent, const std::vector<Eigen::Vector3d>& points)
 {
     for (std::size_t i = 0; i < points.size(); ++i) {
         const std::size_t at = nearestPoint(parent.pointsMm, points[i]);
@@ -55,25 +55,25 @@ std::size_t pointsWithin(const VesselCurve& parent, const std::vector<Eigen::Vec
 /// between the axis point nearest to the exit and the one nearest to the backward extension.
 Eigen::Vector3d takeoffOn(const VesselCurve& parent, const Eigen::Vector3d& exit, const Eigen::Vector3d& direction)
 {
-    const std::size_t beside = nearestPoint(parent.pointsMm, exit);
-    const double reach = 3.0 * parent.radiusMm[beside];
-    std::size_t best = beside;
+    const std::size_t neighbors = nearestPoint(parent.pointsMm, exit);
+    const double reach = 3.0 * parent.radiusMm[neighbors];
+    std::size_t best = neighbors;
     double bestDistance = 1e300;
     for (std::size_t i = 0; i < parent.pointsMm.size(); ++i) {
         const Eigen::Vector3d back = exit - parent.pointsMm[i];
         const double along = std::max(0.0, back.dot(direction));
         const double distance = (back - along * direction).norm();
-        if ((parent.pointsMm[i] - parent.pointsMm[beside]).norm() <= reach && distance < bestDistance) {
+        if ((parent.pointsMm[i] - parent.pointsMm[neighbors]).norm() <= reach && distance < bestDistance) {
             bestDistance = distance;
             best = i;
         }
     }
-    return parent.pointsMm[(best + beside) / 2];
+    return parent.pointsMm[(best + neighbors) / 2];
 }
 
 /// Replaces the section inside the parent by a straight line from the parent's axis, with the radius measured just
 /// outside the wall.
-void leaveParent(VesselCurve& curve, std::size_t inside, const VesselCurve& parent)
+void straightenInsideParent(VesselCurve& curve, std::size_t inside, const VesselCurve& parent)
 {
     const std::size_t ahead = std::min(curve.pointsMm.size() - 1, inside + 4);
     const Eigen::Vector3d exit = curve.pointsMm[inside];
@@ -81,8 +81,8 @@ void leaveParent(VesselCurve& curve, std::size_t inside, const VesselCurve& pare
     const Eigen::Vector3d direction = way.norm() > 1e-9 ? way.normalized().eval() : Eigen::Vector3d::Zero().eval();
     const Eigen::Vector3d takeoff = takeoffOn(parent, exit, direction);
     for (std::size_t i = 0; i < inside; ++i) {
-        const double share = static_cast<double>(i) / static_cast<double>(inside);
-        curve.pointsMm[i] = (1.0 - share) * takeoff + share * exit;
+        const double fraction = static_cast<double>(i) / static_cast<double>(inside);
+        curve.pointsMm[i] = (1.0 - fraction) * takeoff + fraction * exit;
     }
     for (std::size_t i = 0; i <= std::min(inside, ahead); ++i) {
         curve.radiusMm[i] = curve.radiusMm[ahead];
@@ -96,9 +96,9 @@ struct Anchors {
 };
 
 /// Data that a curve is fitted to.
-struct Surroundings {
+struct FitContext {
     const std::vector<Eigen::Vector3d>& way;   ///< the original path
-    const BloodFill& fill;
+    const PointOpacification& opacification;
     TracingProgress* progress;
 
     bool shouldContinue() const { return progress == nullptr || progress->advance(0.0); }
@@ -107,31 +107,31 @@ struct Surroundings {
 /// Fits the spline to the anchors. Where the spline would leave the lumen, as in very sharp curves, pulls it back to
 /// the original path.
 std::vector<Eigen::Vector3d> smoothInLumen(Anchors& anchors, double stiffness, std::size_t inside,
-                                           const Surroundings& around)
+                                           const FitContext& around)
 {
-    const auto& [way, fill, progress] = around;
-    std::vector<Eigen::Vector3d> points = smoothed(anchors.pointsMm, anchors.weights, stiffness);
-    for (int round = 0; round < holdingRounds; ++round) {
-        bool isHeld = false;
+    const auto& [way, opacification, progress] = around;
+    std::vector<Eigen::Vector3d> points = smoothSpline(anchors.pointsMm, anchors.weights, stiffness);
+    for (int round = 0; round < maxPullBackRounds; ++round) {
+        bool isPulledBack = false;
         for (std::size_t i = inside; i < points.size() && around.shouldContinue(); ++i) {
-            const Eigen::Vector3d& found = way[nearestPoint(way, points[i])];
-            if (fill(points[i]) < minShareOfWay * std::min(1.0, fill(found))) {
-                anchors.pointsMm[i] = found;
+            const Eigen::Vector3d& onPath = way[nearestPoint(way, points[i])];
+            if (opacification(points[i]) < minOpacificationOfPath * std::min(1.0, opacification(onPath))) {
+                anchors.pointsMm[i] = onPath;
                 anchors.weights[i] = firmWeight;
-                isHeld = true;
+                isPulledBack = true;
             }
         }
-        if (!isHeld) {
+        if (!isPulledBack) {
             break;
         }
-        points = smoothed(anchors.pointsMm, anchors.weights, stiffness);
+        points = smoothSpline(anchors.pointsMm, anchors.weights, stiffness);
     }
     return points;
 }
 
 /// Performs one iteration: moves every point to the center of its cross-section, then smooths the curve, weighting each
 /// section by its confidence.
-void center(VesselCurve& curve, std::size_t inside, const Surroundings& around, double stepMm)
+void center(VesselCurve& curve, std::size_t inside, const FitContext& around, double stepMm)
 {
     const std::size_t count = curve.pointsMm.size();
     const std::vector<Eigen::Vector3d> tangents = polylineTangents<3>(curve.pointsMm, 3);
@@ -140,12 +140,12 @@ void center(VesselCurve& curve, std::size_t inside, const Surroundings& around, 
     std::vector<double> radii = curve.radiusMm;
     for (std::size_t i = inside; i < count && around.shouldContinue(); ++i) {
         const CrossSection section =
-            crossSection({curve.pointsMm[i], tangents[i], curve.radiusMm[i], stepMm}, around.fill);
+            measureCrossSection({curve.pointsMm[i], tangents[i], curve.radiusMm[i], stepMm}, around.opacification);
         const double farthest = 0.7 * curve.radiusMm[i] + stepMm;
-        if (section.trust > 0.0 && (section.centerMm - curve.pointsMm[i]).norm() < farthest) {
+        if (section.confidence > 0.0 && (section.centerMm - curve.pointsMm[i]).norm() < farthest) {
             anchors.pointsMm[i] = section.centerMm;
             radii[i] = section.radiusMm;
-            weights[i] = section.trust;
+            weights[i] = section.confidence;
         }
     }
     if (inside > 0) {
@@ -153,19 +153,19 @@ void center(VesselCurve& curve, std::size_t inside, const Surroundings& around, 
     }
     curve.pointsMm = smoothInLumen(anchors, stiffness(curve, stepMm), inside, around);
     weights.front() = std::min(weights.front(), 0.05 + (inside > 0 ? 0.0 : 1.0));
-    curve.radiusMm = smoothed(radii, weights, radiusStiffness * stiffness(curve, stepMm));
+    curve.radiusMm = smoothSpline(radii, weights, radiusStiffness * stiffness(curve, stepMm));
     for (double& radius : curve.radiusMm) {
         radius = std::max(radius, 0.25 * stepMm);
     }
 }
 
-bool isBeyondRim(const Eigen::Vector3d& pointMm, const CurveSettings& settings)
+bool isOutsideGrid(const Eigen::Vector3d& pointMm, const CurveSettings& settings)
 {
     return ((pointMm - settings.lowMm).array() < 0.0).any() || ((pointMm - settings.highMm).array() > 0.0).any();
 }
 
 /// Extends a vessel end, shortened by thinning, along the direction of the vessel.
-void extendEnd(VesselCurve& curve, const BloodFill& fill, const CurveSettings& settings)
+void extendEnd(VesselCurve& curve, const PointOpacification& opacification, const CurveSettings& settings)
 {
     const std::size_t count = curve.pointsMm.size();
     const double radius = curve.radiusMm.back();
@@ -177,9 +177,9 @@ void extendEnd(VesselCurve& curve, const BloodFill& fill, const CurveSettings& s
     }
     const Eigen::Vector3d direction = way.normalized();
     double lumenMm = 0.0;   // distance from the tip to the wall ahead
-    while (lumenMm < 3.0 * radius + settings.voxelMm && fill(tip + lumenMm * direction) > 0.5) {
+    while (lumenMm < 3.0 * radius + settings.voxelMm && opacification(tip + lumenMm * direction) > 0.5) {
         lumenMm += 0.25 * settings.voxelMm;
-        if (isBeyondRim(tip + lumenMm * direction, settings)) {
+        if (isOutsideGrid(tip + lumenMm * direction, settings)) {
             lumenMm += radius;   // the vessel continues beyond the boundary
             break;
         }
@@ -191,7 +191,7 @@ void extendEnd(VesselCurve& curve, const BloodFill& fill, const CurveSettings& s
 }
 
 /// Drops points outside the grid: cross-sections truncated at the boundary can move a curve's end there.
-void dropBeyondRim(VesselCurve& curve, const CurveSettings& settings)
+void removePointsOutsideGrid(VesselCurve& curve, const CurveSettings& settings)
 {
     const auto isFar = [&](const Eigen::Vector3d& point) {
         return ((settings.lowMm - point).array() > 0.5 * settings.voxelMm).any() ||
@@ -207,27 +207,27 @@ void dropBeyondRim(VesselCurve& curve, const CurveSettings& settings)
     curve.radiusMm.erase(curve.radiusMm.begin(), curve.radiusMm.begin() + outside);
 }
 
-void turnAround(VesselCurve& curve)
+void reverseCurve(VesselCurve& curve)
 {
     std::reverse(curve.pointsMm.begin(), curve.pointsMm.end());
     std::reverse(curve.radiusMm.begin(), curve.radiusMm.end());
 }
 
 /// Extends the end to the axis of the vessel with which it closes a loop.
-void endOn(VesselCurve& curve, const VesselCurve& other)
+void extendToAxis(VesselCurve& curve, const VesselCurve& other)
 {
-    turnAround(curve);
-    leaveParent(curve, pointsWithin(other, curve.pointsMm), other);
+    reverseCurve(curve);
+    straightenInsideParent(curve, countPointsInside(other, curve.pointsMm), other);
     const Eigen::Vector3d onAxis = other.pointsMm[nearestPoint(other.pointsMm, curve.pointsMm.front())];
     if ((curve.pointsMm.front() - onAxis).norm() > 1e-9) {
         curve.pointsMm.insert(curve.pointsMm.begin(), onAxis);
         curve.radiusMm.insert(curve.radiusMm.begin(), curve.radiusMm.front());
     }
-    turnAround(curve);
+    reverseCurve(curve);
 }
 
-/// Same as `endOn` for a vessel that returns to itself at `nodeMm`.
-void endOnItself(VesselCurve& curve, const Eigen::Vector3d& nodeMm)
+/// Same as `extendToAxis` for a vessel that returns to itself at `nodeMm`.
+void extendToSelf(VesselCurve& curve, const Eigen::Vector3d& nodeMm)
 {
     std::vector<Eigen::Vector3d> passed = curve.pointsMm;
     const double backMm = 0.25 * polylineLength<3>(passed);   // excludes the section just before the end
@@ -239,48 +239,48 @@ void endOnItself(VesselCurve& curve, const Eigen::Vector3d& nodeMm)
 }
 
 /// Extends free ends as far as the lumen reaches.
-void extendFreeEnds(VesselCurve& curve, const BranchPath& path, const CurveNeighbors& beside, const BloodFill& fill,
-                    const CurveSettings& settings)
+void extendFreeEnds(VesselCurve& curve, const BranchPath& path, const CurveNeighbors& neighbors,
+                    const PointOpacification& opacification, const CurveSettings& settings)
 {
-    const bool isRing = beside.endsOnItself && (path.pointsMm.front() - path.pointsMm.back()).norm() < 1e-9;
-    if (beside.parent == nullptr && !isRing) {
-        turnAround(curve);
-        extendEnd(curve, fill, settings);
-        turnAround(curve);
+    const bool isRing = neighbors.isSelfLoop && (path.pointsMm.front() - path.pointsMm.back()).norm() < 1e-9;
+    if (neighbors.parent == nullptr && !isRing) {
+        reverseCurve(curve);
+        extendEnd(curve, opacification, settings);
+        reverseCurve(curve);
     }
-    if (beside.endsOn == nullptr && !beside.endsOnItself) {
-        extendEnd(curve, fill, settings);
+    if (neighbors.loopTarget == nullptr && !neighbors.isSelfLoop) {
+        extendEnd(curve, opacification, settings);
     }
 }
 
 }   // namespace
 
-VesselCurve vesselCurve(const BranchPath& path, const CurveNeighbors& beside, const BloodFill& fill,
-                        const CurveSettings& settings)
+VesselCurve fitVesselCurve(const BranchPath& path, const CurveNeighbors& neighbors,
+                           const PointOpacification& opacification, const CurveSettings& settings)
 {
-    const VesselCurve* parent = beside.parent;
+    const VesselCurve* parent = neighbors.parent;
     VesselCurve curve{path.pointsMm, path.radiusMm};
-    const std::vector<double> alike(curve.pointsMm.size(), 1.0);
-    curve.pointsMm = smoothed(curve.pointsMm, alike, stationarySteps);
-    extendFreeEnds(curve, path, beside, fill, settings);
-    curve = evenly(curve, settings.voxelMm);
+    const std::vector<double> uniformWeights(curve.pointsMm.size(), 1.0);
+    curve.pointsMm = smoothSpline(curve.pointsMm, uniformWeights, initialStiffness);
+    extendFreeEnds(curve, path, neighbors, opacification, settings);
+    curve = resampleEvenly(curve, settings.voxelMm);
     const double stepMm =
         polylineLength<3>(curve.pointsMm) / static_cast<double>(std::max<std::size_t>(1, curve.pointsMm.size() - 1));
     const std::vector<Eigen::Vector3d> way = curve.pointsMm;
-    for (int round = 0; round < centringRounds && curve.pointsMm.size() > 2; ++round) {
-        const std::size_t inside = parent != nullptr ? pointsWithin(*parent, curve.pointsMm) : 0;
+    for (int round = 0; round < centeringRounds && curve.pointsMm.size() > 2; ++round) {
+        const std::size_t inside = parent != nullptr ? countPointsInside(*parent, curve.pointsMm) : 0;
         if (parent != nullptr) {
-            leaveParent(curve, inside, *parent);
+            straightenInsideParent(curve, inside, *parent);
         }
-        center(curve, inside, {way, fill, settings.progress}, std::max(stepMm, 0.5 * settings.voxelMm));
-        dropBeyondRim(curve, settings);
+        center(curve, inside, {way, opacification, settings.progress}, std::max(stepMm, 0.5 * settings.voxelMm));
+        removePointsOutsideGrid(curve, settings);
     }
-    if (beside.endsOn != nullptr) {
-        endOn(curve, *beside.endsOn);
-    } else if (beside.endsOnItself) {
-        endOnItself(curve, path.pointsMm.back());
+    if (neighbors.loopTarget != nullptr) {
+        extendToAxis(curve, *neighbors.loopTarget);
+    } else if (neighbors.isSelfLoop) {
+        extendToSelf(curve, path.pointsMm.back());
     }
-    return evenly(curve, settings.pointSpacingMm);
+    return resampleEvenly(curve, settings.pointSpacingMm);
 }
 
 }   // namespace angiopose::core

@@ -25,14 +25,14 @@ struct CurveSettings {
 /// Finished curves on which a path begins and ends; null if there is none.
 struct CurveNeighbors {
     const VesselCurve* parent = nullptr;
-    const VesselCurve* endsOn = nullptr;
-    bool endsOnItself = false;
+    const VesselCurve* loopTarget = nullptr;
+    bool isSelfLoop = false;
 };
 
 /// Converts a path of voxels to a smooth curve through the centers of its cross-sections. Inside the parent vessel
 /// nothing can be measured, so the curve runs straight to the parent's axis, also where it closes a loop. A free end
 /// stops one radius before the tip of the lumen, or at the volume boundary if that cuts the vessel.
-VesselCurve vesselCurve(const BranchPath& path, const CurveNeighbors& beside, const BloodFill& fill,
-                        const CurveSettings& settings);
+VesselCurve fitVesselCurve(const BranchPath& path, const CurveNeighbors& neighbors,
+                           const PointOpacification& opacification, const CurveSettings& settings);
 
 }   // namespace angiopose::core

@@ -7,23 +7,23 @@
 namespace angiopose::core {
 namespace {
 
-constexpr std::size_t shortestRing = 6;
-constexpr std::size_t voxelsUnheard = 0xFFF;   ///< bit mask; progress is reported every 4096 voxels
+constexpr std::size_t minRingPoints = 6;
+constexpr std::size_t graphProgressMask = 0xFFF;   ///< bit mask; progress is reported every 4096 voxels
 
 /// Follows the skeleton voxel by voxel. Voxels are identified by their index in the list of skeleton voxels.
-class VoxelWalker {
+class VoxelGraphBuilder {
 public:
-    VoxelWalker(const std::vector<std::size_t>& skeleton, const DistanceMap& distances)
-        : skeleton_(skeleton), distances_(distances), nodeAt_(skeleton.size(), -1), seen_(skeleton.size(), false)
+    VoxelGraphBuilder(const std::vector<std::size_t>& skeleton, const DistanceMap& distances)
+        : skeleton_(skeleton), distances_(distances), nodeAt_(skeleton.size(), -1), visited_(skeleton.size(), false)
     {
     }
 
     /// Finds the neighbors of all voxels; returns false when stopped.
-    bool meetNeighbors(TracingProgress& progress)
+    bool findAllNeighbors(TracingProgress& progress)
     {
         neighbors_.reserve(skeleton_.size());
         for (std::size_t v = 0; v < skeleton_.size(); ++v) {
-            if ((v & voxelsUnheard) == 0 && !progress.advance(0.0)) {
+            if ((v & graphProgressMask) == 0 && !progress.advance(0.0)) {
                 return false;
             }
             neighbors_.push_back(findNeighbors(v));
@@ -37,7 +37,7 @@ public:
         addEnds();
         for (std::size_t v = 0; v < skeleton_.size(); ++v) {
             if (nodeAt_[v] >= 0) {
-                followFrom(v);
+                addEdgesFrom(v);
             }
         }
         addRings();
@@ -62,7 +62,7 @@ private:
     std::vector<std::size_t> findNeighbors(std::size_t v) const
     {
         const Eigen::Vector3i voxel = voxelOf(v);
-        std::vector<std::size_t> found;
+        std::vector<std::size_t> neighborIndices;
         for (int z = -1; z <= 1; ++z) {
             for (int y = -1; y <= 1; ++y) {
                 for (int x = -1; x <= 1; ++x) {
@@ -73,12 +73,12 @@ private:
                     const std::size_t index = distances_.geometry.index(next.x(), next.y(), next.z());
                     const auto at = std::lower_bound(skeleton_.begin(), skeleton_.end(), index);
                     if (at != skeleton_.end() && *at == index) {
-                        found.push_back(static_cast<std::size_t>(at - skeleton_.begin()));
+                        neighborIndices.push_back(static_cast<std::size_t>(at - skeleton_.begin()));
                     }
                 }
             }
         }
-        return found;
+        return neighborIndices;
     }
 
     int addNode(const std::vector<std::size_t>& voxels)
@@ -90,7 +90,7 @@ private:
             sum += pointOf(v);
             radius = std::max(radius, radiusOf(v));
             nodeAt_[v] = node;
-            seen_[v] = true;
+            visited_[v] = true;
         }
         graph_.nodesMm.emplace_back(sum / static_cast<double>(voxels.size()));
         graph_.nodeRadiusMm.push_back(radius);
@@ -104,11 +104,11 @@ private:
                 continue;
             }
             std::vector<std::size_t> cluster{v};
-            seen_[v] = true;
+            visited_[v] = true;
             for (std::size_t n = 0; n < cluster.size(); ++n) {
                 for (const std::size_t next : neighbors_[cluster[n]]) {
-                    if (!seen_[next] && neighbors_[next].size() > 2) {
-                        seen_[next] = true;
+                    if (!visited_[next] && neighbors_[next].size() > 2) {
+                        visited_[next] = true;
                         cluster.push_back(next);
                     }
                 }
@@ -126,17 +126,17 @@ private:
         }
     }
 
-    void followFrom(std::size_t nodeVoxel)
+    void addEdgesFrom(std::size_t nodeVoxel)
     {
         for (const std::size_t first : neighbors_[nodeVoxel]) {
             const int start = nodeAt_[nodeVoxel];
-            const int touching = nodeAt_[first];
-            if (touching > start) {   // adjacent nodes; the edge is added once
+            const int neighborNode = nodeAt_[first];
+            if (neighborNode > start) {   // adjacent nodes; the edge is added once
                 graph_.edges.push_back({start,
-                                        touching,
-                                        {nodePoint(start), nodePoint(touching)},
-                                        {nodeRadius(start), nodeRadius(touching)}});
-            } else if (touching < 0 && !seen_[first]) {
+                                        neighborNode,
+                                        {nodePoint(start), nodePoint(neighborNode)},
+                                        {nodeRadius(start), nodeRadius(neighborNode)}});
+            } else if (neighborNode < 0 && !visited_[first]) {
                 addEdge(nodeVoxel, first);
             }
         }
@@ -153,17 +153,17 @@ private:
         while (nodeAt_[current] < 0) {
             edge.pointsMm.push_back(pointOf(current));
             edge.radiusMm.push_back(radiusOf(current));
-            seen_[current] = true;
-            const std::vector<std::size_t>& around = neighbors_[current];
-            const std::size_t next = around[0] == previous ? around[1] : around[0];
+            visited_[current] = true;
+            const std::vector<std::size_t>& adjacent = neighbors_[current];
+            const std::size_t next = adjacent[0] == previous ? adjacent[1] : adjacent[0];
             previous = current;
             current = next;
         }
         edge.endNode = nodeAt_[current];
         edge.pointsMm.push_back(nodePoint(edge.endNode));
         edge.radiusMm.push_back(nodeRadius(edge.endNode));
-        const bool isNub = edge.startNode == edge.endNode && edge.pointsMm.size() < shortestRing;
-        if (!isNub) {
+        const bool isTinyLoop = edge.startNode == edge.endNode && edge.pointsMm.size() < minRingPoints;
+        if (!isTinyLoop) {
             graph_.edges.push_back(std::move(edge));
         }
     }
@@ -171,7 +171,7 @@ private:
     void addRings()
     {
         for (std::size_t v = 0; v < skeleton_.size(); ++v) {
-            if (!seen_[v] && neighbors_[v].size() == 2) {
+            if (!visited_[v] && neighbors_[v].size() == 2) {
                 addNode({v});
                 addEdge(v, neighbors_[v][0]);
             }
@@ -185,7 +185,7 @@ private:
     const DistanceMap& distances_;
     std::vector<std::vector<std::size_t>> neighbors_;
     std::vector<int> nodeAt_;   ///< node of junction and end voxels, -1 elsewhere
-    std::vector<bool> seen_;
+    std::vector<bool> visited_;
     VesselGraph graph_;
 };
 
@@ -208,12 +208,12 @@ std::vector<int> VesselGraph::degrees() const
 
 std::vector<std::vector<std::size_t>> VesselGraph::edgesByNode() const
 {
-    std::vector<std::vector<std::size_t>> meeting(nodesMm.size());
+    std::vector<std::vector<std::size_t>> edgesOfNodes(nodesMm.size());
     for (std::size_t e = 0; e < edges.size(); ++e) {
-        meeting[static_cast<std::size_t>(edges[e].startNode)].push_back(e);
-        meeting[static_cast<std::size_t>(edges[e].endNode)].push_back(e);
+        edgesOfNodes[static_cast<std::size_t>(edges[e].startNode)].push_back(e);
+        edgesOfNodes[static_cast<std::size_t>(edges[e].endNode)].push_back(e);
     }
-    return meeting;
+    return edgesOfNodes;
 }
 
 VesselEdge VesselGraph::leaving(std::size_t edge, int node) const
@@ -221,11 +221,11 @@ VesselEdge VesselGraph::leaving(std::size_t edge, int node) const
     return edges[edge].startNode == node ? edges[edge] : reversed(edges[edge]);
 }
 
-VesselGraph vesselGraph(const std::vector<std::size_t>& skeleton, const DistanceMap& distances,
-                        TracingProgress& progress)
+VesselGraph buildVesselGraph(const std::vector<std::size_t>& skeleton, const DistanceMap& distances,
+                             TracingProgress& progress)
 {
-    VoxelWalker walker(skeleton, distances);
-    return walker.meetNeighbors(progress) ? walker.run() : VesselGraph();
+    VoxelGraphBuilder walker(skeleton, distances);
+    return walker.findAllNeighbors(progress) ? walker.run() : VesselGraph();
 }
 
 VesselEdge reversed(VesselEdge edge)

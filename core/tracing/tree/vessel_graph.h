@@ -34,8 +34,8 @@ struct VesselGraph {
 
 /// Builds the graph of a one-voxel-thin skeleton, given as ascending voxel indices; adjacent junction voxels form one
 /// node at their centroid. Empty when stopped.
-VesselGraph vesselGraph(const std::vector<std::size_t>& skeleton, const DistanceMap& distances,
-                        TracingProgress& progress);
+VesselGraph buildVesselGraph(const std::vector<std::size_t>& skeleton, const DistanceMap& distances,
+                             TracingProgress& progress);
 
 /// Returns the edge in the opposite direction.
 VesselEdge reversed(VesselEdge edge);

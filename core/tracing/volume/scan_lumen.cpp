@@ -3,7 +3,7 @@
 #include "core/messages/messages.h"
 #include "core/support/parallel_for.h"
 #include "core/tracing/volume/lumen/segment_lumen.h"
-#include "core/tracing/volume/voxels/chosen_pieces.h"
+#include "core/tracing/volume/voxels/component_selection.h"
 
 #include <algorithm>
 #include <utility>
@@ -11,13 +11,13 @@
 namespace angiopose::core {
 namespace {
 
-const BloodLevel hounsfieldBone{45.0, 400.0, 222.5, true};   ///< an opacification of 1.5 corresponds to 578 HU
+const LumenLevels hounsfieldBone{45.0, 400.0, 222.5, true};   ///< an opacification of 1.5 corresponds to 578 HU
 constexpr double maxBloodOfHeadHu = 650.0;   ///< brighter homogeneous voxels may be skull or petrous bone
-constexpr double maxLumenShare = 0.06;   ///< maximum fraction of all voxels; brain or muscle occupies more
+constexpr double maxLumenFraction = 0.06;   ///< maximum fraction of all voxels; brain or muscle occupies more
 constexpr double maxFillOfBlood = 1.6;
-constexpr double wideMm = 5.0;   ///< minimum radius of an aorta or iliac artery
+constexpr double minWideRadiusMm = 5.0;   ///< minimum radius of an aorta or iliac artery
 constexpr double minFillOfClear = 0.75;
-constexpr double entranceMm = 25.0;   ///< distance from the lower face, where thinner arteries enter
+constexpr double entryDistanceMm = 25.0;   ///< distance from the lower face, where thinner arteries enter
 constexpr double minVeinRadiusMm = 1.2;   ///< thinner vessels may be cortical arteries
 constexpr double maxAlongSkull = 0.1;   ///< maximum fraction of the traced length
 
@@ -31,67 +31,67 @@ public:
 
     Result<ScanLumen> find()
     {
-        auto usual = usualLevel();
+        auto defaultLevels = findDefaultLevels();
         if (progress_.isStopped()) {
             return stoppedTracing();
         }
-        if (usual) {
-            const BloodLevel level = usual.value();
-            auto seen = segmented(level, seen_.skull ? fineBlockMm : usualBlockMm);
-            if (!seen || level.isHu || options_.threshold || isEnough()) {
-                return seen ? judged() : Result<ScanLumen>(seen.error());
+        if (defaultLevels) {
+            const LumenLevels level = defaultLevels.value();
+            auto seen = segment(level, result_.skull ? fineBlockMm : defaultBlockMm);
+            if (!seen || level.isHu || options_.threshold || isPlausible()) {
+                return seen ? selectArteries() : Result<ScanLumen>(seen.error());
             }
         } else if (options_.threshold || isInHounsfield(volume_, order_)) {
-            return usual.error();
+            return defaultLevels.error();
         }
-        const auto brightest = brightestLevel(seen_.scan(volume_), order_);
+        const auto brightest = findBrightestLevels(result_.scan(volume_), order_);
         if (!brightest) {
-            return usual ? asked(messages::scanNeedsSeed()) : Result<ScanLumen>(brightest.error());
+            return defaultLevels ? requestSeed(messages::scanNeedsSeed()) : Result<ScanLumen>(brightest.error());
         }
-        if (const auto seen = segmented(brightest.value(), fineBlockMm); !seen) {
+        if (const auto seen = segment(brightest.value(), fineBlockMm); !seen) {
             return seen.error();
         }
-        return isCredible() ? judged() : asked(messages::scanNeedsSeed());
+        return isCredible() ? selectArteries() : requestSeed(messages::scanNeedsSeed());
     }
 
 private:
-    Result<BloodLevel> usualLevel()
+    Result<LumenLevels> findDefaultLevels()
     {
         progress_.enter("blood", 0.0, 0.05);
-        auto level = findBloodLevel(volume_, order_, {.threshold = options_.threshold});
+        auto level = findLumenLevels(volume_, order_, {.threshold = options_.threshold});
         if (options_.threshold) {
             return level;
         }
         const bool isHu = level ? level.value().isHu : isInHounsfield(volume_, order_);
         if (!isHu) {
-            seen_.corrected = biasCorrected(volume_, order_);
-            if (seen_.corrected) {
-                level = findBloodLevel(seen_.corrected->volume, order_);
+            result_.corrected = correctBiasField(volume_, order_);
+            if (result_.corrected) {
+                level = findLumenLevels(result_.corrected->volume, order_);
                 if (level && level.value().isHu) {   // amplified noise is not air
-                    level = noHounsfield(level.value());
+                    level = withoutHounsfield(level.value());
                 }
             }
             return level;
         }
-        const VoxelFill fill = bloodShare(volume_, order_, hounsfieldBone);
-        seen_.skull = findSkull(order_.geometry, fill, threadCount(options_.threads), progress_);
-        if (seen_.skull && level && level.value().blood > maxBloodOfHeadHu) {
-            level = findBloodLevel(volume_, order_, {.maxBlood = maxBloodOfHeadHu});
+        const VoxelOpacification fill = voxelOpacification(volume_, order_, hounsfieldBone);
+        result_.skull = findSkull(order_.geometry, fill, threadCount(options_.threads), progress_);
+        if (result_.skull && level && level.value().blood > maxBloodOfHeadHu) {
+            level = findLumenLevels(volume_, order_, {.maxBlood = maxBloodOfHeadHu});
         }
         return level;
     }
 
-    static Result<BloodLevel> noHounsfield(BloodLevel level)
+    static Result<LumenLevels> withoutHounsfield(LumenLevels level)
     {
         level.isHu = false;
         return level;
     }
 
-    Status segmented(const BloodLevel& level, double blockMm)
+    Status segment(const LumenLevels& level, double blockMm)
     {
         progress_.enter("vessels", 0.05, 0.7);
-        seen_.level = level;
-        const Volume& scan = seen_.scan(volume_);
+        result_.level = level;
+        const Volume& scan = result_.scan(volume_);
         SegmentedLumen candidates = segmentLumen(scan, order_, level, threadCount(options_.threads), progress_);
         if (!progress_.advance(0.0)) {
             return stoppedTracing();
@@ -100,28 +100,29 @@ private:
         if (set == 0) {
             return noVesselsFound(level);
         }
-        lumenShare_ = static_cast<double>(set) / static_cast<double>(candidates.clear.voxels.size());
+        lumenFraction_ = static_cast<double>(set) / static_cast<double>(candidates.clear.voxels.size());
         isLikeCt_ = level.isHu || hasMoreBone();
         if (isLikeCt_ && !level.isHu && !options_.threshold) {
-            seen_.skull = findSkull(order_.geometry, bloodShare(scan, order_, seen_.level),
-                                    threadCount(options_.threads), progress_);
+            result_.skull = findSkull(order_.geometry, voxelOpacification(scan, order_, result_.level),
+                                      threadCount(options_.threads), progress_);
         }
-        const VoxelFill fill = bloodShare(scan, order_, seen_.level);
-        seen_.found = findGreatVessels(std::move(candidates), fill, threadCount(options_.threads), progress_, blockMm);
+        const VoxelOpacification fill = voxelOpacification(scan, order_, result_.level);
+        result_.found =
+            findGreatVessels(std::move(candidates), fill, threadCount(options_.threads), progress_, blockMm);
         if (!progress_.advance(0.0)) {
             return stoppedTracing();
         }
         return Done();
     }
 
-    bool isCredible() const { return lumenShare_ <= maxLumenShare; }
+    bool isCredible() const { return lumenFraction_ <= maxLumenFraction; }
 
     /// Returns whether the lumen level is certain, or plausible and confirmed by seeds in the vessels.
-    bool isEnough() const
+    bool isPlausible() const
     {
-        const std::vector<GreatVessel>& great = seen_.found.great;
-        const bool isWide =
-            !great.empty() && great.front().trunks.front().medianRadiusMm() >= wideMm && isClear(great.front());
+        const std::vector<GreatVessel>& great = result_.found.great;
+        const bool isWide = !great.empty() && great.front().trunks.front().medianRadiusMm() >= minWideRadiusMm &&
+                            isClear(great.front());
         return isCredible() && (isWide || isLikeCt_ || !options_.seedsInPatient.empty());
     }
 
@@ -129,44 +130,44 @@ private:
     /// are brightest, and the assumed lumen is fat or brain.
     bool hasMoreBone() const
     {
-        const VoxelFill fill = bloodShare(seen_.scan(volume_), order_, seen_.level);
+        const VoxelOpacification fill = voxelOpacification(result_.scan(volume_), order_, result_.level);
         const Eigen::Vector3i& size = order_.geometry.size;
         std::size_t bright = 0;
-        std::size_t looked = 0;
+        std::size_t sampledCount = 0;
         for (int k = 0; k < size.z(); k += 2) {
             for (int j = 0; j < size.y(); j += 2) {
-                for (int i = 0; i < size.x(); i += 2, ++looked) {
+                for (int i = 0; i < size.x(); i += 2, ++sampledCount) {
                     bright += fill(i, j, k) > maxFillOfBlood ? 1 : 0;
                 }
             }
         }
-        return static_cast<double>(bright) >= lumenShare_ * static_cast<double>(looked);
+        return static_cast<double>(bright) >= lumenFraction_ * static_cast<double>(sampledCount);
     }
 
-    Result<ScanLumen> asked(const Message& question)
+    Result<ScanLumen> requestSeed(const Message& question)
     {
-        return options_.seedsInPatient.empty() ? Result<ScanLumen>(Error(question)) : std::move(seen_);
+        return options_.seedsInPatient.empty() ? Result<ScanLumen>(Error(question)) : std::move(result_);
     }
 
     /// Without seeds, keeps only definite arteries as starting points.
-    Result<ScanLumen> judged()
+    Result<ScanLumen> selectArteries()
     {
-        std::vector<GreatVessel>& great = seen_.found.great;
-        if (seen_.skull) {
-            seen_.veins = sinusPlaces(great, *seen_.skull);
+        std::vector<GreatVessel>& great = result_.found.great;
+        if (result_.skull) {
+            result_.veins = sinusPoints(great, *result_.skull);
         }
         if (!options_.seedsInPatient.empty() || options_.threshold) {
-            return std::move(seen_);
+            return std::move(result_);
         }
-        if (seen_.skull) {
-            great = arteriesOfHead(std::move(great), *seen_.skull, order_.geometry);
-            return great.empty() ? asked(messages::headNeedsSeed()) : std::move(seen_);
+        if (result_.skull) {
+            great = selectHeadArteries(std::move(great), *result_.skull, order_.geometry);
+            return great.empty() ? requestSeed(messages::headNeedsSeed()) : std::move(result_);
         }
         if (!isLikeCt_) {
             std::erase_if(great, [this](const GreatVessel& vessel) { return !isClear(vessel); });
-            return great.empty() ? asked(messages::scanNeedsSeed()) : std::move(seen_);
+            return great.empty() ? requestSeed(messages::scanNeedsSeed()) : std::move(result_);
         }
-        return std::move(seen_);
+        return std::move(result_);
     }
 
     /// Returns whether the vessel is as wide as an aorta, or enters at the lower face of the scan.
@@ -175,24 +176,25 @@ private:
         const Trunk& trunk = vessel.trunks.front();
         const double faceMm = order_.geometry.originInPatient.z();
         const bool entersBelow = std::ranges::any_of(vessel.trunks, [&](const Trunk& its) {
-            return std::ranges::any_of(its.pointsInPatient,
-                                       [&](const Eigen::Vector3d& point) { return point.z() <= faceMm + entranceMm; });
+            return std::ranges::any_of(its.pointsInPatient, [&](const Eigen::Vector3d& point) {
+                return point.z() <= faceMm + entryDistanceMm;
+            });
         });
-        return trunk.fill >= minFillOfClear && (trunk.medianRadiusMm() >= wideMm || entersBelow);
+        return trunk.fill >= minFillOfClear && (trunk.medianRadiusMm() >= minWideRadiusMm || entersBelow);
     }
 
     const Volume& volume_;
     const AxisOrder& order_;
     const VesselTracingOptions& options_;
     TracingProgress& progress_;
-    ScanLumen seen_;
-    double lumenShare_ = 0.0;
+    ScanLumen result_;
+    double lumenFraction_ = 0.0;
     bool isLikeCt_ = true;   ///< bone is the brightest structure
 };
 
 }   // namespace
 
-VoxelFill bloodShare(const Volume& volume, const AxisOrder& order, const BloodLevel& level)
+VoxelOpacification voxelOpacification(const Volume& volume, const AxisOrder& order, const LumenLevels& level)
 {
     return [&volume, &order, &level](int i, int j, int k) {
         return (volume.value(order.stored(i, j, k)) - level.tissue) / level.contrast();
@@ -208,17 +210,17 @@ Result<ScanLumen> findScanLumen(const Volume& volume, const AxisOrder& order, co
 bool runsAlongSkull(const VesselTree& tree, const Skull& skull)
 {
     double lengthMm = 0.0;
-    double besideMm = 0.0;
+    double adjacentMm = 0.0;
     for (const VesselBranch& branch : tree.branches) {
         for (std::size_t n = 1; n < branch.pointsInPatient.size(); ++n) {
             const double stepMm = (branch.pointsInPatient[n] - branch.pointsInPatient[n - 1]).norm();
-            const bool isBeside = branch.radiusMm[n] >= minVeinRadiusMm &&
-                                  skull.isBesideTable(branch.pointsInPatient[n], branch.radiusMm[n]);
+            const bool isNextToBone = branch.radiusMm[n] >= minVeinRadiusMm &&
+                                      skull.isNextToInnerTable(branch.pointsInPatient[n], branch.radiusMm[n]);
             lengthMm += stepMm;
-            besideMm += isBeside ? stepMm : 0.0;
+            adjacentMm += isNextToBone ? stepMm : 0.0;
         }
     }
-    return besideMm > maxAlongSkull * lengthMm;
+    return adjacentMm > maxAlongSkull * lengthMm;
 }
 
 }   // namespace angiopose::core

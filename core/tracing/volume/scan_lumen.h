@@ -4,8 +4,8 @@
 #include "core/support/result.h"
 #include "core/tracing/volume/great_vessels/find_great_vessels.h"
 #include "core/tracing/volume/great_vessels/skull.h"
-#include "core/tracing/volume/lumen/blood_level.h"
-#include "core/tracing/volume/lumen/coil_field.h"
+#include "core/tracing/volume/lumen/bias_field.h"
+#include "core/tracing/volume/lumen/lumen_levels.h"
 #include "core/tracing/volume/voxels/axis_order.h"
 #include "core/tracing/volume/voxels/tracing_options.h"
 #include "core/tracing/volume/voxels/tracing_progress.h"
@@ -19,7 +19,7 @@ namespace angiopose::core {
 /// Lumen candidates of a scan, and the data they were derived from.
 struct ScanLumen {
     std::optional<BiasCorrectedScan> corrected;   ///< set if a coil inhomogeneity was corrected
-    BloodLevel level;
+    LumenLevels level;
     LumenWithGreatVessels found;   ///< only great vessels suitable as a starting point
     std::optional<Skull> skull;   ///< set for head CT
     std::vector<Eigen::Vector3d> veins;   ///< axis points of the dural venous sinuses
@@ -29,7 +29,7 @@ struct ScanLumen {
 };
 
 /// Returns the opacification of a voxel: 0 in soft tissue, 1 in the lumen. The arguments must outlive the result.
-VoxelFill bloodShare(const Volume& volume, const AxisOrder& order, const BloodLevel& level);
+VoxelOpacification voxelOpacification(const Volume& volume, const AxisOrder& order, const LumenLevels& level);
 
 /// Finds the lumen candidates. Fails if nothing has the intensity of an opacified lumen. Fails with a request for a
 /// seed if none is placed and the arteries cannot be identified: in head CT with opacified venous sinuses, and without

@@ -4,14 +4,14 @@
 #include "core/support/parallel_for.h"
 #include "core/support/quantile.h"
 #include "core/tracing/tree/lumen_tree.h"
-#include "core/tracing/tree/skeleton_cover.h"
-#include "core/tracing/volume/chosen/chosen_lumen.h"
+#include "core/tracing/tree/skeleton_coverage.h"
+#include "core/tracing/volume/chosen/adjacent_lumen.h"
 #include "core/tracing/volume/chosen/fill_cavities.h"
-#include "core/tracing/volume/chosen/other_lumen.h"
-#include "core/tracing/volume/lumen/blood_level.h"
+#include "core/tracing/volume/chosen/selected_lumen.h"
+#include "core/tracing/volume/component_report.h"
+#include "core/tracing/volume/lumen/lumen_levels.h"
 #include "core/tracing/volume/lumen/segment_lumen.h"
 #include "core/tracing/volume/path/trace_tubes.h"
-#include "core/tracing/volume/piece_report.h"
 #include "core/tracing/volume/scan_lumen.h"
 #include "core/tracing/volume/tracing_warnings.h"
 #include "core/tracing/volume/voxels/axis_order.h"
@@ -26,10 +26,10 @@ namespace angiopose::core {
 namespace {
 
 constexpr int holeRounds = 4;
-constexpr double minFilledRadius = 1.5;   ///< in voxels; blurring dims the axis of thinner vessels
+constexpr double minEvaluatedRadius = 1.5;   ///< in voxels; blurring dims the axis of thinner vessels
 constexpr double minAxisFill = 0.65;   ///< minimum median opacification of the branch axes
-constexpr double minBesideMm = 80.0;   ///< minimum length beside a great vessel; pulmonary arteries reach under half
-constexpr double minFollowed = 0.98;   ///< minimum covered fraction of a mask's skeleton; below, a warning is issued
+constexpr double minAlongsideMm = 80.0;   ///< minimum length beside a great vessel; pulmonary arteries reach under half
+constexpr double minCoverage = 0.98;   ///< minimum covered fraction of a mask's skeleton; below, a warning is issued
 constexpr double minHoleFill = 0.4;   ///< minimum mean opacification around a voxel darkened by noise
 
 /// Returns the mask of the set voxels, in patient axis order.
@@ -50,7 +50,7 @@ VoxelMask maskOf(const Grid& grid, const IsSet& isSet)
 }
 
 /// Restores the axis order in which the input is stored.
-VoxelMask asStored(const VoxelMask& part, const VoxelBox& box, const VolumeGeometry& stored)
+VoxelMask toStoredOrder(const VoxelMask& part, const VoxelBox& box, const VolumeGeometry& stored)
 {
     VoxelMask whole(stored);
     const AxisOrder order = cropped(patientAxisOrder(stored), box);
@@ -87,7 +87,7 @@ std::optional<Message> problemWith(const VesselTracingOptions& options)
 }
 
 /// Returns the options for a mask: all its components are vessels, unless the options select some.
-VesselTracingOptions withPiecesOfMask(VesselTracingOptions options)
+VesselTracingOptions optionsForMask(VesselTracingOptions options)
 {
     options.pieces = !options.seedsInPatient.empty()           ? TracedPieces::Usual
                      : options.pieces == TracedPieces::Largest ? TracedPieces::Largest
@@ -96,7 +96,7 @@ VesselTracingOptions withPiecesOfMask(VesselTracingOptions options)
 }
 
 /// Returns the options for a scan: only components of great vessels are traced.
-VesselTracingOptions withPiecesOfScan(VesselTracingOptions options, const std::vector<GreatVessel>& great)
+VesselTracingOptions optionsForScan(VesselTracingOptions options, const std::vector<GreatVessel>& great)
 {
     if (great.empty() || !options.seedsInPatient.empty()) {
         options.pieces = TracedPieces::Usual;
@@ -105,28 +105,29 @@ VesselTracingOptions withPiecesOfScan(VesselTracingOptions options, const std::v
 }
 
 /// Tree of a lumen, with the skeleton it was derived from.
-struct TreeOfLumen {
+struct TreeWithSkeleton {
     TracedVessels vessels;
     std::vector<std::size_t> skeleton;   ///< voxels of the selected lumen
 };
 
-Result<TreeOfLumen> treeOf(const ChosenLumen& chosen, const BloodFill& fill, const VolumeGeometry& stored,
-                           const VesselTracingOptions& options, TracingProgress& progress)
+Result<TreeWithSkeleton> buildTree(const SelectedLumen& chosen, const PointOpacification& opacification,
+                                   const VolumeGeometry& stored, const VesselTracingOptions& options,
+                                   TracingProgress& progress)
 {
     VesselTracingOptions chosenOptions = options;
-    chosenOptions.seedsInPatient = chosen.startsInPatient;
-    LumenTree found = lumenTree(chosen.lumen, fill, chosenOptions, progress);
+    chosenOptions.seedsInPatient = chosen.startPointsInPatient;
+    LumenTree found = traceLumenTree(chosen.lumen, opacification, chosenOptions, progress);
     if (progress.isStopped()) {
         return stoppedTracing();
     }
     TracedVessels traced;
     traced.tree = std::move(found.tree);
-    traced.lumen = asStored(chosen.lumen, chosen.box, stored);
+    traced.lumen = toStoredOrder(chosen.lumen, chosen.box, stored);
     traced.threshold = 0.5;
     traced.warnings = chosen.warnings;
-    traced.pieces = reportedPieces(chosen.lumen, traced.tree, chosen.leftOut, progress);
-    const Messages ofPieces = pieceWarnings(traced.pieces, !options.seedsInPatient.empty());
-    traced.warnings.insert(traced.warnings.end(), ofPieces.begin(), ofPieces.end());
+    traced.pieces = listComponents(chosen.lumen, traced.tree, chosen.excluded, progress);
+    const Messages componentMessages = componentWarnings(traced.pieces, !options.seedsInPatient.empty());
+    traced.warnings.insert(traced.warnings.end(), componentMessages.begin(), componentMessages.end());
     if (progress.isStopped()) {
         return stoppedTracing();
     }
@@ -139,52 +140,54 @@ Result<TreeOfLumen> treeOf(const ChosenLumen& chosen, const BloodFill& fill, con
     if (found.loops.kept > 0) {
         traced.warnings.push_back(messages::loopsKept(found.loops.kept));
     }
-    if (found.dimParts > 0) {
-        traced.warnings.push_back(dimWarning(found.dimParts));
+    if (found.dimSubtrees > 0) {
+        traced.warnings.push_back(dimSubtreeWarning(found.dimSubtrees));
     }
-    return TreeOfLumen{std::move(traced), std::move(found.skeleton)};
+    return TreeWithSkeleton{std::move(traced), std::move(found.skeleton)};
 }
 
 /// Accepts holes caused by noise, which darkens single voxels; the wall between two touching vessels is a dark sheet.
-HoleFilter noiseHoles(const VoxelFill& fill)
+HoleFilter noiseHoleFilter(const VoxelOpacification& opacification)
 {
-    return [&fill](int i, int j, int k) {   // never called at the boundary
-        const double sum = fill(i, j, k) + fill(i - 1, j, k) + fill(i + 1, j, k) + fill(i, j - 1, k) +
-                           fill(i, j + 1, k) + fill(i, j, k - 1) + fill(i, j, k + 1);
+    return [&opacification](int i, int j, int k) {   // never called at the boundary
+        const double sum = opacification(i, j, k) + opacification(i - 1, j, k) + opacification(i + 1, j, k) +
+                           opacification(i, j - 1, k) + opacification(i, j + 1, k) + opacification(i, j, k - 1) +
+                           opacification(i, j, k + 1);
         return sum > 7.0 * minHoleFill;
     };
 }
 
 /// Closes holes in `lumen` caused by noise or calcified plaque; stops on request.
-void closeHoles(VoxelMask& lumen, const VoxelFill& fill, TracingProgress& progress)
+void closeHoles(VoxelMask& lumen, const VoxelOpacification& opacification, TracingProgress& progress)
 {
-    const HoleFilter isHole = noiseHoles(fill);
-    for (int round = 0; round < holeRounds && progress.advance(chosenShare); ++round) {
+    const HoleFilter isHole = noiseHoleFilter(opacification);
+    for (int round = 0; round < holeRounds && progress.advance(selectedProgress); ++round) {
         fillHoles(lumen, isHole);
     }
-    if (progress.advance(chosenShare)) {
+    if (progress.advance(selectedProgress)) {
         fillCavities(lumen, &progress);
     }
 }
 
 /// Fails with `reason` if nothing was traced.
-Result<TreeOfLumen> unlessEmpty(Result<TreeOfLumen> traced, const Error& reason)
+Result<TreeWithSkeleton> failIfEmpty(Result<TreeWithSkeleton> traced, const Error& reason)
 {
-    return traced && traced.value().vessels.tree.branches.empty() ? Result<TreeOfLumen>(reason) : std::move(traced);
+    return traced && traced.value().vessels.tree.branches.empty() ? Result<TreeWithSkeleton>(reason)
+                                                                  : std::move(traced);
 }
 
 /// Returns whether the axes of the sufficiently wide branches are opacified; axes of bone shells, in marrow and between
 /// organs are not.
-bool isOpacified(const VesselTree& tree, const AxisOrder& order, const VoxelFill& fill)
+bool isOpacified(const VesselTree& tree, const AxisOrder& order, const VoxelOpacification& opacification)
 {
     const Eigen::Affine3d voxelFromPatient = order.geometry.patientFromVoxel().inverse();
-    const double minRadiusMm = minFilledRadius * order.geometry.spacingMm.maxCoeff();
+    const double minRadiusMm = minEvaluatedRadius * order.geometry.spacingMm.maxCoeff();
     std::vector<double> fills;
     for (const VesselBranch& branch : tree.branches) {
         for (std::size_t n = 0; n < branch.pointsInPatient.size(); ++n) {
             const Eigen::Vector3i at = (voxelFromPatient * branch.pointsInPatient[n]).array().round().cast<int>();
             if (branch.radiusMm[n] >= minRadiusMm && order.geometry.contains(at)) {
-                fills.push_back(fill(at.x(), at.y(), at.z()));
+                fills.push_back(opacification(at.x(), at.y(), at.z()));
             }
         }
     }
@@ -195,22 +198,22 @@ bool isOpacified(const VesselTree& tree, const AxisOrder& order, const VoxelFill
 }
 
 /// Without user seeds, adds a message about where tracing started.
-TracedVessels startedBy(TracedVessels vessels, const ChosenLumen& lumen, const std::vector<GreatVessel>& great)
+TracedVessels addStartMessage(TracedVessels vessels, const SelectedLumen& lumen, const std::vector<GreatVessel>& great)
 {
-    if (!lumen.startsInPatient.empty()) {
-        vessels.foundStart = great.front().middleInPatient();
+    if (!lumen.startPointsInPatient.empty()) {
+        vessels.foundStart = great.front().centerInPatient();
     }
     vessels.warnings.insert(vessels.warnings.begin(), startWarning(vessels.foundStart));
     return vessels;
 }
 
 /// Adds the threshold, and warnings about the units of the scan and other great vessels.
-void tellOfScan(TracedVessels& vessels, const ChosenLumen& lumen, const std::vector<GreatVessel>& great,
-                const BloodLevel& level)
+void addScanWarnings(TracedVessels& vessels, const SelectedLumen& lumen, const std::vector<GreatVessel>& great,
+                     const LumenLevels& level)
 {
     vessels.threshold = level.threshold;
-    if (const OtherLumen other = otherLumenBeside(lumen.lumen, great); other.besideMm >= minBesideMm) {
-        vessels.warnings.push_back(besideWarning(other));
+    if (const AdjacentLumen other = possibleFalseLumen(lumen.lumen, great); other.adjacentMm >= minAlongsideMm) {
+        vessels.warnings.push_back(adjacentLumenWarning(other));
     }
     if (!level.isHu) {
         vessels.warnings.push_back(unitWarning());
@@ -224,21 +227,21 @@ Result<TracedVessels> traceLumen(VoxelMask whole, const VolumeGeometry& stored, 
     if (const auto problem = problemWith(options)) {
         return Error(*problem);
     }
-    auto chosen = chosenLumen(std::move(whole), options, {}, {}, progress);
+    auto chosen = selectLumen(std::move(whole), options, {}, {}, progress);
     if (!chosen) {
         return chosen.error();
     }
-    ChosenLumen lumen = std::move(chosen).value();
+    SelectedLumen lumen = std::move(chosen).value();
     fillCavities(lumen.lumen, &progress);
-    auto traced =
-        unlessEmpty(treeOf(lumen, fillOf(lumen.lumen), stored, options, progress), Error(messages::noLongBranch()));
+    auto traced = failIfEmpty(buildTree(lumen, opacificationIn(lumen.lumen), stored, options, progress),
+                              Error(messages::noLongBranch()));
     if (!traced) {
         return traced.error();
     }
-    TreeOfLumen tree = std::move(traced).value();
-    const SkeletonCover cover = skeletonCover(lumen.lumen.geometry, tree.skeleton, tree.vessels.tree);
-    if (cover.share < minFollowed && cover.missedInPatient) {
-        tree.vessels.warnings.push_back(coverWarning(cover));
+    TreeWithSkeleton tree = std::move(traced).value();
+    const SkeletonCoverage cover = measureCoverage(lumen.lumen.geometry, tree.skeleton, tree.vessels.tree);
+    if (cover.fraction < minCoverage && cover.missedInPatient) {
+        tree.vessels.warnings.push_back(coverageWarning(cover));
     }
     return std::move(tree.vessels);
 }
@@ -248,41 +251,42 @@ Result<TracedVessels> traceScan(ScanLumen seen, const Volume& given, const AxisO
                                 const VesselTracingOptions& options, TracingProgress& progress)
 {
     const Volume& volume = seen.scan(given);
-    const BloodLevel level = seen.level;
-    const VoxelFill fill = bloodShare(volume, order, level);
+    const LumenLevels level = seen.level;
+    const VoxelOpacification opacification = voxelOpacification(volume, order, level);
     const std::vector<GreatVessel>& great = seen.found.great;
-    VesselTracingOptions asked = withPiecesOfScan(options, great);
-    asked.avoidInPatient.insert(asked.avoidInPatient.end(), seen.veins.begin(), seen.veins.end());
-    auto chosen = chosenLumen(std::move(seen.found.lumen), asked, fill, great, progress);
+    VesselTracingOptions requested = optionsForScan(options, great);
+    requested.avoidInPatient.insert(requested.avoidInPatient.end(), seen.veins.begin(), seen.veins.end());
+    auto chosen = selectLumen(std::move(seen.found.lumen), requested, opacification, great, progress);
     if (!chosen) {
         return chosen.error();
     }
-    ChosenLumen lumen = std::move(chosen).value();
-    closeHoles(lumen.lumen, movedBy(fill, lumen.box.low), progress);
+    SelectedLumen lumen = std::move(chosen).value();
+    closeHoles(lumen.lumen, shiftOrigin(opacification, lumen.box.low), progress);
     if (progress.isStopped()) {
         return stoppedTracing();
     }
     const AxisOrder part = cropped(order, lumen.box);
-    auto traced = unlessEmpty(treeOf(lumen, fillOf(volume, part, level, lumen.lumen), volume.geometry, asked, progress),
-                              options.threshold ? Error(messages::noLongBranch()) : noVesselsFound(level));
+    auto traced = failIfEmpty(
+        buildTree(lumen, opacificationIn(volume, part, level, lumen.lumen), volume.geometry, requested, progress),
+        options.threshold ? Error(messages::noLongBranch()) : noVesselsFound(level));
     if (!traced) {
         return traced.error();
     }
     TracedVessels vessels = std::move(traced).value().vessels;
-    tellOfScan(vessels, lumen, great, level);
+    addScanWarnings(vessels, lumen, great, level);
     if (seen.corrected) {
-        vessels.warnings.push_back(messages::coilBiasCorrected(Quantity{seen.corrected->fallOff, 1}));
+        vessels.warnings.push_back(messages::coilBiasCorrected(Quantity{seen.corrected->sensitivityRatio, 1}));
     }
     if (!options.seedsInPatient.empty()) {
         return vessels;
     }
-    if (great.empty() && !options.threshold && !isOpacified(vessels.tree, order, fill)) {
+    if (great.empty() && !options.threshold && !isOpacified(vessels.tree, order, opacification)) {
         return noVesselsFound(level);
     }
     if (seen.skull && !options.threshold && runsAlongSkull(vessels.tree, *seen.skull)) {
         return Error(messages::veinsWithArteries());
     }
-    return startedBy(std::move(vessels), lumen, great);
+    return addStartMessage(std::move(vessels), lumen, great);
 }
 
 }   // namespace
@@ -296,7 +300,7 @@ Result<TracedVessels> traceMask(const VoxelMask& mask, const VesselTracingOption
     TracingProgress progress(observe);
     progress.enter("vessels", 0.0, 0.7);
     return traceLumen(maskOf(mask, [](std::uint8_t voxel) { return voxel != 0; }), mask.geometry,
-                      withPiecesOfMask(options), progress);
+                      optionsForMask(options), progress);
 }
 
 Result<TracedVessels> traceLabels(const LabelVolume& image, const std::vector<int>& labels,
@@ -307,9 +311,11 @@ Result<TracedVessels> traceLabels(const LabelVolume& image, const std::vector<in
     }
     TracingProgress progress(observe);
     progress.enter("vessels", 0.0, 0.7);
-    const std::set<int> asked(labels.begin(), labels.end());
-    const auto isAsked = [&](std::uint16_t label) { return asked.empty() ? label != 0 : asked.contains(label); };
-    return traceLumen(maskOf(image, isAsked), image.geometry, withPiecesOfMask(options), progress);
+    const std::set<int> requested(labels.begin(), labels.end());
+    const auto isVesselLabel = [&](std::uint16_t label) {
+        return requested.empty() ? label != 0 : requested.contains(label);
+    };
+    return traceLumen(maskOf(image, isVesselLabel), image.geometry, optionsForMask(options), progress);
 }
 
 Result<TracedVessels> traceVessels(const Volume& volume, const VesselTracingOptions& options,
@@ -330,8 +336,8 @@ Result<TracedVessels> traceVessels(const Volume& volume, const VesselTracingOpti
     if (!seen) {
         return seen.error();
     }
-    ScanLumen ground = std::move(seen).value();
-    return traceScan(std::move(ground), volume, order, options, progress);
+    ScanLumen scanLumen = std::move(seen).value();
+    return traceScan(std::move(scanLumen), volume, order, options, progress);
 }
 
 }   // namespace angiopose::core

@@ -1,7 +1,7 @@
 #include "core/tracing/volume/tracing_warnings.h"
 
 #include "core/messages/messages.h"
-#include "core/tracing/volume/voxels/chosen_pieces.h"
+#include "core/tracing/volume/voxels/component_selection.h"
 
 #include <cmath>
 
@@ -17,31 +17,32 @@ Message gapWarning(const ClosedGaps& gaps)
     return messages::gapsClosed(gaps.count, inMm(gaps.longestMm, 1));
 }
 
-Message coverWarning(const SkeletonCover& cover)
+Message coverageWarning(const SkeletonCoverage& cover)
 {
-    return messages::skeletonNotFollowed(Quantity{std::floor(100.0 * cover.share), 0, "%"},
-                                         placeInMessage(cover.missedInPatient.value_or(Eigen::Vector3d::Zero())));
+    return messages::skeletonNotFollowed(Quantity{std::floor(100.0 * cover.fraction), 0, "%"},
+                                         formatPoint(cover.missedInPatient.value_or(Eigen::Vector3d::Zero())));
 }
 
 Message unitWarning()
 {
-    return messages::perhapsNoHounsfield();
+    return messages::possiblyNotHounsfield();
 }
 
-Message dimWarning(int parts)
+Message dimSubtreeWarning(int parts)
 {
     return parts == 1 ? messages::oneDimPartLeftOut() : messages::dimPartsLeftOut(parts);
 }
 
-Message besideWarning(const OtherLumen& other)
+Message adjacentLumenWarning(const AdjacentLumen& other)
 {
-    return messages::otherLumenBeside(Quantity{other.besideMm / 10.0, 0, "cm"}, placeInMessage(other.placeInPatient));
+    return messages::possibleFalseLumen(Quantity{other.adjacentMm / 10.0, 0, "cm"},
+                                        formatPoint(other.positionInPatient));
 }
 
-std::optional<Eigen::Vector3d> otherLumenOf(const Messages& warnings)
+std::optional<Eigen::Vector3d> adjacentLumenPosition(const Messages& warnings)
 {
     for (const Message& warning : warnings) {
-        if (warning.is(messages::otherLumenBeside)) {
+        if (warning.is(messages::possibleFalseLumen)) {
             const std::vector<MessageArgument>& at = std::get<Messages>(warning.arguments()[1]).front().arguments();
             return Eigen::Vector3d(std::get<Quantity>(at[0]).value, std::get<Quantity>(at[1]).value,
                                    std::get<Quantity>(at[2]).value);
@@ -52,7 +53,7 @@ std::optional<Eigen::Vector3d> otherLumenOf(const Messages& warnings)
 
 Message startWarning(const std::optional<Eigen::Vector3d>& foundStart)
 {
-    return foundStart ? messages::noSeedFoundVessel(placeInMessage(*foundStart)) : messages::noSeedLargestPiece();
+    return foundStart ? messages::noSeedVesselFound(formatPoint(*foundStart)) : messages::noSeedLargestComponent();
 }
 
 }   // namespace angiopose::core

@@ -4,7 +4,7 @@
 #include "core/imaging/reduce_volume.h"
 #include "core/support/parallel_for.h"
 #include "core/support/quantile.h"
-#include "core/tracing/volume/lumen/blood_level.h"
+#include "core/tracing/volume/lumen/lumen_levels.h"
 
 #include <algorithm>
 #include <array>
@@ -97,7 +97,7 @@ PreparedVolume::Block blockAt(const PreparedVolume& scan, const Eigen::Vector3i&
 {
     const VolumeGeometry& grid = scan.volume.geometry;
     const Eigen::Vector3i last =
-        (first.array() + seenBlockSide).min(grid.size.array() - 1);   // includes one more voxel, for interpolation
+        (first.array() + blockSideVoxels).min(grid.size.array() - 1);   // includes one more voxel, for interpolation
     PreparedVolume::Block block;
     block.low = block.high = scan.volume.at(first.x(), first.y(), first.z());
     for (int k = first.z(); k <= last.z(); ++k) {
@@ -106,7 +106,7 @@ PreparedVolume::Block blockAt(const PreparedVolume& scan, const Eigen::Vector3i&
             for (std::size_t i = row; i <= row + static_cast<std::size_t>(last.x() - first.x()); ++i) {
                 block.low = std::min(block.low, scan.volume.voxels[i]);
                 block.high = std::max(block.high, scan.volume.voxels[i]);
-                (scan.kinds[i] != 0 ? block.hasVessels : block.hasRest) = true;
+                (scan.kinds[i] != 0 ? block.hasVessels : block.hasOtherVoxels) = true;
             }
         }
     }
@@ -115,7 +115,7 @@ PreparedVolume::Block blockAt(const PreparedVolume& scan, const Eigen::Vector3i&
 
 void addBlocks(PreparedVolume& scan)
 {
-    scan.blockCount = (scan.volume.geometry.size.array() + seenBlockSide - 1) / seenBlockSide;
+    scan.blockCount = (scan.volume.geometry.size.array() + blockSideVoxels - 1) / blockSideVoxels;
     scan.blocks.resize(static_cast<std::size_t>(scan.blockCount.prod()));
     parallelFor(
         static_cast<std::size_t>(scan.blockCount.z()), threadCount(0),
@@ -123,30 +123,30 @@ void addBlocks(PreparedVolume& scan)
             auto at = k * static_cast<std::size_t>(scan.blockCount.x() * scan.blockCount.y());
             for (int j = 0; j < scan.blockCount.y(); ++j) {
                 for (int i = 0; i < scan.blockCount.x(); ++i) {
-                    scan.blocks[at++] = blockAt(scan, seenBlockSide * Eigen::Vector3i(i, j, static_cast<int>(k)));
+                    scan.blocks[at++] = blockAt(scan, blockSideVoxels * Eigen::Vector3i(i, j, static_cast<int>(k)));
                 }
             }
         },
         [](double) { return true; });
 }
 
-constexpr std::size_t sampledVoxels = 60000;
+constexpr std::size_t maxSampledVoxels = 60000;
 constexpr double vesselPerMm = 1.2;   // a wall hides everything behind it within a few mm
 constexpr double bonePerMm = 0.45;
 constexpr double tissuePerMm = 0.02;
-constexpr double brightShare = 0.985;   // quantile above which voxels count as vessels if nothing else is known
-constexpr double brightestShare = 0.998;
-constexpr double weakest = 0.04;   // factor on all opacities at strength 0
+constexpr double brightQuantile = 0.985;   // quantile above which voxels count as vessels if nothing else is known
+constexpr double brightestQuantile = 0.998;
+constexpr double minStrengthFactor = 0.04;   // factor on all opacities at strength 0
 
 double strengthFactor(double strength)
 {
-    return weakest * std::pow(4.0 / weakest, std::clamp(strength, 0.0, 1.0));
+    return minStrengthFactor * std::pow(4.0 / minStrengthFactor, std::clamp(strength, 0.0, 1.0));
 }
 
-IntensityLevels levelsOfHistogram(const Volume& volume)
+IntensityLevels levelsFromHistogram(const Volume& volume)
 {
     std::vector<double> values;
-    const std::size_t step = std::max<std::size_t>(1, volume.voxels.size() / sampledVoxels) | 1U;
+    const std::size_t step = std::max<std::size_t>(1, volume.voxels.size() / maxSampledVoxels) | 1U;
     for (std::size_t i = 0; i < volume.voxels.size(); i += step) {
         values.push_back(volume.value(i));
     }
@@ -155,22 +155,23 @@ IntensityLevels levelsOfHistogram(const Volume& volume)
     }
     IntensityLevels levels;
     levels.tissue = quantile(values, 0.5);
-    levels.wall = quantile(values, brightShare);
-    levels.blood = std::max(quantile(values, brightestShare), levels.wall + 1e-3);
+    levels.wall = quantile(values, brightQuantile);
+    levels.blood = std::max(quantile(values, brightestQuantile), levels.wall + 1e-3);
     return levels;
 }
 
 }   // namespace
 
-std::optional<PreparedVolume> preparedVolume(const VolumeToPrepare& request,
-                                             const std::function<bool()>& shouldContinue)
+std::optional<PreparedVolume> prepareVolume(const VolumePreparation& request,
+                                            const std::function<bool()>& shouldContinue)
 {
     if (!request.scan && !request.mask) {
         return std::nullopt;
     }
     const Volume alone = request.scan ? Volume() : valuesOf(*request.mask);
     const Volume& values = request.scan ? *request.scan : alone;
-    auto volume = reduced(values, voxelsIn(values.geometry, request.boxInPatient), request.maxVoxels, shouldContinue);
+    auto volume =
+        downsample(values, voxelRangeIn(values.geometry, request.boxInPatient), request.maxVoxels, shouldContinue);
     if (!volume) {
         return std::nullopt;
     }
@@ -178,11 +179,11 @@ std::optional<PreparedVolume> preparedVolume(const VolumeToPrepare& request,
     scan.volume = std::move(*volume);
     const VolumeGeometry& grid = scan.volume.geometry;
     scan.kinds.assign(grid.voxelCount(), 0);
-    scan.hasKinds = request.mask || (request.tree && !request.tree->branches.empty());
+    scan.hasVesselLabels = request.mask || (request.tree && !request.tree->branches.empty());
     if (request.mask) {
         markMask(*request.mask, grid, scan.kinds);
         widen(grid, scan.kinds);
-    } else if (scan.hasKinds) {
+    } else if (scan.hasVesselLabels) {
         markTree(*request.tree, grid, scan.kinds);
     }
     if (!request.scan) {
@@ -197,13 +198,13 @@ double Opacity::at(double value) const
     return value < from ? 0.0 : perMm * std::clamp((value - from) / std::max(full - from, 1e-9), 0.0, 1.0);
 }
 
-IntensityLevels seenLevels(const Volume& volume, std::optional<double> threshold)
+IntensityLevels estimateLevels(const Volume& volume, std::optional<double> threshold)
 {
-    if (const auto found = findBloodLevel(volume, patientAxisOrder(volume.geometry), {.threshold = threshold})) {
-        const BloodLevel& level = found.value();
+    if (const auto found = findLumenLevels(volume, patientAxisOrder(volume.geometry), {.threshold = threshold})) {
+        const LumenLevels& level = found.value();
         return {level.tissue, level.threshold, level.blood, level.isHu};
     }
-    IntensityLevels levels = levelsOfHistogram(volume);
+    IntensityLevels levels = levelsFromHistogram(volume);
     if (threshold) {
         levels.wall = *threshold;
         levels.blood = std::max(levels.blood, *threshold + 1.0);
@@ -211,11 +212,11 @@ IntensityLevels seenLevels(const Volume& volume, std::optional<double> threshold
     return levels;
 }
 
-ScanLook lookOf(const IntensityLevels& levels, const ScanRequest& request, bool hasKinds)
+ScanAppearance appearanceFor(const IntensityLevels& levels, const AppearanceOptions& request, bool hasVesselLabels)
 {
     const double factor = strengthFactor(request.strength);
     const double contrast = std::max(levels.blood - levels.wall, 1e-3);
-    ScanLook look;
+    ScanAppearance look;
     look.soft = request.soft;
     look.bone = request.bone;
     look.kinds = request.kinds;
@@ -225,16 +226,16 @@ ScanLook lookOf(const IntensityLevels& levels, const ScanRequest& request, bool 
     if (request.preset == ScanPreset::VesselsAndBone) {
         look.rest = levels.isHu ? Opacity{levels.wall, levels.blood, bonePerMm * factor}
                                 : Opacity{levels.tissue, levels.wall, tissuePerMm * factor};
-    } else if (!hasKinds) {   // shows everything as bright as the contrast-enhanced lumen
+    } else if (!hasVesselLabels) {   // shows everything as bright as the contrast-enhanced lumen
         look.rest = look.vessels;
         look.soft = request.kinds.empty() ? request.soft : request.kinds.front();
     }
     return look;
 }
 
-ScanLook lookOfMask(const ScanRequest& request)
+ScanAppearance maskAppearance(const AppearanceOptions& request)
 {
-    ScanLook look;
+    ScanAppearance look;
     look.kinds = request.kinds;
     look.vessels = {0.3 * maskValue, 0.6 * maskValue, vesselPerMm * strengthFactor(request.strength)};
     return look;

@@ -14,7 +14,7 @@
 namespace angiopose::core {
 
 /// Input from which a scan is prepared for volume rendering.
-struct VolumeToPrepare {
+struct VolumePreparation {
     std::shared_ptr<const Volume> scan;   ///< null to show only the mask
     std::shared_ptr<const VoxelMask> mask;   ///< lumen (1), or labels by their index (1, 2, …); may be null
     std::shared_ptr<const VesselTree> tree;   ///< locates the vessels if there is no mask; may be null
@@ -26,26 +26,26 @@ struct VolumeToPrepare {
 struct PreparedVolume {
     Volume volume;   ///< without a scan: `maskValue` inside the mask, 0 outside
     std::vector<std::uint8_t> kinds;   ///< one per voxel: the value of the mask, or 0 for the rest of the body
-    bool hasKinds = false;   ///< whether the location of the vessels is known
+    bool hasVesselLabels = false;   ///< whether the location of the vessels is known
 
     /// Minimum and maximum value in a block of voxels, including the voxels used for interpolation; rays skip blocks in
     /// which nothing is visible.
     struct Block {
         std::int16_t low = 0;
         std::int16_t high = 0;
-        bool hasRest = false;
+        bool hasOtherVoxels = false;
         bool hasVessels = false;
     };
     std::vector<Block> blocks;
     Eigen::Vector3i blockCount = Eigen::Vector3i::Zero();
 };
 
-inline constexpr int seenBlockSide = 8;
+inline constexpr int blockSideVoxels = 8;
 inline constexpr std::int16_t maskValue = 1000;
 
 /// Prepares the scan. Returns nothing if there is nothing to show or `shouldContinue` returns false.
-std::optional<PreparedVolume> preparedVolume(const VolumeToPrepare& request,
-                                             const std::function<bool()>& shouldContinue);
+std::optional<PreparedVolume> prepareVolume(const VolumePreparation& request,
+                                            const std::function<bool()>& shouldContinue);
 
 /// sRGB color, components 0…1.
 using Rgb = std::array<float, 3>;
@@ -61,7 +61,7 @@ struct Opacity {
 };
 
 /// Appearance of a rendered scan.
-struct ScanLook {
+struct ScanAppearance {
     Opacity vessels;   ///< opacity of vessel voxels
     Opacity rest;   ///< opacity of all other voxels
     double brightFrom = 0.0;   ///< value at which other voxels reach `bone`; they start with `soft` at `rest.from`
@@ -69,20 +69,20 @@ struct ScanLook {
     Rgb bone{};
     std::vector<Rgb> kinds;   ///< colors of the vessels, or of labels 1, 2, …; further labels use the last color
 
-    bool operator==(const ScanLook&) const = default;
+    bool operator==(const ScanAppearance&) const = default;
 };
 
 enum class ScanPreset { Vessels, VesselsAndBone };
 
 /// Parameters of the appearance that do not depend on the scan.
-struct ScanRequest {
+struct AppearanceOptions {
     ScanPreset preset = ScanPreset::Vessels;
     double strength = 0.5;   ///< 0…1; scales all opacities
     Rgb soft{};
     Rgb bone{};
     std::vector<Rgb> kinds;
 
-    bool operator==(const ScanRequest&) const = default;
+    bool operator==(const AppearanceOptions&) const = default;
 };
 
 /// Estimated intensities of tissue and contrast-enhanced lumen in a scan, for display only.
@@ -95,12 +95,12 @@ struct IntensityLevels {
 
 /// Returns the levels that tracing would find, or the given threshold; otherwise (MR, scans without units) levels from
 /// the scan's own histogram, in which vessels are brighter than nearly all other voxels.
-IntensityLevels seenLevels(const Volume& volume, std::optional<double> threshold);
+IntensityLevels estimateLevels(const Volume& volume, std::optional<double> threshold);
 
-/// Returns the appearance for these levels. `hasKinds`: whether vessel voxels are known and shown separately.
-ScanLook lookOf(const IntensityLevels& levels, const ScanRequest& request, bool hasKinds);
+/// Returns the appearance for these levels. `hasVesselLabels`: whether vessel voxels are known and shown separately.
+ScanAppearance appearanceFor(const IntensityLevels& levels, const AppearanceOptions& request, bool hasVesselLabels);
 
 /// Returns the appearance of a mask without a scan.
-ScanLook lookOfMask(const ScanRequest& request);
+ScanAppearance maskAppearance(const AppearanceOptions& request);
 
 }   // namespace angiopose::core

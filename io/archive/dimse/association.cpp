@@ -2,7 +2,7 @@
 
 #include "io/archive/dimse/association_failure.h"
 #include "io/messages/messages.h"
-#include "io/support/quiet_libraries.h"
+#include "io/support/silence_libraries.h"
 
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmnet/assoc.h>
@@ -52,18 +52,19 @@ std::vector<AcceptedContext> acceptedContexts(T_ASC_Association* association)
 
 core::Status checkPeerHost(T_ASC_Association* association, const ArchiveNode& node)
 {
-    if (!node.isTls || !node.checksHost) {
+    if (!node.isTls || !node.verifiesHost) {
         return core::Done{};
     }
     std::string certificate(ASC_getPeerCertificateLength(association), '\0');
     certificate.resize(ASC_getPeerCertificate(association, certificate.data(), certificate.size()));
-    return isCertificateOf(certificate, node.host) ? core::Status(core::Done{})
-                                                   : core::Error(messages::archiveTlsHost(node.host).about(node.name));
+    return isCertificateForHost(certificate, node.host)
+               ? core::Status(core::Done{})
+               : core::Error(messages::archiveTlsHost(node.host).about(node.name));
 }
 
-DataValue valueOf(const DUL_PDV& pdv)
+PresentationDataValue valueOf(const DUL_PDV& pdv)
 {
-    return {pdv.pdvType == DUL_COMMANDPDV ? DataValue::Kind::Command : DataValue::Kind::DataSet,
+    return {pdv.pdvType == DUL_COMMANDPDV ? PresentationDataValue::Kind::Command : PresentationDataValue::Kind::DataSet,
             pdv.presentationContextID,
             {static_cast<const char*>(pdv.data), pdv.fragmentLength},
             pdv.lastPDV != OFFalse};
@@ -71,17 +72,17 @@ DataValue valueOf(const DUL_PDV& pdv)
 
 }   // namespace
 
-void prepareNetwork(int answerSeconds)
+void configureDcmtkNetwork(int responseTimeoutSeconds)
 {
-    quietLibraries();
+    silenceLibraries();
     OFStandard::initializeNetwork();
-    dcmConnectionTimeout.set(connectSeconds);
-    dcmSocketSendTimeout.set(answerSeconds);
-    dcmSocketReceiveTimeout.set(answerSeconds);
+    dcmConnectionTimeout.set(connectTimeoutSeconds);
+    dcmSocketSendTimeout.set(responseTimeoutSeconds);
+    dcmSocketReceiveTimeout.set(responseTimeoutSeconds);
     dcmDisableGethostbyaddr.set(OFTrue);
 }
 
-core::Status resolveHost(const ArchiveNode& node, const StopQuestion& isStopRequested)
+core::Status resolveHost(const ArchiveNode& node, const StopCheck& isStopRequested)
 {
     // Without a network, name resolution may block for half a minute, so it runs in a detached thread.
     auto promise = std::make_shared<std::promise<bool>>();
@@ -91,24 +92,24 @@ core::Status resolveHost(const ArchiveNode& node, const StopQuestion& isStopRequ
         OFStandard::getAddressByHostname(host.c_str(), address);
         promise->set_value(address.size() > 0);
     }).detach();
-    for (int tenths = 0; tenths < 10 * connectSeconds; ++tenths) {
+    for (int tenths = 0; tenths < 10 * connectTimeoutSeconds; ++tenths) {
         if (isKnown.wait_for(std::chrono::milliseconds(100)) == std::future_status::ready) {
             return isKnown.get() ? core::Status(core::Done{})
                                  : core::Error(messages::archiveUnknownHost(node.host).about(node.name));
         }
         if (isStopRequested()) {
-            return stoppedAssociation(node);
+            return canceledAssociationError(node);
         }
     }
     return core::Error(messages::archiveUnknownHost(node.host).about(node.name));
 }
 
-Association::Association(const ArchiveNode& node, StopQuestion isStopRequested)
+Association::Association(const ArchiveNode& node, StopCheck isStopRequested)
     : node_(node), isStopRequested_(std::move(isStopRequested))
 {
 }
 
-Association::Association(T_ASC_Association* accepted, const ArchiveNode& peer, StopQuestion isStopRequested)
+Association::Association(T_ASC_Association* accepted, const ArchiveNode& peer, StopCheck isStopRequested)
     : node_(peer),
       isStopRequested_(std::move(isStopRequested)),
       association_(accepted),
@@ -119,7 +120,7 @@ Association::Association(T_ASC_Association* accepted, const ArchiveNode& peer, S
 Association::~Association()
 {
     if (association_ != nullptr) {
-        if (!isOver_) {
+        if (!isClosed_) {
             ASC_abortAssociation(association_);
         }
         ASC_destroyAssociation(&association_);
@@ -131,9 +132,9 @@ Association::~Association()
 
 core::Result<std::unique_ptr<Association>> Association::request(const ArchiveNode& node,
                                                                 const std::vector<ProposedContext>& contexts,
-                                                                StopQuestion isStopRequested)
+                                                                StopCheck isStopRequested)
 {
-    prepareNetwork(node.answerSeconds);
+    configureDcmtkNetwork(node.responseTimeoutSeconds);
     if (auto resolved = resolveHost(node, isStopRequested); !resolved) {
         return resolved.error();
     }
@@ -146,11 +147,12 @@ core::Result<std::unique_ptr<Association>> Association::request(const ArchiveNod
 
 core::Status Association::connect(const std::vector<ProposedContext>& contexts)
 {
-    if (const OFCondition made = ASC_initializeNetwork(NET_REQUESTOR, 0, node_.answerSeconds, &network_); made.bad()) {
+    if (const OFCondition made = ASC_initializeNetwork(NET_REQUESTOR, 0, node_.responseTimeoutSeconds, &network_);
+        made.bad()) {
         return failure(made);
     }
     if (node_.isTls) {
-        auto layer = makeTlsLayer({node_.caFile, node_.certificateFile, node_.keyFile}, TlsRole::Asks);
+        auto layer = makeTlsLayer({node_.caFile, node_.certificateFile, node_.keyFile}, TlsRole::Client);
         if (!layer) {
             return layer.error().about(node_.name);
         }
@@ -162,14 +164,14 @@ core::Status Association::connect(const std::vector<ProposedContext>& contexts)
         return failure(made);
     }
     ASC_setTransportLayerType(parameters, node_.isTls ? OFTrue : OFFalse);
-    ASC_setAPTitles(parameters, node_.ownTitle.c_str(), node_.title.c_str(), nullptr);
-    ASC_setPresentationAddresses(parameters, OFStandard::getHostName().c_str(), addressOf(node_).c_str());
+    ASC_setAPTitles(parameters, node_.ownAeTitle.c_str(), node_.title.c_str(), nullptr);
+    ASC_setPresentationAddresses(parameters, OFStandard::getHostName().c_str(), hostAndPort(node_).c_str());
     addContexts(parameters, contexts);
-    const OFCondition requested =
-        ASC_requestAssociation(network_, parameters, &association_, nullptr, nullptr, DUL_NOBLOCK, node_.answerSeconds);
+    const OFCondition requested = ASC_requestAssociation(network_, parameters, &association_, nullptr, nullptr,
+                                                         DUL_NOBLOCK, node_.responseTimeoutSeconds);
     if (requested.bad()) {
-        isOver_ = true;
-        const core::Error error = requestFailure(requested, parameters, node_);
+        isClosed_ = true;
+        const core::Error error = associationRequestError(requested, parameters, node_);
         if (association_ == nullptr) {
             ASC_destroyAssociationParameters(&parameters);
         }
@@ -179,17 +181,17 @@ core::Status Association::connect(const std::vector<ProposedContext>& contexts)
     return checkPeerHost(association_, node_);
 }
 
-std::size_t Association::maxPieceBytes() const
+std::size_t Association::maxFragmentBytes() const
 {
     return association_->sendPDVLength;
 }
 
-core::Status Association::write(const DataValue& value)
+core::Status Association::write(const PresentationDataValue& value)
 {
     DUL_PDV pdv{};
     pdv.fragmentLength = value.bytes.size();
     pdv.presentationContextID = value.context;
-    pdv.pdvType = value.kind == DataValue::Kind::Command ? DUL_COMMANDPDV : DUL_DATASETPDV;
+    pdv.pdvType = value.kind == PresentationDataValue::Kind::Command ? DUL_COMMANDPDV : DUL_DATASETPDV;
     pdv.lastPDV = value.isLast ? OFTrue : OFFalse;
     pdv.data = const_cast<char*>(value.bytes.data());
     DUL_PDVLIST list{};
@@ -199,58 +201,60 @@ core::Status Association::write(const DataValue& value)
     return written.good() ? core::Status(core::Done{}) : core::Status(failure(written));
 }
 
-core::Result<std::optional<DataValue>> Association::read(const LifeQuestion& isAlive)
+core::Result<std::optional<PresentationDataValue>> Association::read(const ActivityCheck& hasActivity)
 {
     DUL_PDV pdv{};
     if (DUL_NextPDV(&association_->DULassociation, &pdv).good()) {
         return std::optional(valueOf(pdv));
     }
-    if (auto there = waitForData(isAlive); !there) {
+    if (auto there = waitForData(hasActivity); !there) {
         return there.error();
     }
-    const OFCondition came = DUL_ReadPDVs(&association_->DULassociation, nullptr, DUL_NOBLOCK, node_.answerSeconds);
+    const OFCondition came =
+        DUL_ReadPDVs(&association_->DULassociation, nullptr, DUL_NOBLOCK, node_.responseTimeoutSeconds);
     if (came == DUL_PEERREQUESTEDRELEASE) {
         ASC_acknowledgeRelease(association_);
-        isOver_ = true;
-        return std::optional<DataValue>();
+        isClosed_ = true;
+        return std::optional<PresentationDataValue>();
     }
     if (came != DUL_PDATAPDUARRIVED) {
         return failure(came);
     }
     const OFCondition next = DUL_NextPDV(&association_->DULassociation, &pdv);
-    return next.good() ? core::Result<std::optional<DataValue>>(std::optional(valueOf(pdv))) : failure(next);
+    return next.good() ? core::Result<std::optional<PresentationDataValue>>(std::optional(valueOf(pdv)))
+                       : failure(next);
 }
 
 void Association::release()
 {
-    if (!std::exchange(isOver_, true)) {
+    if (!std::exchange(isClosed_, true)) {
         ASC_releaseAssociation(association_);
     }
 }
 
-core::Status Association::waitForData(const LifeQuestion& isAlive) const
+core::Status Association::waitForData(const ActivityCheck& hasActivity) const
 {
     using Clock = std::chrono::steady_clock;
-    const auto limit = std::chrono::seconds(node_.answerSeconds);
+    const auto limit = std::chrono::seconds(node_.responseTimeoutSeconds);
     for (auto begun = Clock::now(); Clock::now() - begun < limit;) {
         if (isStopRequested_()) {
-            return stoppedAssociation(node_);
+            return canceledAssociationError(node_);
         }
         if (ASC_dataWaiting(association_, 1)) {
             return core::Done{};
         }
-        if (isAlive && isAlive()) {
+        if (hasActivity && hasActivity()) {
             begun = Clock::now();
         }
     }
     return core::Error(
-        messages::archiveNoAnswer(core::Quantity{double(node_.answerSeconds), 0, "s"}).about(node_.name));
+        messages::archiveNoAnswer(core::Quantity{double(node_.responseTimeoutSeconds), 0, "s"}).about(node_.name));
 }
 
 core::Error Association::failure(const OFCondition& condition)
 {
-    isOver_ = isOver_ || isConnectionGone(condition);
-    return associationFailure(condition, node_);
+    isClosed_ = isClosed_ || isConnectionClosed(condition);
+    return associationError(condition, node_);
 }
 
 }   // namespace angiopose::io

@@ -19,19 +19,19 @@ struct T_ASC_Network;
 namespace angiopose::io {
 
 /// Called about once a second while waiting and for every fragment sent or received; returns true to abort.
-using StopQuestion = std::function<bool()>;
+using StopCheck = std::function<bool()>;
 
 /// Returns whether there was activity on another association since the last call; activity extends the timeout.
-using LifeQuestion = std::function<bool()>;
+using ActivityCheck = std::function<bool()>;
 
 /// Timeout for establishing a connection, s.
-inline constexpr int connectSeconds = 5;
+inline constexpr int connectTimeoutSeconds = 5;
 
-/// Configures DCMTK's process-wide settings: disables logging and sets timeouts of at least `answerSeconds`.
-void prepareNetwork(int answerSeconds);
+/// Configures DCMTK's process-wide settings: disables logging and sets timeouts of at least `responseTimeoutSeconds`.
+void configureDcmtkNetwork(int responseTimeoutSeconds);
 
-/// Resolves the node's host name; fails if resolution takes longer than `connectSeconds`.
-core::Status resolveHost(const ArchiveNode& node, const StopQuestion& isStopRequested);
+/// Resolves the node's host name; fails if resolution takes longer than `connectTimeoutSeconds`.
+core::Status resolveHost(const ArchiveNode& node, const StopCheck& isStopRequested);
 
 /// Presentation context to propose: an abstract syntax (service or SOP class) with its transfer syntaxes.
 struct ProposedContext {
@@ -47,7 +47,7 @@ struct AcceptedContext {
 };
 
 /// A presentation data value: one fragment of a message (PS3.8 9.3.5).
-struct DataValue {
+struct PresentationDataValue {
     enum class Kind { Command, DataSet };
     Kind kind = Kind::Command;
     std::uint8_t context = 0;
@@ -61,9 +61,9 @@ class Association {
 public:
     static core::Result<std::unique_ptr<Association>> request(const ArchiveNode& node,
                                                               const std::vector<ProposedContext>& contexts,
-                                                              StopQuestion isStopRequested);
+                                                              StopCheck isStopRequested);
     /// Wraps an incoming association that is already acknowledged.
-    Association(T_ASC_Association* accepted, const ArchiveNode& peer, StopQuestion isStopRequested);
+    Association(T_ASC_Association* accepted, const ArchiveNode& peer, StopCheck isStopRequested);
 
     Association(const Association&) = delete;
     Association& operator=(const Association&) = delete;
@@ -71,29 +71,29 @@ public:
 
     const ArchiveNode& node() const { return node_; }
     const std::vector<AcceptedContext>& contexts() const { return contexts_; }
-    std::size_t maxPieceBytes() const;   ///< maximum fragment size that the peer accepts, bytes
+    std::size_t maxFragmentBytes() const;   ///< maximum fragment size that the peer accepts, bytes
     bool isStopRequested() const { return isStopRequested_(); }
 
-    core::Status write(const DataValue& value);
+    core::Status write(const PresentationDataValue& value);
     /// Reads the next fragment. If the peer requests a release instead, confirms the release and returns nothing.
-    core::Result<std::optional<DataValue>> read(const LifeQuestion& isAlive = {});
+    core::Result<std::optional<PresentationDataValue>> read(const ActivityCheck& hasActivity = {});
 
     /// Releases the association; nothing can be sent afterwards.
     void release();
 
 private:
-    Association(const ArchiveNode& node, StopQuestion isStopRequested);
+    Association(const ArchiveNode& node, StopCheck isStopRequested);
     core::Status connect(const std::vector<ProposedContext>& contexts);
-    core::Status waitForData(const LifeQuestion& isAlive) const;
+    core::Status waitForData(const ActivityCheck& hasActivity) const;
     core::Error failure(const OFCondition& condition);
 
     ArchiveNode node_;
-    StopQuestion isStopRequested_;
+    StopCheck isStopRequested_;
     TransportLayer tls_;   // must outlive the network that uses it
     T_ASC_Network* network_ = nullptr;
     T_ASC_Association* association_ = nullptr;
     std::vector<AcceptedContext> contexts_;
-    bool isOver_ = false;   ///< nothing more may be sent to the peer
+    bool isClosed_ = false;   ///< nothing more may be sent to the peer
 };
 
 }   // namespace angiopose::io

@@ -30,10 +30,10 @@ core::Message rejection(T_ASC_Parameters* parameters, const ArchiveNode& node)
     T_ASC_RejectParameters reject{};
     if (ASC_getRejectParameters(parameters, &reject).good()) {
         if (reject.reason == ASC_REASON_SU_CALLEDAETITLENOTRECOGNIZED) {
-            return messages::archiveUnknownTitle(node.title, addressOf(node));
+            return messages::archiveUnknownTitle(node.title, hostAndPort(node));
         }
         if (reject.reason == ASC_REASON_SU_CALLINGAETITLENOTRECOGNIZED) {
-            return messages::archiveTitleNotAllowed(node.ownTitle);
+            return messages::archiveTitleNotAllowed(node.ownAeTitle);
         }
         if (reject.reason == ASC_REASON_SP_PRES_TEMPORARYCONGESTION) {
             return messages::archiveRefused("temporary congestion");
@@ -52,7 +52,7 @@ bool isTlsFailure(const OFCondition& condition)
 
 }   // namespace
 
-core::Error requestFailure(const OFCondition& condition, T_ASC_Parameters* parameters, const ArchiveNode& node)
+core::Error associationRequestError(const OFCondition& condition, T_ASC_Parameters* parameters, const ArchiveNode& node)
 {
     const auto about = [&node](const core::Message& problem) { return core::Error(problem.about(node.name)); };
     if (isTlsFailure(condition)) {
@@ -64,9 +64,9 @@ core::Error requestFailure(const OFCondition& condition, T_ASC_Parameters* param
         case DULC_UNKNOWNHOST:
             return about(messages::archiveUnknownHost(node.host));
         case DULC_TCPINITERROR:
-            return about(messages::archiveNoConnection(addressOf(node), lastPart(condition)));
+            return about(messages::archiveNoConnection(hostAndPort(node), lastPart(condition)));
         case DULC_READTIMEOUT:
-            return about(messages::archiveSilent(addressOf(node), seconds(node.answerSeconds)));
+            return about(messages::archiveSilent(hostAndPort(node), seconds(node.responseTimeoutSeconds)));
         case DULC_PEERABORTEDASSOCIATION:
         case DULC_NETWORKCLOSED:
             return about(messages::archiveRefused(lastPart(condition)));
@@ -75,12 +75,12 @@ core::Error requestFailure(const OFCondition& condition, T_ASC_Parameters* param
     }
 }
 
-core::Error associationFailure(const OFCondition& condition, const ArchiveNode& node)
+core::Error associationError(const OFCondition& condition, const ArchiveNode& node)
 {
     const auto about = [&node](const core::Message& problem) { return core::Error(problem.about(node.name)); };
     switch (condition.code()) {
         case DULC_READTIMEOUT:
-            return about(messages::archiveNoAnswer(seconds(node.answerSeconds)));
+            return about(messages::archiveNoAnswer(seconds(node.responseTimeoutSeconds)));
         case DULC_PEERABORTEDASSOCIATION:
             return about(messages::archiveAborted());
         default:
@@ -88,12 +88,12 @@ core::Error associationFailure(const OFCondition& condition, const ArchiveNode& 
     }
 }
 
-core::Error stoppedAssociation(const ArchiveNode& node)
+core::Error canceledAssociationError(const ArchiveNode& node)
 {
-    return core::Error(core::Stopped{messages::archiveStopped()}).about(node.name);
+    return core::Error(core::Cancellation{messages::archiveStopped()}).about(node.name);
 }
 
-bool isConnectionGone(const OFCondition& condition)
+bool isConnectionClosed(const OFCondition& condition)
 {
     return condition.code() == DULC_PEERABORTEDASSOCIATION || condition.code() == DULC_NETWORKCLOSED ||
            condition.code() == DULC_TCPIOERROR;

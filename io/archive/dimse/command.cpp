@@ -32,9 +32,9 @@ void appendElement(std::string& bytes, std::uint16_t element, std::string_view v
 
 }   // namespace
 
-DimseCommand::DimseCommand(DimseKind kind, std::uint16_t id, const std::string& sopClass)
+DimseCommand::DimseCommand(DimseMessageType kind, std::uint16_t id, const std::string& sopClass)
 {
-    setText(affectedClass, sopClass);
+    setText(affectedSopClass, sopClass);
     setNumber(commandField, static_cast<std::uint16_t>(kind));
     setNumber(messageId, id);
     setNumber(dataSetType, noData);
@@ -43,13 +43,13 @@ DimseCommand::DimseCommand(DimseKind kind, std::uint16_t id, const std::string& 
 DimseCommand DimseCommand::response(std::uint16_t status) const
 {
     DimseCommand answer;
-    answer.setText(affectedClass, text(affectedClass));
+    answer.setText(affectedSopClass, text(affectedSopClass));
     answer.setNumber(commandField, static_cast<std::uint16_t>(number(commandField).value_or(0) | 0x8000U));
-    answer.setNumber(respondedId, number(messageId).value_or(0));
+    answer.setNumber(respondedMessageId, number(messageId).value_or(0));
     answer.setNumber(dataSetType, noData);
     answer.setNumber(statusField, status);
-    if (values_.contains(affectedInstance)) {
-        answer.setText(affectedInstance, text(affectedInstance));
+    if (values_.contains(affectedSopInstance)) {
+        answer.setText(affectedSopInstance, text(affectedSopInstance));
     }
     return answer;
 }

@@ -9,7 +9,7 @@
 namespace angiopose::io {
 
 /// Message types (PS3.7 E.1-1, field 0000,0100).
-enum class DimseKind : std::uint16_t {
+enum class DimseMessageType : std::uint16_t {
     StoreRequest = 0x0001,
     StoreResponse = 0x8001,
     GetRequest = 0x0010,
@@ -26,7 +26,7 @@ enum class DimseKind : std::uint16_t {
 class DimseCommand {
 public:
     DimseCommand() = default;
-    DimseCommand(DimseKind kind, std::uint16_t messageId, const std::string& sopClass);
+    DimseCommand(DimseMessageType kind, std::uint16_t messageId, const std::string& sopClass);
 
     /// Builds the response to this request.
     DimseCommand response(std::uint16_t status) const;
@@ -37,7 +37,7 @@ public:
 
     std::optional<std::uint16_t> number(std::uint16_t element) const;
     std::string text(std::uint16_t element) const;   ///< value without padding
-    DimseKind kind() const { return static_cast<DimseKind>(number(commandField).value_or(0)); }
+    DimseMessageType kind() const { return static_cast<DimseMessageType>(number(commandField).value_or(0)); }
     std::uint16_t status() const { return number(statusField).value_or(0xffff); }
     bool hasData() const { return number(dataSetType).value_or(noData) != noData; }
 
@@ -48,16 +48,16 @@ public:
     static std::optional<DimseCommand> decode(std::string_view bytes);
 
     // Elements of group 0000.
-    static constexpr std::uint16_t affectedClass = 0x0002;
+    static constexpr std::uint16_t affectedSopClass = 0x0002;
     static constexpr std::uint16_t commandField = 0x0100;
     static constexpr std::uint16_t messageId = 0x0110;
-    static constexpr std::uint16_t respondedId = 0x0120;
+    static constexpr std::uint16_t respondedMessageId = 0x0120;
     static constexpr std::uint16_t moveDestination = 0x0600;
     static constexpr std::uint16_t priority = 0x0700;
     static constexpr std::uint16_t dataSetType = 0x0800;
     static constexpr std::uint16_t statusField = 0x0900;
     static constexpr std::uint16_t errorComment = 0x0902;
-    static constexpr std::uint16_t affectedInstance = 0x1000;
+    static constexpr std::uint16_t affectedSopInstance = 0x1000;
     static constexpr std::uint16_t remaining = 0x1020;
     static constexpr std::uint16_t completed = 0x1021;
     static constexpr std::uint16_t failed = 0x1022;
@@ -77,11 +77,11 @@ namespace dimse {
 inline constexpr std::uint16_t success = 0x0000;
 inline constexpr std::uint16_t pending = 0xff00;
 inline constexpr std::uint16_t pendingWithWarning = 0xff01;
-inline constexpr std::uint16_t someFailed = 0xb000;
+inline constexpr std::uint16_t suboperationsFailed = 0xb000;
 inline constexpr std::uint16_t duplicateInstance = 0x0111;
-inline constexpr std::uint16_t classNotSupported = 0x0122;
+inline constexpr std::uint16_t sopClassNotSupported = 0x0122;
 inline constexpr std::uint16_t outOfResources = 0xa700;
-inline constexpr std::uint16_t notMatchingClass = 0xa900;
+inline constexpr std::uint16_t dataSetMismatch = 0xa900;
 inline constexpr std::uint16_t cannotUnderstand = 0xc000;
 }   // namespace dimse
 

@@ -41,7 +41,7 @@ public:
     bool isStopRequested() const
     {
         const std::size_t done = report_.transferred + report_.duplicates + report_.failed;
-        return observe_ && observe_({done, report_.all, bytes_}) == core::Verdict::Stop;
+        return observe_ && observe_({done, report_.all, bytes_}) == core::ObserverDecision::Stop;
     }
 
     core::Status sendBatch(std::span<const SendableFile> files, const std::set<Encoding>& encodings)
@@ -78,9 +78,9 @@ private:
             fail(file, messages::archiveNotTaken(file.sopClass, file.transferSyntax));
             return core::Done{};
         }
-        DimseCommand request(DimseKind::StoreRequest, ++messageId_, file.sopClass);
+        DimseCommand request(DimseMessageType::StoreRequest, ++messageId_, file.sopClass);
         request.setNumber(DimseCommand::priority, 0);
-        request.setText(DimseCommand::affectedInstance, file.sopInstance);
+        request.setText(DimseCommand::affectedSopInstance, file.sopInstance);
         request.setHasData();
         if (auto sent = link.send(context->id, request); !sent) {
             return sent;
@@ -97,14 +97,14 @@ private:
         stream.seekg(static_cast<std::streamoff>(file.dataset));
         std::uint64_t left = file.bytes - file.dataset;
         std::string block;
-        return link.sendPieces(context, [&](std::size_t maxBytes) -> core::Result<DimseLink::Piece> {
+        return link.sendFragments(context, [&](std::size_t maxBytes) -> core::Result<DimseLink::Fragment> {
             block.resize(static_cast<std::size_t>(std::min<std::uint64_t>(left, maxBytes & ~std::size_t{1})));
             if (!stream.read(block.data(), static_cast<std::streamsize>(block.size()))) {
                 return core::Error(messages::archiveNotSendable().about(file.path));
             }
             left -= block.size();
             bytes_ += block.size();
-            return DimseLink::Piece{block, left == 0};
+            return DimseLink::Fragment{block, left == 0};
         });
     }
 
@@ -114,7 +114,7 @@ private:
         if (!received) {
             return received.error();
         }
-        if (!received.value() || received.value()->command.kind() != DimseKind::StoreResponse) {
+        if (!received.value() || received.value()->command.kind() != DimseMessageType::StoreResponse) {
             return core::Error(messages::archiveNonsense("C-STORE").about(node_.name));
         }
         const DimseCommand& answer = received.value()->command;
@@ -139,14 +139,14 @@ private:
 
 class DimseSource : public SeriesSource {
 public:
-    DimseSource(ArchiveNode node, StopQuestion isStopRequested)
+    DimseSource(ArchiveNode node, StopCheck isStopRequested)
         : node_(std::move(node)), isStopRequested_(std::move(isStopRequested))
     {
     }
 
     core::Result<std::vector<std::string>> seriesOf(const std::string& studyUid) override
     {
-        auto opened = openForFinding(node_, isStopRequested_);
+        auto opened = openFindAssociation(node_, isStopRequested_);
         if (!opened) {
             return opened.error();
         }
@@ -158,7 +158,7 @@ public:
     core::Result<std::vector<ArchiveObject>> objectsOf(const std::string& studyUid,
                                                        const std::string& seriesUid) override
     {
-        auto opened = openForFinding(node_, isStopRequested_);
+        auto opened = openFindAssociation(node_, isStopRequested_);
         if (!opened) {
             return opened.error();
         }
@@ -168,14 +168,14 @@ public:
     }
 
     core::Status fetch(const std::string& studyUid, const std::string& seriesUid,
-                       const std::vector<ArchiveObject>& objects, Arrivals& arrivals) override
+                       const std::vector<ArchiveObject>& objects, StoreWriter& storeWriter) override
     {
         const SeriesRequest series{studyUid, seriesUid, objects};
-        auto got = getSeries(node_, series, arrivals);
+        auto got = getSeries(node_, series, storeWriter);
         if (!got) {
             return got.error();
         }
-        return got.value() ? core::Status(core::Done{}) : moveSeries(node_, series, arrivals);
+        return got.value() ? core::Status(core::Done{}) : moveSeries(node_, series, storeWriter);
     }
 
 private:
@@ -189,7 +189,7 @@ private:
     }
 
     ArchiveNode node_;
-    StopQuestion isStopRequested_;
+    StopCheck isStopRequested_;
 };
 
 }   // namespace
@@ -209,7 +209,7 @@ void dimseSend(const ArchiveNode& node, const std::vector<SendableFile>& files, 
     }
 }
 
-std::unique_ptr<SeriesSource> makeDimseSource(const ArchiveNode& node, const StopQuestion& isStopRequested)
+std::unique_ptr<SeriesSource> makeDimseSource(const ArchiveNode& node, const StopCheck& isStopRequested)
 {
     return std::make_unique<DimseSource>(node, isStopRequested);
 }

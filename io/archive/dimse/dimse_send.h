@@ -3,8 +3,8 @@
 #include "io/archive/dimse/link.h"
 #include "io/archive/model/node.h"
 #include "io/archive/model/query.h"
-#include "io/archive/store/arrivals.h"
 #include "io/archive/store/sendable_file.h"
+#include "io/archive/store/store_writer.h"
 
 #include <memory>
 #include <vector>
@@ -18,6 +18,6 @@ void dimseSend(const ArchiveNode& node, const std::vector<SendableFile>& files, 
 
 /// Creates a source that retrieves objects by C-GET or, if the archive does not support C-GET, by C-MOVE to our
 /// receiving port.
-std::unique_ptr<SeriesSource> makeDimseSource(const ArchiveNode& node, const StopQuestion& isStopRequested);
+std::unique_ptr<SeriesSource> makeDimseSource(const ArchiveNode& node, const StopCheck& isStopRequested);
 
 }   // namespace angiopose::io

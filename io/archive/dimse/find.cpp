@@ -15,33 +15,33 @@ using Keys = std::map<DicomTag, std::string>;
 constexpr DicomTag levelTag = 0x00080052;
 constexpr DicomTag studyUidTag = 0x0020000d;
 constexpr DicomTag seriesUidTag = 0x0020000e;
-struct Answers {
+struct QueryResponses {
     std::vector<DicomDataset> sets;
-    bool isCut = false;   ///< whether the archive has more matches; the association is then unusable
+    bool isTruncated = false;   ///< whether the archive has more matches; the association is then unusable
 };
 
-core::Result<Answers> ask(DimseLink& link, const ArchiveNode& node, const Keys& keys, std::size_t most)
+core::Result<QueryResponses> ask(DimseLink& link, const ArchiveNode& node, const Keys& keys, std::size_t most)
 {
     const auto context = link.contextFor(sop::find);
     if (!context) {
-        return core::Error(messages::archiveNoService("C-FIND", node.ownTitle).about(node.name));
+        return core::Error(messages::archiveNoService("C-FIND", node.ownAeTitle).about(node.name));
     }
-    DimseCommand request(DimseKind::FindRequest, 1, sop::find);
+    DimseCommand request(DimseMessageType::FindRequest, 1, sop::find);
     request.setNumber(DimseCommand::priority, 0);
     request.setHasData();
     if (auto sent = link.send(context->id, request); !sent) {
         return sent.error();
     }
-    if (auto sent = link.sendData(context->id, encodedIdentifier(keys)); !sent) {
+    if (auto sent = link.sendData(context->id, encodeIdentifier(keys)); !sent) {
         return sent.error();
     }
-    Answers answers;
+    QueryResponses answers;
     for (;;) {
         auto received = link.receive();
         if (!received) {
             return received.error();
         }
-        if (!received.value() || received.value()->command.kind() != DimseKind::FindResponse) {
+        if (!received.value() || received.value()->command.kind() != DimseMessageType::FindResponse) {
             return core::Error(messages::archiveNonsense("C-FIND").about(node.name));
         }
         const DimseCommand& answer = received.value()->command;
@@ -60,10 +60,10 @@ core::Result<Answers> ask(DimseLink& link, const ArchiveNode& node, const Keys& 
             return core::Error(messages::archiveStatus("C-FIND", statusText(answer)).about(node.name));
         }
         if (answers.sets.size() == most) {
-            answers.isCut = true;
+            answers.isTruncated = true;
             return answers;
         }
-        answers.sets.push_back(decodedIdentifier(data));
+        answers.sets.push_back(decodeIdentifier(data));
     }
 }
 
@@ -116,7 +116,8 @@ ArchiveMatch seriesMatch(ArchiveMatch match, const DicomDataset& data)
 }
 
 /// Replaces each study by its series; fails on the first study that cannot be queried.
-core::Status intoSeries(DimseLink& link, const ArchiveNode& node, const ArchiveQuery& query, ArchiveMatches& matches)
+core::Status expandToSeries(DimseLink& link, const ArchiveNode& node, const ArchiveQuery& query,
+                            ArchiveMatches& matches)
 {
     std::vector<ArchiveMatch> series;
     for (const ArchiveMatch& study : matches.found) {
@@ -134,7 +135,7 @@ core::Status intoSeries(DimseLink& link, const ArchiveNode& node, const ArchiveQ
 
 }   // namespace
 
-core::Status dimseEcho(const ArchiveNode& node, const StopQuestion& isStopRequested)
+core::Status dimseEcho(const ArchiveNode& node, const StopCheck& isStopRequested)
 {
     auto opened = DimseLink::open(node, {{sop::verification, {implicitLittleEndian}}}, isStopRequested);
     if (!opened) {
@@ -143,9 +144,9 @@ core::Status dimseEcho(const ArchiveNode& node, const StopQuestion& isStopReques
     DimseLink link = std::move(opened).value();
     const auto context = link.contextFor(sop::verification);
     if (!context) {
-        return core::Error(messages::archiveNoService("C-ECHO", node.ownTitle).about(node.name));
+        return core::Error(messages::archiveNoService("C-ECHO", node.ownAeTitle).about(node.name));
     }
-    if (auto sent = link.send(context->id, DimseCommand(DimseKind::EchoRequest, 1, sop::verification)); !sent) {
+    if (auto sent = link.send(context->id, DimseCommand(DimseMessageType::EchoRequest, 1, sop::verification)); !sent) {
         return sent;
     }
     auto received = link.receive();
@@ -159,15 +160,15 @@ core::Status dimseEcho(const ArchiveNode& node, const StopQuestion& isStopReques
     return core::Done{};
 }
 
-core::Result<DimseLink> openForFinding(const ArchiveNode& node, const StopQuestion& isStopRequested)
+core::Result<DimseLink> openFindAssociation(const ArchiveNode& node, const StopCheck& isStopRequested)
 {
     return DimseLink::open(node, {{sop::find, {implicitLittleEndian}}}, isStopRequested);
 }
 
 core::Result<ArchiveMatches> dimseFind(const ArchiveNode& node, const ArchiveQuery& query,
-                                       const StopQuestion& isStopRequested)
+                                       const StopCheck& isStopRequested)
 {
-    auto opened = openForFinding(node, isStopRequested);
+    auto opened = openFindAssociation(node, isStopRequested);
     if (!opened) {
         return opened.error();
     }
@@ -182,8 +183,8 @@ core::Result<ArchiveMatches> dimseFind(const ArchiveNode& node, const ArchiveQue
     for (const DicomDataset& data : answers.value().sets) {
         matches.found.push_back(studyMatch(data));
     }
-    settleMatches(query, matches.found);
-    if (answers.value().isCut) {
+    sortAndFilterMatches(query, matches.found);
+    if (answers.value().isTruncated) {
         matches.warnings.push_back(messages::archiveManyMatches(most).about(node.name));
         if (isOfSeries) {
             return core::Error(messages::archiveManyMatches(most).about(node.name));
@@ -191,10 +192,10 @@ core::Result<ArchiveMatches> dimseFind(const ArchiveNode& node, const ArchiveQue
         return matches;
     }
     if (isOfSeries) {
-        if (auto found = intoSeries(link, node, query, matches); !found) {
+        if (auto found = expandToSeries(link, node, query, matches); !found) {
             return found.error();
         }
-        settleMatches(query, matches.found);
+        sortAndFilterMatches(query, matches.found);
     }
     link.release();
     return matches;

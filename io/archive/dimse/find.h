@@ -9,14 +9,14 @@
 namespace angiopose::io {
 
 /// Verifies by C-ECHO that the archive responds to its configured AE title.
-core::Status dimseEcho(const ArchiveNode& node, const StopQuestion& isStopRequested);
+core::Status dimseEcho(const ArchiveNode& node, const StopCheck& isStopRequested);
 
 /// Queries studies and series by C-FIND (Study Root model).
 core::Result<ArchiveMatches> dimseFind(const ArchiveNode& node, const ArchiveQuery& query,
-                                       const StopQuestion& isStopRequested);
+                                       const StopCheck& isStopRequested);
 
 /// Opens an association for C-FIND.
-core::Result<DimseLink> openForFinding(const ArchiveNode& node, const StopQuestion& isStopRequested);
+core::Result<DimseLink> openFindAssociation(const ArchiveNode& node, const StopCheck& isStopRequested);
 
 core::Result<std::vector<std::string>> findSeries(DimseLink& link, const ArchiveNode& node,
                                                   const std::string& studyUid);

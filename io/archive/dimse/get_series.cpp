@@ -1,9 +1,9 @@
 #include "io/archive/dimse/get_series.h"
 
 #include "io/archive/dimse/identifier.h"
-#include "io/archive/dimse/receiver.h"
+#include "io/archive/dimse/receive_object.h"
 #include "io/archive/dimse/storage_classes.h"
-#include "io/archive/dimse/take_object.h"
+#include "io/archive/dimse/storage_scp.h"
 #include "io/messages/messages.h"
 
 #include <atomic>
@@ -14,14 +14,14 @@ namespace {
 
 std::string seriesIdentifier(const SeriesRequest& series)
 {
-    return encodedIdentifier({{0x00080052, "SERIES"}, {0x0020000d, series.studyUid}, {0x0020000e, series.seriesUid}});
+    return encodeIdentifier({{0x00080052, "SERIES"}, {0x0020000d, series.studyUid}, {0x0020000e, series.seriesUid}});
 }
 
 /// Fails unless the final response reports full or partial success; missing objects are reported separately.
-core::Status settleRetrieval(const ArchiveNode& node, const std::string& service, const DimseCommand& answer)
+core::Status checkFinalResponse(const ArchiveNode& node, const std::string& service, const DimseCommand& answer)
 {
     const std::uint16_t status = answer.status();
-    if (status == dimse::success || status == dimse::someFailed) {
+    if (status == dimse::success || status == dimse::suboperationsFailed) {
         return core::Done{};
     }
     return core::Error(messages::archiveStatus(service, statusText(answer)).about(node.name));
@@ -33,7 +33,7 @@ bool isPending(const DimseCommand& answer)
 }
 
 /// Receives objects and pending responses until the final response arrives.
-core::Status takeAll(DimseLink& link, const ArchiveNode& node, const SeriesRequest& series, Arrivals& arrivals)
+core::Status receiveAll(DimseLink& link, const ArchiveNode& node, const SeriesRequest& series, StoreWriter& storeWriter)
 {
     const ExpectedObject expected{series.studyUid, series.seriesUid, {}};
     for (;;) {
@@ -44,14 +44,14 @@ core::Status takeAll(DimseLink& link, const ArchiveNode& node, const SeriesReque
         if (!received.value()) {
             return core::Error(messages::archiveAborted().about(node.name));
         }
-        const DimseLink::Received& message = *received.value();
-        if (message.command.kind() == DimseKind::StoreRequest) {
-            if (auto taken = takeObject(link, message, expected, arrivals); !taken) {
+        const DimseLink::ReceivedCommand& message = *received.value();
+        if (message.command.kind() == DimseMessageType::StoreRequest) {
+            if (auto taken = receiveObject(link, message, expected, storeWriter); !taken) {
                 return taken;
             }
             continue;
         }
-        if (message.command.kind() != DimseKind::GetResponse) {
+        if (message.command.kind() != DimseMessageType::GetResponse) {
             return core::Error(messages::archiveNonsense("C-GET").about(node.name));
         }
         if (message.command.hasData()) {
@@ -60,7 +60,7 @@ core::Status takeAll(DimseLink& link, const ArchiveNode& node, const SeriesReque
             }
         }
         if (!isPending(message.command)) {
-            return settleRetrieval(node, "C-GET", message.command);
+            return checkFinalResponse(node, "C-GET", message.command);
         }
     }
 }
@@ -68,8 +68,8 @@ core::Status takeAll(DimseLink& link, const ArchiveNode& node, const SeriesReque
 /// Runs the storage SCP on the receiving port in its own thread while C-MOVE is requested on another association.
 class ReceivingThread {
 public:
-    ReceivingThread(Receiver& receiver, Arrivals& arrivals)
-        : thread_([this, &receiver, &arrivals] { receiver.serve(arrivals, [this] { return isOver_.load(); }); })
+    ReceivingThread(StorageScp& receiver, StoreWriter& storeWriter)
+        : thread_([this, &receiver, &storeWriter] { receiver.serve(storeWriter, [this] { return isOver_.load(); }); })
     {
     }
     ReceivingThread(const ReceivingThread&) = delete;
@@ -90,16 +90,18 @@ private:
 };
 
 /// Waits for the final response; objects that arrive meanwhile show that the archive is still active.
-core::Status awaitEnd(DimseLink& link, const ArchiveNode& node, Arrivals& arrivals)
+core::Status awaitEnd(DimseLink& link, const ArchiveNode& node, StoreWriter& storeWriter)
 {
-    std::uint64_t seen = arrivals.bytesSoFar();
-    const LifeQuestion isAlive = [&seen, &arrivals] { return std::exchange(seen, arrivals.bytesSoFar()) != seen; };
+    std::uint64_t seen = storeWriter.receivedBytes();
+    const ActivityCheck hasActivity = [&seen, &storeWriter] {
+        return std::exchange(seen, storeWriter.receivedBytes()) != seen;
+    };
     for (;;) {
-        auto received = link.receive(isAlive);
+        auto received = link.receive(hasActivity);
         if (!received) {
             return received.error();
         }
-        if (!received.value() || received.value()->command.kind() != DimseKind::MoveResponse) {
+        if (!received.value() || received.value()->command.kind() != DimseMessageType::MoveResponse) {
             return core::Error(messages::archiveNonsense("C-MOVE").about(node.name));
         }
         const DimseCommand& answer = received.value()->command;
@@ -109,7 +111,7 @@ core::Status awaitEnd(DimseLink& link, const ArchiveNode& node, Arrivals& arriva
             }
         }
         if (!isPending(answer)) {
-            return settleRetrieval(node, "C-MOVE", answer);
+            return checkFinalResponse(node, "C-MOVE", answer);
         }
     }
 }
@@ -117,11 +119,11 @@ core::Status awaitEnd(DimseLink& link, const ArchiveNode& node, Arrivals& arriva
 }   // namespace
 
 core::Result<std::optional<core::Done>> getSeries(const ArchiveNode& node, const SeriesRequest& series,
-                                                  Arrivals& arrivals)
+                                                  StoreWriter& storeWriter)
 {
-    auto contexts = receivingContexts(series.objects, 1);
+    auto contexts = storageContexts(series.objects, 1);
     contexts.push_back({sop::get, {implicitLittleEndian}});
-    auto opened = DimseLink::open(node, contexts, [&arrivals] { return arrivals.isStopRequested(); });
+    auto opened = DimseLink::open(node, contexts, [&storeWriter] { return storeWriter.isStopRequested(); });
     if (!opened) {
         return opened.error();
     }
@@ -131,7 +133,7 @@ core::Result<std::optional<core::Done>> getSeries(const ArchiveNode& node, const
         link.release();
         return std::optional<core::Done>();
     }
-    DimseCommand request(DimseKind::GetRequest, 1, sop::get);
+    DimseCommand request(DimseMessageType::GetRequest, 1, sop::get);
     request.setNumber(DimseCommand::priority, 0);
     request.setHasData();
     if (auto sent = link.send(context->id, request); !sent) {
@@ -140,51 +142,51 @@ core::Result<std::optional<core::Done>> getSeries(const ArchiveNode& node, const
     if (auto sent = link.sendData(context->id, seriesIdentifier(series)); !sent) {
         return sent.error();
     }
-    if (auto taken = takeAll(link, node, series, arrivals); !taken) {
+    if (auto taken = receiveAll(link, node, series, storeWriter); !taken) {
         return taken.error();
     }
     link.release();
     return std::optional(core::Done{});
 }
 
-core::Status moveSeries(const ArchiveNode& node, const SeriesRequest& series, Arrivals& arrivals)
+core::Status moveSeries(const ArchiveNode& node, const SeriesRequest& series, StoreWriter& storeWriter)
 {
     if (node.receivePort == 0) {
         return core::Error(messages::archiveNoWayBack().about(node.name));
     }
-    ReceiverOptions options;
+    StorageScpOptions options;
     options.port = node.receivePort;
-    options.ownTitle = node.ownTitle;
+    options.ownAeTitle = node.ownAeTitle;
     options.expected = {series.studyUid, series.seriesUid, {}};
     options.isTls = node.isTls && !node.certificateFile.empty();
     options.tls = {node.caFile, node.certificateFile, node.keyFile};
-    auto listening = Receiver::listen(options);
+    auto listening = StorageScp::listen(options);
     if (!listening) {
         return listening.error();
     }
-    Receiver receiver = std::move(listening).value();
+    StorageScp receiver = std::move(listening).value();
     auto opened = DimseLink::open(node, {{sop::move, {implicitLittleEndian}}},
-                                  [&arrivals] { return arrivals.isStopRequested(); });
+                                  [&storeWriter] { return storeWriter.isStopRequested(); });
     if (!opened) {
         return opened.error();
     }
     DimseLink link = std::move(opened).value();
     const auto context = link.contextFor(sop::move);
     if (!context) {
-        return core::Error(messages::archiveNoService("C-GET, C-MOVE", node.ownTitle).about(node.name));
+        return core::Error(messages::archiveNoService("C-GET, C-MOVE", node.ownAeTitle).about(node.name));
     }
-    DimseCommand request(DimseKind::MoveRequest, 1, sop::move);
-    request.setText(DimseCommand::moveDestination, node.ownTitle, ' ');
+    DimseCommand request(DimseMessageType::MoveRequest, 1, sop::move);
+    request.setText(DimseCommand::moveDestination, node.ownAeTitle, ' ');
     request.setNumber(DimseCommand::priority, 0);
     request.setHasData();
-    ReceivingThread thread(receiver, arrivals);
+    ReceivingThread thread(receiver, storeWriter);
     if (auto sent = link.send(context->id, request); !sent) {
         return sent;
     }
     if (auto sent = link.sendData(context->id, seriesIdentifier(series)); !sent) {
         return sent;
     }
-    auto ended = awaitEnd(link, node, arrivals);
+    auto ended = awaitEnd(link, node, storeWriter);
     thread.finish();
     if (ended) {
         link.release();

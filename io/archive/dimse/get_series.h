@@ -1,7 +1,7 @@
 #pragma once
 
 #include "io/archive/dimse/link.h"
-#include "io/archive/store/arrivals.h"
+#include "io/archive/store/store_writer.h"
 
 namespace angiopose::io {
 
@@ -14,9 +14,9 @@ struct SeriesRequest {
 /// Retrieves a series by C-GET; the objects arrive on the same association. Returns nothing if the archive does not
 /// support C-GET.
 core::Result<std::optional<core::Done>> getSeries(const ArchiveNode& node, const SeriesRequest& request,
-                                                  Arrivals& arrivals);
+                                                  StoreWriter& storeWriter);
 
 /// Retrieves a series by C-MOVE; the archive opens associations to our receiving port to deliver the objects.
-core::Status moveSeries(const ArchiveNode& node, const SeriesRequest& request, Arrivals& arrivals);
+core::Status moveSeries(const ArchiveNode& node, const SeriesRequest& request, StoreWriter& storeWriter);
 
 }   // namespace angiopose::io

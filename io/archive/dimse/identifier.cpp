@@ -1,6 +1,6 @@
 #include "io/archive/dimse/identifier.h"
 
-#include "io/dicom/dicom_gate.h"
+#include "io/dicom/element_filter.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -24,7 +24,7 @@ bool isUidTag(DicomTag tag)
 
 }   // namespace
 
-std::string encodedIdentifier(const std::map<DicomTag, std::string>& values)
+std::string encodeIdentifier(const std::map<DicomTag, std::string>& values)
 {
     auto all = values;
     const bool isUtf8 = std::ranges::any_of(values, [](const auto& value) {
@@ -47,10 +47,10 @@ std::string encodedIdentifier(const std::map<DicomTag, std::string>& values)
     return bytes;
 }
 
-DicomDataset decodedIdentifier(std::string_view bytes)
+DicomDataset decodeIdentifier(std::string_view bytes)
 {
     const DicomEncoding encoding{false, ByteOrder::Little};
-    return readElements(passElements(bytes, encoding).elements, encoding);
+    return readElements(filterElements(bytes, encoding).elements, encoding);
 }
 
 }   // namespace angiopose::io

@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t maxAnswerBytes = std::size_t{4} << 20;
 constexpr std::size_t maxCommandBytes = std::size_t{64} << 10;
 
-core::Error nonsense(const Association& association)
+core::Error unexpectedMessage(const Association& association)
 {
     return core::Error(messages::archiveNonsense("DIMSE").about(association.node().name));
 }
@@ -21,7 +21,7 @@ core::Error nonsense(const Association& association)
 DimseLink::DimseLink(std::unique_ptr<Association> association) : association_(std::move(association)) {}
 
 core::Result<DimseLink> DimseLink::open(const ArchiveNode& node, const std::vector<ProposedContext>& contexts,
-                                        StopQuestion isStopRequested)
+                                        StopCheck isStopRequested)
 {
     if (auto checked = checkNode(node); !checked) {
         return checked.error();
@@ -36,7 +36,7 @@ core::Result<DimseLink> DimseLink::open(const ArchiveNode& node, const std::vect
     return DimseLink(std::move(association).value());
 }
 
-DimseLink DimseLink::accepted(T_ASC_Association* association, const ArchiveNode& peer, StopQuestion isStopRequested)
+DimseLink DimseLink::accepted(T_ASC_Association* association, const ArchiveNode& peer, StopCheck isStopRequested)
 {
     return DimseLink(std::make_unique<Association>(association, peer, std::move(isStopRequested)));
 }
@@ -53,7 +53,7 @@ std::optional<AcceptedContext> DimseLink::contextFor(const std::string& abstract
     return std::nullopt;
 }
 
-std::optional<AcceptedContext> DimseLink::contextOf(std::uint8_t id) const
+std::optional<AcceptedContext> DimseLink::contextWithId(std::uint8_t id) const
 {
     for (const AcceptedContext& context : association_->contexts()) {
         if (context.id == id) {
@@ -65,21 +65,23 @@ std::optional<AcceptedContext> DimseLink::contextOf(std::uint8_t id) const
 
 core::Status DimseLink::send(std::uint8_t context, const DimseCommand& command)
 {
-    return association_->write({DataValue::Kind::Command, context, command.encoded(), true});
+    return association_->write({PresentationDataValue::Kind::Command, context, command.encoded(), true});
 }
 
-core::Status DimseLink::sendPieces(std::uint8_t context, const PieceSource& next)
+core::Status DimseLink::sendFragments(std::uint8_t context, const FragmentSource& next)
 {
     for (bool isLast = false; !isLast;) {
         if (association_->isStopRequested()) {
-            return stoppedAssociation(association_->node());
+            return canceledAssociationError(association_->node());
         }
-        auto piece = next(association_->maxPieceBytes());
+        auto piece = next(association_->maxFragmentBytes());
         if (!piece) {
             return piece.error();
         }
         isLast = piece.value().isLast;
-        if (auto sent = association_->write({DataValue::Kind::DataSet, context, piece.value().bytes, isLast}); !sent) {
+        if (auto sent =
+                association_->write({PresentationDataValue::Kind::DataSet, context, piece.value().bytes, isLast});
+            !sent) {
             return sent;
         }
     }
@@ -88,50 +90,50 @@ core::Status DimseLink::sendPieces(std::uint8_t context, const PieceSource& next
 
 core::Status DimseLink::sendData(std::uint8_t context, std::string_view data)
 {
-    return sendPieces(context, [&data](std::size_t maxBytes) -> core::Result<Piece> {
-        Piece piece{data.substr(0, maxBytes), data.size() <= maxBytes};
+    return sendFragments(context, [&data](std::size_t maxBytes) -> core::Result<Fragment> {
+        Fragment piece{data.substr(0, maxBytes), data.size() <= maxBytes};
         data.remove_prefix(piece.bytes.size());
         return piece;
     });
 }
 
-core::Result<std::optional<DimseLink::Received>> DimseLink::receive(const LifeQuestion& isAlive)
+core::Result<std::optional<DimseLink::ReceivedCommand>> DimseLink::receive(const ActivityCheck& hasActivity)
 {
     std::string bytes;
     for (;;) {
-        auto read = association_->read(isAlive);
+        auto read = association_->read(hasActivity);
         if (!read) {
             return read.error();
         }
         if (!read.value()) {
-            return std::optional<Received>();
+            return std::optional<ReceivedCommand>();
         }
-        const DataValue& value = *read.value();
-        if (value.kind != DataValue::Kind::Command || bytes.size() + value.bytes.size() > maxCommandBytes) {
-            return nonsense(*association_);
+        const PresentationDataValue& value = *read.value();
+        if (value.kind != PresentationDataValue::Kind::Command || bytes.size() + value.bytes.size() > maxCommandBytes) {
+            return unexpectedMessage(*association_);
         }
         bytes += value.bytes;
         if (value.isLast) {
             const auto command = DimseCommand::decode(bytes);
-            return command ? core::Result<std::optional<Received>>(Received{*command, value.context})
-                           : nonsense(*association_);
+            return command ? core::Result<std::optional<ReceivedCommand>>(ReceivedCommand{*command, value.context})
+                           : unexpectedMessage(*association_);
         }
     }
 }
 
-core::Status DimseLink::receivePieces(const PieceSink& take)
+core::Status DimseLink::receiveFragments(const FragmentSink& take)
 {
     for (;;) {
         auto read = association_->read();
         if (!read) {
             return read.error();
         }
-        if (!read.value() || read.value()->kind != DataValue::Kind::DataSet) {
-            return nonsense(*association_);
+        if (!read.value() || read.value()->kind != PresentationDataValue::Kind::DataSet) {
+            return unexpectedMessage(*association_);
         }
-        const DataValue& value = *read.value();
+        const PresentationDataValue& value = *read.value();
         if (association_->isStopRequested()) {
-            return stoppedAssociation(association_->node());
+            return canceledAssociationError(association_->node());
         }
         if (auto taken = take(value.bytes); !taken) {
             return taken;
@@ -145,9 +147,9 @@ core::Status DimseLink::receivePieces(const PieceSink& take)
 core::Result<std::string> DimseLink::receiveData()
 {
     std::string data;
-    auto received = receivePieces([this, &data](std::string_view piece) -> core::Status {
+    auto received = receiveFragments([this, &data](std::string_view piece) -> core::Status {
         if (data.size() + piece.size() > maxAnswerBytes) {
-            return nonsense(*association_);
+            return unexpectedMessage(*association_);
         }
         data += piece;
         return core::Done{};

@@ -17,35 +17,35 @@ namespace angiopose::io {
 class DimseLink {
 public:
     static core::Result<DimseLink> open(const ArchiveNode& node, const std::vector<ProposedContext>& contexts,
-                                        StopQuestion isStopRequested);
+                                        StopCheck isStopRequested);
     /// Wraps an incoming association that is already acknowledged.
-    static DimseLink accepted(T_ASC_Association* association, const ArchiveNode& peer, StopQuestion isStopRequested);
+    static DimseLink accepted(T_ASC_Association* association, const ArchiveNode& peer, StopCheck isStopRequested);
 
     /// Returns the accepted presentation context for a service or SOP class; nothing if the archive rejected it.
     std::optional<AcceptedContext> contextFor(const std::string& abstractSyntax,
                                               const std::string& transferSyntax = {}) const;
-    std::optional<AcceptedContext> contextOf(std::uint8_t id) const;
+    std::optional<AcceptedContext> contextWithId(std::uint8_t id) const;
 
     core::Status send(std::uint8_t context, const DimseCommand& command);
     core::Status sendData(std::uint8_t context, std::string_view data);
 
     /// Fragment of a data set, with a flag for the last fragment.
-    struct Piece {
+    struct Fragment {
         std::string_view bytes;
         bool isLast = false;
     };
-    using PieceSource = std::function<core::Result<Piece>(std::size_t maxBytes)>;
-    core::Status sendPieces(std::uint8_t context, const PieceSource& next);
+    using FragmentSource = std::function<core::Result<Fragment>(std::size_t maxBytes)>;
+    core::Status sendFragments(std::uint8_t context, const FragmentSource& next);
 
-    struct Received {
+    struct ReceivedCommand {
         DimseCommand command;
         std::uint8_t context = 0;
     };
     /// Receives the next command. If the peer requests a release instead, confirms the release and returns nothing.
-    core::Result<std::optional<Received>> receive(const LifeQuestion& isAlive = {});
+    core::Result<std::optional<ReceivedCommand>> receive(const ActivityCheck& hasActivity = {});
 
-    using PieceSink = std::function<core::Status(std::string_view)>;
-    core::Status receivePieces(const PieceSink& take);
+    using FragmentSink = std::function<core::Status(std::string_view)>;
+    core::Status receiveFragments(const FragmentSink& take);
     core::Result<std::string> receiveData();   ///< complete data set of a response; only for small data sets
 
     /// Releases the association; nothing can be sent afterwards.

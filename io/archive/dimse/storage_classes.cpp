@@ -44,12 +44,12 @@ constexpr std::array usualClasses = {
 
 }   // namespace
 
-std::span<const char* const> takenTransferSyntaxes()
+std::span<const char* const> supportedTransferSyntaxes()
 {
     return syntaxes;
 }
 
-std::vector<ProposedContext> receivingContexts(const std::vector<ArchiveObject>& objects, std::size_t others)
+std::vector<ProposedContext> storageContexts(const std::vector<ArchiveObject>& objects, std::size_t others)
 {
     std::set<std::string> classes;
     for (const ArchiveObject& object : objects) {

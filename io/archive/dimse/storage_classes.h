@@ -22,11 +22,11 @@ inline constexpr std::size_t maxContexts = 128;   ///< maximum number per associ
 inline constexpr const char* implicitLittleEndian = "1.2.840.10008.1.2";
 
 /// Transfer syntaxes that we accept without transcoding, in order of preference.
-std::span<const char* const> takenTransferSyntaxes();
+std::span<const char* const> supportedTransferSyntaxes();
 
 /// Presentation contexts for receiving these objects: each SOP class in each transfer syntax, up to the limit of an
 /// association (128, of which `others` are already in use). If no object specifies its SOP class, offers all image and
 /// result classes that AngioPose supports.
-std::vector<ProposedContext> receivingContexts(const std::vector<ArchiveObject>& objects, std::size_t others);
+std::vector<ProposedContext> storageContexts(const std::vector<ArchiveObject>& objects, std::size_t others);
 
 }   // namespace angiopose::io

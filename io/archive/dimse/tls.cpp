@@ -17,7 +17,7 @@ core::Error uselessFile(const std::string& path, const OFCondition& why)
     return messages::archiveTlsFile(path, why.text());
 }
 
-core::Status trustFile(DcmTLSTransportLayer& layer, const std::string& caFile)
+core::Status trustCertificates(DcmTLSTransportLayer& layer, const std::string& caFile)
 {
     if (caFile.empty()) {
         SSL_CTX_set_default_verify_paths(layer.getNativeHandle());
@@ -57,12 +57,12 @@ core::Result<TransportLayer> makeTlsLayer(const TlsFiles& files, TlsRole role)
 {
     static std::once_flag once;
     std::call_once(once, [] { DcmTLSTransportLayer::initializeOpenSSL(); });
-    auto layer =
-        std::make_unique<DcmTLSTransportLayer>(role == TlsRole::Asks ? NET_REQUESTOR : NET_ACCEPTOR, nullptr, OFFalse);
+    auto layer = std::make_unique<DcmTLSTransportLayer>(role == TlsRole::Client ? NET_REQUESTOR : NET_ACCEPTOR, nullptr,
+                                                        OFFalse);
     if (const OFCondition set = layer->setTLSProfile(TSP_Profile_BCP195); set.bad()) {
         return core::Error(messages::archiveTlsRefused(set.text()));
     }
-    if (auto trusted = trustFile(*layer, files.caFile); !trusted) {
+    if (auto trusted = trustCertificates(*layer, files.caFile); !trusted) {
         return trusted.error();
     }
     if (auto shown = showCertificate(*layer, files); !shown) {
@@ -75,7 +75,7 @@ core::Result<TransportLayer> makeTlsLayer(const TlsFiles& files, TlsRole role)
     return TransportLayer(layer.release());
 }
 
-bool isCertificateOf(std::string_view certificate, const std::string& host)
+bool isCertificateForHost(std::string_view certificate, const std::string& host)
 {
     const auto* bytes = reinterpret_cast<const unsigned char*>(certificate.data());
     X509* parsed = d2i_X509(nullptr, &bytes, static_cast<long>(certificate.size()));

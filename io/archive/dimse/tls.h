@@ -10,7 +10,7 @@ class DcmTransportLayer;
 
 namespace angiopose::io {
 
-enum class TlsRole { Asks, IsAsked };
+enum class TlsRole { Client, Server };
 
 /// PEM files for one end of a TLS connection.
 struct TlsFiles {
@@ -29,6 +29,6 @@ using TransportLayer = std::unique_ptr<DcmTransportLayer, DeleteTransportLayer>;
 core::Result<TransportLayer> makeTlsLayer(const TlsFiles& files, TlsRole role);
 
 /// Whether a certificate (DER) was issued for `host`.
-bool isCertificateOf(std::string_view certificate, const std::string& host);
+bool isCertificateForHost(std::string_view certificate, const std::string& host);
 
 }   // namespace angiopose::io

@@ -54,10 +54,10 @@ std::vector<core::Message> problemsOf(const ArchiveNode& node)
     refuseIf(!isPort(node.port), messages::archiveBadPort(node.port));
     refuseIf(node.receivePort != 0 && !isPort(node.receivePort), messages::archiveBadPort(node.receivePort));
     refuseIf(!isAeTitle(node.title), messages::archiveBadTitle(node.title));
-    refuseIf(!isAeTitle(node.ownTitle), messages::archiveBadTitle(node.ownTitle));
+    refuseIf(!isAeTitle(node.ownAeTitle), messages::archiveBadTitle(node.ownAeTitle));
     refuseIf(!node.webUrl.empty() && !isHttpUrl(node.webUrl), messages::archiveBadUrl(node.webUrl));
     refuseIf(node.certificateFile.empty() != node.keyFile.empty(), messages::archiveKeyWithoutCertificate());
-    refuseIf(node.answerSeconds < 1 || node.answerSeconds > 600, messages::archiveBadTime());
+    refuseIf(node.responseTimeoutSeconds < 1 || node.responseTimeoutSeconds > 600, messages::archiveBadTime());
     return found;
 }
 
@@ -69,7 +69,7 @@ bool isAeTitle(std::string_view title)
     return isPlain && title.size() <= maxTitle && title.find_first_not_of(' ') != std::string_view::npos;
 }
 
-std::string addressOf(const ArchiveNode& node)
+std::string hostAndPort(const ArchiveNode& node)
 {
     return node.host + ":" + std::to_string(node.port);
 }
@@ -80,11 +80,11 @@ core::Status checkNode(const ArchiveNode& node)
     return problems.empty() ? core::Status(core::Done{}) : core::Error(problems.front().about(node.name));
 }
 
-core::Messages connectionNotes(const ArchiveNode& node)
+core::Messages connectionWarnings(const ArchiveNode& node)
 {
     core::Messages notes;
     if (!node.host.empty() && !node.isTls && !isHere(node.host)) {
-        notes.push_back(messages::archivePlainText(addressOf(node)).about(node.name));
+        notes.push_back(messages::archivePlainText(hostAndPort(node)).about(node.name));
     }
     if (node.webUrl.starts_with("http://") && !isHere(hostOfUrl(node.webUrl))) {
         notes.push_back(messages::archivePlainText(node.webUrl).about(node.name));

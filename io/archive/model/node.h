@@ -15,28 +15,28 @@ struct ArchiveNode {
     std::string host;   ///< if empty, the node supports DICOMweb only
     int port = 104;
     std::string title = "ANY-SCP";   ///< called AE title
-    std::string ownTitle = "ANGIOPOSE";   ///< calling AE title
+    std::string ownAeTitle = "ANGIOPOSE";   ///< calling AE title
     int receivePort = 0;   ///< our port for objects retrieved by C-MOVE; 0 disables C-MOVE
     bool isTls = false;
     std::string caFile;   ///< PEM file; if empty, the system's certificate authorities
     std::string certificateFile;   ///< our certificate, PEM file (optional)
     std::string keyFile;
-    bool checksHost = true;   ///< whether the server certificate must match `host`
+    bool verifiesHost = true;   ///< whether the server certificate must match `host`
     std::string webUrl;   ///< for example "https://pacs/dicom-web"
     std::string authorizationFile;   ///< file whose first line is sent as the HTTP Authorization header
-    int answerSeconds = 9;   ///< timeout for one response, s
+    int responseTimeoutSeconds = 9;   ///< timeout for one response, s
 };
 
 /// Whether `title` is a valid AE title: 1 to 16 letters, digits or symbols other than the backslash (PS3.5 6.2).
 bool isAeTitle(std::string_view title);
 
 /// Returns "host:port".
-std::string addressOf(const ArchiveNode& node);
+std::string hostAndPort(const ArchiveNode& node);
 
 /// Checks the settings of a node; fails and names the node if they do not permit a connection attempt.
 core::Status checkNode(const ArchiveNode& node);
 
 /// Returns warnings about an unencrypted connection; empty if the connection is encrypted or stays on this computer.
-core::Messages connectionNotes(const ArchiveNode& node);
+core::Messages connectionWarnings(const ArchiveNode& node);
 
 }   // namespace angiopose::io

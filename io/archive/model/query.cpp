@@ -16,7 +16,7 @@ bool isDigit(char c)
 }
 
 /// Converts "2024-01-31" to "20240131" and keeps "20240131"; returns an empty string for anything else.
-std::string plainDate(std::string text)
+std::string compactDate(std::string text)
 {
     if (text.size() == 10 && text[4] == '-' && text[7] == '-') {
         text = text.substr(0, 4) + text.substr(5, 2) + text.substr(8, 2);
@@ -36,16 +36,16 @@ bool hasValue(const std::string& values, const std::string& wanted)
 
 }   // namespace
 
-core::Result<std::string> queryDates(const std::string& text)
+core::Result<std::string> parseQueryDates(const std::string& text)
 {
     const std::size_t dots = text.find("..");
     if (dots == std::string::npos) {
-        const std::string date = plainDate(text);
+        const std::string date = compactDate(text);
         return date.empty() && !text.empty() ? core::Result<std::string>(core::Error(messages::archiveBadDate(text)))
                                              : core::Result<std::string>(date);
     }
     const std::string first = text.substr(0, dots), last = text.substr(dots + 2);
-    const std::string from = plainDate(first), to = plainDate(last);
+    const std::string from = compactDate(first), to = compactDate(last);
     const bool isWrong =
         (from.empty() && !first.empty()) || (to.empty() && !last.empty()) || (from.empty() && to.empty());
     if (isWrong) {
@@ -67,7 +67,7 @@ std::string namePattern(const std::string& patientName)
     return isPattern ? patientName : patientName + "*";
 }
 
-void settleMatches(const ArchiveQuery& query, std::vector<ArchiveMatch>& found)
+void sortAndFilterMatches(const ArchiveQuery& query, std::vector<ArchiveMatch>& found)
 {
     std::erase_if(found, [&query](const ArchiveMatch& match) {
         return !query.modality.empty() && !match.modalities.empty() && !hasValue(match.modalities, query.modality);

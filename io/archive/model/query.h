@@ -1,7 +1,7 @@
 #pragma once
 
+#include "core/support/observer_decision.h"
 #include "core/support/result.h"
-#include "core/support/verdict.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -51,7 +51,7 @@ constexpr std::size_t maxSeriesStudies = 200;   ///< maximum number of studies w
 constexpr std::size_t maxObjects = 50000;   ///< maximum number of objects per series, the same as per folder
 
 /// Converts "2024-01-01..2024-02-01", "2024-01-01" or "2024-01-01.." to `ArchiveQuery::dates`. Fails on anything else.
-core::Result<std::string> queryDates(const std::string& text);
+core::Result<std::string> parseQueryDates(const std::string& text);
 
 /// True for digits separated by single dots, at most 64 characters; such a text is also safe as a file name.
 bool isUid(const std::string& text);
@@ -61,7 +61,7 @@ std::string namePattern(const std::string& patientName);
 
 /// Sorts matches as `ArchiveMatches` specifies and removes those of other modalities: some archives ignore this
 /// criterion.
-void settleMatches(const ArchiveQuery& query, std::vector<ArchiveMatch>& found);
+void sortAndFilterMatches(const ArchiveQuery& query, std::vector<ArchiveMatch>& found);
 
 /// Progress of a transfer to or from an archive.
 struct ArchiveProgress {
@@ -71,7 +71,7 @@ struct ArchiveProgress {
 };
 
 /// Called several times a second on the calling thread. Returning Stop cancels the transfer within about a second.
-using ArchiveObserver = std::function<core::Verdict(const ArchiveProgress&)>;
+using ArchiveObserver = std::function<core::ObserverDecision(const ArchiveProgress&)>;
 
 /// The outcome of a transfer.
 struct TransferReport {
@@ -92,7 +92,7 @@ struct TransferReport {
             problems.push_back(problem);
         }
     }
-    bool isWhole() const { return !end && failed == 0; }
+    bool isComplete() const { return !end && failed == 0; }
 };
 
 /// Formats a size for messages, for example "1.5 GB".

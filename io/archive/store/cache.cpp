@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view begunMark = ".begun";
+constexpr std::string_view incompleteMark = ".begun";
 
 std::vector<fs::path> entriesOf(const fs::path& folder)
 {
@@ -55,9 +55,9 @@ CachedSeries seriesAt(const fs::path& folder)
     series.studyUid = folder.parent_path().filename().string();
     series.seriesUid = folder.filename().string();
     series.folder = folder.string();
-    series.usedAt = changedAt(folder);
+    series.lastUsed = changedAt(folder);
     std::error_code failed;
-    series.isWhole = !fs::exists(folder / begunMark, failed);
+    series.isComplete = !fs::exists(folder / incompleteMark, failed);
     for (const fs::path& file : entriesOf(folder)) {
         const auto size = isObjectFile(file) ? fs::file_size(file, failed) : 0;
         if (size > 0 && !failed) {
@@ -69,15 +69,15 @@ CachedSeries seriesAt(const fs::path& folder)
 }
 
 /// Deletes a series. Marks the series as incomplete first, in case the deletion is interrupted.
-std::size_t dropSeries(const fs::path& folder)
+std::size_t deleteSeries(const fs::path& folder)
 {
-    markSeriesBegun(folder.string());
+    markSeriesIncomplete(folder.string());
     std::error_code failed;
     std::size_t dropped = 0;
     for (const fs::path& file : entriesOf(folder)) {
         dropped += isObjectFile(file) && fs::remove(file, failed) ? 1 : 0;
     }
-    fs::remove(folder / begunMark, failed);
+    fs::remove(folder / incompleteMark, failed);
     fs::remove(folder, failed);   // succeeds only if the folder is empty
     fs::remove(folder.parent_path(), failed);
     return dropped;
@@ -85,7 +85,7 @@ std::size_t dropSeries(const fs::path& folder)
 
 }   // namespace
 
-std::vector<CachedSeries> cachedSeries(const std::string& root)
+std::vector<CachedSeries> listCachedSeries(const std::string& root)
 {
     std::vector<CachedSeries> all;
     for (const fs::path& study : entriesOf(root)) {
@@ -99,14 +99,14 @@ std::vector<CachedSeries> cachedSeries(const std::string& root)
         }
     }
     std::ranges::sort(all, [](const CachedSeries& a, const CachedSeries& b) {
-        return std::tie(a.usedAt, a.folder) < std::tie(b.usedAt, b.folder);
+        return std::tie(a.lastUsed, a.folder) < std::tie(b.lastUsed, b.folder);
     });
     return all;
 }
 
 std::uint64_t shrinkCache(const std::string& root, std::uint64_t maxBytes, const std::string& kept)
 {
-    const auto all = cachedSeries(root);
+    const auto all = listCachedSeries(root);
     std::uint64_t left = 0;
     for (const CachedSeries& series : all) {
         left += series.bytes;
@@ -116,20 +116,20 @@ std::uint64_t shrinkCache(const std::string& root, std::uint64_t maxBytes, const
             break;
         }
         if (series.folder != kept) {
-            dropSeries(series.folder);
+            deleteSeries(series.folder);
             left -= series.bytes;
         }
     }
     return left;
 }
 
-core::Result<std::size_t> emptyCache(const std::string& root)
+core::Result<std::size_t> clearCache(const std::string& root)
 {
     std::size_t dropped = 0;
-    for (const CachedSeries& series : cachedSeries(root)) {
-        dropped += dropSeries(series.folder);
+    for (const CachedSeries& series : listCachedSeries(root)) {
+        dropped += deleteSeries(series.folder);
     }
-    const auto left = cachedSeries(root);
+    const auto left = listCachedSeries(root);
     if (std::ranges::any_of(left, [](const CachedSeries& series) { return series.objects > 0; })) {
         const auto why = std::make_error_code(std::errc::permission_denied);
         return core::Error(messages::archiveNoFolder(why.message()).about(root));
@@ -137,18 +137,18 @@ core::Result<std::size_t> emptyCache(const std::string& root)
     return dropped;
 }
 
-void markSeriesBegun(const std::string& folder)
+void markSeriesIncomplete(const std::string& folder)
 {
     std::error_code failed;
     fs::create_directories(folder, failed);
-    std::ofstream(fs::path(folder) / begunMark).flush();
+    std::ofstream(fs::path(folder) / incompleteMark).flush();
     fs::last_write_time(folder, fs::file_time_type::clock::now(), failed);
 }
 
-void markSeriesWhole(const std::string& folder)
+void markSeriesComplete(const std::string& folder)
 {
     std::error_code failed;
-    fs::remove(fs::path(folder) / begunMark, failed);
+    fs::remove(fs::path(folder) / incompleteMark, failed);
     fs::last_write_time(folder, fs::file_time_type::clock::now(), failed);
 }
 

@@ -17,28 +17,28 @@ struct CachedSeries {
     std::string folder;
     std::size_t objects = 0;
     std::uint64_t bytes = 0;
-    std::chrono::system_clock::time_point usedAt;
-    bool isWhole = true;   ///< false if the retrieval ended before all objects had arrived
+    std::chrono::system_clock::time_point lastUsed;
+    bool isComplete = true;   ///< false if the retrieval ended before all objects had arrived
 };
 
 /// Lists the cached series, least recently used first. Ignores files that the cache did not create.
-std::vector<CachedSeries> cachedSeries(const std::string& root);
+std::vector<CachedSeries> listCachedSeries(const std::string& root);
 
 /// Deletes the least recently used series, except the one in the folder `kept`, until at most `maxBytes` remain.
 /// Returns the remaining size, bytes.
 std::uint64_t shrinkCache(const std::string& root, std::uint64_t maxBytes, const std::string& kept = {});
 
 /// Deletes everything that the cache created and no other files. Returns the number of deleted objects.
-core::Result<std::size_t> emptyCache(const std::string& root);
+core::Result<std::size_t> clearCache(const std::string& root);
 
 /// Marks a series as in use: the first function as incomplete, the second as complete.
-void markSeriesBegun(const std::string& folder);
-void markSeriesWhole(const std::string& folder);
+void markSeriesIncomplete(const std::string& folder);
+void markSeriesComplete(const std::string& folder);
 
 /// Path of the user's cache folder: $XDG_CACHE_HOME/angiopose/archive, or the same path below ~/.cache.
 std::string defaultCacheFolder();
 
 inline constexpr std::uint64_t defaultCacheBytes = 20'000'000'000;
-inline constexpr std::uint64_t defaultObjectBytes = 4'000'000'000;   ///< size limit of one object, bytes
+inline constexpr std::uint64_t defaultMaxObjectBytes = 4'000'000'000;   ///< size limit of one object, bytes
 
 }   // namespace angiopose::io

@@ -94,7 +94,7 @@ private:
 };
 
 /// Explains why a received object is not the expected one; returns nothing if it matches.
-std::optional<core::Message> mismatchOf(const core::StudyIdentity& came, const ExpectedObject& expected)
+std::optional<core::Message> explainMismatch(const core::StudyIdentity& came, const ExpectedObject& expected)
 {
     const bool isOther = (!expected.studyUid.empty() && came.studyUid != expected.studyUid) ||
                          (!expected.seriesUid.empty() && came.seriesUid != expected.seriesUid) ||
@@ -146,7 +146,7 @@ core::Result<StoredObject> IncomingObject::finish(const ExpectedObject& expected
         return core::Error(messages::archiveObjectUnreadable());
     }
     const core::StudyIdentity& identity = read.value()->images.identity;
-    if (const auto mismatch = mismatchOf(identity, expected)) {
+    if (const auto mismatch = explainMismatch(identity, expected)) {
         return core::Error(*mismatch);
     }
     StoredObject stored;
@@ -189,7 +189,7 @@ std::string ObjectStore::seriesFolder(const std::string& studyUid, const std::st
     return (fs::path(root_) / studyUid / seriesUid).string();
 }
 
-std::optional<std::uint64_t> ObjectStore::sizeOf(const ExpectedObject& object) const
+std::optional<std::uint64_t> ObjectStore::storedSize(const ExpectedObject& object) const
 {
     std::error_code missing;
     const auto size = fs::file_size(

@@ -69,7 +69,8 @@ public:
     const std::string& root() const { return root_; }
     core::Result<IncomingObject> begin() const { return IncomingObject::begin(root_, maxObjectBytes_); }
     std::string seriesFolder(const std::string& studyUid, const std::string& seriesUid) const;
-    std::optional<std::uint64_t> sizeOf(const ExpectedObject& object) const;   ///< nullopt if it is not in the store
+    std::optional<std::uint64_t> storedSize(
+        const ExpectedObject& object) const;   ///< nullopt if it is not in the store
 
 private:
     ObjectStore(std::string root, std::uint64_t maxObjectBytes)

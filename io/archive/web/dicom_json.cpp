@@ -96,7 +96,7 @@ ArchiveMatch matchOf(const Json& set)
 
 }   // namespace
 
-core::Result<std::vector<ArchiveMatch>> matchesOfJson(const std::string& json)
+core::Result<std::vector<ArchiveMatch>> parseMatches(const std::string& json)
 {
     const auto sets = parsedSets(json);
     if (!sets) {
@@ -109,7 +109,7 @@ core::Result<std::vector<ArchiveMatch>> matchesOfJson(const std::string& json)
     return matches;
 }
 
-core::Result<std::vector<ArchiveObject>> objectsOfJson(const std::string& json)
+core::Result<std::vector<ArchiveObject>> parseObjects(const std::string& json)
 {
     const auto sets = parsedSets(json);
     if (!sets) {
@@ -122,10 +122,10 @@ core::Result<std::vector<ArchiveObject>> objectsOfJson(const std::string& json)
     return objects;
 }
 
-StoreAnswer storeAnswerOfJson(const std::string& json)
+StoreResult parseStoreResult(const std::string& json)
 {
     const Json parsed = checkJson(json, "") ? Json::parse(json, nullptr, false) : Json();
-    StoreAnswer answer;
+    StoreResult answer;
     if (!parsed.is_object()) {
         return answer;
     }

@@ -9,14 +9,14 @@
 namespace angiopose::io {
 
 /// Parses a QIDO-RS response (PS3.18 F); fails if the text is not an array of DICOM JSON objects.
-core::Result<std::vector<ArchiveMatch>> matchesOfJson(const std::string& json);
-core::Result<std::vector<ArchiveObject>> objectsOfJson(const std::string& json);
+core::Result<std::vector<ArchiveMatch>> parseMatches(const std::string& json);
+core::Result<std::vector<ArchiveObject>> parseObjects(const std::string& json);
 
 /// STOW-RS result for one sent object.
-struct StoreAnswer {
+struct StoreResult {
     bool isStored = false;
     int failure = 0;   ///< FailureReason (0008,1197); 0 if not reported
 };
-StoreAnswer storeAnswerOfJson(const std::string& json);
+StoreResult parseStoreResult(const std::string& json);
 
 }   // namespace angiopose::io

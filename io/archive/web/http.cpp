@@ -43,45 +43,45 @@ core::Result<std::string> authorizationOf(const ArchiveNode& node)
 
 }   // namespace
 
-struct HttpConnection::Parts {
+struct HttpConnection::Impl {
     ArchiveNode node;
-    StopQuestion isStopRequested;
+    StopCheck isStopRequested;
     std::string authorization;
     CURL* handle = nullptr;
     std::array<char, CURL_ERROR_SIZE> errorText{};
 
     // State of the current transfer.
-    HttpReply reply;
+    HttpResponse reply;
     const Sink* sink = nullptr;
     const Source* source = nullptr;
     std::optional<core::Error> failure;
 
-    Parts() = default;
-    Parts(const Parts&) = delete;
-    Parts& operator=(const Parts&) = delete;
-    ~Parts() { curl_easy_cleanup(handle); }
+    Impl() = default;
+    Impl(const Impl&) = delete;
+    Impl& operator=(const Impl&) = delete;
+    ~Impl() { curl_easy_cleanup(handle); }
 
     void prepare(const std::string& url);
-    core::Result<HttpReply> perform();
+    core::Result<HttpResponse> perform();
     core::Error failureOf(CURLcode code) const;
     bool take(std::string_view piece);
 
     static std::size_t onBody(char* bytes, std::size_t, std::size_t size, void* self)
     {
-        return static_cast<Parts*>(self)->take({bytes, size}) ? size : 0;
+        return static_cast<Impl*>(self)->take({bytes, size}) ? size : 0;
     }
     static std::size_t onSend(char* buffer, std::size_t unit, std::size_t count, void* self)
     {
-        const auto given = (*static_cast<Parts*>(self)->source)(buffer, unit * count);
+        const auto given = (*static_cast<Impl*>(self)->source)(buffer, unit * count);
         return given.value_or(CURL_READFUNC_ABORT);
     }
     static int onProgress(void* self, curl_off_t, curl_off_t, curl_off_t, curl_off_t)
     {
-        return static_cast<Parts*>(self)->isStopRequested() ? 1 : 0;
+        return static_cast<Impl*>(self)->isStopRequested() ? 1 : 0;
     }
 };
 
-void HttpConnection::Parts::prepare(const std::string& url)
+void HttpConnection::Impl::prepare(const std::string& url)
 {
     reply = {};
     sink = nullptr;
@@ -97,9 +97,9 @@ void HttpConnection::Parts::prepare(const std::string& url)
     set(CURLOPT_NETRC, static_cast<long>(CURL_NETRC_IGNORED));
     set(CURLOPT_CONNECTTIMEOUT_MS, connectMilliseconds);
     set(CURLOPT_LOW_SPEED_LIMIT, 1L);
-    set(CURLOPT_LOW_SPEED_TIME, static_cast<long>(node.answerSeconds));
+    set(CURLOPT_LOW_SPEED_TIME, static_cast<long>(node.responseTimeoutSeconds));
     set(CURLOPT_SSL_VERIFYPEER, 1L);
-    set(CURLOPT_SSL_VERIFYHOST, node.checksHost ? 2L : 0L);
+    set(CURLOPT_SSL_VERIFYHOST, node.verifiesHost ? 2L : 0L);
     set(CURLOPT_SSLVERSION, static_cast<long>(CURL_SSLVERSION_TLSv1_2));
     if (!node.caFile.empty()) {
         set(CURLOPT_CAINFO, node.caFile.c_str());
@@ -112,13 +112,13 @@ void HttpConnection::Parts::prepare(const std::string& url)
     }
     set(CURLOPT_ERRORBUFFER, errorText.data());
     set(CURLOPT_NOPROGRESS, 0L);
-    set(CURLOPT_XFERINFOFUNCTION, &Parts::onProgress);
+    set(CURLOPT_XFERINFOFUNCTION, &Impl::onProgress);
     set(CURLOPT_XFERINFODATA, this);
-    set(CURLOPT_WRITEFUNCTION, &Parts::onBody);
+    set(CURLOPT_WRITEFUNCTION, &Impl::onBody);
     set(CURLOPT_WRITEDATA, this);
 }
 
-bool HttpConnection::Parts::take(std::string_view piece)
+bool HttpConnection::Impl::take(std::string_view piece)
 {
     if (reply.contentType.empty()) {
         const char* type = nullptr;
@@ -141,13 +141,13 @@ bool HttpConnection::Parts::take(std::string_view piece)
     return true;
 }
 
-core::Error HttpConnection::Parts::failureOf(CURLcode code) const
+core::Error HttpConnection::Impl::failureOf(CURLcode code) const
 {
     const std::string why = errorText.front() != '\0' ? errorText.data() : curl_easy_strerror(code);
     const auto about = [this](const core::Message& problem) { return core::Error(problem.about(node.name)); };
     switch (code) {
         case CURLE_ABORTED_BY_CALLBACK:
-            return core::Error(core::Stopped{messages::archiveStopped()}).about(node.name);
+            return core::Error(core::Cancellation{messages::archiveStopped()}).about(node.name);
         case CURLE_COULDNT_RESOLVE_HOST:
         case CURLE_COULDNT_RESOLVE_PROXY:
         case CURLE_COULDNT_CONNECT:
@@ -155,8 +155,9 @@ core::Error HttpConnection::Parts::failureOf(CURLcode code) const
         case CURLE_OPERATION_TIMEDOUT: {
             double connected = 0.0;
             curl_easy_getinfo(handle, CURLINFO_CONNECT_TIME, &connected);
-            return about(connected > 0.0 ? messages::archiveNoAnswer(core::Quantity{double(node.answerSeconds), 0, "s"})
-                                         : messages::archiveNoConnection(node.webUrl, why));
+            return about(connected > 0.0
+                             ? messages::archiveNoAnswer(core::Quantity{double(node.responseTimeoutSeconds), 0, "s"})
+                             : messages::archiveNoConnection(node.webUrl, why));
         }
         case CURLE_PEER_FAILED_VERIFICATION:
         case CURLE_SSL_CONNECT_ERROR:
@@ -170,7 +171,7 @@ core::Error HttpConnection::Parts::failureOf(CURLcode code) const
     }
 }
 
-core::Result<HttpReply> HttpConnection::Parts::perform()
+core::Result<HttpResponse> HttpConnection::Impl::perform()
 {
     const CURLcode code = curl_easy_perform(handle);
     if (failure) {
@@ -186,11 +187,11 @@ core::Result<HttpReply> HttpConnection::Parts::perform()
     return std::move(reply);
 }
 
-HttpConnection::HttpConnection(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+HttpConnection::HttpConnection(std::unique_ptr<Impl> parts) : impl_(std::move(parts)) {}
 HttpConnection::HttpConnection(HttpConnection&&) noexcept = default;
 HttpConnection::~HttpConnection() = default;
 
-core::Result<HttpConnection> HttpConnection::open(const ArchiveNode& node, StopQuestion isStopRequested)
+core::Result<HttpConnection> HttpConnection::open(const ArchiveNode& node, StopCheck isStopRequested)
 {
     if (auto checked = checkNode(node); !checked) {
         return checked.error();
@@ -208,7 +209,7 @@ core::Result<HttpConnection> HttpConnection::open(const ArchiveNode& node, StopQ
     if (!authorization) {
         return authorization.error();
     }
-    auto parts = std::make_unique<Parts>();
+    auto parts = std::make_unique<Impl>();
     parts->node = node;
     parts->isStopRequested = std::move(isStopRequested);
     parts->authorization = std::move(authorization).value();
@@ -219,39 +220,39 @@ core::Result<HttpConnection> HttpConnection::open(const ArchiveNode& node, StopQ
     return HttpConnection(std::move(parts));
 }
 
-core::Result<HttpReply> HttpConnection::get(const std::string& url, const std::string& accept, const Sink& sink)
+core::Result<HttpResponse> HttpConnection::get(const std::string& url, const std::string& accept, const Sink& sink)
 {
-    parts_->prepare(url);
-    parts_->sink = &sink;
+    impl_->prepare(url);
+    impl_->sink = &sink;
     HeaderList headers;
     addHeader(headers, "Accept: " + accept);
-    if (!parts_->authorization.empty()) {
-        addHeader(headers, "Authorization: " + parts_->authorization);
+    if (!impl_->authorization.empty()) {
+        addHeader(headers, "Authorization: " + impl_->authorization);
     }
-    curl_easy_setopt(parts_->handle, CURLOPT_HTTPHEADER, headers.get());
-    return parts_->perform();
+    curl_easy_setopt(impl_->handle, CURLOPT_HTTPHEADER, headers.get());
+    return impl_->perform();
 }
 
-core::Result<HttpReply> HttpConnection::post(const std::string& url, const Upload& upload)
+core::Result<HttpResponse> HttpConnection::post(const std::string& url, const Upload& upload)
 {
-    parts_->prepare(url);
-    parts_->source = &upload.source;
+    impl_->prepare(url);
+    impl_->source = &upload.source;
     HeaderList headers;
     addHeader(headers, "Accept: " + upload.accept);
     addHeader(headers, "Content-Type: " + upload.contentType);
     addHeader(headers, "Expect:");   // do not wait for "100 Continue"
-    if (!parts_->authorization.empty()) {
-        addHeader(headers, "Authorization: " + parts_->authorization);
+    if (!impl_->authorization.empty()) {
+        addHeader(headers, "Authorization: " + impl_->authorization);
     }
-    curl_easy_setopt(parts_->handle, CURLOPT_HTTPHEADER, headers.get());
-    curl_easy_setopt(parts_->handle, CURLOPT_POST, 1L);
-    curl_easy_setopt(parts_->handle, CURLOPT_POSTFIELDSIZE_LARGE, static_cast<curl_off_t>(upload.bytes));
-    curl_easy_setopt(parts_->handle, CURLOPT_READFUNCTION, &Parts::onSend);
-    curl_easy_setopt(parts_->handle, CURLOPT_READDATA, parts_.get());
-    return parts_->perform();
+    curl_easy_setopt(impl_->handle, CURLOPT_HTTPHEADER, headers.get());
+    curl_easy_setopt(impl_->handle, CURLOPT_POST, 1L);
+    curl_easy_setopt(impl_->handle, CURLOPT_POSTFIELDSIZE_LARGE, static_cast<curl_off_t>(upload.bytes));
+    curl_easy_setopt(impl_->handle, CURLOPT_READFUNCTION, &Impl::onSend);
+    curl_easy_setopt(impl_->handle, CURLOPT_READDATA, impl_.get());
+    return impl_->perform();
 }
 
-std::string urlEscaped(std::string_view text)
+std::string percentEncode(std::string_view text)
 {
     std::string escaped;
     for (const char c : text) {

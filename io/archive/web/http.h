@@ -12,7 +12,7 @@
 
 namespace angiopose::io {
 
-struct HttpReply {
+struct HttpResponse {
     long status = 0;
     std::string contentType;
     std::string body;   ///< response body, unless a sink received it
@@ -22,18 +22,18 @@ struct HttpReply {
 /// permits no other protocol, and limits every wait by a timeout.
 class HttpConnection {
 public:
-    using StopQuestion = std::function<bool()>;
+    using StopCheck = std::function<bool()>;
     /// Receives a chunk of the body of a response with status 200; an error cancels the transfer.
     using Sink = std::function<core::Status(std::string_view piece, const std::string& contentType)>;
     /// Fills a buffer with the next bytes to send and returns their number: 0 at the end, nothing on a read error.
     using Source = std::function<std::optional<std::size_t>(char* buffer, std::size_t size)>;
 
-    static core::Result<HttpConnection> open(const ArchiveNode& node, StopQuestion isStopRequested);
+    static core::Result<HttpConnection> open(const ArchiveNode& node, StopCheck isStopRequested);
     HttpConnection(HttpConnection&&) noexcept;
     HttpConnection& operator=(HttpConnection&&) = delete;
     ~HttpConnection();
 
-    core::Result<HttpReply> get(const std::string& url, const std::string& accept, const Sink& sink = {});
+    core::Result<HttpResponse> get(const std::string& url, const std::string& accept, const Sink& sink = {});
 
     struct Upload {
         std::string contentType;
@@ -41,24 +41,24 @@ public:
         std::uint64_t bytes = 0;
         Source source;
     };
-    core::Result<HttpReply> post(const std::string& url, const Upload& upload);
+    core::Result<HttpResponse> post(const std::string& url, const Upload& upload);
 
 private:
-    struct Parts;
-    explicit HttpConnection(std::unique_ptr<Parts> parts);
+    struct Impl;
+    explicit HttpConnection(std::unique_ptr<Impl> parts);
 
-    std::unique_ptr<Parts> parts_;
+    std::unique_ptr<Impl> impl_;
 };
 
 /// Percent-encodes a string for a URL query.
-std::string urlEscaped(std::string_view text);
+std::string percentEncode(std::string_view text);
 
 /// Returns the DICOMweb address of a node without a trailing slash.
-std::string webBase(const ArchiveNode& node);
+std::string dicomWebUrl(const ArchiveNode& node);
 
 /// Sends a query and returns the JSON of the response; empty if nothing matches. On any other status than success,
 /// fails and names the service.
-core::Result<std::string> askWeb(HttpConnection& http, const ArchiveNode& node, const std::string& service,
-                                 const std::string& url);
+core::Result<std::string> queryDicomWeb(HttpConnection& http, const ArchiveNode& node, const std::string& service,
+                                        const std::string& url);
 
 }   // namespace angiopose::io

@@ -18,14 +18,14 @@ std::string lowered(std::string text)
     return text;
 }
 
-core::Error unlawful()
+core::Error malformedResponse()
 {
     return core::Error(messages::archiveNonsense("multipart"));
 }
 
 }   // namespace
 
-std::optional<std::string> boundaryOf(const std::string& contentType)
+std::optional<std::string> parseBoundary(const std::string& contentType)
 {
     const std::string lower = lowered(contentType);
     const std::size_t at = lower.find("boundary=");
@@ -44,7 +44,7 @@ std::optional<std::string> boundaryOf(const std::string& contentType)
 MultipartReader::MultipartReader(const std::string& boundary, Handler handler)
     : delimiter_("\r\n--" + boundary),
       handler_(std::move(handler)),
-      left_(lineEnd)   // the initial line end lets a delimiter at the very start of the body match
+      buffer_(lineEnd)   // the initial line end lets a delimiter at the very start of the body match
 {
 }
 
@@ -53,7 +53,7 @@ core::Status MultipartReader::feed(std::string_view piece)
     if (state_ == State::Closed) {
         return core::Done{};   // ignore the epilogue
     }
-    left_ += piece;
+    buffer_ += piece;
     for (;;) {
         auto moved = step();
         if (!moved) {
@@ -70,59 +70,59 @@ core::Result<bool> MultipartReader::step()
 {
     switch (state_) {
         case State::Preamble:
-            return findFirst();
+            return findFirstBoundary();
         case State::AfterBoundary:
-            return passBoundary();
+            return consumeBoundary();
         case State::Headers:
-            return passHeaders();
+            return consumeHeaders();
         case State::Content:
-            return passContent();
+            return consumeContent();
         case State::Closed:
             break;
     }
     return false;
 }
 
-core::Result<bool> MultipartReader::findFirst()
+core::Result<bool> MultipartReader::findFirstBoundary()
 {
-    const std::size_t at = left_.find(delimiter_);
+    const std::size_t at = buffer_.find(delimiter_);
     if (at == std::string::npos) {
-        return left_.size() > maxHeaderBytes ? core::Result<bool>(unlawful()) : core::Result<bool>(false);
+        return buffer_.size() > maxHeaderBytes ? core::Result<bool>(malformedResponse()) : core::Result<bool>(false);
     }
-    left_.erase(0, at + delimiter_.size());
+    buffer_.erase(0, at + delimiter_.size());
     state_ = State::AfterBoundary;
     return true;
 }
 
-core::Result<bool> MultipartReader::passBoundary()
+core::Result<bool> MultipartReader::consumeBoundary()
 {
-    if (left_.starts_with("--")) {
+    if (buffer_.starts_with("--")) {
         state_ = State::Closed;
-        left_.clear();
+        buffer_.clear();
         return false;
     }
-    const std::size_t end = left_.find(lineEnd);
+    const std::size_t end = buffer_.find(lineEnd);
     if (end == std::string::npos) {
-        return left_.size() > maxHeaderBytes ? core::Result<bool>(unlawful()) : core::Result<bool>(false);
+        return buffer_.size() > maxHeaderBytes ? core::Result<bool>(malformedResponse()) : core::Result<bool>(false);
     }
-    if (left_.find_first_not_of(" \t") != end) {
-        return unlawful();
+    if (buffer_.find_first_not_of(" \t") != end) {
+        return malformedResponse();
     }
-    left_.erase(0, end);   // keep the line end: it starts the headers, which may be empty
+    buffer_.erase(0, end);   // keep the line end: it starts the headers, which may be empty
     state_ = State::Headers;
     return true;
 }
 
-core::Result<bool> MultipartReader::passHeaders()
+core::Result<bool> MultipartReader::consumeHeaders()
 {
-    const std::size_t end = left_.find("\r\n\r\n");
+    const std::size_t end = buffer_.find("\r\n\r\n");
     if (end == std::string::npos) {
-        return left_.size() > maxHeaderBytes ? core::Result<bool>(unlawful()) : core::Result<bool>(false);
+        return buffer_.size() > maxHeaderBytes ? core::Result<bool>(malformedResponse()) : core::Result<bool>(false);
     }
     if (end > maxHeaderBytes) {
-        return unlawful();
+        return malformedResponse();
     }
-    left_.erase(0, end + 4);
+    buffer_.erase(0, end + 4);
     state_ = State::Content;
     if (auto begun = handler_.begin(); !begun) {
         return begun.error();
@@ -130,23 +130,23 @@ core::Result<bool> MultipartReader::passHeaders()
     return true;
 }
 
-core::Result<bool> MultipartReader::passContent()
+core::Result<bool> MultipartReader::consumeContent()
 {
-    const std::size_t at = left_.find(delimiter_);
+    const std::size_t at = buffer_.find(delimiter_);
     // If no delimiter was found, the last bytes may be the beginning of one that is not complete yet.
-    const std::size_t content = at != std::string::npos             ? at
-                                : left_.size() >= delimiter_.size() ? left_.size() - delimiter_.size() + 1
-                                                                    : 0;
+    const std::size_t content = at != std::string::npos               ? at
+                                : buffer_.size() >= delimiter_.size() ? buffer_.size() - delimiter_.size() + 1
+                                                                      : 0;
     if (content > 0) {
-        if (auto taken = handler_.take(std::string_view(left_).substr(0, content)); !taken) {
+        if (auto taken = handler_.take(std::string_view(buffer_).substr(0, content)); !taken) {
             return taken.error();
         }
     }
     if (at == std::string::npos) {
-        left_.erase(0, content);
+        buffer_.erase(0, content);
         return false;
     }
-    left_.erase(0, at + delimiter_.size());
+    buffer_.erase(0, at + delimiter_.size());
     state_ = State::AfterBoundary;
     if (auto ended = handler_.end(); !ended) {
         return ended.error();

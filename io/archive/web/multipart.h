@@ -10,7 +10,7 @@
 namespace angiopose::io {
 
 /// Returns the boundary of a content type "multipart/related; …; boundary=…"; nothing if it is absent or invalid.
-std::optional<std::string> boundaryOf(const std::string& contentType);
+std::optional<std::string> parseBoundary(const std::string& contentType);
 
 /// Parses a multipart body (RFC 2046 5.1) chunk by chunk and passes on the contents of the parts without storing them.
 class MultipartReader {
@@ -33,15 +33,15 @@ private:
     enum class State { Preamble, AfterBoundary, Headers, Content, Closed };
 
     core::Result<bool> step();
-    core::Result<bool> findFirst();
-    core::Result<bool> passBoundary();
-    core::Result<bool> passHeaders();
-    core::Result<bool> passContent();
+    core::Result<bool> findFirstBoundary();
+    core::Result<bool> consumeBoundary();
+    core::Result<bool> consumeHeaders();
+    core::Result<bool> consumeContent();
 
     std::string delimiter_;   ///< "\r\n--boundary"
     Handler handler_;
     State state_ = State::Preamble;
-    std::string left_;   ///< bytes received but not yet passed on
+    std::string buffer_;   ///< bytes received but not yet passed on
 };
 
 }   // namespace angiopose::io

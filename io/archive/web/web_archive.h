@@ -2,8 +2,8 @@
 
 #include "io/archive/model/node.h"
 #include "io/archive/model/query.h"
-#include "io/archive/store/arrivals.h"
 #include "io/archive/store/sendable_file.h"
+#include "io/archive/store/store_writer.h"
 
 #include <functional>
 #include <memory>

@@ -14,13 +14,13 @@ namespace {
 void addValue(std::string& url, const char* key, const std::string& value)
 {
     if (!value.empty()) {
-        url += (url.find('?') == std::string::npos ? "?" : "&") + std::string(key) + "=" + urlEscaped(value);
+        url += (url.find('?') == std::string::npos ? "?" : "&") + std::string(key) + "=" + percentEncode(value);
     }
 }
 
 std::string studiesUrl(const ArchiveNode& node, const ArchiveQuery& query, std::size_t most)
 {
-    std::string url = webBase(node) + "/studies";
+    std::string url = dicomWebUrl(node) + "/studies";
     addValue(url, "PatientName", namePattern(query.patientName));
     addValue(url, "PatientID", query.patientId);
     addValue(url, "StudyDate", query.dates);
@@ -45,19 +45,19 @@ ArchiveMatch seriesOf(const ArchiveMatch& study, ArchiveMatch series)
     return match;
 }
 
-core::Status intoWebSeries(HttpConnection& http, const ArchiveNode& node, const ArchiveQuery& query,
-                           ArchiveMatches& matches)
+core::Status expandToSeriesByWeb(HttpConnection& http, const ArchiveNode& node, const ArchiveQuery& query,
+                                 ArchiveMatches& matches)
 {
     std::vector<ArchiveMatch> series;
     for (const ArchiveMatch& study : matches.found) {
-        std::string url = webBase(node) + "/studies/" + urlEscaped(study.studyUid) + "/series";
+        std::string url = dicomWebUrl(node) + "/studies/" + percentEncode(study.studyUid) + "/series";
         addValue(url, "Modality", query.modality);
         addValue(url, "includefield", "BodyPartExamined");
-        auto reply = askWeb(http, node, "QIDO-RS", url);
+        auto reply = queryDicomWeb(http, node, "QIDO-RS", url);
         if (!reply) {
             return reply.error();
         }
-        auto found = matchesOfJson(reply.value());
+        auto found = parseMatches(reply.value());
         if (!found) {
             return found.error().about(node.name);
         }
@@ -88,9 +88,9 @@ public:
         : stream_(file.path, std::ios::binary),
           head_("--" + boundary + "\r\nContent-Type: application/dicom\r\n\r\n"),
           tail_("\r\n--" + boundary + "--\r\n"),
-          left_(file.bytes)
+          remainingBytes_(file.bytes)
     {
-        size_ = head_.size() + left_ + tail_.size();
+        size_ = head_.size() + remainingBytes_ + tail_.size();
     }
 
     std::uint64_t size() const { return size_; }
@@ -100,14 +100,14 @@ public:
         if (!head_.empty()) {
             return give(head_, buffer, room);
         }
-        if (left_ == 0) {
+        if (remainingBytes_ == 0) {
             return give(tail_, buffer, room);
         }
-        const auto wanted = static_cast<std::streamsize>(std::min<std::uint64_t>(left_, room));
+        const auto wanted = static_cast<std::streamsize>(std::min<std::uint64_t>(remainingBytes_, room));
         if (!stream_.read(buffer, wanted)) {
             return std::nullopt;
         }
-        left_ -= static_cast<std::uint64_t>(wanted);
+        remainingBytes_ -= static_cast<std::uint64_t>(wanted);
         return static_cast<std::size_t>(wanted);
     }
 
@@ -123,15 +123,15 @@ private:
     std::ifstream stream_;
     std::string head_;
     std::string tail_;
-    std::uint64_t left_;
+    std::uint64_t remainingBytes_;
     std::uint64_t size_ = 0;
 };
 
 /// Counts the result of one file; fails if it is pointless to send further files.
-core::Status settleStored(const ArchiveNode& node, const SendableFile& file, const HttpReply& reply,
-                          TransferReport& report)
+core::Status recordStoreResult(const ArchiveNode& node, const SendableFile& file, const HttpResponse& reply,
+                               TransferReport& report)
 {
-    const StoreAnswer answer = storeAnswerOfJson(reply.body);
+    const StoreResult answer = parseStoreResult(reply.body);
     if (reply.status == 200 && answer.isStored) {
         ++report.transferred;
         report.bytes += file.bytes;
@@ -148,15 +148,15 @@ core::Status settleStored(const ArchiveNode& node, const SendableFile& file, con
 
 }   // namespace
 
-std::string webBase(const ArchiveNode& node)
+std::string dicomWebUrl(const ArchiveNode& node)
 {
     std::string base = node.webUrl;
     base.erase(base.find_last_not_of('/') + 1);
     return base;
 }
 
-core::Result<std::string> askWeb(HttpConnection& http, const ArchiveNode& node, const std::string& service,
-                                 const std::string& url)
+core::Result<std::string> queryDicomWeb(HttpConnection& http, const ArchiveNode& node, const std::string& service,
+                                        const std::string& url)
 {
     auto reply = http.get(url, "application/dicom+json");
     if (!reply) {
@@ -175,11 +175,11 @@ core::Status webEcho(const ArchiveNode& node, const std::function<bool()>& isSto
         return http.error();
     }
     HttpConnection connection = std::move(http).value();
-    auto reply = askWeb(connection, node, "QIDO-RS", webBase(node) + "/studies?limit=1");
+    auto reply = queryDicomWeb(connection, node, "QIDO-RS", dicomWebUrl(node) + "/studies?limit=1");
     if (!reply) {
         return reply.error();
     }
-    const auto found = matchesOfJson(reply.value());
+    const auto found = parseMatches(reply.value());
     return found ? core::Status(core::Done{}) : core::Status(found.error().about(node.name));
 }
 
@@ -193,25 +193,25 @@ core::Result<ArchiveMatches> webFind(const ArchiveNode& node, const ArchiveQuery
     HttpConnection http = std::move(opened).value();
     const bool isOfSeries = query.level == ArchiveLevel::Series;
     const std::size_t most = isOfSeries ? maxSeriesStudies : maxMatches;
-    auto reply = askWeb(http, node, "QIDO-RS", studiesUrl(node, query, most));
+    auto reply = queryDicomWeb(http, node, "QIDO-RS", studiesUrl(node, query, most));
     if (!reply) {
         return reply.error();
     }
-    auto found = matchesOfJson(reply.value());
+    auto found = parseMatches(reply.value());
     if (!found) {
         return found.error().about(node.name);
     }
     ArchiveMatches matches{std::move(found).value(), {}};
-    settleMatches(query, matches.found);
+    sortAndFilterMatches(query, matches.found);
     if (matches.found.size() > most) {
         matches.found.resize(most);
         matches.warnings.push_back(messages::archiveManyMatches(most).about(node.name));
     }
     if (isOfSeries) {
-        if (auto series = intoWebSeries(http, node, query, matches); !series) {
+        if (auto series = expandToSeriesByWeb(http, node, query, matches); !series) {
             return series.error();
         }
-        settleMatches(query, matches.found);
+        sortAndFilterMatches(query, matches.found);
     }
     return matches;
 }
@@ -222,7 +222,7 @@ void webSend(const ArchiveNode& node, const std::vector<SendableFile>& files, co
     std::uint64_t bytes = 0;
     const auto isStopRequested = [&] {
         const std::size_t done = report.transferred + report.duplicates + report.failed;
-        return observe && observe({done, report.all, bytes}) == core::Verdict::Stop;
+        return observe && observe({done, report.all, bytes}) == core::ObserverDecision::Stop;
     };
     auto opened = HttpConnection::open(node, isStopRequested);
     if (!opened) {
@@ -242,12 +242,12 @@ void webSend(const ArchiveNode& node, const std::vector<SendableFile>& files, co
             bytes += given.value_or(0);
             return given;
         };
-        auto reply = http.post(webBase(node) + "/studies", upload);
+        auto reply = http.post(dicomWebUrl(node) + "/studies", upload);
         if (!reply) {
             report.end = reply.error();
             return;
         }
-        if (auto settled = settleStored(node, file, reply.value(), report); !settled) {
+        if (auto settled = recordStoreResult(node, file, reply.value(), report); !settled) {
             report.end = settled.error();
             return;
         }

@@ -17,14 +17,17 @@ constexpr std::size_t pageSize = 200;
 constexpr const char* acceptAsStored = "multipart/related; type=\"application/dicom\"; transfer-syntax=*";
 
 /// Stores the objects of a multipart response.
-class PartsToStore {
+class PartWriter {
 public:
-    PartsToStore(ExpectedObject expected, Arrivals& arrivals) : expected_(std::move(expected)), arrivals_(arrivals) {}
+    PartWriter(ExpectedObject expected, StoreWriter& storeWriter)
+        : expected_(std::move(expected)), storeWriter_(storeWriter)
+    {
+    }
 
     core::Status take(std::string_view piece, const std::string& contentType)
     {
         if (!reader_) {
-            const auto boundary = boundaryOf(contentType);
+            const auto boundary = parseBoundary(contentType);
             if (!boundary) {
                 return core::Error(messages::archiveNonsense(contentType));
             }
@@ -33,18 +36,19 @@ public:
         return reader_->feed(piece);
     }
 
-    bool isWhole() const { return reader_ && reader_->isClosed(); }
+    bool isComplete() const { return reader_ && reader_->isClosed(); }
 
 private:
     MultipartReader::Handler handler()
     {
-        return {[this] { return begin(); }, [this](std::string_view bytes) { return arrivals_.write(*object_, bytes); },
+        return {[this] { return begin(); },
+                [this](std::string_view bytes) { return storeWriter_.write(*object_, bytes); },
                 [this] { return end(); }};
     }
 
     core::Status begin()
     {
-        auto begun = arrivals_.begin();
+        auto begun = storeWriter_.begin();
         if (!begun) {
             return begun.error();
         }
@@ -54,13 +58,13 @@ private:
 
     core::Status end()
     {
-        const auto fate = arrivals_.take(std::move(*object_), expected_);
+        const auto fate = storeWriter_.take(std::move(*object_), expected_);
         object_.reset();
         return fate ? core::Status(core::Done{}) : core::Status(fate.error());
     }
 
     ExpectedObject expected_;
-    Arrivals& arrivals_;
+    StoreWriter& storeWriter_;
     std::optional<MultipartReader> reader_;
     std::optional<IncomingObject> object_;
 };
@@ -74,11 +78,11 @@ public:
 
     core::Result<std::vector<std::string>> seriesOf(const std::string& studyUid) override
     {
-        auto answer = ask(webBase(node_) + "/studies/" + studyUid + "/series");
+        auto answer = ask(dicomWebUrl(node_) + "/studies/" + studyUid + "/series");
         if (!answer) {
             return answer.error();
         }
-        auto found = matchesOfJson(answer.value());
+        auto found = parseMatches(answer.value());
         if (!found) {
             return found.error().about(node_.name);
         }
@@ -94,16 +98,16 @@ public:
     {
         std::vector<ArchiveObject> objects;
         std::set<std::string> seen;
-        for (bool isMore = true; isMore && objects.size() < maxObjects;) {
+        for (bool hasMore = true; hasMore && objects.size() < maxObjects;) {
             auto page = objectsFrom(seriesUrl(studyUid, seriesUid), objects.size());
             if (!page) {
                 return page.error();
             }
-            isMore = false;   // stop unless the page has new objects: some archives return all of them every time
+            hasMore = false;   // stop unless the page has new objects: some archives return all of them every time
             for (const ArchiveObject& object : page.value()) {
                 if (seen.insert(object.sopInstance).second) {
                     objects.push_back(object);
-                    isMore = true;
+                    hasMore = true;
                 }
             }
         }
@@ -111,14 +115,14 @@ public:
     }
 
     core::Status fetch(const std::string& studyUid, const std::string& seriesUid,
-                       const std::vector<ArchiveObject>& /*objects*/, Arrivals& arrivals) override
+                       const std::vector<ArchiveObject>& /*objects*/, StoreWriter& storeWriter) override
     {
-        auto opened = HttpConnection::open(node_, [&arrivals] { return arrivals.isStopRequested(); });
+        auto opened = HttpConnection::open(node_, [&storeWriter] { return storeWriter.isStopRequested(); });
         if (!opened) {
             return opened.error();
         }
         HttpConnection http = std::move(opened).value();
-        PartsToStore parts({studyUid, seriesUid, {}}, arrivals);
+        PartWriter parts({studyUid, seriesUid, {}}, storeWriter);
         auto reply =
             http.get(seriesUrl(studyUid, seriesUid), acceptAsStored,
                      [&parts](std::string_view piece, const std::string& type) { return parts.take(piece, type); });
@@ -129,14 +133,14 @@ public:
             const std::string status = std::to_string(reply.value().status);
             return core::Error(messages::archiveHttpStatus("WADO-RS", status).about(node_.name));
         }
-        return parts.isWhole() ? core::Status(core::Done{})
-                               : core::Error(messages::archiveBroken("multipart").about(node_.name));
+        return parts.isComplete() ? core::Status(core::Done{})
+                                  : core::Error(messages::archiveBroken("multipart").about(node_.name));
     }
 
 private:
     std::string seriesUrl(const std::string& studyUid, const std::string& seriesUid) const
     {
-        return webBase(node_) + "/studies/" + studyUid + "/series/" + seriesUid;
+        return dicomWebUrl(node_) + "/studies/" + studyUid + "/series/" + seriesUid;
     }
 
     /// Lists one page of objects: for a large series an archive may not respond for a long time while it collects all
@@ -147,7 +151,7 @@ private:
         if (!answer) {
             return answer.error();
         }
-        auto objects = objectsOfJson(answer.value());
+        auto objects = parseObjects(answer.value());
         if (!objects) {
             return objects.error().about(node_.name);
         }
@@ -161,7 +165,7 @@ private:
             return opened.error();
         }
         HttpConnection http = std::move(opened).value();
-        return askWeb(http, node_, "QIDO-RS", url);
+        return queryDicomWeb(http, node_, "QIDO-RS", url);
     }
 
     ArchiveNode node_;

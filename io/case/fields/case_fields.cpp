@@ -20,14 +20,14 @@ using core::Case;
 /// Field with a constant value that identifies the file and is checked before all other fields.
 StoredField<Case> constantField(std::string key, Json schema, Json value)
 {
-    return {std::move(key), std::move(schema), [](const Json&, Case&, Reading&) {},
+    return {std::move(key), std::move(schema), [](const Json&, Case&, ReadContext&) {},
             [value = std::move(value)](const Case&, const fs::path&) { return value; }};
 }
 
 StoredField<Case> vesselField()
 {
-    StoredField<Case> field = storedPart("vessel", Json::object(), &Case::vessels, vesselFields());
-    field.read = [read = field.read](const Json& value, Case& session, Reading& reading) {
+    StoredField<Case> field = objectField("vessel", Json::object(), &Case::vessels, vesselFields());
+    field.read = [read = field.read](const Json& value, Case& session, ReadContext& reading) {
         read(value, session, reading);
         if (!reading.hasVessels) {
             reading.problems.push_back(messages::caseNoInput().about("vessel"));
@@ -42,7 +42,7 @@ StoredField<Case> locksField()
     const Json schema = about(listSchema(choiceSchema({"right", "up", "along-ray", "roll", "lao-rao", "cra-cau"})),
                               "Degrees of freedom that nudging and registration do not change.");
     return {"locked", schema,
-            [](const Json& value, Case& session, Reading&) {
+            [](const Json& value, Case& session, ReadContext&) {
                 for (const Json& id : value) {
                     if (const auto axis = core::poseAxisFrom(id.get<std::string>())) {   // the schema permits no others
                         session.options.locks[static_cast<std::size_t>(*axis)] = true;
@@ -60,9 +60,9 @@ StoredField<Case> locksField()
             }};
 }
 
-void readOtherView(const Json& json, core::View& view, Reading& reading)
+void readOtherView(const Json& json, core::View& view, ReadContext& reading)
 {
-    Reading own;
+    ReadContext own;
     if (json.contains("angiogram")) {
         readItem(json, view, viewFields(), own);
     } else {
@@ -81,13 +81,13 @@ Json otherViewJson(const core::View& view, const fs::path& folder)
 
 StoredField<Case> otherViewsField()
 {
-    Json schema = listSchema(anyOfSchema(definedAs("input"), definedAs("view")));
+    Json schema = listSchema(anyOfSchema(schemaReference("input"), schemaReference("view")));
     schema["maxItems"] = 100;
     return {"views",
             about(std::move(schema),
                   "Other views of the same vessels, registered jointly with this one: a case file, or the view entries "
                   "of a case. Their angles define the geometry between the views."),
-            [](const Json& value, Case& session, Reading& reading) {
+            [](const Json& value, Case& session, ReadContext& reading) {
                 for (const Json& each : value) {
                     readOtherView(each, session.views.emplace_back(), reading);
                 }
@@ -109,7 +109,7 @@ StoredField<Case> shownPlaceField()
     return {
         "shownPlace",
         about(integerSchema(0, 100), "Number of `views` that precede the view of this case; absent: none."),
-        [](const Json& value, Case&, Reading& reading) { reading.shownPlace = value.get<std::size_t>(); },
+        [](const Json& value, Case&, ReadContext& reading) { reading.shownViewIndex = value.get<std::size_t>(); },
         [](const Case& session, const fs::path&) { return session.shownView > 0 ? Json(session.shownView) : Json(); }};
 }
 
@@ -117,7 +117,7 @@ StoredField<Case> methodField()
 {
     return {
         "method", textSchema(),
-        [](const Json& value, Case& session, Reading& reading) {
+        [](const Json& value, Case& session, ReadContext& reading) {
             const std::string& method = session.options.method = value.get<std::string>();
             const auto methods = core::methodInfos();
             if (std::ranges::find(methods, method, &core::MethodInfo::id) == methods.end()) {
@@ -139,7 +139,7 @@ StoredField<Case> optionsField()
         schema["properties"][std::string(field.key)] = anything;   // validated with its own message during reading
     }
     return {"options", std::move(schema),
-            [](const Json& value, Case& session, Reading& reading) {
+            [](const Json& value, Case& session, ReadContext& reading) {
                 readOptions(value.dump(), session.options, reading.problems);
             },
             [](const Case& session, const fs::path&) { return Json::parse(optionsJson(session.options)); }};
@@ -178,14 +178,14 @@ const StoredFields<Case>& caseFields()
         StoredFields<Case> rows{
             constantField("format", choiceSchema({"angiopose-case"}), "angiopose-case"),
             constantField("version", Json{{"type", "integer"}, {"minimum", 1}}, 1),
-            storedValue("title", textSchema(), &Case::title),
+            valueField("title", textSchema(), &Case::title),
             vesselField(),
         };
         for (const StoredField<core::View>& field : viewFields()) {
-            rows.push_back(storedThrough<Case>(
+            rows.push_back(memberField<Case>(
                 [](auto& session) -> auto& { return session.shown(); }, field));
         }
-        rows.push_back(storedGroup<Case>("pose", Json::object(), {locksField()}));
+        rows.push_back(groupField<Case>("pose", Json::object(), {locksField()}));
         rows.push_back(otherViewsField());
         rows.push_back(shownPlaceField());
         rows.push_back(methodField());

@@ -27,7 +27,7 @@ StoredField<DeformableResult> verdictField()
     static constexpr std::array verdicts{DeformationVerdict::Rigid, DeformationVerdict::Deformed,
                                          DeformationVerdict::Unsure};
     return {"verdict", choiceSchema({"rigid", "bent", "unsure"}),
-            [](const Json& value, DeformableResult& deformed, Reading&) {
+            [](const Json& value, DeformableResult& deformed, ReadContext&) {
                 deformed.verdict = *std::ranges::find(verdicts, value.get<std::string>(),
                                                       [](DeformationVerdict verdict) { return core::toText(verdict); });
             },
@@ -37,8 +37,9 @@ StoredField<DeformableResult> verdictField()
 /// Poses of all views of the deformable registration; the first is the pose of this view.
 StoredField<DeformableResult> viewPosesField()
 {
-    return {"viewPoses", about(listSchema(definedAs("matrix")), "Of all views that determined it, this view first."),
-            [](const Json& value, DeformableResult& deformed, Reading& reading) {
+    return {"viewPoses",
+            about(listSchema(schemaReference("matrix")), "Of all views that determined it, this view first."),
+            [](const Json& value, DeformableResult& deformed, ReadContext& reading) {
                 for (const Json& rows : value) {
                     if (const auto pose = poseFromRows(rows.get<MatrixRows>())) {
                         deformed.viewPoses.push_back(pose.value());
@@ -59,7 +60,7 @@ StoredField<DeformableResult> viewPosesField()
 StoredField<BranchMotion> motionField()
 {
     return {"motionMm", about(listSchema(numberSchema()), "x, y and z of every point, patient LPS."),
-            [](const Json& value, BranchMotion& motion, Reading&) {
+            [](const Json& value, BranchMotion& motion, ReadContext&) {
                 const auto numbers = value.get<std::vector<double>>();
                 for (std::size_t i = 0; i + motionNumbers <= numbers.size(); i += motionNumbers) {
                     motion.displacementMm.emplace_back(numbers[i], numbers[i + 1], numbers[i + 2]);
@@ -79,7 +80,7 @@ StoredField<BranchMotion> spreadField()
     return {"covarianceMm2",
             about(listSchema(numberSchema()),
                   "xx, xy, xz, yy, yz and zz of every point's position, camera axes of the view."),
-            [](const Json& value, BranchMotion& motion, Reading&) {
+            [](const Json& value, BranchMotion& motion, ReadContext&) {
                 const auto numbers = value.get<std::vector<double>>();
                 for (std::size_t i = 0; i + spreadNumbers <= numbers.size(); i += spreadNumbers) {
                     const double* const n = &numbers[i];
@@ -98,8 +99,8 @@ StoredField<BranchMotion> spreadField()
 
 StoredFields<BranchMotion> branchFieldsWithoutPoints()
 {
-    return {storedValue("branch", Json{{"type", "integer"}}, &BranchMotion::branchId),
-            storedMeasure("seenShare", &BranchMotion::seenShare)};
+    return {valueField("branch", Json{{"type", "integer"}}, &BranchMotion::branchId),
+            measureField("seenShare", &BranchMotion::seenShare)};
 }
 
 StoredFields<BranchMotion> branchMotionFields()
@@ -112,30 +113,29 @@ StoredFields<BranchMotion> branchMotionFields()
 
 StoredFields<RigidOffset> rigidOffsetFields()
 {
-    return {storedMeasure("rigidOffMm", &RigidOffset::meanMm),
-            storedMeasure("rigidOffMostMm", &RigidOffset::farthestMm),
-            storedValue("rigidOffMostAtBranch", Json{{"type", "integer"}}, &RigidOffset::farthestBranchId)};
+    return {measureField("rigidOffMm", &RigidOffset::meanMm), measureField("rigidOffMostMm", &RigidOffset::farthestMm),
+            valueField("rigidOffMostAtBranch", Json{{"type", "integer"}}, &RigidOffset::farthestBranchId)};
 }
 
 /// Fields of the deformation as a whole, without those of single branches.
 StoredFields<DeformableResult> wholeFields()
 {
     StoredFields<DeformableResult> rows{verdictField(),
-                                        storedPose(&DeformableResult::cameraFromPatient),
-                                        storedMeasure("logEvidenceGain", &DeformableResult::logEvidenceGain),
-                                        storedMeasure("largestMotionMm", &DeformableResult::largestMotionMm),
-                                        storedMeasure("meanMotionMm", &DeformableResult::meanMotionMm),
-                                        storedMeasure("spreadMm", &DeformableResult::spreadMm),
-                                        storedMeasure("placeStdMm", &DeformableResult::placeStdMm)};
+                                        poseMatrixField(&DeformableResult::cameraFromPatient),
+                                        measureField("logEvidenceGain", &DeformableResult::logEvidenceGain),
+                                        measureField("largestMotionMm", &DeformableResult::largestMotionMm),
+                                        measureField("meanMotionMm", &DeformableResult::meanMotionMm),
+                                        measureField("spreadMm", &DeformableResult::spreadMm),
+                                        measureField("placeStdMm", &DeformableResult::placeStdMm)};
     for (const StoredField<RigidOffset>& field : rigidOffsetFields()) {
-        rows.push_back(storedThrough<DeformableResult>(
+        rows.push_back(memberField<DeformableResult>(
             [](auto& deformed) -> auto& { return deformed.rigid; }, field));
     }
     for (StoredField<DeformableResult> field :
-         {storedMeasure("explainedShare", &DeformableResult::explainedShare),
-          storedMeasure("noisePx", &DeformableResult::noisePx), storedReason(&DeformableResult::stopReason),
-          storedValue("iterations", Json{{"type", "integer"}, {"minimum", 0}}, &DeformableResult::iterations),
-          storedMeasure("timeMs", &DeformableResult::timeMs), storedMessages(&DeformableResult::messages)}) {
+         {measureField("explainedShare", &DeformableResult::explainedShare),
+          measureField("noisePx", &DeformableResult::noisePx), stopReasonField(&DeformableResult::stopReason),
+          valueField("iterations", Json{{"type", "integer"}, {"minimum", 0}}, &DeformableResult::iterations),
+          measureField("timeMs", &DeformableResult::timeMs), messagesField(&DeformableResult::messages)}) {
         rows.push_back(std::move(field));
     }
     return rows;
@@ -145,7 +145,7 @@ StoredFields<DeformableResult> withBranches(const StoredFields<BranchMotion>& of
 {
     StoredFields<DeformableResult> rows = wholeFields();
     rows.push_back(viewPosesField());
-    rows.push_back(storedList("perBranch", Json::object(), &DeformableResult::branches, Json::object(), ofBranch));
+    rows.push_back(listField("perBranch", Json::object(), &DeformableResult::branches, Json::object(), ofBranch));
     return rows;
 }
 
@@ -166,13 +166,13 @@ Json motionSummary(const BranchMotion& branch)
 
 }   // namespace
 
-StoredField<core::RegistrationResult> deformedField()
+StoredField<core::RegistrationResult> deformationField()
 {
     const StoredFields<DeformableResult> fields = withBranches(branchMotionFields());
     Json schema = objectSchema(propertiesOf(fields), {"verdict", "cameraFromPatient", "viewPoses", "stopReason"});
     return {"deformable",
             about(std::move(schema), "Result of the deformable registration from the pose; absent: not requested."),
-            [fields](const Json& value, core::RegistrationResult& result, Reading& reading) {
+            [fields](const Json& value, core::RegistrationResult& result, ReadContext& reading) {
                 core::DeformableResult deformed;
                 readFields(value, deformed, fields, reading);
                 result.deformed = std::make_shared<const core::DeformableResult>(std::move(deformed));
@@ -182,12 +182,12 @@ StoredField<core::RegistrationResult> deformedField()
             }};
 }
 
-StoredFields<DeformableResult> deformedFieldsWithoutPoints()
+StoredFields<DeformableResult> deformationFieldsWithoutPoints()
 {
     return withBranches(branchFieldsWithoutPoints());
 }
 
-Json deformedSummary(const core::DeformableResult& deformed)
+Json deformationSummary(const core::DeformableResult& deformed)
 {
     Json json = writeFields(deformed, wholeFields(), {});
     json["perBranch"] = Json::array();

@@ -39,7 +39,8 @@ const char* originText(Origin origin)
 Json sourcedSchema(const Json& value)
 {
     return anyOfSchema(
-        value, objectSchema({{"value", value}, {"origin", definedAs("origin")}, {"basis", textSchema()}}, {"value"}));
+        value,
+        objectSchema({{"value", value}, {"origin", schemaReference("origin")}, {"basis", textSchema()}}, {"value"}));
 }
 
 /// Reads a value with its origin; a bare value counts as entered by the user.
@@ -70,7 +71,7 @@ StoredField<ViewGeometry> sourcedField(const char* key, const Json& valueSchema,
 {
     const Json schema = sourcedSchema(valueSchema);
     return {key, sentence.empty() ? schema : about(schema, sentence),
-            [member](const Json& value, ViewGeometry& geometry, Reading&) {
+            [member](const Json& value, ViewGeometry& geometry, ReadContext&) {
                 geometry.cArm.*member = sourcedFrom<Value>(value);
             },
             [member](const ViewGeometry& geometry, const fs::path&) { return sourcedJson(geometry.cArm.*member); }};
@@ -79,8 +80,8 @@ StoredField<ViewGeometry> sourcedField(const char* key, const Json& valueSchema,
 /// Row and column spacing: two values with a common origin.
 StoredField<ViewGeometry> spacingField()
 {
-    return {"imagerPixelSpacingMm", about(sourcedSchema(definedAs("pair")), "Row spacing, column spacing."),
-            [](const Json& value, ViewGeometry& geometry, Reading&) {
+    return {"imagerPixelSpacingMm", about(sourcedSchema(schemaReference("pair")), "Row spacing, column spacing."),
+            [](const Json& value, ViewGeometry& geometry, ReadContext&) {
                 const auto both = sourcedFrom<Eigen::Vector2d>(value);
                 geometry.cArm.rowSpacingMm = {both.value->x(), both.origin, both.basis};
                 geometry.cArm.columnSpacingMm = {both.value->y(), both.origin, both.basis};
@@ -97,12 +98,12 @@ StoredField<ViewGeometry> spacingField()
 StoredFields<core::ProjectionCamera> cameraFields()
 {
     using core::ProjectionCamera;
-    return {storedValue("fx", numberSchema(), &ProjectionCamera::fx),
-            storedValue("fy", numberSchema(), &ProjectionCamera::fy),
-            storedValue("cx", numberSchema(), &ProjectionCamera::cx),
-            storedValue("cy", numberSchema(), &ProjectionCamera::cy),
-            storedValue("width", integerSchema(1, 100000), &ProjectionCamera::width),
-            storedValue("height", integerSchema(1, 100000), &ProjectionCamera::height)};
+    return {valueField("fx", numberSchema(), &ProjectionCamera::fx),
+            valueField("fy", numberSchema(), &ProjectionCamera::fy),
+            valueField("cx", numberSchema(), &ProjectionCamera::cx),
+            valueField("cy", numberSchema(), &ProjectionCamera::cy),
+            valueField("width", integerSchema(1, 100000), &ProjectionCamera::width),
+            valueField("height", integerSchema(1, 100000), &ProjectionCamera::height)};
 }
 
 StoredField<ViewGeometry> cameraField()
@@ -111,7 +112,7 @@ StoredField<ViewGeometry> cameraField()
             about(objectSchema(propertiesOf(cameraFields()), {"fx", "fy", "cx", "cy", "width", "height"}),
                   "Overrides the camera computed from the values below. fx is negative for an image shown as seen from "
                   "the detector."),
-            [](const Json& value, ViewGeometry& geometry, Reading& reading) {
+            [](const Json& value, ViewGeometry& geometry, ReadContext& reading) {
                 core::ProjectionCamera& camera = geometry.cameraOverride.emplace();
                 readFields(value, camera, cameraFields(), reading);
                 if (const auto problem = core::findProblem(camera)) {
@@ -124,13 +125,13 @@ StoredField<ViewGeometry> cameraField()
 }
 
 /// Single distance in older files; if it came from an image header, it is the distance to the object plane.
-StoredField<ViewGeometry> formerDistanceField()
+StoredField<ViewGeometry> legacyDistanceField()
 {
     return {"sourceToPatientMm", about(sourcedSchema(numberSchema()), "In older files: sourceToIsocenterMm."),
-            [](const Json& value, ViewGeometry& geometry, Reading&) {
+            [](const Json& value, ViewGeometry& geometry, ReadContext&) {
                 const auto former = sourcedFrom<double>(value);
-                const bool isOfHeader = former.origin == Origin::Header || former.origin == Origin::Derived;
-                const bool isObject = isOfHeader && !former.basis.starts_with("(0018,9402)");
+                const bool isFromHeader = former.origin == Origin::Header || former.origin == Origin::Derived;
+                const bool isObject = isFromHeader && !former.basis.starts_with("(0018,9402)");
                 auto& distance = isObject ? geometry.cArm.sourceToObjectMm : geometry.cArm.sourceToIsocenterMm;
                 if (!distance.value) {
                     distance = former;
@@ -150,13 +151,13 @@ StoredFields<ViewGeometry> geometryFields()
                      "Source-to-isocenter distance; the gantry rotates about the isocenter."),
         sourcedField("sourceToObjectMm", numberSchema(), &CArm::sourceToObjectMm,
                      "Object position along the beam assumed by the device: initial depth of the vessels."),
-        formerDistanceField(),
+        legacyDistanceField(),
         spacingField(),
         sourcedField("primaryAngleDeg", numberSchema(), &CArm::primaryAngleDeg, "LAO +, RAO -."),
         sourcedField("secondaryAngleDeg", numberSchema(), &CArm::secondaryAngleDeg, "CRA +, CAU -."),
         sourcedField("rollDeg", numberSchema(), &CArm::rollDeg, "Clockwise rotation of the image on screen."),
-        sourcedField("principalPointPx", definedAs("pair"), &CArm::principalPointPx, "cx, cy."),
-        sourcedField("isocentreInPatientMm", definedAs("point"), &CArm::isocenterInPatientMm,
+        sourcedField("principalPointPx", schemaReference("pair"), &CArm::principalPointPx, "cx, cy."),
+        sourcedField("isocentreInPatientMm", schemaReference("point"), &CArm::isocenterInPatientMm,
                      "Rotation center of the gantry, in the vessels' coordinates; absent: the tree's centroid."),
         sourcedField("mirrored", flagSchema(), &CArm::mirrored, "True: shown as seen from the source."),
     };

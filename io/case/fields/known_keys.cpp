@@ -1,4 +1,4 @@
-#include "io/case/fields/schema_words.h"
+#include "io/case/fields/schema_builder.h"
 
 namespace angiopose::io {
 namespace {

@@ -1,7 +1,7 @@
 #include "io/case/fields/mark_fields.h"
 
+#include "io/case/fields/enum_field.h"
 #include "io/case/fields/json_values.h"
-#include "io/case/fields/word_field.h"
 #include "io/messages/messages.h"
 #include "io/support/measurement_words.h"
 
@@ -11,7 +11,7 @@ namespace angiopose::io {
 namespace {
 
 using core::ImageAnnotation;
-using core::Sighting;
+using core::TargetObservation;
 using core::VesselMark;
 using core::VesselMarkKind;
 
@@ -24,7 +24,7 @@ Json manyOf(const char* sentence)
 
 Json pointList(const char* definition, int least, int most)
 {
-    Json points = listSchema(definedAs(definition));
+    Json points = listSchema(schemaReference(definition));
     points["minItems"] = least;
     points["maxItems"] = most;
     return points;
@@ -32,17 +32,17 @@ Json pointList(const char* definition, int least, int most)
 
 StoredFields<VesselMark> markFields()
 {
-    return {storedValue("id", about(integerSchema(1, 1000000), "Id used by `sightings`."), &VesselMark::id),
-            wordField("kind", choiceSchema({"check-point", "ostium-ring"}), &VesselMark::kind, markKinds),
-            storedIfSet("name", textSchema(), &VesselMark::name),
-            storedValue("pointInPatientMm", definedAs("point"), &VesselMark::pointInPatient),
-            storedIfSet("normal", about(definedAs("point"), "Unit vector of a ring, along its branch."),
-                        &VesselMark::normal),
-            storedIfSet("radiusMm", about(numberSchema(0, 1000), "Of a ring."), &VesselMark::radiusMm)};
+    return {valueField("id", about(integerSchema(1, 1000000), "Id used by `sightings`."), &VesselMark::id),
+            enumField("kind", choiceSchema({"check-point", "ostium-ring"}), &VesselMark::kind, markKinds),
+            optionalField("name", textSchema(), &VesselMark::name),
+            valueField("pointInPatientMm", schemaReference("point"), &VesselMark::pointInPatient),
+            optionalField("normal", about(schemaReference("point"), "Unit vector of a ring, along its branch."),
+                          &VesselMark::normal),
+            optionalField("radiusMm", about(numberSchema(0, 1000), "Of a ring."), &VesselMark::radiusMm)};
 }
 
 /// Reports invalid marks and normalizes directions to unit length.
-void checkMarks(std::vector<VesselMark>& marks, Reading& reading)
+void checkMarks(std::vector<VesselMark>& marks, ReadContext& reading)
 {
     std::set<int> ids;
     for (VesselMark& mark : marks) {
@@ -64,9 +64,9 @@ void checkMarks(std::vector<VesselMark>& marks, Reading& reading)
 StoredField<core::Vessels> marksField()
 {
     StoredField<core::Vessels> field =
-        storedList("marks", manyOf("Target points and ostium rings on the vessels."), &core::Vessels::marks,
-                   objectSchema({}, {"id", "kind", "pointInPatientMm"}), markFields());
-    field.read = [read = field.read](const Json& value, core::Vessels& vessels, Reading& reading) {
+        listField("marks", manyOf("Target points and ostium rings on the vessels."), &core::Vessels::marks,
+                  objectSchema({}, {"id", "kind", "pointInPatientMm"}), markFields());
+    field.read = [read = field.read](const Json& value, core::Vessels& vessels, ReadContext& reading) {
         read(value, vessels, reading);
         checkMarks(vessels.marks, reading);
     };
@@ -75,27 +75,27 @@ StoredField<core::Vessels> marksField()
 
 StoredField<core::View> sightingsField()
 {
-    return storedList(
-        "sightings", manyOf("Positions of target points of the vessels in the image."), &core::View::sightings,
-        objectSchema({}, {"mark", "pixel"}),
-        StoredFields<Sighting>{
-            storedValue("mark", about(integerSchema(1, 1000000), "Id of the mark of the vessels."), &Sighting::markId),
-            storedValue("pixel", definedAs("pair"), &Sighting::pixel),
-            storedValue("frame", integerSchema(0, 100000), &Sighting::frame)});
+    return listField("sightings", manyOf("Positions of target points of the vessels in the image."),
+                     &core::View::observations, objectSchema({}, {"mark", "pixel"}),
+                     StoredFields<TargetObservation>{
+                         valueField("mark", about(integerSchema(1, 1000000), "Id of the mark of the vessels."),
+                                    &TargetObservation::markId),
+                         valueField("pixel", schemaReference("pair"), &TargetObservation::pixel),
+                         valueField("frame", integerSchema(0, 100000), &TargetObservation::frame)});
 }
 
 StoredField<core::View> annotationsField()
 {
-    StoredField<core::View> field = storedList(
+    StoredField<core::View> field = listField(
         "annotations", manyOf("Arrows and texts on the image; they are only drawn."), &core::View::annotations,
         objectSchema({}, {"kind", "pixels"}),
         StoredFields<ImageAnnotation>{
-            wordField("kind", choiceSchema({"arrow", "text"}), &ImageAnnotation::kind, annotationKinds),
-            storedValue("pixels", about(pointList("pair", 1, 2), "Tail and tip of an arrow; position of a text."),
-                        &ImageAnnotation::pixels),
-            storedIfSet("text", textSchema(), &ImageAnnotation::text),
-            storedValue("frame", integerSchema(0, 100000), &ImageAnnotation::frame)});
-    field.read = [read = field.read](const Json& value, core::View& view, Reading& reading) {
+            enumField("kind", choiceSchema({"arrow", "text"}), &ImageAnnotation::kind, annotationKinds),
+            valueField("pixels", about(pointList("pair", 1, 2), "Tail and tip of an arrow; position of a text."),
+                       &ImageAnnotation::pixels),
+            optionalField("text", textSchema(), &ImageAnnotation::text),
+            valueField("frame", integerSchema(0, 100000), &ImageAnnotation::frame)});
+    field.read = [read = field.read](const Json& value, core::View& view, ReadContext& reading) {
         read(value, view, reading);
         for (std::size_t i = 0; i < view.annotations.size(); ++i) {
             const ImageAnnotation& each = view.annotations[i];

@@ -53,8 +53,8 @@ std::optional<core::Message> setOption(core::RegistrationOptions& options, const
     const auto names = core::namesOf(field);
     if (names.empty()) {
         const core::OptionRange range = core::rangeOf(field);
-        return messages::caseOptionNumber(core::Quantity{range.min, core::Quantity::asNeeded},
-                                          core::Quantity{range.max, core::Quantity::asNeeded})
+        return messages::caseOptionNumber(core::Quantity{range.min, core::Quantity::significantDigits},
+                                          core::Quantity{range.max, core::Quantity::significantDigits})
             .about(key);
     }
     std::vector<std::string> choices;

@@ -27,18 +27,18 @@ inline double measureFrom(const Json& value)
 }
 
 template <class Owner>
-StoredField<Owner> storedMeasure(std::string key, double Owner::*member)
+StoredField<Owner> measureField(std::string key, double Owner::*member)
 {
-    StoredField<Owner> field = storedValue(std::move(key), measureSchema(), member);
-    field.read = [member](const Json& value, Owner& owner, Reading&) { owner.*member = measureFrom(value); };
+    StoredField<Owner> field = valueField(std::move(key), measureSchema(), member);
+    field.read = [member](const Json& value, Owner& owner, ReadContext&) { owner.*member = measureFrom(value); };
     return field;
 }
 
 template <class Owner>
-StoredField<Owner> storedPose(core::RigidTransform Owner::*member)
+StoredField<Owner> poseMatrixField(core::RigidTransform Owner::*member)
 {
-    return {"cameraFromPatient", definedAs("matrix"),
-            [member](const Json& value, Owner& owner, Reading& reading) {
+    return {"cameraFromPatient", schemaReference("matrix"),
+            [member](const Json& value, Owner& owner, ReadContext& reading) {
                 if (const auto pose = poseFromRows(value.get<MatrixRows>())) {
                     owner.*member = pose.value();
                 } else {
@@ -49,7 +49,7 @@ StoredField<Owner> storedPose(core::RigidTransform Owner::*member)
 }
 
 template <class Owner>
-StoredField<Owner> storedReason(core::StopReason Owner::*member)
+StoredField<Owner> stopReasonField(core::StopReason Owner::*member)
 {
     using enum core::StopReason;
     static constexpr std::array reasons{Converged, IterationLimit, NoImprovement, StoppedByUser};
@@ -58,7 +58,7 @@ StoredField<Owner> storedReason(core::StopReason Owner::*member)
         schema["enum"].push_back(core::toText(reason));
     }
     return {"stopReason", std::move(schema),
-            [member](const Json& value, Owner& owner, Reading&) {
+            [member](const Json& value, Owner& owner, ReadContext&) {
                 owner.*member = *std::ranges::find(reasons, value.get<std::string>(),
                                                    [](core::StopReason reason) { return core::toText(reason); });
             },
@@ -66,10 +66,10 @@ StoredField<Owner> storedReason(core::StopReason Owner::*member)
 }
 
 template <class Owner>
-StoredField<Owner> storedMessages(core::Messages Owner::*member)
+StoredField<Owner> messagesField(core::Messages Owner::*member)
 {
     return {"messages", about(listSchema(Json{{"type", "object"}}), "The warnings, for programs."),
-            [member](const Json& value, Owner& owner, Reading&) { owner.*member = messagesFrom(value.dump()); },
+            [member](const Json& value, Owner& owner, ReadContext&) { owner.*member = parseMessages(value.dump()); },
             [member](const Owner& owner, const std::filesystem::path&) {
                 return Json::parse(messagesJson(owner.*member));
             }};

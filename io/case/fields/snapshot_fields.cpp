@@ -15,11 +15,11 @@ using core::SnapshotMetrics;
 
 StoredFields<SnapshotMetrics> metricsFields()
 {
-    return {storedValue("medianPx", numberSchema(), &SnapshotMetrics::medianPx),
-            storedValue("medianMm", numberSchema(), &SnapshotMetrics::medianMm),
-            storedValue("p95Mm", numberSchema(), &SnapshotMetrics::p95Mm),
-            storedValue("coverage", numberSchema(0, 1), &SnapshotMetrics::coverage),
-            storedValue("trustworthy", flagSchema(), &SnapshotMetrics::isTrustworthy)};
+    return {valueField("medianPx", numberSchema(), &SnapshotMetrics::medianPx),
+            valueField("medianMm", numberSchema(), &SnapshotMetrics::medianMm),
+            valueField("p95Mm", numberSchema(), &SnapshotMetrics::p95Mm),
+            valueField("coverage", numberSchema(0, 1), &SnapshotMetrics::coverage),
+            valueField("trustworthy", flagSchema(), &SnapshotMetrics::isTrustworthy)};
 }
 
 bool isFinite(const SnapshotMetrics& metrics)
@@ -33,7 +33,7 @@ StoredField<PoseSnapshot> metricsField()
     return {
         "metrics",
         about(objectSchema(propertiesOf(metricsFields())), "As evaluated on its frame when the snapshot was saved."),
-        [](const Json& value, PoseSnapshot& snapshot, Reading& reading) {
+        [](const Json& value, PoseSnapshot& snapshot, ReadContext& reading) {
             readFields(value, snapshot.metrics.emplace(), metricsFields(), reading);
         },
         [](const PoseSnapshot& snapshot, const fs::path& folder) {
@@ -46,8 +46,8 @@ StoredField<PoseSnapshot> metricsField()
 StoredField<PoseSnapshot> kindField()
 {
     return {"kind", about(choiceSchema({"kept", "run"}), "Saved by a user, or result of a registration."),
-            [](const Json& value, PoseSnapshot& snapshot, Reading&) {
-                snapshot.kind = value == "run" ? SnapshotKind::Run : SnapshotKind::Kept;
+            [](const Json& value, PoseSnapshot& snapshot, ReadContext&) {
+                snapshot.kind = value == "run" ? SnapshotKind::Run : SnapshotKind::Saved;
             },
             [](const PoseSnapshot& snapshot, const fs::path&) {
                 return Json(snapshot.kind == SnapshotKind::Run ? "run" : "kept");
@@ -56,8 +56,8 @@ StoredField<PoseSnapshot> kindField()
 
 StoredField<PoseSnapshot> poseField()
 {
-    return {"cameraFromPatient", definedAs("matrix"),
-            [](const Json& value, PoseSnapshot& snapshot, Reading& reading) {
+    return {"cameraFromPatient", schemaReference("matrix"),
+            [](const Json& value, PoseSnapshot& snapshot, ReadContext& reading) {
                 if (const auto pose = poseFromRows(value.get<MatrixRows>())) {
                     snapshot.cameraFromPatient = pose.value();
                 } else {
@@ -70,15 +70,15 @@ StoredField<PoseSnapshot> poseField()
 StoredFields<PoseSnapshot> snapshotFields()
 {
     return {kindField(),
-            storedIfSet("name", textSchema(), &PoseSnapshot::name),
-            storedIfSet("author", textSchema(), &PoseSnapshot::author),
-            storedIfSet("note", textSchema(), &PoseSnapshot::note),
-            storedIfSet("time", about(textSchema(), "ISO 8601, UTC."), &PoseSnapshot::time),
-            storedIfSet("method", about(textSchema(), "Absent: found manually."), &PoseSnapshot::method),
-            storedValue("frame", integerSchema(0, 100000), &PoseSnapshot::frame),
+            optionalField("name", textSchema(), &PoseSnapshot::name),
+            optionalField("author", textSchema(), &PoseSnapshot::author),
+            optionalField("note", textSchema(), &PoseSnapshot::note),
+            optionalField("time", about(textSchema(), "ISO 8601, UTC."), &PoseSnapshot::time),
+            optionalField("method", about(textSchema(), "Absent: found manually."), &PoseSnapshot::method),
+            valueField("frame", integerSchema(0, 100000), &PoseSnapshot::frame),
             poseField(),
             metricsField(),
-            storedIfSet("runMs", Json{{"type", "number"}, {"minimum", 0}}, &PoseSnapshot::runMs)};
+            optionalField("runMs", Json{{"type", "number"}, {"minimum", 0}}, &PoseSnapshot::runMs)};
 }
 
 Json snapshotsSchema()
@@ -88,11 +88,11 @@ Json snapshotsSchema()
     return about(schema, "Poses saved by the user or found by registrations, oldest first.");
 }
 
-void readSnapshots(const Json& list, core::View& view, Reading& reading)
+void readSnapshots(const Json& list, core::View& view, ReadContext& reading)
 {
     const StoredFields<PoseSnapshot> fields = snapshotFields();
     for (const Json& each : list) {
-        Reading ofSnapshot;
+        ReadContext ofSnapshot;
         PoseSnapshot& snapshot = view.snapshots.emplace_back();
         readItem(each, snapshot, fields, ofSnapshot);
         for (const core::Message& problem : ofSnapshot.problems) {

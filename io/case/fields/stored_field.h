@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/case/case.h"
-#include "io/case/fields/schema_words.h"
+#include "io/case/fields/schema_builder.h"
 #include "io/case/fields/view_notes.h"
 #include "io/support/json_text.h"
 
@@ -13,11 +13,11 @@
 namespace angiopose::io {
 
 /// Information collected while reading, in addition to the values.
-struct Reading {
+struct ReadContext {
     core::Messages problems;   ///< invalid values, each with key and remedy
     ViewNotes view;   ///< notes on the view being read
     std::vector<ViewNotes> otherViews;   ///< notes on the other views of the case, in order
-    std::size_t shownPlace = 0;   ///< index of the shown view, which is stored in the case itself, among all views
+    std::size_t shownViewIndex = 0;   ///< index of the shown view, which is stored in the case itself, among all views
     bool hasVessels = false;   ///< whether a vessel input of any kind was found
 };
 
@@ -27,7 +27,7 @@ template <class Owner>
 struct StoredField {
     std::string key;   ///< rows with the same key share an object
     Json schema;
-    std::function<void(const Json& value, Owner& owner, Reading& reading)>
+    std::function<void(const Json& value, Owner& owner, ReadContext& reading)>
         read;   ///< called only if the value is present
     std::function<Json(const Owner& owner, const std::filesystem::path& folder)> write;   ///< null if nothing to write
 };
@@ -36,7 +36,7 @@ using StoredFields = std::vector<StoredField<Owner>>;
 
 /// Reads the fields present in `json` and leaves the others unchanged. `json` must conform to the schema.
 template <class Owner>
-void readFields(const Json& json, Owner& owner, const StoredFields<Owner>& fields, Reading& reading)
+void readFields(const Json& json, Owner& owner, const StoredFields<Owner>& fields, ReadContext& reading)
 {
     for (const StoredField<Owner>& field : fields) {
         if (const auto value = json.find(field.key); value != json.end()) {
@@ -76,18 +76,18 @@ Json propertiesOf(const StoredFields<Owner>& fields)
 
 /// Returns the row of a value that JSON represents directly.
 template <class Owner, class Value>
-StoredField<Owner> storedValue(std::string key, Json schema, Value Owner::*member)
+StoredField<Owner> valueField(std::string key, Json schema, Value Owner::*member)
 {
     return {std::move(key), std::move(schema),
-            [member](const Json& value, Owner& owner, Reading&) { owner.*member = value.get<Value>(); },
+            [member](const Json& value, Owner& owner, ReadContext&) { owner.*member = value.get<Value>(); },
             [member](const Owner& owner, const std::filesystem::path&) { return Json(owner.*member); }};
 }
 
 /// A value that JSON represents directly, written only if it differs from the default of an Owner.
 template <class Owner, class Value>
-StoredField<Owner> storedIfSet(std::string key, Json schema, Value Owner::*member)
+StoredField<Owner> optionalField(std::string key, Json schema, Value Owner::*member)
 {
-    StoredField<Owner> field = storedValue(std::move(key), std::move(schema), member);
+    StoredField<Owner> field = valueField(std::move(key), std::move(schema), member);
     field.write = [member](const Owner& owner, const std::filesystem::path&) {
         return owner.*member == Owner().*member ? Json() : Json(owner.*member);
     };
@@ -96,12 +96,12 @@ StoredField<Owner> storedIfSet(std::string key, Json schema, Value Owner::*membe
 
 /// Returns the row of a part that is stored as an object with the rows `fields`.
 template <class Owner, class Part>
-StoredField<Owner> storedPart(std::string key, Json schema, Part Owner::*member, StoredFields<Part> fields)
+StoredField<Owner> objectField(std::string key, Json schema, Part Owner::*member, StoredFields<Part> fields)
 {
     schema["type"] = "object";
     schema["properties"] = propertiesOf(fields);
     return {std::move(key), std::move(schema),
-            [member, fields](const Json& value, Owner& owner, Reading& reading) {
+            [member, fields](const Json& value, Owner& owner, ReadContext& reading) {
                 readFields(value, owner.*member, fields, reading);
             },
             [member, fields](const Owner& owner, const std::filesystem::path& folder) {
@@ -111,23 +111,24 @@ StoredField<Owner> storedPart(std::string key, Json schema, Part Owner::*member,
 
 /// Returns the row of an object that contains several rows of the same owner.
 template <class Owner>
-StoredField<Owner> storedGroup(std::string key, Json schema, StoredFields<Owner> fields)
+StoredField<Owner> groupField(std::string key, Json schema, StoredFields<Owner> fields)
 {
     schema["type"] = "object";
     schema["properties"] = propertiesOf(fields);
-    return {std::move(key), std::move(schema),
-            [fields](const Json& value, Owner& owner, Reading& reading) { readFields(value, owner, fields, reading); },
-            [fields](const Owner& owner, const std::filesystem::path& folder) {
-                return writeFields(owner, fields, folder);
-            }};
+    return {
+        std::move(key), std::move(schema),
+        [fields](const Json& value, Owner& owner, ReadContext& reading) { readFields(value, owner, fields, reading); },
+        [fields](const Owner& owner, const std::filesystem::path& folder) {
+            return writeFields(owner, fields, folder);
+        }};
 }
 
 /// Adapts the row of a part to its owner. `partOf` returns the part of a const or non-const owner.
 template <class Owner, class Part, class PartOf>
-StoredField<Owner> storedThrough(PartOf partOf, StoredField<Part> field)
+StoredField<Owner> memberField(PartOf partOf, StoredField<Part> field)
 {
     return {field.key, field.schema,
-            [partOf, read = field.read](const Json& value, Owner& owner, Reading& reading) {
+            [partOf, read = field.read](const Json& value, Owner& owner, ReadContext& reading) {
                 read(value, partOf(owner), reading);
             },
             [partOf, write = field.write](const Owner& owner, const std::filesystem::path& folder) {
@@ -137,7 +138,7 @@ StoredField<Owner> storedThrough(PartOf partOf, StoredField<Part> field)
 
 /// Restricts a row: the value is written only if `isWritten` is true for the owner.
 template <class Owner, class Condition>
-StoredField<Owner> writtenWhere(Condition isWritten, StoredField<Owner> field)
+StoredField<Owner> writeFieldIf(Condition isWritten, StoredField<Owner> field)
 {
     field.write = [isWritten, write = field.write](const Owner& owner, const std::filesystem::path& folder) {
         return isWritten(owner) ? write(owner, folder) : Json();
@@ -154,7 +155,7 @@ Json keysOf(const StoredFields<Owner>& fields)
 
 /// Reads one item of a list, including its unknown keys if Item has `extraKeys`.
 template <class Item>
-void readItem(const Json& json, Item& item, const StoredFields<Item>& fields, Reading& reading)
+void readItem(const Json& json, Item& item, const StoredFields<Item>& fields, ReadContext& reading)
 {
     readFields(json, item, fields, reading);
     if constexpr (requires { item.extraKeys; }) {
@@ -174,15 +175,15 @@ Json itemJson(const Item& item, const StoredFields<Item>& fields, const std::fil
 
 /// Returns the row of a list of objects, each with the rows `fields`; an empty list is omitted.
 template <class Owner, class Item>
-StoredField<Owner> storedList(std::string key, Json schema, std::vector<Item> Owner::*member, Json itemSchema,
-                              StoredFields<Item> fields)
+StoredField<Owner> listField(std::string key, Json schema, std::vector<Item> Owner::*member, Json itemSchema,
+                             StoredFields<Item> fields)
 {
     itemSchema["type"] = "object";
     itemSchema["properties"] = propertiesOf(fields);
     schema["type"] = "array";
     schema["items"] = std::move(itemSchema);
     return {std::move(key), std::move(schema),
-            [member, fields](const Json& value, Owner& owner, Reading& reading) {
+            [member, fields](const Json& value, Owner& owner, ReadContext& reading) {
                 for (const Json& item : value) {
                     readItem(item, (owner.*member).emplace_back(), fields, reading);
                 }

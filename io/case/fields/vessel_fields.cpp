@@ -2,13 +2,13 @@
 
 #include "core/support/result.h"
 #include "core/vessel/vessel_tree.h"
+#include "io/case/fields/enum_field.h"
 #include "io/case/fields/file_fields.h"
 #include "io/case/fields/json_values.h"
 #include "io/case/fields/mark_fields.h"
 #include "io/case/fields/measurement_fields.h"
-#include "io/case/fields/schema_words.h"
+#include "io/case/fields/schema_builder.h"
 #include "io/case/fields/vessel_key.h"
-#include "io/case/fields/word_field.h"
 #include "io/messages/messages.h"
 
 #include <limits>
@@ -116,8 +116,8 @@ Json inputSchema(VesselInputKind kind)
         "Label image: NIfTI, NRRD, MetaImage.", "VTP, VTK, STL, PLY, OBJ.",
         "NIfTI, NRRD, MetaImage, a DICOM slice, or a folder of slices; then dicom.seriesInstanceUid names the series. "
         "In addition to another kind: the scan that contains those vessels."};
-    Json members{{"path", definedAs("path")},
-                 {"sha256", definedAs("sha256")},
+    Json members{{"path", schemaReference("path")},
+                 {"sha256", schemaReference("sha256")},
                  {"dicom", objectSchema({{"seriesInstanceUid", textSchema()}})}};
     if (kind == VesselInputKind::Segmentation) {
         members["origin"] = about(choiceSchema({"edited"}), "Edited manually: the mask belongs to this case.");
@@ -140,7 +140,7 @@ Json inputJson(const core::InputFile& file, const std::string& seriesId, const f
 StoredField<Vessels> inputField(VesselInputKind kind)
 {
     return {vesselKey(kind), inputSchema(kind),
-            [kind](const Json& value, Vessels& vessels, Reading& reading) {
+            [kind](const Json& value, Vessels& vessels, ReadContext& reading) {
                 const std::string seriesId = value.value("dicom", Json::object()).value("seriesInstanceUid", "");
                 if (!std::exchange(reading.hasVessels, true)) {
                     vessels.file = fileFrom(value);
@@ -168,29 +168,29 @@ StoredField<Vessels> inputField(VesselInputKind kind)
 StoredField<Vessels> tracingField()
 {
     const Json schema{{"description", "Options for tracing a segmentation, surface or volume; absent: the defaults."}};
-    return writtenWhere([](const Vessels& vessels) { return vessels.input.kind != VesselInputKind::Centerline; },
-                        storedThrough<Vessels>(
+    return writeFieldIf([](const Vessels& vessels) { return vessels.input.kind != VesselInputKind::Centerline; },
+                        memberField<Vessels>(
                             [](auto& vessels) -> auto& { return vessels.input; },
-                            storedPart("tracing", schema, &VesselInput::tracing, vesselTracingFields())));
+                            objectField("tracing", schema, &VesselInput::tracing, vesselTracingFields())));
 }
 
 StoredField<Vessels> labelsField()
 {
-    return storedThrough<Vessels>(
+    return memberField<Vessels>(
         [](auto& vessels) -> auto& { return vessels.input; },
-        storedIfSet("labels",
-                    about(listSchema(integerSchema(1, 65535)),
-                          "Labels of a segmentation that are vessels; empty or absent: all."),
-                    &VesselInput::labels));
+        optionalField("labels",
+                      about(listSchema(integerSchema(1, 65535)),
+                            "Labels of a segmentation that are vessels; empty or absent: all."),
+                      &VesselInput::labels));
 }
 
 StoredField<Vessels> unitField()
 {
     const Json schema{{"type", "number"}, {"exclusiveMinimum", 0}, {"maximum", 10000}};
-    return storedThrough<Vessels>(
+    return memberField<Vessels>(
         [](auto& vessels) -> auto& { return vessels.input; },
-        storedIfSet("unitMm", about(schema, "Length of one unit of a surface or a centerline file, mm."),
-                    &VesselInput::unitMm));
+        optionalField("unitMm", about(schema, "Length of one unit of a surface or a centerline file, mm."),
+                      &VesselInput::unitMm));
 }
 
 /// Tree edited by the user, which replaces the tree of the input.
@@ -198,7 +198,7 @@ StoredField<Vessels> editedTreeField()
 {
     return {
         "editedTree", about(treeSchema(), "The vessels after manual editing; they replace those of the input above."),
-        [](const Json& value, Vessels& vessels, Reading& reading) {
+        [](const Json& value, Vessels& vessels, ReadContext& reading) {
             auto tree = treeFromJson(value);
             if (!tree) {
                 reading.problems.push_back(messages::caseEditedTree(tree.error().message).about("vessel.editedTree"));
@@ -218,30 +218,31 @@ const StoredFields<VesselTracingOptions>& vesselTracingFields()
 {
     using Options = VesselTracingOptions;
     static const StoredFields<Options> fields{
-        storedValue("minBranchLengthMm", numberSchema(0, 1000), &Options::minBranchLengthMm),
-        storedValue("minBranchRadiusMm", numberSchema(0, 1000), &Options::minBranchRadiusMm),
-        storedValue("pointSpacingMm", numberSchema(0.01, 100), &Options::pointSpacingMm),
-        storedIfSet("threshold",
-                    about(numberSchema(), "Minimum value of the lumen (HU for CT); absent: estimated from the blood."),
-                    &Options::threshold),
-        storedIfSet("seedsInPatientMm", listSchema(definedAs("point")), &Options::seedsInPatient),
-        storedIfSet("avoidInPatientMm",
-                    about(listSchema(definedAs("point")),
-                          "Points outside vessels: what is connected to them by a wider path is not a vessel."),
-                    &Options::avoidInPatient),
-        storedIfSet("rootInPatientMm", definedAs("point"), &Options::rootInPatient),
-        storedIfSet("tubesOnly",
-                    about(flagSchema(),
-                          "Only thin vessels, from the seeds; tracing ends at chambers, organs and wide vessels."),
-                    &Options::tubesOnly),
-        writtenWhere([](const Options& options) { return options.pieces != core::TracedPieces::Usual; },
-                     wordField("pieces",
+        valueField("minBranchLengthMm", numberSchema(0, 1000), &Options::minBranchLengthMm),
+        valueField("minBranchRadiusMm", numberSchema(0, 1000), &Options::minBranchRadiusMm),
+        valueField("pointSpacingMm", numberSchema(0.01, 100), &Options::pointSpacingMm),
+        optionalField(
+            "threshold",
+            about(numberSchema(), "Minimum value of the lumen (HU for CT); absent: estimated from the blood."),
+            &Options::threshold),
+        optionalField("seedsInPatientMm", listSchema(schemaReference("point")), &Options::seedsInPatient),
+        optionalField("avoidInPatientMm",
+                      about(listSchema(schemaReference("point")),
+                            "Points outside vessels: what is connected to them by a wider path is not a vessel."),
+                      &Options::avoidInPatient),
+        optionalField("rootInPatientMm", schemaReference("point"), &Options::rootInPatient),
+        optionalField("tubesOnly",
+                      about(flagSchema(),
+                            "Only thin vessels, from the seeds; tracing ends at chambers, organs and wide vessels."),
+                      &Options::tubesOnly),
+        writeFieldIf([](const Options& options) { return options.pieces != core::TracedPieces::Usual; },
+                     enumField("pieces",
                                about(choiceSchema({"usual", "all", "largest"}),
                                      "Pieces that are traced without a seed; absent or usual: all of a mask, or that "
                                      "of the great vessel of a scan."),
                                &Options::pieces, pieceWords)),
-        writtenWhere([](const Options& options) { return options.loops != core::VesselLoops::Opened; },
-                     wordField("loops", about(choiceSchema({"opened", "kept"}), "Treatment of loops; absent: opened."),
+        writeFieldIf([](const Options& options) { return options.loops != core::VesselLoops::Opened; },
+                     enumField("loops", about(choiceSchema({"opened", "kept"}), "Treatment of loops; absent: opened."),
                                &Options::loops, loopWords))};
     return fields;
 }
@@ -256,14 +257,14 @@ const StoredFields<Vessels>& vesselFields()
         tracingField(),
         labelsField(),
         unitField(),
-        storedValue("auxiliaryBranches", about(definedAs("branchIds"), "Auxiliary branches; empty: the nodes."),
-                    &Vessels::auxiliaryBranchIds),
-        storedValue("excludedBranches", definedAs("branchIds"), &Vessels::excludedBranchIds),
-        storedIfSet("hiddenBranches", about(definedAs("branchIds"), "Branches that are used but not drawn."),
-                    &Vessels::hiddenBranchIds),
-        storedIfSet(
+        valueField("auxiliaryBranches", about(schemaReference("branchIds"), "Auxiliary branches; empty: the nodes."),
+                   &Vessels::auxiliaryBranchIds),
+        valueField("excludedBranches", schemaReference("branchIds"), &Vessels::excludedBranchIds),
+        optionalField("hiddenBranches", about(schemaReference("branchIds"), "Branches that are used but not drawn."),
+                      &Vessels::hiddenBranchIds),
+        optionalField(
             "pivotInPatientMm",
-            about(definedAs("point"),
+            about(schemaReference("point"),
                   "Rotation center for manual rotation and reference of locked shifts; absent: the vessels' centroid."),
             &Vessels::pickedPivotInPatient),
         marksField(),

@@ -1,7 +1,6 @@
 #include "io/case/fields/view_fields.h"
 
 #include "io/case/fields/file_fields.h"
-#include "io/case/fields/followed_fields.h"
 #include "io/case/fields/geometry_fields.h"
 #include "io/case/fields/json_values.h"
 #include "io/case/fields/mark_fields.h"
@@ -9,6 +8,7 @@
 #include "io/case/fields/result_fields.h"
 #include "io/case/fields/snapshot_fields.h"
 #include "io/case/fields/subtraction_fields.h"
+#include "io/case/fields/tracking_fields.h"
 #include "io/messages/messages.h"
 #include "io/support/pose_matrix.h"
 
@@ -23,8 +23,8 @@ using core::View;
 /// Image file, with the SOP instance UID of the image.
 StoredField<View> imageField()
 {
-    return {"image", definedAs("input"),
-            [](const Json& value, View& view, Reading& reading) {
+    return {"image", schemaReference("input"),
+            [](const Json& value, View& view, ReadContext& reading) {
                 view.imageFile = fileFrom(value);
                 reading.view.sopInstanceUid = value.value("dicom", Json::object()).value("sopInstanceUid", "");
             },
@@ -43,7 +43,7 @@ StoredField<View> imageField()
 StoredField<View> frameField()
 {
     return {"frame", about(integerSchema(0, 100000), "Counted from 0; absent: the peak-opacification frame."),
-            [](const Json& value, View& view, Reading& reading) {
+            [](const Json& value, View& view, ReadContext& reading) {
                 view.frame = value.get<int>();
                 reading.view.hasFrame = true;
             },
@@ -57,7 +57,7 @@ StoredFields<GivenTarget> targetFields()
         "origin",
         about(choiceSchema({"given", "edited"}),
               "edited: curves of one frame, edited and saved in the window. Absent: given."),
-        [](const Json& value, GivenTarget& target, Reading&) {
+        [](const Json& value, GivenTarget& target, ReadContext&) {
             if (value == "edited") {
                 target.editedFrame = 0;
             }
@@ -65,7 +65,7 @@ StoredFields<GivenTarget> targetFields()
         [](const GivenTarget& target, const fs::path&) { return target.editedFrame ? Json("edited") : Json(); }};
     const StoredField<GivenTarget> frame{
         "frame", about(integerSchema(0, 100000), "Frame of edited curves; they replace tracing for this frame only."),
-        [](const Json& value, GivenTarget& target, Reading&) {
+        [](const Json& value, GivenTarget& target, ReadContext&) {
             if (target.editedFrame) {
                 target.editedFrame = value.get<int>();
             }
@@ -74,28 +74,28 @@ StoredFields<GivenTarget> targetFields()
     const auto isEdited = [](const GivenTarget& target) { return target.editedFrame.has_value(); };
     const StoredField<GivenTarget> devices{
         "deviceCurves",
-        about(definedAs("branchIds"),
+        about(schemaReference("branchIds"),
               "Edited curves that are catheters or guidewires, not vessels; the method wire uses them."),
-        [](const Json& value, GivenTarget&, Reading& reading) {
+        [](const Json& value, GivenTarget&, ReadContext& reading) {
             reading.view.deviceCurveIds = value.get<std::vector<int>>();
         },
         [](const GivenTarget& target, const fs::path&) {
-            return target.devices ? Json(core::idsOf(*target.devices)) : Json();
+            return target.devices ? Json(core::curveIds(*target.devices)) : Json();
         }};
     return {
-        origin, frame, writtenWhere(isEdited, devices),
-        writtenWhere(isEdited, storedValue("acceptedCurves",
-                                           about(definedAs("branchIds"),
-                                                 "Edited curves that are vessels although they look like a catheter."),
-                                           &GivenTarget::acceptedCurveIds))};
+        origin, frame, writeFieldIf(isEdited, devices),
+        writeFieldIf(isEdited, valueField("acceptedCurves",
+                                          about(schemaReference("branchIds"),
+                                                "Edited curves that are vessels although they look like a catheter."),
+                                          &GivenTarget::acceptedCurveIds))};
 }
 
 StoredField<View> targetField()
 {
-    Json schema = objectSchema({{"path", definedAs("path")}, {"sha256", definedAs("sha256")}}, {"path"});
+    Json schema = objectSchema({{"path", schemaReference("path")}, {"sha256", schemaReference("sha256")}}, {"path"});
     schema["properties"].update(propertiesOf(targetFields()));
     return {"centerline", about(std::move(schema), "CSV or mask that replaces tracing."),
-            [](const Json& value, View& view, Reading& reading) {
+            [](const Json& value, View& view, ReadContext& reading) {
                 view.target.file = fileFrom(value);
                 readFields(value, view.target, targetFields(), reading);
                 if (view.target.editedFrame && !value.contains("frame")) {
@@ -113,8 +113,8 @@ StoredField<View> targetField()
 
 StoredField<View> traceField()
 {
-    StoredField<View> field = storedPart("trace", Json::object(), &View::traceOptions, traceOptionFields());
-    field.read = [read = field.read](const Json& value, View& view, Reading& reading) {
+    StoredField<View> field = objectField("trace", Json::object(), &View::traceOptions, traceOptionFields());
+    field.read = [read = field.read](const Json& value, View& view, ReadContext& reading) {
         read(value, view, reading);
         const double widest = view.traceOptions.maxVesselRadiusPx;
         if (widest != 0.0 && widest < view.traceOptions.minVesselRadiusPx) {
@@ -125,7 +125,7 @@ StoredField<View> traceField()
 }
 
 /// Reads the pose at `pose.<key>`; returns nothing if the pose is invalid.
-std::optional<core::RigidTransform> poseFrom(const Json& value, const std::string& key, Reading& reading)
+std::optional<core::RigidTransform> poseFrom(const Json& value, const std::string& key, ReadContext& reading)
 {
     const auto pose = poseFromRows(value.at("cameraFromPatient").get<MatrixRows>());
     if (!pose) {
@@ -142,8 +142,9 @@ Json poseJson(const core::RigidTransform& pose)
 
 StoredField<View> initialPoseField()
 {
-    return {"initial", about(definedAs("pose"), "Absent: from the angles, with the tree's centroid at the isocenter."),
-            [](const Json& value, View& view, Reading& reading) {
+    return {"initial",
+            about(schemaReference("pose"), "Absent: from the angles, with the tree's centroid at the isocenter."),
+            [](const Json& value, View& view, ReadContext& reading) {
                 view.initialCameraFromPatient = poseFrom(value, "initial", reading);
             },
             [](const View& view, const fs::path&) {
@@ -153,8 +154,8 @@ StoredField<View> initialPoseField()
 
 StoredField<View> currentPoseField()
 {
-    return {"current", definedAs("pose"),
-            [](const Json& value, View& view, Reading& reading) {
+    return {"current", schemaReference("pose"),
+            [](const Json& value, View& view, ReadContext& reading) {
                 if (const auto pose = poseFrom(value, "current", reading)) {
                     view.cameraFromPatient = *pose;
                     reading.view.hasCurrentPose = true;
@@ -170,11 +171,11 @@ StoredField<View> landmarksField()
         {"description",
          "Corresponding points on the vessels and in the image, from which the initial pose can be computed."},
         {"maxItems", 10000}};
-    return storedList(
+    return listField(
         "landmarks", schema, &View::landmarks, objectSchema({}, {"pointInPatientMm", "pixel"}),
-        StoredFields<Landmark>{storedValue("pointInPatientMm", definedAs("point"), &Landmark::pointInPatient),
-                               storedValue("pixel", definedAs("pair"), &Landmark::pixel),
-                               storedIfSet("name", textSchema(), &Landmark::name)});
+        StoredFields<Landmark>{valueField("pointInPatientMm", schemaReference("point"), &Landmark::pointInPatient),
+                               valueField("pixel", schemaReference("pair"), &Landmark::pixel),
+                               optionalField("name", textSchema(), &Landmark::name)});
 }
 
 }   // namespace
@@ -182,37 +183,37 @@ StoredField<View> landmarksField()
 const StoredFields<TraceOptions>& traceOptionFields()
 {
     static const StoredFields<TraceOptions> fields{
-        storedValue("minVesselRadiusPx", numberSchema(0.1, 1000), &TraceOptions::minVesselRadiusPx),
-        storedIfSet("maxVesselRadiusPx",
-                    about(numberSchema(0.1, 1000), "Absent: from pixel spacing and magnification, at least 8."),
-                    &TraceOptions::maxVesselRadiusPx),
-        storedValue("minBranchLengthPx", integerSchema(0, 100000), &TraceOptions::minBranchLengthPx),
-        storedValue("minComponentLengthPx", integerSchema(0, 100000), &TraceOptions::minComponentLengthPx),
-        storedValue("sensitivity", numberSchema(0.01, 100), &TraceOptions::sensitivity)};
+        valueField("minVesselRadiusPx", numberSchema(0.1, 1000), &TraceOptions::minVesselRadiusPx),
+        optionalField("maxVesselRadiusPx",
+                      about(numberSchema(0.1, 1000), "Absent: from pixel spacing and magnification, at least 8."),
+                      &TraceOptions::maxVesselRadiusPx),
+        valueField("minBranchLengthPx", integerSchema(0, 100000), &TraceOptions::minBranchLengthPx),
+        valueField("minComponentLengthPx", integerSchema(0, 100000), &TraceOptions::minComponentLengthPx),
+        valueField("sensitivity", numberSchema(0.01, 100), &TraceOptions::sensitivity)};
     return fields;
 }
 
 const StoredFields<View>& viewFields()
 {
     static const StoredFields<View> fields{
-        storedGroup<View>(
+        groupField<View>(
             "angiogram", objectSchema({}, {"image"}),
-            {storedIfSet("name", about(textSchema(), "Name of this view, given by the user."), &View::name),
+            {optionalField("name", about(textSchema(), "Name of this view, given by the user."), &View::name),
              imageField(),
 
-             storedIfSet("samePatient", about(flagSchema(), "A user confirmed it, whatever the headers say."),
-                         &View::isSamePatient),
+             optionalField("samePatient", about(flagSchema(), "A user confirmed it, whatever the headers say."),
+                           &View::isSamePatient),
              frameField(), targetField(), subtractionField(), traceField(),
-             storedIfSet("typedMmPerPx",
-                         about(numberSchema(1e-6, 1000), "Pixel size in the patient, entered by the user."),
-                         &View::typedMmPerPx)}),
-        storedPart("geometry", Json::object(), &View::geometry, geometryFields()),
-        storedGroup<View>("pose", Json::object(), {initialPoseField(), currentPoseField(), landmarksField()}),
+             optionalField("typedMmPerPx",
+                           about(numberSchema(1e-6, 1000), "Pixel size in the patient, entered by the user."),
+                           &View::enteredMmPerPx)}),
+        objectField("geometry", Json::object(), &View::geometry, geometryFields()),
+        groupField<View>("pose", Json::object(), {initialPoseField(), currentPoseField(), landmarksField()}),
         measurementsField(),
         sightingsField(),
         annotationsField(),
         resultField(),
-        followedField(),
+        trackingField(),
         snapshotsField(),
     };
     return fields;

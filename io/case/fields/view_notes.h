@@ -13,7 +13,7 @@
 namespace angiopose::io {
 
 /// Subtraction settings specified in a case; settings without a value follow the image header.
-struct SubtractionKeys {
+struct SubtractionOverrides {
     std::optional<std::vector<int>> maskFrames;   ///< if empty, mask frames are selected automatically
     std::optional<core::MaskInterval> interval;
     std::optional<Eigen::Vector2d> maskShiftPx;
@@ -26,11 +26,11 @@ struct ViewNotes {
     bool hasFrame = false;
     bool hasCurrentPose = false;
     std::vector<int> deviceCurveIds;   ///< IDs of the edited curves that are devices, see core::CurvesApart
-    std::optional<SubtractionKeys> subtraction;
+    std::optional<SubtractionOverrides> subtraction;
     std::string sopInstanceUid;   ///< SOP instance UID of the image, if stored
     core::Messages
-        changedBesideResult;   ///< parts of the file that changed since the view's result was saved; see result_seal.h
-    core::Messages changedBesideFollowed;   ///< the same for the tracking result
+        changedSinceResult;   ///< parts of the file that changed since the view's result was saved; see result_seal.h
+    core::Messages changedSinceTracking;   ///< the same for the tracking result
 };
 
 }   // namespace angiopose::io

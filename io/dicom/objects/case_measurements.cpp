@@ -65,7 +65,7 @@ Points closedWhereArea(Points points, core::MeasurementKind kind)
     return points;
 }
 
-void addImageMeasurements(std::vector<ReportedGroup>& groups, const core::Case& session)
+void addImageMeasurements(std::vector<ReportGroup>& groups, const core::Case& session)
 {
     const core::MeasuredView seen(session.shown(), session.vessels.tree.get());
     const std::vector<core::ImageMeasurement>& all = session.shown().measurements;
@@ -83,26 +83,26 @@ void addImageMeasurements(std::vector<ReportedGroup>& groups, const core::Case& 
     }
 }
 
-void addSliceMeasurements(std::vector<ReportedGroup>& groups, const core::Vessels& vessels)
+void addSliceMeasurements(std::vector<ReportGroup>& groups, const core::Vessels& vessels)
 {
     for (std::size_t i = 0; i < vessels.measurements.size(); ++i) {
         const core::SliceMeasurement& measurement = vessels.measurements[i];
         if (const auto value = core::valueOf(measurement)) {
-            ReportedNumber number{termOf(measurement.kind), value.value().value, unitOf(value.value().unit)};
+            ReportNumber number{termOf(measurement.kind), value.value().value, unitOf(value.value().unit)};
             number.pointsInPatient = closedWhereArea(measurement.pointsInPatient, measurement.kind);
             groups.push_back({nameOr(measurement.name, measurement.kind, i) + ", in the scan", {number}});
         }
     }
 }
 
-void addRegistration(std::vector<ReportedGroup>& groups, const core::View& view)
+void addRegistration(std::vector<ReportGroup>& groups, const core::View& view)
 {
     if (!view.result) {
         return;
     }
     const core::RegistrationResult& result = *view.result;
     const int frame = result.provenance.frame.value_or(view.frame);
-    ReportedGroup group{"Registration of vessels, frame " + std::to_string(frame + 1), {}};
+    ReportGroup group{"Registration of vessels, frame " + std::to_string(frame + 1), {}};
     const auto add = [&](const CodedTerm& meaning, double value, const CodedTerm& unit) {
         group.numbers.push_back({meaning, value, unit, frame});
     };
@@ -118,15 +118,15 @@ void addRegistration(std::vector<ReportedGroup>& groups, const core::View& view)
     group.texts = {{methodTerm, result.method},
                    {judgementTerm, result.trustworthy ? "trustworthy" : "not trustworthy"},
                    {noteTerm, joinedTexts(result.warnings)}};
-    std::erase_if(group.texts, [](const ReportedText& text) { return text.words.empty(); });
+    std::erase_if(group.texts, [](const ReportText& text) { return text.words.empty(); });
     groups.push_back(std::move(group));
 }
 
 }   // namespace
 
-std::vector<ReportedGroup> reportedGroups(const core::Case& session)
+std::vector<ReportGroup> reportGroups(const core::Case& session)
 {
-    std::vector<ReportedGroup> groups;
+    std::vector<ReportGroup> groups;
     addImageMeasurements(groups, session);
     addSliceMeasurements(groups, session.vessels);
     addRegistration(groups, session.shown());

@@ -9,6 +9,6 @@ namespace angiopose::io {
 
 /// Returns the groups of a report: measurements in the shown view and in slices of the scan, and the fit of the view's
 /// registration. Omits entries without a value.
-std::vector<ReportedGroup> reportedGroups(const core::Case& session);
+std::vector<ReportGroup> reportGroups(const core::Case& session);
 
 }   // namespace angiopose::io

@@ -21,7 +21,7 @@ bool hasLaterality(const ObjectKind& kind)
 
 std::string ObjectOrigin::uidFor(const std::string& role) const
 {
-    return uidOfContent(seed + " " + role);
+    return uidFromContent(seed + " " + role);
 }
 
 ObjectOrigin newOrigin(const std::string& author)
@@ -67,8 +67,8 @@ void addContentIdentification(DicomItem& root, const char* label, const std::str
                               const ObjectOrigin& origin)
 {
     root.text(0x00700080, "CS", label);
-    root.text(0x00700081, "LO", shortened(description, 64));
-    root.text(0x00700084, "PN", shortened(origin.author, 64));
+    root.text(0x00700081, "LO", truncateUtf8(description, 64));
+    root.text(0x00700084, "PN", truncateUtf8(origin.author, 64));
 }
 
 void addContentTime(DicomItem& root, const ObjectOrigin& origin)
@@ -79,8 +79,8 @@ void addContentTime(DicomItem& root, const ObjectOrigin& origin)
 
 void addDerivedFrom(DicomItem& root, const std::string& words, const SourceImage& source)
 {
-    root.text(0x00082111, "ST", shortened(words, 1024));
-    if (source.canBeReferredTo()) {
+    root.text(0x00082111, "ST", truncateUtf8(words, 1024));
+    if (source.isReferenceable()) {
         DicomItem reference = addReference(root, 0x00082112, source.sopClassUid, source.sopInstanceUid);
         addTerm(reference, 0x0040a170, sourceImageForProcessing);
     }
@@ -91,7 +91,7 @@ void addDerivedFrom(DicomItem& root, const std::string& words, const SourceImage
 
 void addReferencedSeries(DicomItem& root, const SourceImage& source)
 {
-    if (source.canBeReferredTo()) {
+    if (source.isReferenceable()) {
         DicomItem series = root.addItem(0x00081115);
         series.text(0x0020000e, "UI", source.seriesUid);
         addReference(series, 0x0008114a, source.sopClassUid, source.sopInstanceUid);

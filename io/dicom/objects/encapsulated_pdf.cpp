@@ -24,11 +24,11 @@ core::Result<std::string> encapsulatedPdf(std::string_view pdf, const std::strin
     root.text(0x0008002a, "DT", "");
     root.text(0x00080064, "CS", "WSD");
     root.text(0x00280301, "CS", identity == BurnedInIdentity::None ? "NO" : "YES");
-    if (source.canBeReferredTo()) {
+    if (source.isReferenceable()) {
         addReference(root, 0x00420013, source.sopClassUid, source.sopInstanceUid);
     }
     addTerm(root, 0x0040a043, reportTitle);
-    root.text(0x00420010, "ST", shortened(title, 1024));
+    root.text(0x00420010, "ST", truncateUtf8(title, 1024));
     root.text(0x00420012, "LO", "application/pdf");
     root.bytes(0x00420011, pdf);
     root.unsignedLongs(0x00420015, {static_cast<std::uint32_t>(pdf.size())});

@@ -70,7 +70,7 @@ void addImageContent(DicomItem& parent, const char* relationship, const SourceIm
 }
 
 /// Adds a polyline in image coordinates (origin at the corner of the first pixel) with a reference to the image.
-void addPixelLine(DicomItem& number, const ReportedNumber& reported, const SourceImage& source)
+void addPixelLine(DicomItem& number, const ReportNumber& reported, const SourceImage& source)
 {
     std::vector<float> data;
     for (const Eigen::Vector2d& pixel : reported.pixels) {
@@ -85,7 +85,7 @@ void addPixelLine(DicomItem& number, const ReportedNumber& reported, const Sourc
     addImageContent(line, "SELECTED FROM", source, reported.frame);
 }
 
-void addPatientLine(DicomItem& number, const ReportedNumber& reported, const std::string& frameOfReferenceUid)
+void addPatientLine(DicomItem& number, const ReportNumber& reported, const std::string& frameOfReferenceUid)
 {
     std::vector<float> data;
     for (const Eigen::Vector3d& point : reported.pointsInPatient) {
@@ -101,7 +101,7 @@ void addPatientLine(DicomItem& number, const ReportedNumber& reported, const std
     line.text(0x00700023, "CS", "POLYLINE");
 }
 
-void addNumber(DicomItem& group, const ReportedNumber& reported, const MeasurementReport& report,
+void addNumber(DicomItem& group, const ReportNumber& reported, const MeasurementReport& report,
                const SourceImage& source)
 {
     DicomItem item = addContent(group, "CONTAINS", "NUM", reported.meaning);
@@ -109,7 +109,7 @@ void addNumber(DicomItem& group, const ReportedNumber& reported, const Measureme
     addTerm(measured, 0x004008ea, reported.unit);
     measured.doubles(0x0040a161, {reported.value});
     measured.decimals(0x0040a30a, {reported.value});
-    if (!reported.pixels.empty() && source.canBeReferredTo()) {
+    if (!reported.pixels.empty() && source.isReferenceable()) {
         addPixelLine(item, reported, source);
     }
     if (!reported.pointsInPatient.empty() && !report.scanFrameOfReferenceUid.empty()) {
@@ -131,7 +131,7 @@ void addObservationContext(DicomItem& root, const ObjectOrigin& origin)
 
 void addImageLibrary(DicomItem& root, const SourceImage& source)
 {
-    if (source.canBeReferredTo()) {
+    if (source.isReferenceable()) {
         DicomItem library = addContainer(root, imageLibrary);
         DicomItem group = addContainer(library, imageLibraryGroup);
         addImageContent(group, "CONTAINS", source, -1);
@@ -142,14 +142,14 @@ void addGroups(DicomItem& root, const MeasurementReport& report, const SourceIma
 {
     DicomItem measurements = addContainer(root, imagingMeasurements);
     for (std::size_t i = 0; i < report.groups.size(); ++i) {
-        const ReportedGroup& reported = report.groups[i];
+        const ReportGroup& reported = report.groups[i];
         DicomItem group = addContainer(measurements, measurementGroup);
         addTextContent(group, "HAS OBS CONTEXT", trackingIdentifier, reported.name);
         addUidContent(group, "HAS OBS CONTEXT", trackingUid, origin.uidFor("measurement " + std::to_string(i)));
-        for (const ReportedNumber& number : reported.numbers) {
+        for (const ReportNumber& number : reported.numbers) {
             addNumber(group, number, report, source);
         }
-        for (const ReportedText& text : reported.texts) {
+        for (const ReportText& text : reported.texts) {
             addTextContent(group, "CONTAINS", text.meaning, text.words);
         }
     }
@@ -164,7 +164,7 @@ void addDocument(DicomItem& root, const SourceImage& source, const ObjectOrigin&
     root.text(0x0040a491, "CS", "COMPLETE");
     root.text(0x0040a493, "CS", "UNVERIFIED");
     root.text(0x0040a496, "CS", "PRELIMINARY");
-    if (source.canBeReferredTo()) {
+    if (source.isReferenceable()) {
         DicomItem study = root.addItem(0x0040a375);
         study.text(0x0020000d, "UI", studyUidOf(source, origin));
         DicomItem series = study.addItem(0x00081115);

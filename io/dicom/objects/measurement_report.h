@@ -10,7 +10,7 @@
 namespace angiopose::io {
 
 /// Measured value with the geometry on which it was measured: points in the image or in the patient, or none.
-struct ReportedNumber {
+struct ReportNumber {
     CodedTerm meaning;
     double value = 0.0;
     CodedTerm unit;
@@ -19,20 +19,20 @@ struct ReportedNumber {
     std::vector<Eigen::Vector3d> pointsInPatient = {};   ///< patient points, LPS mm
 };
 
-struct ReportedText {
+struct ReportText {
     CodedTerm meaning;
     std::string words;
 };
 
 /// Group of related values: a single measurement, or all values of a registration.
-struct ReportedGroup {
+struct ReportGroup {
     std::string name;   ///< display name
-    std::vector<ReportedNumber> numbers;
-    std::vector<ReportedText> texts = {};
+    std::vector<ReportNumber> numbers;
+    std::vector<ReportText> texts = {};
 };
 
 struct MeasurementReport {
-    std::vector<ReportedGroup> groups;
+    std::vector<ReportGroup> groups;
     std::string scanFrameOfReferenceUid;   ///< frame of reference UID of `pointsInPatient`
 };
 

@@ -38,13 +38,13 @@ void addDisplayedArea(DicomItem& root, const SourceImage& source)
     area.text(0x00700102, "IS", "1\\1");
 }
 
-void addLayer(DicomItem& root, const StateLayer& layer, std::size_t order)
+void addLayer(DicomItem& root, const GraphicLayer& layer, std::size_t order)
 {
     DicomItem item = root.addItem(0x00700060);
     item.text(0x00700002, "CS", layer.name);
     item.text(0x00700062, "IS", std::to_string(order + 1));
     item.unsignedShort(0x00700066, whiteGray);
-    item.text(0x00700068, "LO", shortened(layer.description, 64));
+    item.text(0x00700068, "LO", truncateUtf8(layer.description, 64));
     item.unsignedShorts(0x00700401, labColor(layer.color));
 }
 
@@ -73,21 +73,21 @@ void addLine(DicomItem& annotation, const std::vector<Eigen::Vector2d>& line)
     }
 }
 
-void addText(DicomItem& annotation, const StateText& text)
+void addText(DicomItem& annotation, const GraphicText& text)
 {
     DicomItem object = annotation.addItem(0x00700008);
-    object.text(0x00700006, "ST", shortened(text.words, 1024));
+    object.text(0x00700006, "ST", truncateUtf8(text.words, 1024));
     object.text(0x00700004, "CS", "PIXEL");
     object.floats(0x00700014, cornerBased({text.at}, 0, 1));
     object.text(0x00700015, "CS", "N");
 }
 
-void addAnnotation(DicomItem& root, const StateLayer& layer, const SourceImage& source, int frame)
+void addAnnotation(DicomItem& root, const GraphicLayer& layer, const SourceImage& source, int frame)
 {
     DicomItem annotation = root.addItem(0x00700001);
     addImageReference(annotation, source, frame);
     annotation.text(0x00700002, "CS", layer.name);
-    for (const StateText& text : layer.texts) {
+    for (const GraphicText& text : layer.texts) {
         addText(annotation, text);
     }
     for (const std::vector<Eigen::Vector2d>& line : layer.lines) {
@@ -96,7 +96,7 @@ void addAnnotation(DicomItem& root, const StateLayer& layer, const SourceImage& 
 }
 
 /// Adds the Modality LUT, Softcopy VOI LUT and Softcopy Presentation LUT modules.
-void addGrays(DicomItem& root, const ShownState& shown, const SourceImage& source)
+void addGrays(DicomItem& root, const PresentationContent& shown, const SourceImage& source)
 {
     for (const SourceImage::Text& rescale : source.modalityLut) {
         root.text(rescale.tag, rescale.vr, rescale.value);
@@ -112,17 +112,17 @@ void addGrays(DicomItem& root, const ShownState& shown, const SourceImage& sourc
     root.text(0x20500020, "CS", source.isShownInverted ? "INVERSE" : "IDENTITY");
 }
 
-bool hasLine(const StateLayer& layer)
+bool hasLine(const GraphicLayer& layer)
 {
     return std::ranges::any_of(layer.lines, [](const auto& line) { return line.size() > 1; });
 }
 
 }   // namespace
 
-core::Result<std::string> presentationState(const ShownState& shown, const SourceImage& source,
+core::Result<std::string> presentationState(const PresentationContent& shown, const SourceImage& source,
                                             const ObjectOrigin& origin)
 {
-    if (!source.isDicom || !source.canBeReferredTo() || source.rows <= 0 || source.columns <= 0) {
+    if (!source.isDicom || !source.isReferenceable() || source.rows <= 0 || source.columns <= 0) {
         return core::Error(messages::objectNoReference());
     }
     if (std::ranges::none_of(shown.layers, hasLine)) {
@@ -138,7 +138,7 @@ core::Result<std::string> presentationState(const ShownState& shown, const Sourc
     addDisplayedArea(root, source);
     addGrays(root, shown, source);
     std::size_t order = 0;
-    for (const StateLayer& layer : shown.layers) {
+    for (const GraphicLayer& layer : shown.layers) {
         if (hasLine(layer) || !layer.texts.empty()) {
             addLayer(root, layer, order++);
             addAnnotation(root, layer, source, shown.frame);

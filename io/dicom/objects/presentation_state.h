@@ -12,23 +12,23 @@
 namespace angiopose::io {
 
 /// Text annotation at a position in the image.
-struct StateText {
+struct GraphicText {
     std::string words;
     Eigen::Vector2d at;   ///< position, px
 };
 
 /// Lines and texts of one color that viewers show and hide together.
-struct StateLayer {
+struct GraphicLayer {
     std::string name;   ///< at most 16 upper-case letters, digits, spaces and `_`
     std::string description;
     RgbColor color{255, 255, 0};
     std::vector<std::vector<Eigen::Vector2d>> lines;   ///< polylines, px; (0, 0) is the center of the first pixel
-    std::vector<StateText> texts;
+    std::vector<GraphicText> texts;
 };
 
 /// Content of a presentation state.
-struct ShownState {
-    std::vector<StateLayer> layers;
+struct PresentationContent {
+    std::vector<GraphicLayer> layers;
     int frame = 0;   ///< frame to which the lines belong
     std::optional<core::DisplayRange> range;   ///< range of rescaled values; if not set, the range in the image header
     std::string description;
@@ -36,7 +36,7 @@ struct ShownState {
 
 /// Returns a Grayscale Softcopy Presentation State (PS3.3 A.33.1): the lines as vector graphics on the unchanged image.
 /// Fails if the image cannot be referenced or there are no lines.
-core::Result<std::string> presentationState(const ShownState& shown, const SourceImage& source,
+core::Result<std::string> presentationState(const PresentationContent& shown, const SourceImage& source,
                                             const ObjectOrigin& origin);
 
 }   // namespace angiopose::io

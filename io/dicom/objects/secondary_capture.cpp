@@ -37,7 +37,7 @@ std::optional<core::Message> findUncapturable(const std::vector<core::ColorImage
     return isTooLarge ? std::optional(messages::objectTooLarge()) : std::nullopt;
 }
 
-void addImage(DicomItem& root, const CapturedPictures& captured, const SourceImage& source, const ObjectOrigin& origin)
+void addImage(DicomItem& root, const CapturedImages& captured, const SourceImage& source, const ObjectOrigin& origin)
 {
     const core::ColorImage& first = captured.pictures.front();
     root.text(0x00080008, "CS", "DERIVED\\SECONDARY");
@@ -72,7 +72,7 @@ void addPixels(DicomItem& root, std::vector<core::ColorImage> pictures)
 }
 
 /// Adds the Multi-frame and Cine modules (PS3.3 C.7.6.6, C.7.6.5).
-void addFrames(DicomItem& root, const CapturedPictures& captured)
+void addFrames(DicomItem& root, const CapturedImages& captured)
 {
     constexpr double usualFrameTimeMs = 1000.0 / 15.0;
     root.text(0x00280008, "IS", std::to_string(captured.pictures.size()));
@@ -82,7 +82,7 @@ void addFrames(DicomItem& root, const CapturedPictures& captured)
 
 }   // namespace
 
-core::Result<std::string> secondaryCapture(const CapturedPictures& captured, const SourceImage& source,
+core::Result<std::string> secondaryCapture(const CapturedImages& captured, const SourceImage& source,
                                            const ObjectOrigin& origin)
 {
     if (const auto problem = findUncapturable(captured.pictures)) {
@@ -96,8 +96,8 @@ core::Result<std::string> secondaryCapture(const CapturedPictures& captured, con
     return object.content();
 }
 
-core::Result<std::string> secondaryCaptureRun(CapturedPictures captured, const SourceImage& source,
-                                              const ObjectOrigin& origin)
+core::Result<std::string> multiframeSecondaryCapture(CapturedImages captured, const SourceImage& source,
+                                                     const ObjectOrigin& origin)
 {
     if (const auto problem = findUncapturable(captured.pictures)) {
         return core::Error(*problem);

@@ -9,22 +9,22 @@
 namespace angiopose::io {
 
 /// Whether images may contain burned-in patient data.
-enum class BurnedInIdentity { None, MayBeThere };
+enum class BurnedInIdentity { None, Possible };
 
-struct CapturedPictures {
+struct CapturedImages {
     std::vector<core::ColorImage> pictures;   ///< images, all of the same size
     double frameTimeMs = 0.0;   ///< frame interval of a cine run, ms; 0 if unknown
-    BurnedInIdentity identity = BurnedInIdentity::MayBeThere;
+    BurnedInIdentity identity = BurnedInIdentity::Possible;
     std::string derivation;   ///< description of how the source was processed
 };
 
 /// Returns a single image as a Secondary Capture Image (PS3.3 A.8.1), in RGB as displayed.
-core::Result<std::string> secondaryCapture(const CapturedPictures& captured, const SourceImage& source,
+core::Result<std::string> secondaryCapture(const CapturedImages& captured, const SourceImage& source,
                                            const ObjectOrigin& origin);
 
 /// Returns the images of a cine run as a Multi-frame True Color Secondary Capture Image (PS3.3 A.8.5); releases the
 /// images one by one. Fails if the result exceeds the size limit of an object.
-core::Result<std::string> secondaryCaptureRun(CapturedPictures captured, const SourceImage& source,
-                                              const ObjectOrigin& origin);
+core::Result<std::string> multiframeSecondaryCapture(CapturedImages captured, const SourceImage& source,
+                                                     const ObjectOrigin& origin);
 
 }   // namespace angiopose::io

@@ -37,7 +37,7 @@ std::vector<double> rowByRow(const core::RigidTransform& transform)
 void addMatrix(DicomItem& item, const core::RigidTransform& transform, const std::string& comment)
 {
     DicomItem registration = item.addItem(matrixRegistrationTag);
-    registration.text(0x300600c8, "LO", shortened(comment, 64));
+    registration.text(0x300600c8, "LO", truncateUtf8(comment, 64));
     addTerm(registration, 0x0070030d, imageContentAlignment);
     DicomItem matrix = registration.addItem(matrixSequenceTag);
     matrix.decimals(matrixTag, rowByRow(transform));
@@ -54,7 +54,7 @@ void addScanItem(DicomItem& root, const CArmRegistration& registration)
 void addCameraItem(DicomItem& root, const CArmRegistration& registration, const SourceImage& angiogram)
 {
     DicomItem item = root.addItem(registrationTag);
-    if (angiogram.canBeReferredTo()) {
+    if (angiogram.isReferenceable()) {
         addReference(item, 0x00081140, angiogram.sopClassUid, angiogram.sopInstanceUid);
     }
     item.text(frameOfReferenceTag, "UI", registration.cameraFrameOfReferenceUid);
@@ -70,7 +70,7 @@ void addCamera(DicomItem& root, const CArmRegistration& registration)
     root.doubles(0x00711002, {camera.fx, camera.fy, camera.cx, camera.cy});
     root.unsignedShorts(0x00711003,
                         {static_cast<std::uint16_t>(camera.width), static_cast<std::uint16_t>(camera.height)});
-    root.text(0x00711004, "LO", shortened(registration.method, 64));
+    root.text(0x00711004, "LO", truncateUtf8(registration.method, 64));
     root.text(0x00711005, "LT",
               "u = fx X/Z + cx, v = fy Y/Z + cy; (X, Y, Z) in mm is the camera point of a patient point (1001: matrix "
               "cameraFromPatient, row by row), Z from the X-ray source to the detector; 1002: fx, fy, cx, cy in px, "
@@ -112,7 +112,7 @@ std::vector<DicomDataset> matricesToOwnFrame(const DicomDataset& data)
 std::string cameraFrameOfReference(const SourceImage& angiogram, const ObjectOrigin& origin)
 {
     return angiogram.sopInstanceUid.empty() ? origin.uidFor("camera")
-                                            : uidOfContent("camera of " + angiogram.sopInstanceUid);
+                                            : uidFromContent("camera of " + angiogram.sopInstanceUid);
 }
 
 core::Result<std::string> spatialRegistration(const CArmRegistration& registration, const SourceImage& angiogram,

@@ -67,7 +67,7 @@ void addSegment(DicomItem& root, const std::string& algorithm)
     addTerm(segment, 0x00620003, anatomicalStructure);
     segment.unsignedShort(0x00620004, 1);
     segment.text(0x00620005, "LO", "Arteries");
-    segment.text(0x00620006, "ST", shortened(algorithm, 1024));
+    segment.text(0x00620006, "ST", truncateUtf8(algorithm, 1024));
     segment.text(0x00620008, "CS", "SEMIAUTOMATIC");
     segment.text(0x00620009, "LO", "AngioPose " ANGIOPOSE_VERSION);
     segment.unsignedShorts(0x0062000d, labColor(arteryColor));
@@ -133,7 +133,7 @@ std::vector<std::string> addFrames(DicomItem& root, const core::VolumeGeometry& 
         frame.addItem(positionGroup).decimals(positionPointer, listed(corner));
         frame.addItem(segmentGroup).unsignedShort(segmentNumberPointer, 1);
         const ScanReference::Slice* const slice = sliceAt(scan, corner);
-        if (slice != nullptr && scan.source.canBeReferredTo()) {
+        if (slice != nullptr && scan.source.isReferenceable()) {
             addDerivedFromSlice(frame, scan, *slice);
             if (std::ranges::find(referred, slice->sopInstanceUid) == referred.end()) {
                 referred.push_back(slice->sopInstanceUid);
@@ -159,7 +159,7 @@ void addReferredInstances(DicomItem& root, const ScanReference& scan, const std:
 
 std::string scanFrameOfReference(const SourceImage& scan, const std::string& fallback)
 {
-    return scan.frameOfReferenceUid.empty() ? uidOfContent("scan " + fallback) : scan.frameOfReferenceUid;
+    return scan.frameOfReferenceUid.empty() ? uidFromContent("scan " + fallback) : scan.frameOfReferenceUid;
 }
 
 core::Result<std::string> vesselSegmentation(const core::VoxelMask& vessels, const std::string& algorithm,

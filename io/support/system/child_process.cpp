@@ -45,11 +45,11 @@ ChildProcess::~ChildProcess()
     }
     if (id_ > 0) {
         ::kill(id_, SIGKILL);
-        waitForEnd();
+        waitForExit();
     }
 }
 
-ChildProcess::Output ChildProcess::listen(std::span<char> place, int milliseconds) const
+ChildProcess::Output ChildProcess::readOutput(std::span<char> place, int milliseconds) const
 {
     pollfd ready{output_, POLLIN, 0};
     if (::poll(&ready, 1, milliseconds) <= 0) {
@@ -57,12 +57,12 @@ ChildProcess::Output ChildProcess::listen(std::span<char> place, int millisecond
     }
     const ssize_t count = ::read(output_, place.data(), place.size());
     if (count > 0) {
-        return {Heard::Bytes, static_cast<std::size_t>(count)};
+        return {ReadStatus::Bytes, static_cast<std::size_t>(count)};
     }
-    return {count == 0 || errno != EINTR ? Heard::End : Heard::Nothing, 0};
+    return {count == 0 || errno != EINTR ? ReadStatus::End : ReadStatus::Nothing, 0};
 }
 
-ChildProcess::Ending ChildProcess::waitForEnd()
+ChildProcess::EndReason ChildProcess::waitForExit()
 {
     int status = 0;
     pid_t ended = 0;
@@ -71,10 +71,10 @@ ChildProcess::Ending ChildProcess::waitForEnd()
     } while (ended < 0 && errno == EINTR);
     id_ = -1;
     if (ended <= 0 || !WIFSIGNALED(status)) {
-        return Ending::ItsOwn;
+        return EndReason::Normal;
     }
     const int signal = WTERMSIG(status);
-    return signal == SIGXCPU || signal == SIGALRM || signal == SIGKILL ? Ending::OutOfTime : Ending::Fault;
+    return signal == SIGXCPU || signal == SIGALRM || signal == SIGKILL ? EndReason::TimedOut : EndReason::Fault;
 }
 
 }   // namespace angiopose::io

@@ -18,17 +18,17 @@ public:
 
     bool isStarted() const { return id_ > 0; }
 
-    enum class Heard { Nothing, Bytes, End };
+    enum class ReadStatus { Nothing, Bytes, End };
     struct Output {
-        Heard what = Heard::Nothing;
+        ReadStatus what = ReadStatus::Nothing;
         std::size_t size = 0;   ///< number of bytes read
     };
     /// Reads the helper's output, waiting for at most `milliseconds`; a negative time waits until data arrive. A signal
     /// to the parent ends the wait.
-    Output listen(std::span<char> place, int milliseconds) const;
+    Output readOutput(std::span<char> place, int milliseconds) const;
 
-    enum class Ending { ItsOwn, OutOfTime, Fault };   ///< `OutOfTime` includes being killed by another process
-    Ending waitForEnd();
+    enum class EndReason { Normal, TimedOut, Fault };   ///< `TimedOut` includes being killed by another process
+    EndReason waitForExit();
 
 private:
     int id_ = -1;

@@ -290,7 +290,7 @@ void writeHead(SignalText& out, int signal, const siginfo_t& about, const Signal
         << thread.data() << "\n";
 }
 
-std::uintptr_t addressOf(int frame)
+std::uintptr_t hostAndPort(int frame)
 {
     const auto address = reinterpret_cast<std::uintptr_t>(prepared().frames[static_cast<std::size_t>(frame)]);
     return frame == 0 ? address : address - 1;   // address of the call instead of the return address
@@ -300,13 +300,13 @@ void writeFrames(SignalText& out, int count)
 {
     out << "stack:\n";
     for (int i = 0; i < count; ++i) {
-        const LoadedModules::Module* module = prepared().modules.at(addressOf(i));
+        const LoadedModules::Module* module = prepared().modules.at(hostAndPort(i));
         out.decimal(static_cast<unsigned>(i), 2) << " ";
         if (module != nullptr) {
             out << LoadedModules::nameOf(*module) << "+";
-            out.hexadecimal(addressOf(i) - module->begin) << "\n";
+            out.hexadecimal(hostAndPort(i) - module->begin) << "\n";
         } else {
-            out.hexadecimal(addressOf(i)) << "\n";
+            out.hexadecimal(hostAndPort(i)) << "\n";
         }
     }
     out.flush();
@@ -318,9 +318,9 @@ void writeFunctions(SignalText& out, int count)
     static std::array<char, 512> place{};
     out << "functions:\n";
     for (int i = 0; i < count; ++i) {
-        const LoadedModules::Module* module = prepared().modules.at(addressOf(i));
+        const LoadedModules::Module* module = prepared().modules.at(hostAndPort(i));
         const std::string_view function =
-            module != nullptr ? functionAt(module->path, addressOf(i) - module->begin, place) : std::string_view();
+            module != nullptr ? functionAt(module->path, hostAndPort(i) - module->begin, place) : std::string_view();
         if (!function.empty()) {
             out.decimal(static_cast<unsigned>(i), 2);
             out << " " << function << "\n";
@@ -378,7 +378,7 @@ constexpr bool areSanitizersThere =
     false;
 #endif
 
-void prepare(const CrashWriter& writer)
+void prepare(const CrashDumpSettings& writer)
 {
     std::error_code failed;
     std::filesystem::create_directories(writer.folder, failed);
@@ -392,7 +392,7 @@ void prepare(const CrashWriter& writer)
 
 }   // namespace
 
-void writeCrashDumps(const CrashWriter& writer)
+void installCrashHandler(const CrashDumpSettings& writer)
 {
     if (areSanitizersThere || writer.folder.size() > 3900) {
         return;

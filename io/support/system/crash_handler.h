@@ -5,7 +5,7 @@
 namespace angiopose::io {
 
 /// The program whose faults are recorded, and the folder for the dumps.
-struct CrashWriter {
+struct CrashDumpSettings {
     std::string program;   ///< prefix of the file names, for example "angiopose"
     std::string version;
     std::string folder;   ///< created if it does not exist
@@ -15,6 +15,6 @@ struct CrashWriter {
 /// signal terminates the process. The file contains version, signal, time, thread, and the stack with module, offset
 /// and, if known, function. It contains no paths, arguments or exception texts, and therefore nothing about the user or
 /// the data. Must be called at program start; does nothing under sanitizers, which report faults themselves.
-void writeCrashDumps(const CrashWriter& writer);
+void installCrashHandler(const CrashDumpSettings& writer);
 
 }   // namespace angiopose::io

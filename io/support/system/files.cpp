@@ -9,11 +9,11 @@
 
 namespace angiopose::io {
 
-FileFacts factsOf(const std::string& path)
+FileStatus fileStatus(const std::string& path)
 {
     struct stat status {};
     if (::stat(path.c_str(), &status) != 0) {
-        return errno == ENOENT ? FileFacts{} : FileFacts{FileKind::Unreachable, 0, std::strerror(errno)};
+        return errno == ENOENT ? FileStatus{} : FileStatus{FileKind::Unreachable, 0, std::strerror(errno)};
     }
     const FileKind kind = S_ISDIR(status.st_mode)   ? FileKind::Folder
                           : S_ISREG(status.st_mode) ? FileKind::Regular
@@ -21,15 +21,15 @@ FileFacts factsOf(const std::string& path)
     return {kind, static_cast<std::size_t>(status.st_size), {}};
 }
 
-ReadHandle::ReadHandle(const std::string& path) : value_(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK))
+ReadHandle::ReadHandle(const std::string& path) : descriptor_(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK))
 {
     struct stat status {};
-    if (value_ < 0) {
+    if (descriptor_ < 0) {
         problem_ = std::strerror(errno);
-    } else if (::fstat(value_, &status) != 0) {
+    } else if (::fstat(descriptor_, &status) != 0) {
         problem_ = std::strerror(errno);
-        ::close(value_);
-        value_ = -1;
+        ::close(descriptor_);
+        descriptor_ = -1;
     } else {
         isRegular_ = S_ISREG(status.st_mode);
         size_ = static_cast<std::size_t>(status.st_size);
@@ -38,16 +38,16 @@ ReadHandle::ReadHandle(const std::string& path) : value_(::open(path.c_str(), O_
 
 ReadHandle::~ReadHandle()
 {
-    if (value_ >= 0) {
-        ::close(value_);
+    if (descriptor_ >= 0) {
+        ::close(descriptor_);
     }
 }
 
-std::size_t ReadHandle::read(char* bytes, std::size_t most)
+std::size_t ReadHandle::read(char* bytes, std::size_t maxBytes)
 {
     ssize_t got = -1;
     do {
-        got = ::read(value_, bytes, most);
+        got = ::read(descriptor_, bytes, maxBytes);
     } while (got < 0 && errno == EINTR);
     if (got <= 0) {
         problem_ = std::strerror(got < 0 ? errno : EIO);
@@ -57,7 +57,7 @@ std::size_t ReadHandle::read(char* bytes, std::size_t most)
 
 const char* ReadHandle::map()
 {
-    void* const mapping = ::mmap(nullptr, size_, PROT_READ, MAP_PRIVATE, value_, 0);
+    void* const mapping = ::mmap(nullptr, size_, PROT_READ, MAP_PRIVATE, descriptor_, 0);
     if (mapping == MAP_FAILED) {
         problem_ = std::strerror(errno);
         return nullptr;
@@ -70,7 +70,7 @@ void unmap(const char* mapping, std::size_t size)
     ::munmap(const_cast<char*>(mapping), size);
 }
 
-std::optional<std::string> faultOfMapping(const char* mapping, std::size_t size)
+std::optional<std::string> findMappingFault(const char* mapping, std::size_t size)
 {
     while (::madvise(const_cast<char*>(mapping), size, MADV_POPULATE_READ) != 0) {
         if (errno == EINVAL || errno == ENOSYS) {

@@ -31,15 +31,15 @@ void limitResource(decltype(RLIMIT_CORE) what, rlim_t most)
 
 }   // namespace
 
-void limitOwnProcess(const ProcessLimits& limits)
+void limitCurrentProcess(const ProcessLimits& limits)
 {
     limitResource(RLIMIT_CORE, 0);
     limitResource(RLIMIT_FSIZE, 0);
-    limitResource(RLIMIT_CPU, limits.processorSeconds);
+    limitResource(RLIMIT_CPU, limits.cpuSeconds);
     ::alarm(static_cast<unsigned int>(limits.seconds));
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
     ::mallopt(M_ARENA_MAX, 1);   // every additional arena takes 64 MB of address space
-    limitResource(RLIMIT_AS, addressSpaceNow() + limits.furtherMemory);
+    limitResource(RLIMIT_AS, addressSpaceNow() + limits.additionalMemoryBytes);
 #endif
 }
 

@@ -5,13 +5,13 @@
 namespace angiopose::io {
 
 struct ProcessLimits {
-    std::uint64_t processorSeconds = 0;
+    std::uint64_t cpuSeconds = 0;
     std::uint64_t seconds = 0;   ///< wall-clock limit, which also applies to a process that only waits
-    std::uint64_t furtherMemory =
+    std::uint64_t additionalMemoryBytes =
         0;   ///< limit of additional memory, bytes; not applied under sanitizers, whose shadow memory takes terabytes
 };
 
 /// Makes the system terminate this process if it exceeds the limits, and prevents it from writing files and core dumps.
-void limitOwnProcess(const ProcessLimits& limits);
+void limitCurrentProcess(const ProcessLimits& limits);
 
 }   // namespace angiopose::io

@@ -34,7 +34,7 @@ pid_t startWithOurStreams(const std::string& program, std::vector<std::string> a
 
 }   // namespace
 
-ProgramEnd runProgram(const std::string& program, std::vector<std::string> arguments, bool (*isStopped)())
+ProgramExit runProgram(const std::string& program, std::vector<std::string> arguments, bool (*isStopped)())
 {
     const pid_t id = startWithOurStreams(program, std::move(arguments));
     if (id < 0) {
@@ -52,7 +52,7 @@ ProgramEnd runProgram(const std::string& program, std::vector<std::string> argum
         }
         ::usleep(askedEveryUs);
     }
-    return WIFSIGNALED(status) ? ProgramEnd{true, 0, WTERMSIG(status)} : ProgramEnd{true, WEXITSTATUS(status), 0};
+    return WIFSIGNALED(status) ? ProgramExit{true, 0, WTERMSIG(status)} : ProgramExit{true, WEXITSTATUS(status), 0};
 }
 
 }   // namespace angiopose::io

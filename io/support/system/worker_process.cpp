@@ -109,28 +109,28 @@ WorkerProcess::~WorkerProcess()
     }
 }
 
-bool WorkerProcess::tell(const std::string& line) const
+bool WorkerProcess::sendLine(const std::string& line) const
 {
     return sendAll(channel_, line + "\n");
 }
 
-WorkerProcess::Heard WorkerProcess::hear(std::string& line)
+WorkerProcess::ReadStatus WorkerProcess::receiveLine(std::string& line)
 {
     std::array<char, 1 << 16> bytes;
-    while (!takeLine(heard_, line)) {
+    while (!takeLine(partialLine_, line)) {
         const ssize_t count = ::recv(channel_, bytes.data(), bytes.size(), MSG_DONTWAIT);
         if (count < 0 && (errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR)) {
-            return Heard::Nothing;
+            return ReadStatus::Nothing;
         }
         if (count <= 0) {
-            return Heard::End;
+            return ReadStatus::End;
         }
-        heard_.append(bytes.data(), static_cast<std::size_t>(count));
+        partialLine_.append(bytes.data(), static_cast<std::size_t>(count));
     }
-    return Heard::Line;
+    return ReadStatus::Line;
 }
 
-void WorkerProcess::askToStop() const
+void WorkerProcess::requestStop() const
 {
     if (id_ > 0) {
         ::kill(id_, SIGTERM);
@@ -184,14 +184,14 @@ bool WorkerChannel::open(int parent)
     return ::getppid() == parent && ::getsockopt(channelNumber, SOL_SOCKET, SO_TYPE, &type, &size) == 0;
 }
 
-bool WorkerChannel::hear(std::string& line, bool (*isStopped)())
+bool WorkerChannel::receiveLine(std::string& line, bool (*isStopped)())
 {
     static std::string heard;
     std::array<char, 1 << 12> bytes;
     while (!takeLine(heard, line)) {
         pollfd channel{channelNumber, POLLIN, 0};
-        constexpr int askedEveryMs = 200;
-        const int ready = isStopped() ? -1 : ::poll(&channel, 1, askedEveryMs);
+        constexpr int pollIntervalMs = 200;
+        const int ready = isStopped() ? -1 : ::poll(&channel, 1, pollIntervalMs);
         if (isStopped()) {
             return false;
         }
@@ -207,7 +207,7 @@ bool WorkerChannel::hear(std::string& line, bool (*isStopped)())
     return true;
 }
 
-bool WorkerChannel::say(const std::string& line)
+bool WorkerChannel::sendLine(const std::string& line)
 {
     return sendAll(channelNumber, line + "\n");
 }

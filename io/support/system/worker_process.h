@@ -23,14 +23,14 @@ public:
     int id() const { return id_; }
 
     /// Sends a line; returns false if the worker is no longer running.
-    bool tell(const std::string& line) const;
+    bool sendLine(const std::string& line) const;
 
-    enum class Heard { Nothing, Line, End };
+    enum class ReadStatus { Nothing, Line, End };
     /// Receives the next available line into `line` without waiting. Returns End if the worker is no longer running.
-    Heard hear(std::string& line);
+    ReadStatus receiveLine(std::string& line);
 
     /// Requests the worker to cancel its current work (SIGTERM).
-    void askToStop() const;
+    void requestStop() const;
 
     /// Kills the worker and waits for it to end. If the worker had already ended on its own, returns how ("signal 11").
     std::string end();
@@ -41,7 +41,7 @@ public:
 private:
     int id_ = -1;
     int channel_ = -1;
-    std::string heard_;   ///< received start of an incomplete line
+    std::string partialLine_;   ///< received start of an incomplete line
 };
 
 /// The worker's end of the channel.
@@ -52,8 +52,8 @@ public:
     static bool open(int parent);
 
     /// Receives the next line; returns false at the end, or when a signal arrives and `isStopped` returns true.
-    static bool hear(std::string& line, bool (*isStopped)());
-    static bool say(const std::string& line);
+    static bool receiveLine(std::string& line, bool (*isStopped)());
+    static bool sendLine(const std::string& line);
 };
 
 }   // namespace angiopose::io

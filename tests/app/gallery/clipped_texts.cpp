@@ -64,7 +64,7 @@ QString problemOf(const QAbstractButton& button)
         return {};
     }
     if (qobject_cast<const ui::ColumnRail*>(&button)) {   // its text is vertical
-        const int room = ui::ColumnRail::wordsRoomPx(button.height());
+        const int room = ui::ColumnRail::maxTextLengthPx(button.height());
         const int length = widthOf(button, button.text());
         return length > room ? described(button, button.text(), room, length) : QString();
     }

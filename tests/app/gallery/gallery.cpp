@@ -3,7 +3,7 @@
 #include "app/case_controller.h"
 #include "app/document/edit_case.h"
 #include "app/files/sample_case.h"
-#include "core/vessel/place_on_tree.h"
+#include "core/vessel/tree_position.h"
 #include "tests/app/gallery/clipped_texts.h"
 #include "tests/support/patience.h"
 #include "tests/support/simulated_views.h"
@@ -48,7 +48,7 @@ void openSample(app::CaseController& controller)
     if (sample) {
         controller.open({sample.value()});
     }
-    if (!QTest::qWaitFor([&controller] { return !controller.isLoading() && controller.judgement() != nullptr; },
+    if (!QTest::qWaitFor([&controller] { return !controller.isLoading() && controller.evaluation() != nullptr; },
                          patienceMs)) {
         qFatal("The sample case did not open.");
     }

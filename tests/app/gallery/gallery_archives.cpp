@@ -46,12 +46,12 @@ void Gallery::showArchives(ui::MainWindow& window)
     dialog->nodes().showNodes({nodeName}, nodeName);
     dialog->list().showStudies(studies());
     dialog->receive().showListening(true);
-    dialog->receive().showArrivals(QStringLiteral("–"), true);
+    dialog->receive().showReceived(QStringLiteral("–"), true);
     dialog->line().showProgress(QStringLiteral("12 / 58"), 12, 58);
     QTest::qWait(100);
     take(*dialog, QStringLiteral("archive_under_way"));
     dialog->line().showProblem(QStringLiteral("–"));
-    dialog->offerPart(true);
+    dialog->offerPartialSeries(true);
     takeDialogs(window, QStringLiteral("archive"));
 
     for (const bool isTls : {false, true}) {

@@ -25,7 +25,7 @@ void Gallery::showModes(ui::MainWindow& window)
         std::pair{Nudge, "nudging"},         std::pair{EditVessels, "editing"},   std::pair{MeasureLength, "length"},
         std::pair{MeasureAngle, "angle"},    std::pair{MeasureArea, "area"},      std::pair{Lasso, "lasso"},
         std::pair{Landmarks, "landmarking"}, std::pair{PickPivot, "pivot"},       std::pair{ShiftMask, "shifting"},
-        std::pair{Swipe, "swipe"},           std::pair{FromSource, "source"},     std::pair{Outline, "outline"},
+        std::pair{Swipe, "swipe"},           std::pair{MirrorView, "source"},     std::pair{Outline, "outline"},
         std::pair{ImageOnly, "image_only"},  std::pair{CornerOnly, "corner_only"}};
     for (const auto& [command, name] : modes) {
         QAction* action = window.actions()[command];
@@ -143,12 +143,12 @@ void Gallery::showScanIn3d(ui::MainWindow& window)
     goToStep(window, ui::Step::Vessels);
     QTest::qWait(2500);   // workers prepare, render and refine it
     showWindow(window, QStringLiteral("step_tracing"));
-    window.actions()[NextScanLook]->trigger();
+    window.actions()[NextScanRendering]->trigger();
     window.actions()[CornerOnly]->setChecked(true);
     QTest::qWait(2500);
     showWindow(window, QStringLiteral("scan_in_3d"));
     window.actions()[CornerOnly]->setChecked(false);
-    window.actions()[NextScanLook]->trigger();
+    window.actions()[NextScanRendering]->trigger();
     window.actions()[ScanIn3d]->setChecked(false);
     goToStep(window, ui::Step::Register);
 }

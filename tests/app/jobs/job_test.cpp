@@ -35,7 +35,7 @@ struct HeardJob {
 
 core::Result<std::string> untilStopped(Link& link)
 {
-    for (int step = 0; link.tell(step) != core::Verdict::Stop; ++step) {
+    for (int step = 0; link.tell(step) != core::ObserverDecision::Stop; ++step) {
         QThread::msleep(1);
     }
     return std::string("stopped");

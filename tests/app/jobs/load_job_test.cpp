@@ -40,8 +40,8 @@ TEST(LoadJob, DeliversACaseOnTheThreadOfItsOwner)
     job.start({dataPath("coronary-phantom-xa/cases/IM4.angiopose")});
 
     ASSERT_TRUE(finished.wait(test::patienceMs));
-    ASSERT_TRUE(inputs && inputs->wholeCase);
-    EXPECT_EQ(inputs->wholeCase->title, "Coronary phantom, view IM4");
+    ASSERT_TRUE(inputs && inputs->loadedCase);
+    EXPECT_EQ(inputs->loadedCase->title, "Coronary phantom, view IM4");
 }
 
 TEST(LoadJob, NamesTheFileThatIsMissing)

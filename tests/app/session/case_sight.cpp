@@ -60,7 +60,7 @@ QStringList reportOf(app::CaseController& controller)
     if (!target) {
         return {QStringLiteral("no target")};
     }
-    const auto views = app::judgedViews(controller.document().current(), *target, {});
+    const auto views = app::evaluateViews(controller.document().current(), *target, {});
     const auto page = views ? app::reportBytes({views.value(), QStringLiteral("Ada"), {}, {}}, app::ReportKind::Html)
                             : core::Result<QByteArray>(views.error());
     if (!page) {
@@ -83,7 +83,7 @@ QString overlayOf(app::CaseController& controller, const QString& folder)
     QString refusal;
     const auto hearing = QObject::connect(&controller.exporting(), &app::ExportController::failed, &controller,
                                           [&refusal](const QString& why) { refusal = why; });
-    controller.exporting().exportOverlay({600, ui::Choice::On, ui::Choice::Off}, path);
+    controller.exporting().exportOverlay({600, ui::Toggle::On, ui::Toggle::Off}, path);
     const bool hasEnded = QTest::qWaitFor([&] { return QFile::exists(path) || !refusal.isEmpty(); }, patienceMs);
     QObject::disconnect(hearing);
     return hasEnded && refusal.isEmpty() ? digestOf(contentOf(path))

@@ -45,9 +45,10 @@ QString command(Desk& desk)
 /// Saves, switches and compares the snapshots of the case.
 QString handlePoses(Desk& desk)
 {
-    static constexpr std::array commands{
-        ui::Command::KeepPose,   ui::Command::SwitchPoses, ui::Command::ComparePoses, ui::Command::AuxiliaryAdvice,
-        ui::Command::BlindTrial, ui::Command::TrialDone,   ui::Command::GantryAngles};
+    static constexpr std::array commands{ui::Command::TakeSnapshot, ui::Command::ToggleSnapshots,
+                                         ui::Command::ComparePoses, ui::Command::AuxiliaryAdvice,
+                                         ui::Command::BlindTrial,   ui::Command::FinishTrial,
+                                         ui::Command::GantryAngles};
     QAction* action = desk.window.actions()[desk.hand.oneOf(commands)];
     action->trigger();
     return QStringLiteral("poses: ") + action->objectName();
@@ -56,7 +57,7 @@ QString handlePoses(Desk& desk)
 QString saveAndExport(Desk& desk)
 {
     desk.controller.saving().saveTo(desk.folder + QStringLiteral("/random.angiopose"));
-    desk.controller.exporting().exportOverlay({300 + desk.hand.below(500), ui::Choice::On, ui::Choice::Off},
+    desk.controller.exporting().exportOverlay({300 + desk.hand.below(500), ui::Toggle::On, ui::Toggle::Off},
                                               desk.folder + QStringLiteral("/random.png"));
     return QStringLiteral("save and export");
 }
@@ -67,7 +68,7 @@ QString recover(Desk& desk)
     if (desk.controller.document().isInTrial() || desk.controller.isLoading()) {
         return {};
     }
-    for (const app::Leftover& copy : app::Autosave::leftBehind()) {
+    for (const app::RecoveryCopy& copy : app::Autosave::recoveryCopies()) {
         app::Autosave::forget(copy);
     }
     const QDir folder(desk.folder + QStringLiteral("/autosave"));

@@ -119,7 +119,7 @@ bool RandomUser::comeToRest()
     host_.window().angiogramView().setTool(nullptr);
     host_.controller().registration().stop();
     host_.controller().poses().blindTrial().abandon();
-    for (const app::Leftover& copy : app::Autosave::leftBehind()) {
+    for (const app::RecoveryCopy& copy : app::Autosave::recoveryCopies()) {
         app::Autosave::forget(copy);   // recoveries that were postponed
     }
     putWindowBack();

@@ -38,7 +38,7 @@ void open(app::WindowHost& host, const QStringList& files)
     host.window().resize(1400, 900);
     controller.open(files);
     waitUntil("opening", [&] { return !controller.isLoading() && !controller.document().isEmpty(); });
-    waitUntil("a judgement", [&controller] { return controller.judgement() || controller.target().problem(); });
+    waitUntil("a judgement", [&controller] { return controller.evaluation() || controller.target().problem(); });
     settle(controller);
 }
 

@@ -45,7 +45,7 @@ Case twoViews()
 
 TEST(CaseViews, ShowAnotherAndKeepWhatBelongsToTheVessels)
 {
-    const Case shown = showingView(twoViews(), 1);
+    const Case shown = withShownView(twoViews(), 1);
     EXPECT_EQ(shown.shown().imageFile.path, "/images/5.dcm");
     EXPECT_EQ(shown.shown().frame, 4);
     EXPECT_EQ(shown.shown().cameraFromPatient.translation.z(), 650.0);
@@ -77,7 +77,7 @@ TEST(CaseViews, AnotherTakesThePlaceOfTheShownOneThatGoes)
     const Case second = withoutView(values, 0);
     ASSERT_EQ(second.views.size(), 2U);
     EXPECT_EQ(second.shown().imageFile.path, "/images/5.dcm");
-    const Case first = withoutView(showingView(values, 2), 0);
+    const Case first = withoutView(withShownView(values, 2), 0);
     EXPECT_EQ(first.shown().imageFile.path, "/images/5.dcm");
     EXPECT_EQ(first.shownView, 1U);
     const Case last = withoutView(second, 0);
@@ -94,7 +94,7 @@ TEST(CaseViews, MovingTheVesselsInOneKeepsTheCamerasWhereTheyAre)
     other.result = RegistrationResult{};
     const RigidTransform wanted{expSo3({0.02, 0.0, 0.3}), {4.0, -7.0, 712.0}};
 
-    const auto moved = movedAlong(values, wanted);
+    const auto moved = viewsAfterMotion(values, wanted);
     ASSERT_EQ(moved.size(), 3U);
     EXPECT_EQ(moved[0].cameraFromPatient.matrix(), wanted.matrix());
     const RigidTransform before = other.cameraFromPatient * values.shown().cameraFromPatient.inverse();
@@ -109,7 +109,7 @@ TEST(CaseViews, GoToTheirOwnStart)
 {
     Case values = twoViews();
     values.views[1].initialCameraFromPatient = RigidTransform{expSo3({0.1, 0.2, 0.3}), {1.0, 2.0, 603.0}};
-    const auto views = atStart(values);
+    const auto views = viewsAtInitialPose(values);
     EXPECT_EQ(views[1].cameraFromPatient.matrix(), values.views[1].initialCameraFromPatient->matrix());
     EXPECT_EQ(views[0].cameraFromPatient.matrix(), values.views[0].cameraFromPatient.matrix()) << "it has none";
 }

@@ -56,14 +56,14 @@ const std::vector<Centerline2d> targets(2);
 TEST(RegistrationInput, KnowsHowElseAnglesOfAHeaderMayBeMeant)
 {
     View view = viewOfFeetFirst();
-    const auto reading = registrationInputOf(view, vessels, {}).value().tableReading;
+    const auto reading = registrationInputOf(view, vessels, {}).value().tableAngles;
     ASSERT_TRUE(reading);
     EXPECT_NEAR(reading->angles.primaryDeg, -20.0, 1e-9);
     view.geometry.cArm.primaryAngleDeg.origin = Origin::User;
-    EXPECT_FALSE(registrationInputOf(view, vessels, {}).value().tableReading) << "who types angles means them";
+    EXPECT_FALSE(registrationInputOf(view, vessels, {}).value().tableAngles) << "who types angles means them";
     view = viewOfFeetFirst();
     view.initialCameraFromPatient = view.cameraFromPatient;
-    EXPECT_FALSE(registrationInputOf(view, vessels, {}).value().tableReading) << "the start does not rest on them";
+    EXPECT_FALSE(registrationInputOf(view, vessels, {}).value().tableAngles) << "the start does not rest on them";
 }
 
 TEST(JointInputs, PutTheOtherViewWhereTheGantrysTurnLeads)

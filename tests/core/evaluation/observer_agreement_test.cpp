@@ -22,10 +22,10 @@ ObserverReading reading(const std::string& observer, const std::string& image, c
     result.observer = observer;
     result.image = image;
     result.pivotInPatient = {11.0, -7.0, 90.0};
-    result.centerCameraFromPatient = {core::expSo3({0.2, -0.1, 0.4}), {3.0, 4.0, 700.0}};
-    const Eigen::Vector3d place = result.centerCameraFromPatient * result.pivotInPatient + shift;
+    result.referenceCameraFromPatient = {core::expSo3({0.2, -0.1, 0.4}), {3.0, 4.0, 700.0}};
+    const Eigen::Vector3d place = result.referenceCameraFromPatient * result.pivotInPatient + shift;
     const Eigen::Matrix3d turned =
-        core::expSo3({0.0, 0.0, rollDeg * M_PI / 180.0}) * result.centerCameraFromPatient.rotation;
+        core::expSo3({0.0, 0.0, rollDeg * M_PI / 180.0}) * result.referenceCameraFromPatient.rotation;
     result.cameraFromPatient = {turned, place - turned * result.pivotInPatient};
     return result;
 }

@@ -16,8 +16,8 @@ ExperimentPlan smallPlan(std::string_view protocol, const std::string& condition
 {
     ExperimentPlan plan;
     plan.protocol = findProtocol(protocol);
-    plan.conditions = conditionsFrom(*plan.protocol, conditions).value();
-    plan.contestants = contestantsFrom("dynaweight,iterative-pnp").value();
+    plan.conditions = parseConditions(*plan.protocol, conditions).value();
+    plan.evaluatedMethods = parseMethods("dynaweight,iterative-pnp").value();
     plan.trials = trials;
     plan.seed = 3;
     return plan;
@@ -61,36 +61,37 @@ TEST(RunExperiment, MergedShardsAreTheWholeToTheLastBit)
         plan.shard = {index, 3};
         parts.push_back(runExperiment(plan).runs);
     }
-    const auto together = merged(parts);
+    const auto together = mergeRunSets(parts);
     ASSERT_TRUE(together) << together.error().message;
     expectSameRuns(whole.runs, together.value());
     parts.push_back(parts.front());   // duplicate parts change nothing
-    expectSameRuns(whole.runs, merged(parts).value());
+    expectSameRuns(whole.runs, mergeRunSets(parts).value());
 }
 
 TEST(RunExperiment, MergingRefusesWhatDoesNotBelongTogether)
 {
     RunSet runs = runExperiment(smallPlan("toy", "b1-8", 1)).runs;
-    EXPECT_FALSE(merged({}));
+    EXPECT_FALSE(mergeRunSets({}));
     RunSet otherSeed = runs;
     otherSeed.seed = 4;
-    EXPECT_FALSE(merged({runs, otherSeed}));
+    EXPECT_FALSE(mergeRunSets({runs, otherSeed}));
     RunSet otherFigure = runs;
     otherFigure.runs.front().meanPx += 1.0;
-    const auto disagreeing = merged({runs, otherFigure});
+    const auto disagreeing = mergeRunSets({runs, otherFigure});
     ASSERT_FALSE(disagreeing);
     EXPECT_NE(disagreeing.error().message.text().find("dynaweight"), std::string::npos);
     RunSet otherCondition = runs;
     otherCondition.runs.front().condition = "magic";
-    EXPECT_FALSE(merged({otherCondition}));
+    EXPECT_FALSE(mergeRunSets({otherCondition}));
 }
 
 TEST(RunExperiment, StopsAndKeepsFinishedTrials)
 {
     ExperimentPlan plan = smallPlan("toy", "b1-44", 50);
     plan.threads = 2;
-    const Experiment stopped = runExperiment(
-        plan, [](std::uint64_t done, std::uint64_t) { return done < 3 ? Verdict::Continue : Verdict::Stop; });
+    const Experiment stopped = runExperiment(plan, [](std::uint64_t done, std::uint64_t) {
+        return done < 3 ? ObserverDecision::Continue : ObserverDecision::Stop;
+    });
     EXPECT_TRUE(stopped.wasStopped);
     EXPECT_GE(stopped.runs.runs.size(), 6u);
     EXPECT_LT(stopped.runs.runs.size(), 50u);
@@ -122,7 +123,7 @@ TEST(RunExperiment, CountsAnUnusableTrialAsAFailureAtTheStart)
 TEST(TablesOf, TheSquareAsPrintedIsDoubtedInEveryRun)
 {
     ExperimentPlan plan = smallPlan("toy", "a-44,a-84", 3);
-    plan.contestants = contestantsFrom("angiopose,iterative-pnp").value();
+    plan.evaluatedMethods = parseMethods("angiopose,iterative-pnp").value();
     const std::vector<ResultTable> tables = tablesOf(runExperiment(plan).runs);
     const auto doubted = std::ranges::find(tables, "toy-a-doubted", &ResultTable::id);
     ASSERT_NE(doubted, tables.end());
@@ -234,10 +235,10 @@ TEST(TablesOf, CountsWhichMethodsStandInThePublishedOrder)
 TEST(TablesOf, LaysOutTheAblation)
 {
     RunSet runs{"simulation", 1, {}};
-    const std::vector<Contestant> ablation = contestantsFrom("ablation").value();
-    for (const Contestant& contestant : ablation) {
-        const bool isBoth = contestant.options.seed.rotationFirst && contestant.options.seed.alternation;
-        runs.runs.push_back(runWith(contestant.label, 0, isBoth ? 0.1 : 9.0));
+    const std::vector<EvaluatedMethod> ablation = parseMethods("ablation").value();
+    for (const EvaluatedMethod& evaluatedMethod : ablation) {
+        const bool isBoth = evaluatedMethod.options.seed.rotationFirst && evaluatedMethod.options.seed.alternation;
+        runs.runs.push_back(runWith(evaluatedMethod.label, 0, isBoth ? 0.1 : 9.0));
     }
     for (const ResultTable& table : tablesOf(runs)) {
         if (table.id.ends_with("-ablation")) {

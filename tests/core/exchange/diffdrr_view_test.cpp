@@ -84,7 +84,7 @@ class DiffDrrViewOf : public testing::TestWithParam<std::tuple<DiffDrrOrientatio
 TEST_P(DiffDrrViewOf, ProjectsAsItsOwnFormula)
 {
     const DiffDrrView view = viewOf(std::get<0>(GetParam()), std::get<1>(GetParam()));
-    const Sight sight = sightFromDiffDrr(view);
+    const PosedCamera sight = posedCameraFromDiffDrr(view);
     EXPECT_NEAR(sight.cameraFromPatient.rotation.determinant(), 1.0, 1e-12);
     EXPECT_GT(sight.camera.fy, 0.0);
     std::mt19937 chance(11);
@@ -102,7 +102,7 @@ TEST_P(DiffDrrViewOf, ProjectsAsItsOwnFormula)
 TEST_P(DiffDrrViewOf, CastsItsRaysThroughOurPixels)
 {
     const DiffDrrView view = viewOf(std::get<0>(GetParam()), std::get<1>(GetParam()));
-    const Sight sight = sightFromDiffDrr(view);
+    const PosedCamera sight = posedCameraFromDiffDrr(view);
     for (const auto& [row, column] : {std::pair{0, 0}, {0, 511}, {300, 0}, {150, 256}, {17, 401}}) {
         const Eigen::Vector4d world = pixelCenter(view, row, column);
         const Eigen::Vector3d& c = view.volumeCenterInPatient;
@@ -125,7 +125,7 @@ TEST(DiffDrr, FrontAndBackShowThePatientAsItSays)
         DiffDrrView view;
         view.detector = {1000.0, 401, 401, 0.4, 0.4, 0.0, 0.0, true, orientation};
         view.pose = diffDrrPose("ZXY", {0, 0, 0}, {0, orientation == DiffDrrOrientation::Pa ? -750.0 : 750.0, 0});
-        const Sight sight = sightFromDiffDrr(view);
+        const PosedCamera sight = posedCameraFromDiffDrr(view);
         const auto at = [&](const Eigen::Vector3d& lps) {
             return *project(sight.camera, sight.cameraFromPatient * lps);
         };
@@ -139,12 +139,12 @@ TEST(DiffDrr, TakesOursAndGivesItBack)
 {
     const RigidTransform pose{expSo3({-1.2, 0.3, 0.5}), {-8.0, 14.0, 765.0}};
     for (const double fx : {-2281.0, 2281.0}) {
-        const Sight ours{{fx, 2290.0, 254.0, 251.5, 512, 501}, pose};
+        const PosedCamera ours{{fx, 2290.0, 254.0, 251.5, 512, 501}, pose};
         const DiffDrrView theirs = diffDrrView(ours, 1020.0, {3.0, -140.0, 980.0});
         EXPECT_NEAR(theirs.pose.rotation.determinant(), 1.0, 1e-12);
         const Eigen::Vector3d point(14.0, -150.0, 12.0);
         EXPECT_LT((projected(theirs, point) - *project(ours.camera, pose * point)).norm(), 1e-9);
-        const Sight back = sightFromDiffDrr(theirs);
+        const PosedCamera back = posedCameraFromDiffDrr(theirs);
         EXPECT_LT((back.cameraFromPatient.matrix() - pose.matrix()).cwiseAbs().maxCoeff(), 1e-9);
         EXPECT_NEAR(back.camera.fx, fx, 1e-9);
         EXPECT_NEAR(back.camera.cx, 254.0, 1e-9);

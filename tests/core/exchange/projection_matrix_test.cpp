@@ -44,7 +44,7 @@ TEST(ProjectionMatrix, IsTakenApartWithAndWithoutMirror)
         ProjectionCamera camera = standard;
         camera.fx *= sign;
         for (const double factor : {1.0, 1e-4, 350.0}) {
-            const auto found = sightFromProjection(factor * projectionMatrix({camera, somePose}));
+            const auto found = posedCameraFromMatrix(factor * projectionMatrix({camera, somePose}));
             ASSERT_TRUE(found);
             expectCamera(found.value().camera, camera);
             EXPECT_LT(poseDifference(found.value().cameraFromPatient, somePose), 1e-9);
@@ -58,20 +58,21 @@ TEST(ProjectionMatrix, RefusesSkewAndWhatIsNoCamera)
     Eigen::Matrix3d K = intrinsicMatrix(standard);
     K(0, 1) = 3.0;
     const ProjectionMatrix skewed = K * somePose.matrix().topRows<3>();
-    EXPECT_TRUE(sightFromProjection(skewed).error().message.is(messages::projectionSkewed));
-    EXPECT_TRUE(
-        sightFromIntrinsics(K, somePose.rotation, somePose.translation).error().message.is(messages::projectionSkewed));
+    EXPECT_TRUE(posedCameraFromMatrix(skewed).error().message.is(messages::projectionSkewed));
+    EXPECT_TRUE(posedCameraFromIntrinsics(K, somePose.rotation, somePose.translation)
+                    .error()
+                    .message.is(messages::projectionSkewed));
 
     ProjectionMatrix flat = projectionMatrix({standard, somePose});
     flat.row(1) = 2.0 * flat.row(0);
-    EXPECT_TRUE(sightFromProjection(flat).error().message.is(messages::projectionDegenerate));
+    EXPECT_TRUE(posedCameraFromMatrix(flat).error().message.is(messages::projectionDegenerate));
     flat(0, 0) = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_TRUE(sightFromProjection(flat).error().message.is(messages::projectionNotFinite));
+    EXPECT_TRUE(posedCameraFromMatrix(flat).error().message.is(messages::projectionNotFinite));
 }
 
 TEST(ProjectionMatrix, IntrinsicsStayToTheLastBit)
 {
-    const auto found = sightFromIntrinsics(intrinsicMatrix(standard), somePose.rotation, somePose.translation);
+    const auto found = posedCameraFromIntrinsics(intrinsicMatrix(standard), somePose.rotation, somePose.translation);
     ASSERT_TRUE(found);
     EXPECT_EQ(found.value().cameraFromPatient.rotation, somePose.rotation);
     EXPECT_EQ(found.value().cameraFromPatient.translation, somePose.translation);
@@ -87,8 +88,8 @@ TEST(ProjectionMatrix, MirrorsAndHalfTurnsOfIntrinsicsProjectTheSame)
     for (const Eigen::Vector3d& signs :
          {Eigen::Vector3d(-1, 1, 1), Eigen::Vector3d(1, -1, 1), Eigen::Vector3d(-1, -1, 1)}) {
         const Eigen::Matrix3d flip = signs.asDiagonal();
-        const auto found = sightFromIntrinsics(intrinsicMatrix(standard) * flip, flip * somePose.rotation,
-                                               flip * somePose.translation);
+        const auto found = posedCameraFromIntrinsics(intrinsicMatrix(standard) * flip, flip * somePose.rotation,
+                                                     flip * somePose.translation);
         ASSERT_TRUE(found);
         EXPECT_GT(found.value().camera.fy, 0.0);
         EXPECT_NEAR(found.value().cameraFromPatient.rotation.determinant(), 1.0, 1e-12);
@@ -99,15 +100,16 @@ TEST(ProjectionMatrix, MirrorsAndHalfTurnsOfIntrinsicsProjectTheSame)
 TEST(ProjectionMatrix, RoundedRotationsAreMadeRotationsAndScaledOnesRefused)
 {
     const Eigen::Matrix3d rounded = (somePose.rotation * 1e4).array().round() / 1e4;
-    const auto found = sightFromIntrinsics(intrinsicMatrix(standard), rounded, somePose.translation);
+    const auto found = posedCameraFromIntrinsics(intrinsicMatrix(standard), rounded, somePose.translation);
     ASSERT_TRUE(found);
     EXPECT_TRUE(isRigid(found.value().cameraFromPatient, 1e-12));
-    EXPECT_TRUE(sightFromIntrinsics(intrinsicMatrix(standard), 1.01 * somePose.rotation, somePose.translation)
+    EXPECT_TRUE(posedCameraFromIntrinsics(intrinsicMatrix(standard), 1.01 * somePose.rotation, somePose.translation)
                     .error()
                     .message.is(messages::projectionNoRotation));
-    EXPECT_TRUE(sightFromIntrinsics(intrinsicMatrix(standard).transpose(), somePose.rotation, somePose.translation)
-                    .error()
-                    .message.is(messages::projectionIntrinsics));
+    EXPECT_TRUE(
+        posedCameraFromIntrinsics(intrinsicMatrix(standard).transpose(), somePose.rotation, somePose.translation)
+            .error()
+            .message.is(messages::projectionIntrinsics));
 }
 
 }   // namespace

@@ -63,7 +63,7 @@ TEST_P(XregCameraOf, ProjectsAsItsOwnFormula)
     XregCamera camera = cameraOf(GetParam());
     camera.cameraFromWorld = {expSo3({0.2, 0.9, -0.3}), {5.0, 60.0, -11.0}};
     const RigidTransform volumeFromWorld = patientIn(GetParam()).inverse() * camera.cameraFromWorld;
-    const auto sight = sightFromXreg(camera, volumeFromWorld);
+    const auto sight = posedCameraFromXreg(camera, volumeFromWorld);
     ASSERT_TRUE(sight);
     EXPECT_GT(sight.value().camera.fy, 0.0);
     EXPECT_EQ(sight.value().camera.fx < 0.0, GetParam() != XregFrame::DetectorAtPositiveZ);
@@ -83,7 +83,7 @@ TEST_P(XregCameraOf, GivesItsPoseBack)
     XregCamera camera = cameraOf(GetParam());
     camera.cameraFromWorld = {expSo3({0.2, 0.9, -0.3}), {5.0, 60.0, -11.0}};
     const RigidTransform volumeFromWorld = patientIn(GetParam()).inverse() * camera.cameraFromWorld;
-    const auto sight = sightFromXreg(camera, volumeFromWorld);
+    const auto sight = posedCameraFromXreg(camera, volumeFromWorld);
     const auto back = xregPose(sight.value().cameraFromPatient, camera);
     ASSERT_TRUE(back);
     EXPECT_LT((back.value().matrix() - volumeFromWorld.matrix()).cwiseAbs().maxCoeff(), 1e-10);
@@ -117,7 +117,7 @@ TEST(XregCameraOfOurs, SinglePrecisionOfItsFilesIsNoSkew)
     XregCamera camera = cameraOf(XregFrame::DetectorAtNegativeZ);
     camera.cameraFromWorld.rotation = expSo3({0.2, 0.9, -0.3}).cast<float>().cast<double>();
     camera.intrinsic = camera.intrinsic.cast<float>().cast<double>().eval();
-    const auto sight = sightFromXreg(camera, patientIn(camera.frame).inverse());
+    const auto sight = posedCameraFromXreg(camera, patientIn(camera.frame).inverse());
     ASSERT_TRUE(sight);
     EXPECT_TRUE(isRigid(sight.value().cameraFromPatient, 1e-12));
 }

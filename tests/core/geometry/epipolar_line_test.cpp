@@ -11,15 +11,15 @@ namespace angiopose::core {
 namespace {
 
 /// A camera at `angleDeg` about the patient's long axis, 750 mm from the origin, as with C-arms.
-Sight sightAt(double angleDeg, double fx = -2200.0)
+PosedCamera sightAt(double angleDeg, double fx = -2200.0)
 {
-    Sight sight{{fx, 2150.0, 250.0, 260.0, 512, 500}, {}};
+    PosedCamera sight{{fx, 2150.0, 250.0, 260.0, 512, 500}, {}};
     sight.cameraFromPatient.rotation = expSo3({0.1, angleDeg * 0.0174532925199433, -0.05});
     sight.cameraFromPatient.translation = {8.0, -5.0, 750.0};
     return sight;
 }
 
-Eigen::Vector2d pixelOf(const Sight& sight, const Eigen::Vector3d& pointInPatient)
+Eigen::Vector2d pixelOf(const PosedCamera& sight, const Eigen::Vector3d& pointInPatient)
 {
     return project(sight.camera, sight.cameraFromPatient * pointInPatient).value();
 }
@@ -37,8 +37,8 @@ TEST(EpipolarLine, PassesThroughThePointThatIsSeenInBoth)
     int seen = 0;
     for (const double angleDeg : {-120.0, -35.0, 4.0, 60.0, 90.0, 175.0}) {
         for (int k = 0; k < 40; ++k) {
-            const Sight first = sightAt(0.0);
-            const Sight other = sightAt(angleDeg, k % 2 == 0 ? -2200.0 : 2200.0);
+            const PosedCamera first = sightAt(0.0);
+            const PosedCamera other = sightAt(angleDeg, k % 2 == 0 ? -2200.0 : 2200.0);
             Eigen::Vector3d point;
             for (double& coordinate : point) {
                 coordinate = random.uniform(-80.0, 80.0);
@@ -60,8 +60,8 @@ TEST(EpipolarLine, PassesThroughThePointThatIsSeenInBoth)
 /// Compares with the textbook formula x'ᵀ F x = 0 with F = K'⁻ᵀ [t]× R K⁻¹.
 TEST(EpipolarLine, IsThatOfTheFundamentalMatrix)
 {
-    const Sight first = sightAt(0.0);
-    const Sight other = sightAt(70.0);
+    const PosedCamera first = sightAt(0.0);
+    const PosedCamera other = sightAt(70.0);
     const auto inverseOf = [](const ProjectionCamera& camera) {
         Eigen::Matrix3d k;
         k << camera.fx, 0.0, camera.cx, 0.0, camera.fy, camera.cy, 0.0, 0.0, 1.0;
@@ -81,8 +81,8 @@ TEST(EpipolarLine, IsThatOfTheFundamentalMatrix)
 
 TEST(EpipolarLine, EndsAtTheEdgesOfTheImageAndBeginsOnTheSideOfTheSource)
 {
-    const Sight first = sightAt(0.0);
-    const Sight other = sightAt(90.0);
+    const PosedCamera first = sightAt(0.0);
+    const PosedCamera other = sightAt(90.0);
     const auto line = epipolarLine(first, {250.0, 260.0}, other);
     ASSERT_TRUE(line);
     for (const Eigen::Vector2d& end : {line->beginPx, line->endPx}) {
@@ -97,7 +97,7 @@ TEST(EpipolarLine, EndsAtTheEdgesOfTheImageAndBeginsOnTheSideOfTheSource)
 
 TEST(EpipolarLine, IsAPointInTheImageItComesFrom)
 {
-    const Sight sight = sightAt(20.0);
+    const PosedCamera sight = sightAt(20.0);
     const auto line = epipolarLine(sight, {100.0, 400.0}, sight);
     ASSERT_TRUE(line);
     EXPECT_LT((line->beginPx - Eigen::Vector2d(100.0, 400.0)).norm(), 1e-6);
@@ -106,14 +106,14 @@ TEST(EpipolarLine, IsAPointInTheImageItComesFrom)
 
 TEST(EpipolarLine, IsNothingBehindTheSourceOrBesideTheImage)
 {
-    const Sight first = sightAt(0.0);
-    Sight turnedAway = sightAt(90.0);
+    const PosedCamera first = sightAt(0.0);
+    PosedCamera turnedAway = sightAt(90.0);
     turnedAway.cameraFromPatient.translation.z() = -2000.0;
     EXPECT_FALSE(epipolarLine(first, {250.0, 260.0}, turnedAway));
-    Sight aside = sightAt(90.0);
+    PosedCamera aside = sightAt(90.0);
     aside.cameraFromPatient.translation.y() = 900.0;
     EXPECT_FALSE(epipolarLine(first, {250.0, 260.0}, aside));
-    Sight unusable = sightAt(90.0);
+    PosedCamera unusable = sightAt(90.0);
     unusable.camera.fx = 0.0;
     EXPECT_FALSE(epipolarLine(first, {250.0, 260.0}, unusable));
     EXPECT_FALSE(epipolarLine(unusable, {250.0, 260.0}, first));

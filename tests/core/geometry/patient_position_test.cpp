@@ -63,7 +63,7 @@ TEST(PatientPosition, AnglesToTypeGiveTheCameraThatTheTableReadingMeans)
     for (const PatientPosition position : allPositions) {
         for (const bool mirrored : {false, true}) {
             const CArm counted = cArmAt(35.0, -20.0, 8.0, mirrored);
-            const auto reading = countedFromTable(counted, position);
+            const auto reading = anglesFromTable(counted, position);
             if (position == PatientPosition::HFS) {
                 EXPECT_FALSE(reading);
                 continue;
@@ -81,7 +81,7 @@ TEST(PatientPosition, AnglesToTypeGiveTheCameraThatTheTableReadingMeans)
 
 TEST(PatientPosition, FeetFirstTurnsBothAnglesAndTheImage)
 {
-    const PatientAngles angles = countedFromTable(cArmAt(30.0, 10.0, 0.0, false), PatientPosition::FFS)->angles;
+    const PatientAngles angles = anglesFromTable(cArmAt(30.0, 10.0, 0.0, false), PatientPosition::FFS)->angles;
     EXPECT_NEAR(angles.primaryDeg, -30.0, 1e-9);
     EXPECT_NEAR(angles.secondaryDeg, -10.0, 1e-9);
     EXPECT_NEAR(std::abs(angles.rollDeg), 180.0, 1e-9);
@@ -91,7 +91,7 @@ TEST(PatientPosition, MissingAnglesHaveNoOtherReading)
 {
     CArm cArm = cArmAt(30.0, 10.0, 0.0, false);
     cArm.secondaryAngleDeg = {};
-    EXPECT_FALSE(countedFromTable(cArm, PatientPosition::FFS));
+    EXPECT_FALSE(anglesFromTable(cArm, PatientPosition::FFS));
 }
 
 }   // namespace

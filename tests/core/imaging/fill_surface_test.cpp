@@ -69,12 +69,12 @@ TEST(FillSurface, OverlappingTubesAreOneInside)
 
 TEST(FillSurface, UsualVoxelsAreCoarserForWhatIsSolid)
 {
-    const double slim = usualSpacingMm(tubeMesh(1.0, 400.0, true));
-    const double solid = usualSpacingMm(tubeMesh(60.0, 120.0, true));
+    const double slim = defaultSpacingMm(tubeMesh(1.0, 400.0, true));
+    const double solid = defaultSpacingMm(tubeMesh(60.0, 120.0, true));
     EXPECT_NEAR(slim, 0.1, 1e-12) << "as fine as can be";
     const double inside = std::numbers::pi * 60.0 * 60.0 * 120.0;
     EXPECT_NEAR(inside / std::pow(solid, 3), 5e6, 1e5) << "voxels to be thinned";
-    EXPECT_EQ(usualSpacingMm(SurfaceMesh{}), 1.0);
+    EXPECT_EQ(defaultSpacingMm(SurfaceMesh{}), 1.0);
 }
 
 TEST(FillSurface, EndsWhenStopped)
@@ -106,7 +106,7 @@ TEST(CheckMesh, FindsHolesAndTurnedTriangles)
     std::swap(mesh.triangles[7][0], mesh.triangles[7][1]);
     EXPECT_FALSE(checkMesh(mesh).isOriented);
     mesh.triangles.pop_back();
-    EXPECT_EQ(checkMesh(mesh).openEdges, 3U);
+    EXPECT_EQ(checkMesh(mesh).boundaryEdges, 3U);
 }
 
 }   // namespace angiopose::core

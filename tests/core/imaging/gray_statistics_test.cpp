@@ -18,9 +18,9 @@ TEST(GrayStatistics, RankedValuesAreThoseOfTheSortedOnes)
     }
     std::vector<float> sorted = values;
     std::sort(sorted.begin(), sorted.end());
-    const std::vector<float> found = core::rankedAt(values, {0.0, 0.002, 0.5, 0.5, 0.99, 1.0});
+    const std::vector<float> found = core::grayQuantiles(values, {0.0, 0.002, 0.5, 0.5, 0.99, 1.0});
     EXPECT_EQ(found, (std::vector<float>{sorted[0], sorted[2], sorted[500], sorted[500], sorted[990], sorted[1000]}));
-    EXPECT_EQ(core::ranked(values, 0.25), sorted[250]);
+    EXPECT_EQ(core::grayQuantile(values, 0.25), sorted[250]);
 }
 
 TEST(GrayStatistics, SoAreThoseOfManyValuesOfEitherSignAndEveryOrderOfMagnitude)
@@ -34,9 +34,9 @@ TEST(GrayStatistics, SoAreThoseOfManyValuesOfEitherSignAndEveryOrderOfMagnitude)
     }
     std::vector<float> sorted = values;
     std::sort(sorted.begin(), sorted.end());
-    EXPECT_EQ(core::rankedAt(values, {0.0, 0.1, 0.5, 0.9, 1.0}),
+    EXPECT_EQ(core::grayQuantiles(values, {0.0, 0.1, 0.5, 0.9, 1.0}),
               (std::vector<float>{sorted[0], sorted[3000], sorted[15000], sorted[27000], sorted[30000]}));
-    EXPECT_EQ(core::ranked(std::vector<float>(5000, 7.0F), 0.3), 7.0F);
+    EXPECT_EQ(core::grayQuantile(std::vector<float>(5000, 7.0F), 0.3), 7.0F);
 }
 
 }   // namespace

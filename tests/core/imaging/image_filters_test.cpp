@@ -13,9 +13,9 @@ TEST(Blurred, IsTheSameForAnyNumberOfThreads)
     for (std::size_t i = 0; i < image.pixels.size(); ++i) {
         image.pixels[i] = static_cast<float>((i * 7919) % 251);
     }
-    const core::ImageF alone = core::blurred(image, 1.7);
+    const core::ImageF alone = core::gaussianBlur(image, 1.7);
     for (const int threads : {2, 3, 40}) {
-        EXPECT_EQ(core::blurred(image, 1.7, threads).pixels, alone.pixels) << threads;
+        EXPECT_EQ(core::gaussianBlur(image, 1.7, threads).pixels, alone.pixels) << threads;
     }
 }
 
@@ -23,11 +23,11 @@ TEST(Blurred, KeepsTheSumAwayFromTheEdgeAndPlainImages)
 {
     core::ImageF spot(41, 41);
     spot.at(20, 20) = 3.0F;
-    const core::ImageF spread = core::blurred(spot, 2.0, 2);
+    const core::ImageF spread = core::gaussianBlur(spot, 2.0, 2);
     EXPECT_NEAR(std::accumulate(spread.pixels.begin(), spread.pixels.end(), 0.0), 3.0, 1e-4);
     EXPECT_LT(spread.at(20, 20), 0.2F);
     const core::ImageF plain(20, 10, 5.0F);
-    for (const float value : core::blurred(plain, 3.0, 2).pixels) {
+    for (const float value : core::gaussianBlur(plain, 3.0, 2).pixels) {
         EXPECT_NEAR(value, 5.0F, 1e-5F);
     }
 }
@@ -40,7 +40,7 @@ TEST(ImageFilters, TheLargestAroundIsThatOfTheWindow)
             image.pixels[i] = static_cast<float>((i * 7919U) % 101U) - 50.0F;
         }
         for (const int radius : {0, 1, 3, 5, 12}) {
-            const core::ImageF largest = core::largestAround(image, radius);
+            const core::ImageF largest = core::maximumFilter(image, radius);
             for (int y = 0; y < height; ++y) {
                 for (int x = 0; x < width; ++x) {
                     float expected = image.at(x, y);

@@ -35,7 +35,7 @@ TEST(MaskEdit, AChangeTakesItselfBackAndIsSmall)
 {
     VoxelMask mask = whole();
     const VoxelMask before = mask;
-    const MaskChange change = changeOf({7, 5, 6, 5, 100});
+    const MaskChange change = makeMaskChange({7, 5, 6, 5, 100});
     ASSERT_EQ(change.runs.size(), 2U);
     EXPECT_EQ(change.runs[0], (MaskChange::Run{5, 3}));
     EXPECT_EQ(change.voxelCount(), 4U);
@@ -49,12 +49,12 @@ TEST(MaskEdit, ABallHasItsVolumeInUnequalVoxels)
 {
     VoxelMask mask(unequalVoxels());
     const Eigen::Vector3d center = centerOf(mask.geometry);
-    const auto found = brushedInSpace(mask, {MaskAim::Paint, 6.0}, {center, center});
-    flip(mask, changeOf(found));
+    const auto found = brushVolume(mask, {BrushMode::Paint, 6.0}, {center, center});
+    flip(mask, makeMaskChange(found));
     const double mm3 = static_cast<double>(setVoxels(mask)) * mask.geometry.spacingMm.prod();
     EXPECT_NEAR(mm3, 4.0 / 3.0 * std::numbers::pi * 216.0, 0.04 * 905.0);
-    EXPECT_TRUE(brushedInSpace(mask, {MaskAim::Paint, 6.0}, {center, center}).empty()) << "it is as wanted";
-    flip(mask, changeOf(brushedInSpace(mask, {MaskAim::Erase, 6.0}, {center, center})));
+    EXPECT_TRUE(brushVolume(mask, {BrushMode::Paint, 6.0}, {center, center}).empty()) << "it is as wanted";
+    flip(mask, makeMaskChange(brushVolume(mask, {BrushMode::Erase, 6.0}, {center, center})));
     EXPECT_EQ(setVoxels(mask), 0U);
 }
 
@@ -63,7 +63,7 @@ TEST(MaskEdit, ADiscStaysInItsSliceAlongItsPath)
     VoxelMask mask(unequalVoxels());
     const SliceGrid slice = sliceThrough(mask.geometry, BodyPlane::Coronal, {0, 3, 0});
     const BrushStep step{{-4, 3, 0}, {4, 3, 0}};
-    flip(mask, changeOf(brushedInSlice(mask, slice, {MaskAim::Paint, 3.0}, step)));
+    flip(mask, makeMaskChange(brushSlice(mask, slice, {BrushMode::Paint, 3.0}, step)));
     const double mm2 = static_cast<double>(setVoxels(mask)) * 0.5 * 2.0;
     EXPECT_NEAR(mm2, 8.0 * 6.0 + std::numbers::pi * 9.0, 8.0);
     for (std::size_t place = 0; place < mask.voxels.size(); ++place) {
@@ -72,8 +72,8 @@ TEST(MaskEdit, ADiscStaysInItsSliceAlongItsPath)
             EXPECT_NEAR(at.y(), slice.firstInPatient.y(), 1e-9);
         }
     }
-    const auto box = boxOf(mask.geometry, changeOf([&] {
-                               VoxelPlaces all;
+    const auto box = boxOf(mask.geometry, makeMaskChange([&] {
+                               VoxelIndices all;
                                for (std::size_t place = 0; place < mask.voxels.size(); ++place) {
                                    if (mask.voxels[place] != 0) {
                                        all.push_back(static_cast<std::uint32_t>(place));
@@ -109,13 +109,13 @@ TEST(MaskEdit, ABallOnItsWayTakesAllThatLiesWithinItsRadius)
                                        Eigen::Vector3d(40, 0, 0), Eigen::Vector3d(0.1, 0, 20)}) {
         const BrushStep step{center - 0.3 * way, center + 0.7 * way};
         for (const double radiusMm : {0.7, 3.3, 30.0}) {
-            EXPECT_EQ(brushedInSpace(mask, {MaskAim::Paint, radiusMm}, step).size(), withinStep(mask, radiusMm, step))
+            EXPECT_EQ(brushVolume(mask, {BrushMode::Paint, radiusMm}, step).size(), withinStep(mask, radiusMm, step))
                 << way.transpose() << ", " << radiusMm;
         }
     }
     mask.geometry.direction = Eigen::Matrix3d::Identity();
     const BrushStep alongRows{center - Eigen::Vector3d(5, 0, 0), center + Eigen::Vector3d(3, 0, 0)};
-    EXPECT_EQ(brushedInSpace(mask, {MaskAim::Paint, 2.2}, alongRows).size(), withinStep(mask, 2.2, alongRows));
+    EXPECT_EQ(brushVolume(mask, {BrushMode::Paint, 2.2}, alongRows).size(), withinStep(mask, 2.2, alongRows));
 }
 
 TEST(MaskEdit, AMaskFinerThanTheSliceIsPaintedAndCutWithoutGaps)
@@ -126,7 +126,7 @@ TEST(MaskEdit, AMaskFinerThanTheSliceIsPaintedAndCutWithoutGaps)
     scan.spacingMm *= 2.0;
     const SliceGrid slice = sliceThrough(scan, BodyPlane::Axial, centerOf(scan));
     const Eigen::Vector3d at = slice.pointAt({10.0, 7.0});
-    flip(fine, changeOf(brushedInSlice(fine, slice, {MaskAim::Paint, 3.0}, {at, at})));
+    flip(fine, makeMaskChange(brushSlice(fine, slice, {BrushMode::Paint, 3.0}, {at, at})));
     for (std::size_t place = 0; place < fine.voxels.size(); ++place) {
         const Eigen::Vector3d point = fine.geometry.patientFromVoxel() * fine.geometry.voxelAt(place).cast<double>();
         const double before = slice.distanceMm(point);
@@ -140,7 +140,7 @@ TEST(MaskEdit, AMaskFinerThanTheSliceIsPaintedAndCutWithoutGaps)
     MaskCut cut;
     cut.slice = slice;
     cut.outline = {{1.5, 1.5}, {18.5, 1.5}, {18.5, 13.5}, {1.5, 13.5}};
-    flip(fine, changeOf(cutVoxels(fine, cut)));
+    flip(fine, makeMaskChange(cutVoxels(fine, cut)));
     EXPECT_EQ(setVoxels(fine), 0U) << "no remnants between the pixels";
 }
 
@@ -152,7 +152,7 @@ TEST(MaskEdit, AboveAValueAlone)
         scan.voxels[place] = static_cast<std::int16_t>(mask.geometry.voxelAt(place).x() < 20 ? 300 : 50);
     }
     const Eigen::Vector3d center = centerOf(mask.geometry);
-    const auto found = brushedInSpace(mask, {MaskAim::Paint, 4.0, &scan, 200.0}, {center, center});
+    const auto found = brushVolume(mask, {BrushMode::Paint, 4.0, &scan, 200.0}, {center, center});
     ASSERT_FALSE(found.empty());
     for (const std::uint32_t place : found) {
         EXPECT_LT(mask.geometry.voxelAt(place).x(), 20);

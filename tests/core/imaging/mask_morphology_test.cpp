@@ -38,7 +38,7 @@ TEST(MaskMorphology, DilationReachesAsFarAsItsRadius)
     for (const auto& [width, height] : {std::pair{40, 23}, {5, 60}, {1, 9}, {12, 1}}) {
         const Mask2d mask = sparse(width, height, 0.01);
         for (const int radius : {0, 1, 2, 3, 5, 6, 10, 17}) {
-            const Mask2d grown = core::dilated(mask, radius);
+            const Mask2d grown = core::dilate(mask, radius);
             for (int y = 0; y < height; ++y) {
                 for (int x = 0; x < width; ++x) {
                     ASSERT_EQ(grown.at(x, y), anyAround(mask, x, y, radius) ? 255 : 0)
@@ -53,7 +53,7 @@ TEST(MaskMorphology, ErosionIsDilationOfTheRestAndIgnoresTheImageEdge)
 {
     Mask2d mask(30, 20, 1);
     mask.at(10, 10) = 0;
-    const Mask2d shrunk = core::eroded(mask, 3);
+    const Mask2d shrunk = core::erode(mask, 3);
     EXPECT_EQ(shrunk.at(0, 0), 255);
     EXPECT_EQ(shrunk.at(7, 7), 0);
     EXPECT_EQ(shrunk.at(6, 10), 255);
@@ -62,8 +62,8 @@ TEST(MaskMorphology, ErosionIsDilationOfTheRestAndIgnoresTheImageEdge)
 
 TEST(MaskMorphology, EmptyMasksStayEmpty)
 {
-    EXPECT_TRUE(core::dilated({}, 3).isEmpty());
-    EXPECT_TRUE(core::eroded({}, 3).isEmpty());
+    EXPECT_TRUE(core::dilate({}, 3).isEmpty());
+    EXPECT_TRUE(core::erode({}, 3).isEmpty());
 }
 
 }   // namespace

@@ -52,14 +52,14 @@ TEST(PatientMatch, OppositeSidesOfTheBodyAreNamed)
     left.laterality = "L";
     right.laterality = "R";
     both.laterality = "B";
-    EXPECT_NE(findSideMismatch(left, right).value().text().find("left side"), std::string::npos);
-    EXPECT_NE(findSideMismatch(right, left).value().text().find("right side"), std::string::npos);
-    EXPECT_FALSE(findSideMismatch(left, both));
-    EXPECT_FALSE(findSideMismatch(left, {}));
+    EXPECT_NE(findLateralityMismatch(left, right).value().text().find("left side"), std::string::npos);
+    EXPECT_NE(findLateralityMismatch(right, left).value().text().find("right side"), std::string::npos);
+    EXPECT_FALSE(findLateralityMismatch(left, both));
+    EXPECT_FALSE(findLateralityMismatch(left, {}));
     left.sex = "F";
     right.sex = "M";
     EXPECT_EQ(findMismatch(left, right),
-              (Messages{findPatientMismatch(left, right).value(), findSideMismatch(left, right).value()}));
+              (Messages{findPatientMismatch(left, right).value(), findLateralityMismatch(left, right).value()}));
     EXPECT_TRUE(findMismatch(left, left).empty());
 }
 

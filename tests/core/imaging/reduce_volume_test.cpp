@@ -28,7 +28,7 @@ bool always()
 TEST(ReduceVolume, TakesTheMeanOfBlocksAndKeepsTheirPlace)
 {
     const Volume volume = numbered({8, 8, 4}, {1, 1, 2});
-    const auto half = reduced(volume, voxelsIn(volume.geometry, {}), 4 * 4 * 4, always);
+    const auto half = downsample(volume, voxelRangeIn(volume.geometry, {}), 4 * 4 * 4, always);
     ASSERT_TRUE(half);
     EXPECT_EQ(half->geometry.size, Eigen::Vector3i(4, 4, 4));   // the slice spacing already has that size
     EXPECT_EQ(half->geometry.spacingMm, Eigen::Vector3d(2, 2, 2));
@@ -39,7 +39,7 @@ TEST(ReduceVolume, TakesTheMeanOfBlocksAndKeepsTheirPlace)
 TEST(ReduceVolume, TakesTheMeanOfBlocksThatAreAskedFor)
 {
     const Volume volume = numbered({7, 8, 4}, {1, 1, 2});
-    const auto blocks = meansOfBlocks(volume, {{1, 0, 0}, {7, 8, 3}}, {2, 4, 1}, always);
+    const auto blocks = averageBlocks(volume, {{1, 0, 0}, {7, 8, 3}}, {2, 4, 1}, always);
     ASSERT_TRUE(blocks);
     EXPECT_EQ(blocks->geometry.size, Eigen::Vector3i(3, 2, 3));
     EXPECT_EQ(blocks->geometry.originInPatient, volume.geometry.originInPatient + Eigen::Vector3d(1.5, 1.5, 0.0));
@@ -50,7 +50,7 @@ TEST(ReduceVolume, LeavesFewEnoughVoxelsWhateverTheShape)
 {
     const Volume volume = numbered({37, 22, 9}, {0.7, 0.7, 3.0});
     for (const std::size_t most : {7000U, 900U, 30U, 1U}) {
-        const auto few = reduced(volume, voxelsIn(volume.geometry, {}), most, always);
+        const auto few = downsample(volume, voxelRangeIn(volume.geometry, {}), most, always);
         ASSERT_TRUE(few);
         EXPECT_LE(few->voxels.size(), most);
         const Eigen::Vector3d reach = few->geometry.spacingMm.cwiseProduct(few->geometry.size.cast<double>());
@@ -62,17 +62,17 @@ TEST(ReduceVolume, CutsOutABoxOfThePatient)
 {
     const Volume volume = numbered({8, 8, 8}, {1, 1, 1});
     const VoxelRange range =
-        voxelsIn(volume.geometry, Eigen::AlignedBox3d(Eigen::Vector3d(12, 0, 32.2), Eigen::Vector3d(14, 21, 33)));
+        voxelRangeIn(volume.geometry, Eigen::AlignedBox3d(Eigen::Vector3d(12, 0, 32.2), Eigen::Vector3d(14, 21, 33)));
     EXPECT_EQ(range.low, Eigen::Vector3i(2, 0, 2));
     EXPECT_EQ(range.high, Eigen::Vector3i(5, 2, 4));
-    const auto part = reduced(volume, range, 1000, always);
+    const auto part = downsample(volume, range, 1000, always);
     ASSERT_TRUE(part);
     EXPECT_EQ(part->at(0, 1, 1), 2 + 100 + 3000);
     EXPECT_EQ(part->geometry.originInPatient, Eigen::Vector3d(12, 20, 32));
     const VoxelRange beside =
-        voxelsIn(volume.geometry, Eigen::AlignedBox3d(Eigen::Vector3d(90, 0, 0), Eigen::Vector3d(99, 50, 50)));
-    EXPECT_FALSE(reduced(volume, beside, 1000, always));
-    EXPECT_FALSE(reduced(volume, range, 1000, [] { return false; }));
+        voxelRangeIn(volume.geometry, Eigen::AlignedBox3d(Eigen::Vector3d(90, 0, 0), Eigen::Vector3d(99, 50, 50)));
+    EXPECT_FALSE(downsample(volume, beside, 1000, always));
+    EXPECT_FALSE(downsample(volume, range, 1000, [] { return false; }));
 }
 
 }   // namespace

@@ -22,11 +22,11 @@ ImageF body(const Eigen::Vector2d& shift, double noise, std::uint64_t seed)
     for (float& value : field.pixels) {
         value = static_cast<float>(random.normal());
     }
-    field = core::blurred(field, 3.0);
+    field = core::gaussianBlur(field, 3.0);
     ImageF counts(160, 120);
     for (int y = 0; y < counts.height; ++y) {
         for (int x = 0; x < counts.width; ++x) {
-            const double attenuation = core::sampled(field, x + 20 - shift.x(), y + 20 - shift.y());
+            const double attenuation = core::sampleBilinear(field, x + 20 - shift.x(), y + 20 - shift.y());
             counts.at(x, y) = static_cast<float>(1000.0 * std::exp(-2.0 * attenuation));
         }
     }
@@ -118,11 +118,11 @@ TEST(OpacifiedComposite, TakesEachPixelWhereItIsFilledMost)
     late.at(2, 0) = 30.0F;
     late.at(1, 0) = 120.0F;
     const std::vector<ImageF> frames{early, ImageF(1, 1, 0.0F), late};
-    EXPECT_EQ(core::opacifiedComposite(frames, core::Polarity::VesselsDark).pixels,
+    EXPECT_EQ(core::peakOpacificationImage(frames, core::Polarity::VesselsDark).pixels,
               (std::vector<float>{20.0F, 100.0F, 30.0F}));
-    EXPECT_EQ(core::opacifiedComposite(frames, core::Polarity::VesselsBright).pixels,
+    EXPECT_EQ(core::peakOpacificationImage(frames, core::Polarity::VesselsBright).pixels,
               (std::vector<float>{100.0F, 120.0F, 100.0F}));
-    EXPECT_TRUE(core::opacifiedComposite({}, core::Polarity::VesselsDark).isEmpty());
+    EXPECT_TRUE(core::peakOpacificationImage({}, core::Polarity::VesselsDark).isEmpty());
 }
 
 }   // namespace

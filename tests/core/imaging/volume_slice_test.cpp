@@ -129,7 +129,7 @@ TEST(VolumeSlice, KnowsTheValueAtAPoint)
     const Volume volume = placedVolume();
     EXPECT_EQ(valueAt(volume, {-7.0, 22.2, 506.4}), 213.0);
     EXPECT_FALSE(valueAt(volume, {-7.0, 22.2, 512.0}));
-    EXPECT_EQ(clampedTo(volume.geometry, {-7.0, 90.0, 512.0}), Eigen::Vector3d(-7.0, 26.0, 506.0));
+    EXPECT_EQ(clampToVolume(volume.geometry, {-7.0, 90.0, 512.0}), Eigen::Vector3d(-7.0, 26.0, 506.0));
 }
 
 }   // namespace

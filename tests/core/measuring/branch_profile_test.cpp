@@ -41,7 +41,7 @@ TEST(BranchProfile, ASmoothTaperIsItsOwnReference)
     ASSERT_TRUE(profile);
     EXPECT_NEAR(profile.value().lengthMm, 60.0, 1e-9);
     EXPECT_NEAR(profile.value().tortuosity, 1.0, 1e-12);
-    EXPECT_NEAR(profile.value().greatestCurvaturePerMm, 0.0, 1e-9);
+    EXPECT_NEAR(profile.value().maxCurvaturePerMm, 0.0, 1e-9);
     EXPECT_NEAR(*profile.value().meanDiameterMm, 3.25, 0.02);
     ASSERT_TRUE(profile.value().stenosis);
     EXPECT_LT(profile.value().stenosis->percent, 1.0);
@@ -77,7 +77,7 @@ TEST(BranchProfile, ALongLesionAndAnAneurysmAreNoReference)
     const auto wide = profileOf(straight([](double arc) { return arc > 20 && arc < 32 ? 6.0 : 3.0; }));
     ASSERT_TRUE(wide && wide.value().stenosis);
     EXPECT_LT(wide.value().stenosis->percent, 3.0) << "nothing is narrower than a healthy vessel there";
-    EXPECT_NEAR(*wide.value().greatestDiameterMm, 6.0, 1e-9);
+    EXPECT_NEAR(*wide.value().maxDiameterMm, 6.0, 1e-9);
 }
 
 /// Each bifurcation reduces the diameter: from 6 to 2 mm over 160 mm, in steps.
@@ -112,7 +112,7 @@ TEST(BranchProfile, CurvatureAndTortuosityOfArcs)
         const auto profile = profileOf(arc(radiusMm, 180.0));
         ASSERT_TRUE(profile);
         EXPECT_NEAR(profile.value().tortuosity, 0.5 * std::numbers::pi, 0.001) << radiusMm;
-        EXPECT_NEAR(profile.value().greatestCurvaturePerMm * radiusMm, 1.0, 0.08) << radiusMm;
+        EXPECT_NEAR(profile.value().maxCurvaturePerMm * radiusMm, 1.0, 0.08) << radiusMm;
         const ProfileSample& middle = profile.value().samples[profile.value().samples.size() / 2];
         EXPECT_NEAR(middle.curvaturePerMm * radiusMm, 1.0, 0.08) << radiusMm;
     }
@@ -128,8 +128,8 @@ TEST(BranchProfile, WithoutRadiiItSaysSoAndMeasuresTheRest)
     EXPECT_FALSE(profile.value().meanDiameterMm);
     EXPECT_FALSE(profile.value().stenosis);
     EXPECT_TRUE(std::isnan(profile.value().samples[10].diameterMm));
-    ASSERT_EQ(profile.value().doubts.size(), 1U);
-    EXPECT_TRUE(profile.value().doubts[0].is(messages::profileNoRadii));
+    ASSERT_EQ(profile.value().warnings.size(), 1U);
+    EXPECT_TRUE(profile.value().warnings[0].is(messages::profileNoRadii));
 
     branch = straight([](double) { return 3.0; });
     branch.radiusMm[20] = std::nan("");
@@ -146,7 +146,7 @@ TEST(BranchProfile, BranchesWithoutLengthAreRefused)
     EXPECT_FALSE(profileOf({1, "", {{1, 2, 3}, {1, std::nan(""), 3}}, {}, 0}));
     const auto tiny = profileOf({1, "", {{0, 0, 0}, {0.3, 0, 0}}, {1.0, 1.0}, 0});
     ASSERT_TRUE(tiny);
-    EXPECT_TRUE(std::isnan(tiny.value().greatestCurvaturePerMm));
+    EXPECT_TRUE(std::isnan(tiny.value().maxCurvaturePerMm));
     EXPECT_FALSE(tiny.value().stenosis) << "nothing to compare with";
 }
 

@@ -22,8 +22,8 @@ struct Seen {
         view.cameraFromPatient.translation = {0.0, 0.0, 800.0};
         tree.branches.push_back({1, "", {{-10, 0, 0}, {10, 0, 0}}, {}, 0});
     }
-    Result<MeasuredImage> measure(MeasurementKind kind, MeasurementPlane plane,
-                                  const std::vector<Eigen::Vector2d>& pixels) const
+    Result<ImageMeasurementResult> measure(MeasurementKind kind, MeasurementPlane plane,
+                                           const std::vector<Eigen::Vector2d>& pixels) const
     {
         return measureImage({kind, plane, pixels, 0, ""}, {view, &tree});
     }
@@ -100,10 +100,10 @@ TEST(MeasureImage, WhatMeansNothingIsSaidNotInvented)
         EXPECT_FALSE(measured);
         return measured ? Message::verbatim("a number") : measured.error().message;
     };
-    EXPECT_TRUE(why(Area, {{0, 0}, {10, 10}, {10, 0}, {0, 10}}).is(messages::measureCrossed));
+    EXPECT_TRUE(why(Area, {{0, 0}, {10, 10}, {10, 0}, {0, 10}}).is(messages::measureSelfIntersecting));
     EXPECT_TRUE(why(Area, {{0, 0}, {10, 10}}).is(messages::measurePoints));
     EXPECT_TRUE(why(Length, {{0, 0}}).is(messages::measurePoints));
-    EXPECT_TRUE(why(Angle, {{0, 0}, {0, 0}, {1, 1}}).is(messages::measureAngleOpen));
+    EXPECT_TRUE(why(Angle, {{0, 0}, {0, 0}, {1, 1}}).is(messages::measureAngleDegenerate));
     EXPECT_TRUE(why(Length, {{0, 0}, {std::nan(""), 1}}).is(messages::measureNotFinite));
 }
 
@@ -111,15 +111,15 @@ TEST(MeasureImage, WithoutSpacingOrPoseThereAreNoMillimeters)
 {
     Seen seen;
     const std::vector<Eigen::Vector2d> line{{0, 0}, {10, 0}};
-    EXPECT_EQ(bestPlaneOf({seen.view, &seen.tree}), atVessels);
-    EXPECT_EQ(bestPlaneOf({seen.view, nullptr}), atDetector);
+    EXPECT_EQ(preferredPlane({seen.view, &seen.tree}), atVessels);
+    EXPECT_EQ(preferredPlane({seen.view, nullptr}), atDetector);
     seen.view.cameraFromPatient.translation.z() = -800.0;
     EXPECT_TRUE(seen.measure(Length, atVessels, line).error().message.is(messages::measureBehindSource));
-    EXPECT_EQ(bestPlaneOf({seen.view, &seen.tree}), atDetector);
+    EXPECT_EQ(preferredPlane({seen.view, &seen.tree}), atDetector);
     seen.view.geometry.cArm.rowSpacingMm = {};
     EXPECT_TRUE(seen.measure(Length, atDetector, line).error().message.is(messages::measureNeedsSpacing));
     EXPECT_FALSE(seen.measure(Length, atVessels, line));
-    EXPECT_EQ(bestPlaneOf({seen.view, &seen.tree}), inPixels);
+    EXPECT_EQ(preferredPlane({seen.view, &seen.tree}), inPixels);
     EXPECT_NEAR(seen.value(Length, inPixels, line), 10.0, 1e-12);
     seen.view.geometry.cArm.rowSpacingMm = {-0.2, Origin::User, ""};
     EXPECT_FALSE(seen.measure(Length, atDetector, line));
@@ -142,11 +142,11 @@ TEST(MeasureImage, SaysWhereTheScaleComesFrom)
     EXPECT_EQ(labelOf(seen.measure(Length, inPixels, line).value(), Length).text(), "10.0 px");
 
     seen.view.geometry.cArm.sourceToDetectorMm.origin = Origin::User;
-    EXPECT_TRUE(isAmong(basis(), messages::measureScaleTyped));
+    EXPECT_TRUE(isAmong(basis(), messages::measureScaleEntered));
     seen.view.result.emplace();
     seen.view.result->trustworthy = false;
     seen.view.result->uncertainty.depthMm = 8.0;
-    EXPECT_TRUE(isAmong(basis(), messages::measurePoseDoubtful));
+    EXPECT_TRUE(isAmong(basis(), messages::measurePoseUnreliable));
     const Messages found = basis();
     const auto spread =
         std::ranges::find_if(found, [](const Message& m) { return m.is(messages::measureDepthSpread); });
@@ -171,18 +171,18 @@ TEST(MeasureImage, ATypedScaleHoldsWhereNothingElseIsKnown)
     Seen seen;
     const std::vector<Eigen::Vector2d> line{{0, 0}, {30, 40}};
     EXPECT_TRUE(
-        seen.measure(Length, MeasurementPlane::Typed, line).error().message.is(messages::measureNeedsTypedScale));
-    seen.view.typedMmPerPx = 0.2;
+        seen.measure(Length, MeasurementPlane::Typed, line).error().message.is(messages::measureNeedsEnteredScale));
+    seen.view.enteredMmPerPx = 0.2;
     EXPECT_NEAR(seen.value(Length, MeasurementPlane::Typed, line), 10.0, 1e-12);
     EXPECT_NEAR(seen.value(Area, MeasurementPlane::Typed, {{0, 0}, {10, 0}, {10, 10}, {0, 10}}), 4.0, 1e-12);
-    EXPECT_EQ(bestPlaneOf({seen.view, &seen.tree}), atVessels);
-    EXPECT_EQ(bestPlaneOf({seen.view, nullptr}), MeasurementPlane::Typed);
+    EXPECT_EQ(preferredPlane({seen.view, &seen.tree}), atVessels);
+    EXPECT_EQ(preferredPlane({seen.view, nullptr}), MeasurementPlane::Typed);
     const auto measured = seen.measure(Length, MeasurementPlane::Typed, line).value();
     EXPECT_EQ(labelOf(measured, Length).text(), "10.0 mm (scale entered)");
     const Messages basis = basisOf(measured, Length, {seen.view, nullptr});
-    EXPECT_TRUE(isAmong(basis, messages::measureBasisTyped));
+    EXPECT_TRUE(isAmong(basis, messages::measureBasisEntered));
     EXPECT_EQ(basis.size(), 1U);
-    seen.view.typedMmPerPx = -1.0;
+    seen.view.enteredMmPerPx = -1.0;
     EXPECT_FALSE(seen.measure(Length, MeasurementPlane::Typed, line));
 }
 

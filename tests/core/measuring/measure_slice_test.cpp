@@ -43,8 +43,8 @@ TEST(MeasureSlice, SaysWhichVoxelsItRestsOn)
     ASSERT_EQ(basisOf(length, &scan).size(), 1U);
     EXPECT_EQ(basisOf(length, &scan)[0].text(), "Scan voxel size: 0.400 mm × 0.500 mm × 3.000 mm.");
     EXPECT_NE(basisOf(length, nullptr)[0].text().find("not open"), std::string::npos);
-    EXPECT_NEAR(sliceAtMm(length), 7.0, 1e-12);
-    EXPECT_LT((middleOf(length) - Eigen::Vector3d(1, 7, 2)).norm(), 1e-12);
+    EXPECT_NEAR(slicePositionMm(length), 7.0, 1e-12);
+    EXPECT_LT((centerOf(length) - Eigen::Vector3d(1, 7, 2)).norm(), 1e-12);
 }
 
 }   // namespace

@@ -28,7 +28,7 @@ struct Checked {
             view.geometry.cameraOverride = ProjectionCamera{-5000.0, 5200.0, 255.5, 255.5, 512, 512};
             view.cameraFromPatient.rotation = expSo3(Eigen::Vector3d(0.0, k == 0 ? 0.1 : 1.6, 0.05));
             view.cameraFromPatient.translation = {2.0, -3.0, 760.0 + 20.0 * static_cast<double>(k)};
-            view.sightings = {{7, seenAt(k, mark().pointInPatient), 1}};
+            view.observations = {{7, seenAt(k, mark().pointInPatient), 1}};
         }
     }
     const VesselMark& mark() const { return session.vessels.marks.front(); }
@@ -37,7 +37,7 @@ struct Checked {
         const View& in = session.views[view];
         return *project(cameraOf(in).value(), in.cameraFromPatient * point);
     }
-    CheckedPoint checked() const { return checkedPoints(session).front(); }
+    TargetPointResult checked() const { return evaluateTargetPoints(session).front(); }
     Case session;
 };
 
@@ -60,7 +60,7 @@ TEST(TargetPoints, TheErrorIsTheShiftThatWasImposed)
     Checked seen;
     EXPECT_NEAR(seen.checked().views[0].error.value().mm, 0.0, 1e-9);
     seen.session.views[0].cameraFromPatient.translation += Eigen::Vector3d(3.0, -4.0, 0.0);
-    const CheckedPoint checked = seen.checked();
+    const TargetPointResult checked = seen.checked();
     ASSERT_EQ(checked.views.size(), 2U);
     const ImageError& error = checked.views[0].error.value();
     EXPECT_NEAR(error.mm, 5.0, 1e-9);
@@ -68,9 +68,9 @@ TEST(TargetPoints, TheErrorIsTheShiftThatWasImposed)
     EXPECT_NEAR(error.depthMm, depthMm, 1e-9);
     EXPECT_NEAR(error.px, std::hypot(3.0 * 5000.0, 4.0 * 5200.0) / depthMm, 1e-9);
     EXPECT_NEAR(checked.views[1].error.value().mm, 0.0, 1e-9);
-    EXPECT_FALSE(checked.views[0].claimed) << "no run found this pose";
+    EXPECT_FALSE(checked.views[0].predicted) << "no run found this pose";
     const Messages reported = sentencesOf(checked.views[0]);
-    EXPECT_TRUE(reported.back().is(messages::checkNothingClaimed));
+    EXPECT_TRUE(reported.back().is(messages::checkNothingPredicted));
     EXPECT_EQ(labelOf(checked, 0)->text(), "5.0 mm off");
 }
 
@@ -79,18 +79,18 @@ TEST(TargetPoints, TwoViewsTellTheErrorInSpace)
     Checked seen;
     const Eigen::Vector3d shift(2.0, -1.0, 2.0);   // moves the vessels by 3 mm relative to both cameras
     for (std::size_t k = 0; k < 2; ++k) {
-        seen.session.views[k].sightings[0].pixel = seen.seenAt(k, seen.mark().pointInPatient + shift);
+        seen.session.views[k].observations[0].pixel = seen.seenAt(k, seen.mark().pointInPatient + shift);
     }
-    const CheckedPoint checked = seen.checked();
-    ASSERT_TRUE(checked.meeting) << checked.meeting.error().message;
+    const TargetPointResult checked = seen.checked();
+    ASSERT_TRUE(checked.triangulated) << checked.triangulated.error().message;
     EXPECT_NEAR(checked.spaceMm(), 3.0, 1e-7);
-    EXPECT_LT((checked.meeting.value().pointInPatient - seen.mark().pointInPatient - shift).norm(), 1e-7);
-    EXPECT_NEAR(checked.meeting.value().raysApartMm, 0.0, 1e-7);
-    EXPECT_GT(checked.meeting.value().angleDeg, 80.0);
-    EXPECT_EQ(checked.meetingViews, (std::vector<std::size_t>{0, 1}));
+    EXPECT_LT((checked.triangulated.value().pointInPatient - seen.mark().pointInPatient - shift).norm(), 1e-7);
+    EXPECT_NEAR(checked.triangulated.value().maxRayDistanceMm, 0.0, 1e-7);
+    EXPECT_GT(checked.triangulated.value().angleDeg, 80.0);
+    EXPECT_EQ(checked.triangulationViews, (std::vector<std::size_t>{0, 1}));
 
-    seen.session.views[1].sightings[0].pixel += Eigen::Vector2d(0.0, 20.0);   // the rays no longer meet
-    EXPECT_GT(seen.checked().meeting.value().raysApartMm, 0.5);
+    seen.session.views[1].observations[0].pixel += Eigen::Vector2d(0.0, 20.0);   // the rays no longer meet
+    EXPECT_GT(seen.checked().triangulated.value().maxRayDistanceMm, 0.5);
 }
 
 TEST(TargetPoints, NoErrorInSpaceWhereDepthCannotBeReported)
@@ -98,10 +98,10 @@ TEST(TargetPoints, NoErrorInSpaceWhereDepthCannotBeReported)
     Checked seen;
     seen.session.views[1].cameraFromPatient = seen.session.views[0].cameraFromPatient;
     seen.session.views[1].cameraFromPatient.translation.x() += 10.0;
-    EXPECT_TRUE(seen.checked().meeting.error().message.is(messages::checkRaysAlike));
-    seen.session.views[1].sightings.clear();
-    EXPECT_TRUE(seen.checked().meeting.error().message.is(messages::checkNeedsTwoViews));
-    seen.session.views[0].sightings.clear();
+    EXPECT_TRUE(seen.checked().triangulated.error().message.is(messages::checkRaysNearlyParallel));
+    seen.session.views[1].observations.clear();
+    EXPECT_TRUE(seen.checked().triangulated.error().message.is(messages::checkNeedsTwoViews));
+    seen.session.views[0].observations.clear();
     EXPECT_TRUE(seen.checked().views.empty());
     EXPECT_FALSE(labelOf(seen.checked(), 0));
 }
@@ -109,10 +109,10 @@ TEST(TargetPoints, NoErrorInSpaceWhereDepthCannotBeReported)
 TEST(TargetPoints, ThePoseIsOfOneFrame)
 {
     Checked seen;
-    seen.session.views[0].sightings[0].frame = 2;
+    seen.session.views[0].observations[0].frame = 2;
     EXPECT_TRUE(seen.checked().views[0].error.error().message.is(messages::checkOtherFrame));
-    EXPECT_FALSE(seen.checked().meeting);
-    seen.session.views[0].sightings.push_back({7, {100.0, 100.0}, 1});
+    EXPECT_FALSE(seen.checked().triangulated);
+    seen.session.views[0].observations.push_back({7, {100.0, 100.0}, 1});
     EXPECT_TRUE(seen.checked().views[0].error) << "of several frames the one of the pose counts";
     seen.session.views[0].cameraFromPatient.translation.z() = -700.0;
     EXPECT_TRUE(seen.checked().views[0].error.error().message.is(messages::checkBehindSource));
@@ -127,7 +127,7 @@ TEST(TargetPoints, WhatIsClaimedIsWhatRandomPosesDo)
     const Matrix6d covariance = someCovariance(0.01);
     view.result->uncertainty.covariance = covariance;
     view.result->uncertainty.imageCovariance = covariance;
-    const ClaimedError claimed = *seen.checked().views[0].claimed;
+    const PredictedError predicted = *seen.checked().views[0].predicted;
 
     const Eigen::Vector3d centroid = centroidInPatient(*seen.session.vessels.tree);
     const Eigen::LLT<Matrix6d> root(Matrix6d(covariance + 1e-15 * Matrix6d::Identity()));
@@ -148,10 +148,10 @@ TEST(TargetPoints, WhatIsClaimedIsWhatRandomPosesDo)
             (moved * seen.mark().pointInPatient - view.cameraFromPatient * seen.mark().pointInPatient).squaredNorm() /
             draws;
     }
-    EXPECT_GT(claimed.inPlaneMm, 1e-3);
-    EXPECT_NEAR(std::sqrt(inPlane) / claimed.inPlaneMm, 1.0, 0.02);
-    EXPECT_NEAR(std::sqrt(inSpace) / claimed.spaceMm, 1.0, 0.02);
-    EXPECT_TRUE(sentencesOf(seen.checked().views[0])[1].is(messages::checkClaimed));
+    EXPECT_GT(predicted.inPlaneMm, 1e-3);
+    EXPECT_NEAR(std::sqrt(inPlane) / predicted.inPlaneMm, 1.0, 0.02);
+    EXPECT_NEAR(std::sqrt(inSpace) / predicted.spaceMm, 1.0, 0.02);
+    EXPECT_TRUE(sentencesOf(seen.checked().views[0])[1].is(messages::checkPredicted));
 }
 
 TEST(TargetPoints, APoseLookedAtForAWhileHasNoClaim)
@@ -159,13 +159,13 @@ TEST(TargetPoints, APoseLookedAtForAWhileHasNoClaim)
     Checked seen;
     seen.session.views[0].result.emplace();
     seen.session.views[0].result->cameraFromPatient = seen.session.views[0].cameraFromPatient;
-    EXPECT_TRUE(seen.checked().views[0].claimed);
-    const auto moved = checkedPoints(seen.session, [&](std::size_t view) {
+    EXPECT_TRUE(seen.checked().views[0].predicted);
+    const auto moved = evaluateTargetPoints(seen.session, [&](std::size_t view) {
         RigidTransform pose = seen.session.views[view].cameraFromPatient;
         pose.translation.x() += 1.0;
         return pose;
     });
-    EXPECT_FALSE(moved.front().views[0].claimed);
+    EXPECT_FALSE(moved.front().views[0].predicted);
     EXPECT_NEAR(moved.front().views[0].error.value().mm, 1.0, 1e-9);
 }
 

@@ -81,7 +81,7 @@ TEST(DeformationDoubt, StoppedWhileDeformationIsNotTrusted)
     RegistrationOptions always;
     always.deformation = Deformation::Always;
     const auto stopAtDeformation = [](const IterationReport& report) {
-        return report.stage == "bending" ? Verdict::Stop : Verdict::Continue;
+        return report.stage == "bending" ? ObserverDecision::Stop : ObserverDecision::Continue;
     };
     const RegistrationResult toTheEnd = registerVessels(input, always).value();
     const RegistrationResult stopped = registerVessels(input, always, stopAtDeformation).value();

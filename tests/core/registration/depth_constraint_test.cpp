@@ -41,7 +41,7 @@ TEST(DepthConstraint, AnUnseenDepthStaysAtTheStartAndTheSentenceSaysSo)
     const RegistrationProblem problem = makeProblem(input, {}).value();
     EXPECT_LT(std::abs(depthShiftMm(problem, result.cameraFromPatient)), 2.5);
     EXPECT_TRUE(
-        std::ranges::any_of(result.warnings, [](const Message& each) { return each.is(messages::trustDepthUnknown); }));
+        std::ranges::any_of(result.warnings, [](const Message& each) { return each.is(messages::depthUndetermined); }));
 }
 
 TEST(DepthConstraint, APoseThatLeftTheStartIsSaidToHaveLeftIt)
@@ -51,8 +51,8 @@ TEST(DepthConstraint, APoseThatLeftTheStartIsSaidToHaveLeftIt)
     deeper.translation = {0.0, 0.0, 900.0};
     const RegistrationResult result = evaluatePose(input, deeper).value();
     ASSERT_FALSE(result.uncertainty.observed[5]);
-    EXPECT_TRUE(
-        std::ranges::any_of(result.warnings, [](const Message& each) { return each.is(messages::trustDepthMoved); }));
+    EXPECT_TRUE(std::ranges::any_of(result.warnings,
+                                    [](const Message& each) { return each.is(messages::depthChangeUndetermined); }));
 }
 
 TEST(DepthConstraint, ADepthThatTheImageTellsIsLeftAlone)

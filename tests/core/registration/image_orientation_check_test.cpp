@@ -68,7 +68,7 @@ TEST(ImageOrientationCheck, IsStoppedWhereTheFitIsDone)
     const auto stopAfterTheFit = [&](const IterationReport& report) {
         asked += report.iteration == last ? 1 : 0;
         last = report.iteration;
-        return asked > 0 ? Verdict::Stop : Verdict::Continue;
+        return asked > 0 ? ObserverDecision::Stop : ObserverDecision::Continue;
     };
     const RegistrationResult result = registerVessels(inputOf(leftToRight), {}, stopAfterTheFit).value();
     EXPECT_EQ(asked, 1) << "nobody is asked again once stopped";
@@ -90,18 +90,18 @@ TEST(ImageOrientationCheck, NamesATurnedImageUnlessItIsFoundTurned)
 /// A patient lying feet first, with a device that counts the angles as if the patient were lying head first.
 TEST(ImageOrientationCheck, NamesAnglesCountedFromTheTable)
 {
-    const TableReading reading{PatientPosition::FFS, {-10.0, 5.0, 180.0}, patientFromTable(PatientPosition::FFS)};
+    const TableAngles reading{PatientPosition::FFS, {-10.0, 5.0, 180.0}, patientFromTable(PatientPosition::FFS)};
     RegistrationInput input = inputOf([](const Eigen::Vector2d& at) { return at; });
     const Eigen::Vector3d pivot = centroidInPatient(input.tree);
     input.initialCameraFromPatient =
         input.initialCameraFromPatient * RigidTransform{reading.turn, pivot - reading.turn * pivot};
     const RegistrationResult unknown = registerVessels(input).value();
     EXPECT_FALSE(unknown.trustworthy);
-    EXPECT_FALSE(isSaid(unknown, messages::frameCountedFromTable));
-    input.tableReading = reading;   // the reading is its own inverse
+    EXPECT_FALSE(isSaid(unknown, messages::frameAnglesFromTable));
+    input.tableAngles = reading;   // the reading is its own inverse
     const RegistrationResult result = registerVessels(input).value();
     EXPECT_FALSE(result.trustworthy);
-    ASSERT_TRUE(isSaid(result, messages::frameCountedFromTable));
+    ASSERT_TRUE(isSaid(result, messages::frameAnglesFromTable));
     EXPECT_NE(result.warnings.front().text().find("LAO/RAO -10.0°, CRA/CAU 5.0°, roll 180.0°"), std::string::npos)
         << result.warnings.front().text();
 }

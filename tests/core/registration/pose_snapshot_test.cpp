@@ -19,7 +19,7 @@ PoseSnapshot snapshot(SnapshotKind kind, const std::string& name)
 TEST(PoseSnapshot, DropsOldRunsButNothingThatWasKept)
 {
     std::vector<PoseSnapshot> snapshots;
-    snapshots = withSnapshot(snapshots, snapshot(SnapshotKind::Kept, "mine"), 2);
+    snapshots = withSnapshot(snapshots, snapshot(SnapshotKind::Saved, "mine"), 2);
     for (const char* name : {"first", "second", "third"}) {
         snapshots = withSnapshot(snapshots, snapshot(SnapshotKind::Run, name), 2);
     }
@@ -33,10 +33,10 @@ TEST(PoseSnapshot, DropsOldRunsButNothingThatWasKept)
 TEST(PoseSnapshot, NeverUsesAnIdTwice)
 {
     std::vector<PoseSnapshot> snapshots;
-    snapshots = withSnapshot(snapshots, snapshot(SnapshotKind::Kept, "a"));
-    snapshots = withSnapshot(snapshots, snapshot(SnapshotKind::Kept, "b"));
+    snapshots = withSnapshot(snapshots, snapshot(SnapshotKind::Saved, "a"));
+    snapshots = withSnapshot(snapshots, snapshot(SnapshotKind::Saved, "b"));
     snapshots.erase(snapshots.begin());
-    snapshots = withSnapshot(snapshots, snapshot(SnapshotKind::Kept, "c"));
+    snapshots = withSnapshot(snapshots, snapshot(SnapshotKind::Saved, "c"));
 
     EXPECT_NE(snapshots[0].id, snapshots[1].id);
     ASSERT_TRUE(findSnapshot(snapshots, snapshots[1].id));

@@ -133,7 +133,8 @@ TEST(RegisterVessels, KnowsThatVesselsSeenEdgeOnMaySlideAlongTheirLine)
         EXPECT_LT(result.value().probabilityWithin2Mm.value_or(0.0), 0.8) << "tree " << seed;
         EXPECT_FALSE(result.value().uncertainty.observed[4]) << "tree " << seed;
         EXPECT_GT(result.value().uncertainty.inPlaneMm, 3.0) << "tree " << seed;
-        EXPECT_EQ(std::ranges::count(result.value().warnings, messages::trustShiftUncertain()), 1) << "tree " << seed;
+        EXPECT_EQ(std::ranges::count(result.value().warnings, messages::shiftAlongVesselsUncertain()), 1)
+            << "tree " << seed;
     }
 }
 
@@ -148,7 +149,7 @@ TEST(RegisterVessels, DoesNotCallAFullTreeASinglePathBesideItsVessels)
                 const auto judged = evaluatePose(clean.from(clean.truth), nudged);
                 ASSERT_TRUE(judged);
                 EXPECT_FALSE(judged.value().trustworthy) << "tree " << seed << ", " << asideMm << " mm";
-                EXPECT_EQ(std::ranges::count(judged.value().warnings, messages::trustSinglePath()), 0)
+                EXPECT_EQ(std::ranges::count(judged.value().warnings, messages::singlePathVisible()), 0)
                     << "tree " << seed << ", " << asideMm << " mm";
                 EXPECT_FALSE(judged.value().warnings.empty());
             }
@@ -187,14 +188,14 @@ TEST(RegisterVessels, TrustsASinglePathOnlyWhereItsWidthShowsLumen)
     for (const double deviceMm : {0.0, 1.0}) {   // unknown, or the diameter of a catheter
         const RegistrationResult path = registered(alone, [deviceMm](double) { return deviceMm; });
         EXPECT_FALSE(path.trustworthy);
-        EXPECT_EQ(std::ranges::count(path.warnings, messages::trustSinglePath()), 1);
+        EXPECT_EQ(std::ranges::count(path.warnings, messages::singlePathVisible()), 1);
     }
     const RegistrationResult vessel = registered(alone, [](double radiusMm) { return 0.9 * radiusMm; });
-    EXPECT_TRUE(vessel.signs.isLumen);
-    EXPECT_EQ(std::ranges::count(vessel.warnings, messages::trustSinglePath()), 0);
+    EXPECT_TRUE(vessel.indicators.isLumen);
+    EXPECT_EQ(std::ranges::count(vessel.warnings, messages::singlePathVisible()), 0);
     const RegistrationResult whole = registered(clean.tree, [](double) { return 0.0; });
     EXPECT_TRUE(whole.trustworthy);
-    EXPECT_EQ(std::ranges::count(whole.warnings, messages::trustSinglePath()), 0);
+    EXPECT_EQ(std::ranges::count(whole.warnings, messages::singlePathVisible()), 0);
 }
 
 TEST(RegisterVessels, PriorDoesNotPullVisibly)
@@ -214,7 +215,7 @@ TEST(RegisterVessels, PriorDoesNotPullVisibly)
                                .evaluate(pose, 1.0)
                                .equations.hessian.selfadjointView<Eigen::Lower>();
     NormalEquations pull;
-    startPrior(aboutCentroid(problem.start, problem.tree.centroid), {}).add(pose, noiseVariance(1.0), pull);
+    initialPosePrior(aboutCentroid(problem.start, problem.tree.centroid), {}).add(pose, noiseVariance(1.0), pull);
     const Vector6d bias = image.ldlt().solve(pull.gradient);
     const Vector6d std = result.value().uncertainty.covariance.diagonal().cwiseSqrt();
     EXPECT_LT(bias.cwiseQuotient(std).cwiseAbs().maxCoeff(), 0.05);
@@ -270,7 +271,7 @@ TEST(RegisterVessels, StopKeepsTheBestPoseAtEveryStage)
         const auto result = registerVessels(input, {}, [&](const IterationReport& report) {
             EXPECT_GE(report.progress, last.progress);
             last = report;
-            return ++reports == stopAt ? Verdict::Stop : Verdict::Continue;
+            return ++reports == stopAt ? ObserverDecision::Stop : ObserverDecision::Continue;
         });
         ASSERT_TRUE(result);
         EXPECT_EQ(reports, stopAt) << "went on after the stop";
@@ -334,7 +335,7 @@ std::vector<double> effectOfChoice(const RegistrationResult& result)
 {
     std::vector<double> numbers;
     for (const Message& message : result.warnings) {
-        if (message.is(messages::chosenBranchesFitted)) {
+        if (message.is(messages::auxiliaryBranchesFitted)) {
             for (const MessageArgument& argument : message.arguments()) {
                 numbers.push_back(std::get<Quantity>(argument).value);
             }

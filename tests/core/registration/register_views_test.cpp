@@ -1,7 +1,7 @@
 #include "core/registration/register_views.h"
 
 #include "core/evaluation/trial/projection_error.h"
-#include "core/registration/alignment/joint_solve.h"
+#include "core/registration/alignment/joint_solver.h"
 #include "tests/support/clean_case.h"
 
 #include "core/geometry/angle_units.h"
@@ -32,7 +32,7 @@ struct TwoViews {
     void startOff(const Vector6d& step)
     {
         const Eigen::Vector3d centroid = centroidInPatient(clean.tree);
-        const RigidTransform off = cameraFromPatient(moved(aboutCentroid(truth[0], centroid), step), centroid);
+        const RigidTransform off = cameraFromPatient(retract(aboutCentroid(truth[0], centroid), step), centroid);
         inputs[0].initialCameraFromPatient = off;
         inputs[1].initialCameraFromPatient = truth[1] * truth[0].inverse() * off;
     }
@@ -70,8 +70,8 @@ TEST(JointAlignment, StackedGradientIsThatOfTheSum)
 {
     const TwoViews two;
     const Eigen::Vector3d centroid = centroidInPatient(two.clean.tree);
-    const std::array<PlacedCamera, 2> geometry{PlacedCamera{{}, two.clean.camera},
-                                               {two.truth[1] * two.truth[0].inverse(), two.clean.camera}};
+    const std::array<RelativeCamera, 2> geometry{RelativeCamera{{}, two.clean.camera},
+                                                 {two.truth[1] * two.truth[0].inverse(), two.clean.camera}};
     Vector6d correction;
     correction << 0.02, -0.03, 0.01, 2.0, 1.0, -3.0;
     const JointPose joint{aboutCentroid(two.truth[0], centroid), {Vector6d::Zero(), correction}};
@@ -82,7 +82,7 @@ TEST(JointAlignment, StackedGradientIsThatOfTheSum)
         perView.clear();
         for (std::size_t k = 0; k < 2; ++k) {
             const CentroidPose request =
-                moved(poseInView(joint, geometry, k), (k == 0 ? 0.01 : 0.02) * Vector6d::Ones());
+                retract(poseInView(joint, geometry, k), (k == 0 ? 0.01 : 0.02) * Vector6d::Ones());
             const Vector6d step = stepBetween(request, poseInView(at, geometry, k));
             cost += step.squaredNorm();
             NormalEquations equations;
@@ -94,12 +94,13 @@ TEST(JointAlignment, StackedGradientIsThatOfTheSum)
     };
     std::vector<NormalEquations> perView;
     costAt(joint, perView);
-    const StackedEquations sum = stacked(perView, joint, geometry);
+    const StackedEquations sum = stackEquations(perView, joint, geometry);
     std::vector<NormalEquations> ignored;
     for (int i = 0; i < 12; ++i) {
         Eigen::VectorXd step = Eigen::VectorXd::Zero(12);
         step[i] = 1e-5;
-        const double difference = (costAt(moved(joint, step), ignored) - costAt(moved(joint, -step), ignored)) / 4e-5;
+        const double difference =
+            (costAt(retract(joint, step), ignored) - costAt(retract(joint, -step), ignored)) / 4e-5;
         EXPECT_NEAR(sum.gradient[i], difference, 1e-3 * sum.gradient.norm()) << "parameter " << i;
     }
 }
@@ -128,7 +129,7 @@ TEST(RegisterViews, FindsTheErrorOfTheGeometry)
     Vector6d sag;
     sag << 0.4 * radiansPerDegree, -0.3 * radiansPerDegree, 0.5 * radiansPerDegree, 1.0, -0.8, 0.5;
     const CentroidPose second = aboutCentroid(two.inputs[1].initialCameraFromPatient, centroid);
-    two.inputs[1].initialCameraFromPatient = cameraFromPatient(moved(second, -sag), centroid);
+    two.inputs[1].initialCameraFromPatient = cameraFromPatient(retract(second, -sag), centroid);
     const auto result = registerViews(two.inputs);
     ASSERT_TRUE(result);
     EXPECT_TRUE(result.value().trustworthy);
@@ -161,7 +162,7 @@ TEST(RegisterViews, ReportsTellTheirViewAndNeverFallBack)
         EXPECT_EQ(report.iteration, last.iteration + 1);
         EXPECT_LT(two.error(report.cameraFromPatient, report.view).angleDeg, 30.0) << report.stage << report.iteration;
         last = report;
-        return Verdict::Continue;
+        return ObserverDecision::Continue;
     });
     ASSERT_TRUE(result);
     EXPECT_EQ(last.stage, "joint");
@@ -176,9 +177,9 @@ TEST(RegisterViews, AStopEndsTheJointRefinementAtOnce)
     const auto result = registerViews(two.inputs, {}, {}, [&](const IterationReport& report) {
         if (reportsAfter >= 0 || report.stage == "joint") {
             ++reportsAfter;
-            return Verdict::Stop;
+            return ObserverDecision::Stop;
         }
-        return Verdict::Continue;
+        return ObserverDecision::Continue;
     });
     ASSERT_TRUE(result);
     EXPECT_EQ(reportsAfter, 0);
@@ -186,7 +187,7 @@ TEST(RegisterViews, AStopEndsTheJointRefinementAtOnce)
 }
 
 // The length of a step is that of the motion it causes in any view: a rejected rotation does not count as converged.
-TEST(JointSolve, CountsTurnsAsMotion)
+TEST(JointSolver, CountsTurnsAsMotion)
 {
     for (const Eigen::Index parameter : {1, 7, 9}) {
         EXPECT_GE(jointStepLengthMm(0.1 * Eigen::VectorXd::Unit(12, parameter), 40.0), 0.1) << parameter;
@@ -218,7 +219,7 @@ TEST(RegisterViews, FindsTheSecondViewWhereverTheTableLeftIt)
     two.startOff(typicalStep());
     two.inputs[1].initialCameraFromPatient.translation += Eigen::Vector3d(60.0, -35.0, 40.0);
     MultiViewOptions unknown;
-    unknown.steps = {StepSpread(), StepSpread{0.75, {60.0, 60.0, 30.0}}};
+    unknown.steps = {RelativePoseStd(), RelativePoseStd{0.75, {60.0, 60.0, 30.0}}};
     const auto joint = registerViews(two.inputs, {}, unknown);
     ASSERT_TRUE(joint) << joint.error().message;
     EXPECT_TRUE(joint.value().trustworthy);

@@ -20,7 +20,7 @@ struct BreathingRun {
         Vector6d motion;
         motion << 0.05 * phase, 0.0, 0.01 * phase, 1.0 * phase, 10.0 * phase, -2.0 * phase;
         const Eigen::Vector3d centroid = centroidInPatient(clean.tree);
-        return cameraFromPatient(moved(aboutCentroid(clean.truth, centroid), motion), centroid);
+        return cameraFromPatient(retract(aboutCentroid(clean.truth, centroid), motion), centroid);
     }
 
     Centerline2d targetAt(int frame)
@@ -70,7 +70,7 @@ TEST(FrameTracker, SearchesAfterAJump)
     const Eigen::Vector3d centroid = centroidInPatient(run.clean.tree);
     Vector6d jump = Vector6d::Zero();
     jump[3] = 30.0;   // a table movement
-    run.clean.truth = cameraFromPatient(moved(aboutCentroid(run.clean.truth, centroid), jump), centroid);
+    run.clean.truth = cameraFromPatient(retract(aboutCentroid(run.clean.truth, centroid), jump), centroid);
     for (int frame = 6; frame <= 8; ++frame) {
         const auto tracked = tracker.next(run.targetAt(frame));
         ASSERT_TRUE(tracked);
@@ -93,11 +93,11 @@ TEST(FrameTracker, HearsStopWhileItSearches)
     }
     FrameTracker undisturbed = tracker;
     int heard = 0;
-    const auto count = [&heard](double) { return ++heard, Verdict::Continue; };
+    const auto count = [&heard](double) { return ++heard, ObserverDecision::Continue; };
     ASSERT_TRUE(undisturbed.next(elsewhere, count).value().searched);
     const int whole = heard;
     heard = 0;
-    const auto stop = [&heard](double) { return ++heard, Verdict::Stop; };
+    const auto stop = [&heard](double) { return ++heard, ObserverDecision::Stop; };
     ASSERT_TRUE(tracker.next(elsewhere, stop).value().searched);
     EXPECT_GT(whole, 3);
     EXPECT_LE(heard, 2);
@@ -146,7 +146,7 @@ TEST(MotionModel, LearnsTheAxisOfTheMotion)
     Vector6d step = Vector6d::Zero();
     step[4] = 1.5;
     for (int k = 0; k < 6; ++k) {
-        pose = moved(pose, step);
+        pose = retract(pose, step);
         model.advance(pose);
     }
     EXPECT_LT((stepBetween(pose, model.predict().start) - step).norm(), 1e-9);

@@ -14,12 +14,12 @@ namespace angiopose::core {
 namespace {
 
 constexpr double inside95 = 12.592;   // 95 % quantile of χ² with six degrees of freedom
-const CameraSpread headerSpread{0.029, 8.0};
+const CameraUncertainty headerSpread{0.029, 8.0};
 
 RegistrationInput noisyInput(const test::CleanCase& clean, const RigidTransform& truth, std::uint64_t seed)
 {
     RegistrationInput input = clean.from(truth);
-    input.target = degraded(projectTree(clean.tree, clean.camera, truth), clean.camera, CounterRandom(seed));
+    input.target = addTracingErrors(projectTree(clean.tree, clean.camera, truth), clean.camera, CounterRandom(seed));
     return input;
 }
 
@@ -50,7 +50,7 @@ TEST(WrongGeometry, TheCovarianceHoldsTheTruthOfAWrongDistance)
         RegistrationInput input = noisyInput(clean, clean.truth, 5);
         stretchFocalLength(input, factor);
         const RegistrationResult trusting = registerVessels(input).value();
-        input.cameraSpread = headerSpread;
+        input.cameraUncertainty = headerSpread;
         const RegistrationResult result = registerVessels(input).value();
         const auto nees = [&](const RegistrationResult& each) {
             return normalizedError(clean, clean.truth, each.cameraFromPatient, each.uncertainty.covariance);
@@ -65,7 +65,7 @@ TEST(WrongGeometry, TheDepthIsAsUncertainAsTheFocalLength)
 {
     const test::CleanCase clean(3);
     RegistrationInput input = noisyInput(clean, clean.truth, 5);
-    input.cameraSpread = {0.005, 0.0};   // smaller than what a single view can determine
+    input.cameraUncertainty = {0.005, 0.0};   // smaller than what a single view can determine
     const RegistrationResult result = registerVessels(input).value();
     const double depthMm = (result.cameraFromPatient * centroidInPatient(clean.tree)).z();
     EXPECT_NEAR(result.uncertainty.depthMm, 0.005 * depthMm, 0.1 * 0.005 * depthMm);
@@ -78,7 +78,7 @@ TEST(WrongGeometry, OptionsOverruleWhereTheValuesComeFrom)
     const test::CleanCase clean(3);
     RegistrationInput input = noisyInput(clean, clean.truth, 5);
     const RegistrationResult exact = registerVessels(input).value();
-    input.cameraSpread = headerSpread;
+    input.cameraUncertainty = headerSpread;
     RegistrationOptions options;
     options.geometry.spread = GeometrySpread::None;
     const RegistrationResult none = registerVessels(input, options).value();
@@ -103,7 +103,7 @@ MultiViewResult twoViews(double factor)
     std::array<RegistrationInput, 2> inputs;
     for (std::size_t k = 0; k < 2; ++k) {
         inputs[k] = noisyInput(clean, truth[k], 11 + k);
-        inputs[k].cameraSpread = headerSpread;
+        inputs[k].cameraUncertainty = headerSpread;
         stretchFocalLength(inputs[k], factor);
     }
     return registerViews(inputs).value();

@@ -22,13 +22,13 @@ concept TakesArguments = requires(const Kind& kind, const Arguments&... argument
 static_assert(TakesArguments<decltype(messages::noSuchBranch), int>);
 static_assert(!TakesArguments<decltype(messages::noSuchBranch)>);
 static_assert(!TakesArguments<decltype(messages::noSuchBranch), int, int>);
-static_assert(placesIn("%1 of %2 are within 5 %.") == 2);
+static_assert(placeholderCount("%1 of %2 are within 5 %.") == 2);
 
 TEST(Message, SaysItsArgumentsInEnglish)
 {
     EXPECT_EQ(messages::noSuchBranch(7).text(), "The vessel tree has no branch 7.");
-    EXPECT_EQ(messages::trustBetterAside(inMm(2.44, 1)).text(), "A better fit lies 2.4 mm away.");
-    EXPECT_EQ(messages::trustOutsideImage(Quantity{31.2, 0, "%"}).text(),
+    EXPECT_EQ(messages::betterFitNearby(inMm(2.44, 1)).text(), "A better fit lies 2.4 mm away.");
+    EXPECT_EQ(messages::treeOutsideImage(Quantity{31.2, 0, "%"}).text(),
               "Only 31 % of the vessel tree is inside the image.");
     EXPECT_EQ(messages::noSuchMethod("guess", std::vector<std::string>{"angiopose", "dt-icp"}).text(),
               "There is no method 'guess'. Choose one of: angiopose, dt-icp.");
@@ -46,7 +46,7 @@ TEST(Message, HoldsOtherMessages)
 TEST(Message, IsToldByItsIdWhateverItSays)
 {
     EXPECT_TRUE(messages::noSuchBranch(7).is(messages::noSuchBranch));
-    EXPECT_FALSE(messages::noSuchBranch(7).is(messages::branchTwice));
+    EXPECT_FALSE(messages::noSuchBranch(7).is(messages::duplicateBranchId));
     EXPECT_EQ(messages::noSuchBranch(7).id(), "tree.no-such-branch");
     EXPECT_NE(messages::noSuchBranch(7), messages::noSuchBranch(8));
 }
@@ -66,7 +66,7 @@ TEST(Message, KeepsPercentSignsThatAreNoPlaces)
 
 TEST(Result, TellsStopFromErrors)
 {
-    const Result<int> stopped = Stopped{messages::tracingStopped()};
+    const Result<int> stopped = Cancellation{messages::tracingStopped()};
     const Result<int> failed = Error(messages::volumeEmpty());
 
     EXPECT_TRUE(stopped.isStopped());
@@ -74,7 +74,7 @@ TEST(Result, TellsStopFromErrors)
     EXPECT_FALSE(failed.isStopped());
     EXPECT_EQ(failed.error().message.severity(), Severity::Error);
     EXPECT_FALSE(Result<int>(3).isStopped());
-    EXPECT_TRUE(stopped.error().about("a.nii").isStop());
+    EXPECT_TRUE(stopped.error().about("a.nii").isCancellation());
 }
 
 }   // namespace

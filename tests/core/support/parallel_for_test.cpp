@@ -41,10 +41,10 @@ TEST(AtOnce, WhatEitherPieceThrowsReachesTheCallerAfterBothHaveEnded)
     bool isOtherDone = false;
     const auto fails = [] { throw std::runtime_error("no"); };
     const auto works = [&] { isOtherDone = true; };
-    EXPECT_THROW(atOnce(works, fails), std::runtime_error);
+    EXPECT_THROW(runInParallel(works, fails), std::runtime_error);
     EXPECT_TRUE(isOtherDone);
     isOtherDone = false;
-    EXPECT_THROW(atOnce(fails, works), std::runtime_error);
+    EXPECT_THROW(runInParallel(fails, works), std::runtime_error);
     EXPECT_TRUE(isOtherDone || std::thread::hardware_concurrency() == 1);
 }
 

@@ -39,7 +39,7 @@ VesselBranch leaving()
 
 TEST(AddBranch, LeavesOutWhatRunsInsideAndBeginsOnTheAxis)
 {
-    const VesselTree tree = withBranch(trunk(), leaving()).value();
+    const VesselTree tree = attachBranch(trunk(), leaving()).value();
     ASSERT_EQ(tree.branches.size(), 2U);
     const VesselBranch& added = tree.branches.back();
     EXPECT_EQ(added.id, 5);
@@ -56,8 +56,8 @@ TEST(AddBranch, BeginsInTheTreeWhicheverEndWasPlacedFirst)
 {
     VesselBranch turned = leaving();
     std::ranges::reverse(turned.pointsInPatient);
-    const VesselBranch forth = withBranch(trunk(), leaving()).value().branches.back();
-    const VesselBranch back = withBranch(trunk(), turned).value().branches.back();
+    const VesselBranch forth = attachBranch(trunk(), leaving()).value().branches.back();
+    const VesselBranch back = attachBranch(trunk(), turned).value().branches.back();
     EXPECT_EQ(forth.pointsInPatient, back.pointsInPatient);
 }
 
@@ -67,7 +67,7 @@ TEST(AddBranch, StandsAloneWhereItTouchesNothing)
     for (Eigen::Vector3d& point : away.pointsInPatient) {
         point.z() += 50.0;
     }
-    const VesselBranch added = withBranch(trunk(), away).value().branches.back();
+    const VesselBranch added = attachBranch(trunk(), away).value().branches.back();
     EXPECT_EQ(added.pointsInPatient, away.pointsInPatient);
     EXPECT_EQ(added.generation, -1);
 }
@@ -76,9 +76,9 @@ TEST(AddBranch, RefusesWhatRunsInsideAltogether)
 {
     VesselBranch inside;
     inside.pointsInPatient = {{5.0, 1.0, 0.0}, {10.0, 1.0, 0.0}, {15.0, 1.0, 0.0}};
-    const auto refused = withBranch(trunk(), inside);
+    const auto refused = attachBranch(trunk(), inside);
     ASSERT_FALSE(refused);
-    EXPECT_TRUE(refused.error().message.is(messages::branchRunsInside));
+    EXPECT_TRUE(refused.error().message.is(messages::branchInsideTracedVessels));
 }
 
 TEST(AddBranch, BridgesTwoBranchesAndBelongsToTheOneNearerTheRoot)
@@ -90,7 +90,7 @@ TEST(AddBranch, BridgesTwoBranchesAndBelongsToTheOneNearerTheRoot)
         point.y() += 20.0;
     }
     tree.branches.push_back(other);
-    const VesselBranch added = withBranch(tree, leaving()).value().branches.back();
+    const VesselBranch added = attachBranch(tree, leaving()).value().branches.back();
     EXPECT_EQ(added.generation, 2);
     EXPECT_EQ(added.pointsInPatient.front(), Eigen::Vector3d(20.0, 20.0, 0.0));
     EXPECT_EQ(added.pointsInPatient.back(), Eigen::Vector3d(20.0, 0.0, 0.0));

@@ -51,25 +51,25 @@ std::vector<int> idsInOrder(const VesselTree& tree)
 
 TEST(EditTree, DeletesABranchWithAllThatLeavesIt)
 {
-    EXPECT_EQ(idsInOrder(core::withoutSubtree(smallTree(), 4).value()), (std::vector<int>{1, 6}));
-    EXPECT_EQ(idsInOrder(core::withoutSubtree(smallTree(), 9).value()), (std::vector<int>{1, 4, 6}));
-    EXPECT_FALSE(core::withoutSubtree(smallTree(), 1));
-    EXPECT_FALSE(core::withoutSubtree(smallTree(), 2));
+    EXPECT_EQ(idsInOrder(core::removeSubtree(smallTree(), 4).value()), (std::vector<int>{1, 6}));
+    EXPECT_EQ(idsInOrder(core::removeSubtree(smallTree(), 9).value()), (std::vector<int>{1, 4, 6}));
+    EXPECT_FALSE(core::removeSubtree(smallTree(), 1));
+    EXPECT_FALSE(core::removeSubtree(smallTree(), 2));
 }
 
 TEST(EditTree, PrunesShortAndThinEndBranches)
 {
-    EXPECT_EQ(idsInOrder(core::pruned(smallTree(), 10.0, 0.0).value()), (std::vector<int>{1, 4, 6}));
-    EXPECT_EQ(idsInOrder(core::pruned(smallTree(), 0.0, 1.8).value()), (std::vector<int>{1, 4}));
+    EXPECT_EQ(idsInOrder(core::prunedTree(smallTree(), 10.0, 0.0).value()), (std::vector<int>{1, 4, 6}));
+    EXPECT_EQ(idsInOrder(core::prunedTree(smallTree(), 0.0, 1.8).value()), (std::vector<int>{1, 4}));
     // Branch 4 is thin but supports branch 9 until that is removed.
-    EXPECT_EQ(idsInOrder(core::pruned(smallTree(), 0.0, 3.0).value()), (std::vector<int>{1}));
-    EXPECT_FALSE(core::pruned(smallTree(), 100.0, 0.0));
-    EXPECT_EQ(idsInOrder(core::pruned(smallTree(), 0.0, 0.0).value()), idsInOrder(smallTree()));
+    EXPECT_EQ(idsInOrder(core::prunedTree(smallTree(), 0.0, 3.0).value()), (std::vector<int>{1}));
+    EXPECT_FALSE(core::prunedTree(smallTree(), 100.0, 0.0));
+    EXPECT_EQ(idsInOrder(core::prunedTree(smallTree(), 0.0, 0.0).value()), idsInOrder(smallTree()));
 }
 
 TEST(EditTree, CutsAndJoinsBack)
 {
-    const auto cut = core::cutAt(smallTree(), 1, 29);
+    const auto cut = core::splitAt(smallTree(), 1, 29);
     ASSERT_TRUE(cut);
     EXPECT_EQ(idsInOrder(cut.value()), (std::vector<int>{1, 4, 6, 9, 10}));
     EXPECT_EQ(cut.value().find(1)->pointsInPatient.size(), 30U);
@@ -80,10 +80,10 @@ TEST(EditTree, CutsAndJoinsBack)
     ASSERT_TRUE(again);
     EXPECT_EQ(again.value().find(1)->pointsInPatient, smallTree().find(1)->pointsInPatient);
     EXPECT_EQ(again.value().find(1)->radiusMm, smallTree().find(1)->radiusMm);
-    EXPECT_FALSE(core::cutAt(smallTree(), 1, 0));
-    EXPECT_FALSE(core::cutAt(smallTree(), 1, 59));
-    EXPECT_FALSE(core::cutAt(smallTree(), 1, 600));
-    EXPECT_FALSE(core::cutAt(smallTree(), 2, 5));
+    EXPECT_FALSE(core::splitAt(smallTree(), 1, 0));
+    EXPECT_FALSE(core::splitAt(smallTree(), 1, 59));
+    EXPECT_FALSE(core::splitAt(smallTree(), 1, 600));
+    EXPECT_FALSE(core::splitAt(smallTree(), 2, 5));
 }
 
 TEST(EditTree, JoinsNearestEndsWhicheverWayTheyRun)
@@ -114,7 +114,7 @@ TEST(EditTree, SmoothsNarrowDeformationAndKeepsWideOnesAndEnds)
     for (int n = 0; n <= 100; ++n) {
         tree.branches[0].pointsInPatient.emplace_back(std::sin(n / 16.0) * 10.0 + (n % 2 == 0 ? 0.4 : -0.4), 0.0, n);
     }
-    const auto smooth = core::smoothedBranch(tree, 3, 8.0);
+    const auto smooth = core::smoothBranch(tree, 3, 8.0);
     ASSERT_TRUE(smooth);
     const auto& points = smooth.value().branches[0].pointsInPatient;
     EXPECT_EQ(points.front(), tree.branches[0].pointsInPatient.front());
@@ -122,7 +122,7 @@ TEST(EditTree, SmoothsNarrowDeformationAndKeepsWideOnesAndEnds)
     for (std::size_t n = 10; n < 90; ++n) {
         EXPECT_NEAR(points[n].x(), std::sin(static_cast<double>(n) / 16.0) * 10.0, 0.25);
     }
-    EXPECT_FALSE(core::smoothedBranch(tree, 4, 8.0));
+    EXPECT_FALSE(core::smoothBranch(tree, 4, 8.0));
 }
 
 TEST(EditTree, RenamesOneBranch)
@@ -136,7 +136,7 @@ TEST(EditTree, RenamesOneBranch)
 
 TEST(RootTree, KeepsATreeThatHasItsRootAlready)
 {
-    const VesselTree rooted = core::rootedAt(smallTree(), {1, 0, -2});
+    const VesselTree rooted = core::rootTreeAt(smallTree(), {1, 0, -2});
     EXPECT_EQ(idsInOrder(rooted), idsInOrder(smallTree()));
     for (std::size_t b = 0; b < 4; ++b) {
         EXPECT_EQ(rooted.branches[b].generation, smallTree().branches[b].generation);
@@ -146,7 +146,7 @@ TEST(RootTree, KeepsATreeThatHasItsRootAlready)
 
 TEST(RootTree, TurnsTheTrunkAroundForARootAtItsOtherEnd)
 {
-    const VesselTree rooted = core::rootedAt(smallTree(), {0, 0, 65});
+    const VesselTree rooted = core::rootTreeAt(smallTree(), {0, 0, 65});
     ASSERT_EQ(rooted.branches.size(), 4U);
     EXPECT_EQ(rooted.branches[0].id, 1);
     EXPECT_EQ(rooted.branches[0].pointsInPatient.front(), Eigen::Vector3d(0, 0, 60));
@@ -156,7 +156,7 @@ TEST(RootTree, TurnsTheTrunkAroundForARootAtItsOtherEnd)
 
 TEST(RootTree, PartsTheBranchThatIsEnteredInItsMiddle)
 {
-    const VesselTree rooted = core::rootedAt(smallTree(), {32, 0, 20});
+    const VesselTree rooted = core::rootTreeAt(smallTree(), {32, 0, 20});
     ASSERT_EQ(rooted.branches.size(), 5U);
     EXPECT_EQ(rooted.branches[0].id, 4);
     EXPECT_EQ(rooted.branches[0].pointsInPatient.front(), Eigen::Vector3d(30, 0, 20));
@@ -182,11 +182,11 @@ TEST(RootTree, StartsOtherPiecesAtTheirThickEnd)
     VesselTree tree = smallTree();
     tree.branches.push_back(straightBranch(12, {100, 0, 0}, {100, 0, 20}, 1.0));
     tree.branches.back().radiusMm.back() = 9.0;
-    const VesselTree rooted = core::rootedAt(tree, {0, 0, 0});
+    const VesselTree rooted = core::rootTreeAt(tree, {0, 0, 0});
     EXPECT_EQ(rooted.branches.back().id, 12);
     EXPECT_EQ(rooted.branches.back().generation, 0);
     EXPECT_EQ(rooted.branches.back().pointsInPatient.front(), Eigen::Vector3d(100, 0, 20));
-    EXPECT_TRUE(core::rootedAt({}, {0, 0, 0}).branches.empty());
+    EXPECT_TRUE(core::rootTreeAt({}, {0, 0, 0}).branches.empty());
 }
 
 TEST(TreeGaps, SeesNoneInAWholeTree)
@@ -219,16 +219,16 @@ TEST(TreeGaps, AreClosedByJoiningEndsOrLeadingOnToASide)
     VesselTree tree = smallTree();
     tree.branches.push_back(straightBranch(12, {36, 0.5, 20}, {50, 1, 20}, 1.8));
     tree.branches.push_back(straightBranch(13, {0, 9, 50}, {0, 30, 50}, 1.0));
-    EXPECT_EQ(core::pieceCount(tree), 3);
+    EXPECT_EQ(core::componentCount(tree), 3);
 
     for (int round = 0; round < 2; ++round) {
         const std::vector<core::TreeGap> gaps = core::findGaps(tree);
         ASSERT_FALSE(gaps.empty());
-        const auto whole = core::mended(tree, gaps.front());
+        const auto whole = core::closeGap(tree, gaps.front());
         ASSERT_TRUE(whole) << whole.error().message;
         tree = whole.value();
     }
-    EXPECT_EQ(core::pieceCount(tree), 1);
+    EXPECT_EQ(core::componentCount(tree), 1);
     EXPECT_EQ(tree.branches.size(),
               smallTree().branches.size() + 1);   // one pair is joined, branch 13 is extended to the trunk
     EXPECT_NEAR(tree.find(13)->pointsInPatient.front().y(), 0.0, 1e-9);
@@ -238,16 +238,16 @@ TEST(TreeGaps, AreClosedByJoiningEndsOrLeadingOnToASide)
 
 TEST(EditTree, CountsABranchAsAskedAndFindsItsNearestPoint)
 {
-    EXPECT_EQ(core::withGeneration(smallTree(), 4, 3).value().find(4)->generation, 3);
-    EXPECT_EQ(core::withGeneration(smallTree(), 4, -7).value().find(4)->generation, -1);
-    EXPECT_FALSE(core::withGeneration(smallTree(), 99, 1));
+    EXPECT_EQ(core::assignGeneration(smallTree(), 4, 3).value().find(4)->generation, 3);
+    EXPECT_EQ(core::assignGeneration(smallTree(), 4, -7).value().find(4)->generation, -1);
+    EXPECT_FALSE(core::assignGeneration(smallTree(), 99, 1));
     const std::size_t point = core::nearestPoint(smallTree(), 1, {2, 0, 31.2});
     EXPECT_NEAR(smallTree().find(1)->pointsInPatient[point].z(), 31.0, 1.01);
 }
 
 TEST(EditTree, LeadsABranchOnFromEitherEnd)
 {
-    const auto longer = core::extendedTo(smallTree(), {1, false}, {0, 0, -8});
+    const auto longer = core::extendTo(smallTree(), {1, false}, {0, 0, -8});
     ASSERT_TRUE(longer);
     EXPECT_EQ(longer.value().find(1)->pointsInPatient.front(), Eigen::Vector3d(0, 0, -8));
     EXPECT_NEAR(longer.value().find(1)->lengthMm(), smallTree().find(1)->lengthMm() + 8.0, 1e-9);

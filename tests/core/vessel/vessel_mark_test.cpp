@@ -2,7 +2,7 @@
 
 #include "core/geometry/projection_camera.h"
 #include "core/geometry/rigid_transform.h"
-#include "core/vessel/place_on_tree.h"
+#include "core/vessel/tree_position.h"
 
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>
@@ -50,14 +50,14 @@ TEST(VesselMark, ProjectsAsTheOutlineOfItsDisc)
 TEST(VesselMark, TangentAndRadiusAreThoseOfTheBranch)
 {
     const VesselTree tree = bow();
-    const auto place = nearestPlace(tree, tree.branches[0].pointsInPatient[20]);
+    const auto place = nearestPosition(tree, tree.branches[0].pointsInPatient[20]);
     ASSERT_TRUE(place);
     const double angle = std::numbers::pi * 20 / 60.0;
     const Eigen::Vector3d tangent =
         Eigen::Vector3d(-30.0 * std::sin(angle), 30.0 * std::cos(angle), 0.1 * 60.0 / std::numbers::pi).normalized();
     EXPECT_GT(directionAt(tree, *place).dot(tangent), 0.9999);
     EXPECT_NEAR(*radiusAt(tree, *place), 1.2, 1e-9);
-    const auto end = nearestPlace(tree, tree.branches[0].pointsInPatient.back());
+    const auto end = nearestPosition(tree, tree.branches[0].pointsInPatient.back());
     EXPECT_NEAR(directionAt(tree, *end).norm(), 1.0, 1e-12);
     EXPECT_NEAR(*radiusAt(tree, *end), 1.6, 1e-9);
     VesselTree bare = tree;
@@ -74,15 +74,15 @@ TEST(VesselMark, GoesWithDeformedVessels)
         point = turn * point + Eigen::Vector3d(3, 2, 1);
     }
     VesselMark ring{1, VesselMarkKind::OstiumRing, "", tree.branches[0].pointsInPatient[31], {}, 1.0};
-    ring.normal = directionAt(tree, *nearestPlace(tree, ring.pointInPatient));
-    const VesselMark with = movedWith(tree, moved, ring);
+    ring.normal = directionAt(tree, *nearestPosition(tree, ring.pointInPatient));
+    const VesselMark with = moveWithVessels(tree, moved, ring);
     EXPECT_LT((with.pointInPatient - (turn * ring.pointInPatient + Eigen::Vector3d(3, 2, 1))).norm(), 1e-9);
     EXPECT_GT(with.normal.dot(turn * ring.normal), 1.0 - 1e-9);
-    EXPECT_LT((movedWith(moved, tree, with).pointInPatient - ring.pointInPatient).norm(), 1e-9);
+    EXPECT_LT((moveWithVessels(moved, tree, with).pointInPatient - ring.pointInPatient).norm(), 1e-9);
     VesselTree other = moved;
     other.branches[0].pointsInPatient.pop_back();
-    EXPECT_EQ(movedWith(tree, other, ring), ring);
-    EXPECT_EQ(movedWith({}, {}, ring), ring);
+    EXPECT_EQ(moveWithVessels(tree, other, ring), ring);
+    EXPECT_EQ(moveWithVessels({}, {}, ring), ring);
 }
 
 TEST(VesselMark, IdsAreNotUsedTwice)

@@ -113,13 +113,13 @@ core::VesselTree stretch(double length, double radius)
 TEST(VesselTree, DoubtsLengthsAndWidthsThatNoVesselsHave)
 {
     EXPECT_DOUBLE_EQ(core::acrossMm(stretch(120.0, 1.5)), 120.0);
-    EXPECT_TRUE(core::isUsualSize(stretch(120.0, 1.5)));
-    EXPECT_FALSE(core::isUsualSize(stretch(0.12, 0.0015))) << "metres";
-    EXPECT_FALSE(core::isUsualSize(stretch(12.0, 0.1))) << "centimeters, recognized by the width alone";
-    EXPECT_FALSE(core::isUsualSize(stretch(120000.0, 1500.0))) << "micrometres";
+    EXPECT_TRUE(core::isPlausibleSize(stretch(120.0, 1.5)));
+    EXPECT_FALSE(core::isPlausibleSize(stretch(0.12, 0.0015))) << "metres";
+    EXPECT_FALSE(core::isPlausibleSize(stretch(12.0, 0.1))) << "centimeters, recognized by the width alone";
+    EXPECT_FALSE(core::isPlausibleSize(stretch(120000.0, 1500.0))) << "micrometres";
     core::VesselTree bare = stretch(120.0, 1.5);
     bare.branches[0].radiusMm.clear();
-    EXPECT_TRUE(core::isUsualSize(bare));
+    EXPECT_TRUE(core::isPlausibleSize(bare));
 }
 
 }   // namespace

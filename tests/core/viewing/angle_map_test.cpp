@@ -23,15 +23,15 @@ VesselTree straightTree(const Eigen::Vector3d& along)
     return {{{1, "", {-20.0 * along, 20.0 * along}, {2.0, 2.0}, -1}}};
 }
 
-PartSight sightOfBranch(const VesselTree& tree, int branchId)
+ViewEvaluator sightOfBranch(const VesselTree& tree, int branchId)
 {
-    const auto all = vesselPiecesOf(tree);
-    return {piecesOfBranch(all, branchId), all};
+    const auto all = vesselSegmentsOf(tree);
+    return {branchSegments(all, branchId), all};
 }
 
 AngleMap mapOf(const VesselTree& tree, int branchId, const View& view, const AngleMapOptions& options = {})
 {
-    return mapAngles(sightOfBranch(tree, branchId), turningGantry(view).value(), options).value();
+    return computeAngleMap(sightOfBranch(tree, branchId), poseForGantryAngles(view).value(), options).value();
 }
 
 TEST(AngleMap, LooksFromTheSideAtAVesselThatRunsForwards)
@@ -69,8 +69,8 @@ TEST(AngleMap, FindsWhatBruteForceFinds)
     for (const std::uint64_t seed : {1, 2, 3}) {
         const VesselTree tree = growTree(seed, {}).tree;
         const View view = viewAt(tree, 0.0, 0.0);
-        const PoseAtAngles poseAt = turningGantry(view).value();
-        const PartSight sight = sightOfBranch(tree, tree.branches[3].id);
+        const PoseAtAngles poseAt = poseForGantryAngles(view).value();
+        const ViewEvaluator sight = sightOfBranch(tree, tree.branches[3].id);
         const AngleMap map = mapOf(tree, tree.branches[3].id, view);
         double least = std::numeric_limits<double>::infinity();
         GantryAngles brute;
@@ -105,13 +105,15 @@ TEST(AngleMap, StopsAndRefuses)
 {
     const VesselTree tree = straightTree(Eigen::Vector3d::UnitY());
     const View view = viewAt(tree, 0.0, 0.0);
-    const PoseAtAngles poseAt = turningGantry(view).value();
-    const PartSight sight = sightOfBranch(tree, 1);
-    EXPECT_TRUE(mapAngles(sight, poseAt, {}, [](double) { return Verdict::Stop; }).error().isStop());
-    EXPECT_EQ(mapAngles(sight, poseAt, {{10, -10}, {-40, 40}, 2.5, 1}).error().message.id(), "angles.range-odd");
-    EXPECT_EQ(mapAngles(sight, poseAt, {{-90, 90}, {-95, 40}, 2.5, 1}).error().message.id(), "angles.range-odd");
-    EXPECT_EQ(mapAngles(sight, poseAt, {{-90, NAN}, {-40, 40}, 2.5, 1}).error().message.id(), "angles.range-odd");
-    EXPECT_EQ(mapAngles(sight, poseAt, {{-90, 90}, {-40, 40}, 0.1, 1}).error().message.id(), "angles.step-too-fine");
+    const PoseAtAngles poseAt = poseForGantryAngles(view).value();
+    const ViewEvaluator sight = sightOfBranch(tree, 1);
+    EXPECT_TRUE(
+        computeAngleMap(sight, poseAt, {}, [](double) { return ObserverDecision::Stop; }).error().isCancellation());
+    EXPECT_EQ(computeAngleMap(sight, poseAt, {{10, -10}, {-40, 40}, 2.5, 1}).error().message.id(), "angles.range-odd");
+    EXPECT_EQ(computeAngleMap(sight, poseAt, {{-90, 90}, {-95, 40}, 2.5, 1}).error().message.id(), "angles.range-odd");
+    EXPECT_EQ(computeAngleMap(sight, poseAt, {{-90, NAN}, {-40, 40}, 2.5, 1}).error().message.id(), "angles.range-odd");
+    EXPECT_EQ(computeAngleMap(sight, poseAt, {{-90, 90}, {-40, 40}, 0.1, 1}).error().message.id(),
+              "angles.step-too-fine");
 }
 
 TEST(TurnedGantry, StandsWhereItStoodAndNeedsAngles)
@@ -119,14 +121,14 @@ TEST(TurnedGantry, StandsWhereItStoodAndNeedsAngles)
     const VesselTree tree = growTree(1, {}).tree;
     View view = viewAt(tree, 20.0, -10.0);
     const GantryAngles now = gantryAnglesOf(view).value();
-    EXPECT_TRUE(turningGantry(view).value()(now).rotation.isApprox(view.cameraFromPatient.rotation, 1e-12));
-    EXPECT_TRUE(turningGantry(view).value()(now).translation.isApprox(view.cameraFromPatient.translation, 1e-9));
-    const RigidTransform elsewhere = turningGantry(view).value()({-30.0, 5.0});
+    EXPECT_TRUE(poseForGantryAngles(view).value()(now).rotation.isApprox(view.cameraFromPatient.rotation, 1e-12));
+    EXPECT_TRUE(poseForGantryAngles(view).value()(now).translation.isApprox(view.cameraFromPatient.translation, 1e-9));
+    const RigidTransform elsewhere = poseForGantryAngles(view).value()({-30.0, 5.0});
     EXPECT_TRUE(elsewhere.rotation.isApprox(viewAt(tree, -30.0, 5.0).cameraFromPatient.rotation, 1e-12));
     EXPECT_TRUE(elsewhere.translation.isApprox(viewAt(tree, -30.0, 5.0).cameraFromPatient.translation, 1e-9));
     view.geometry.cArm.primaryAngleDeg = {};
     EXPECT_FALSE(gantryAnglesOf(view));
-    EXPECT_EQ(turningGantry(view).error().message.id(), "geometry.angles-missing");
+    EXPECT_EQ(poseForGantryAngles(view).error().message.id(), "geometry.angles-missing");
 }
 
 }   // namespace

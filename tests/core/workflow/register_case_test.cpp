@@ -18,24 +18,24 @@ namespace {
 
 using Views = RegistrationPlan::Views;
 
-TEST(Course, NeverFallsAndRemembersAStop)
+TEST(ProgressReporter, NeverFallsAndRemembersAStop)
 {
     std::vector<double> reported;
     const WorkObserver observe = [&reported](const WorkReport& report) {
         reported.push_back(report.fraction);
-        return reported.size() < 4 ? Verdict::Continue : Verdict::Stop;
+        return reported.size() < 4 ? ObserverDecision::Continue : ObserverDecision::Stop;
     };
-    Course course(observe);
-    course.enter(0.5, 1.0, 3);
-    EXPECT_EQ(course.tell("a", 0.5), Verdict::Continue);
-    course.enter(0.0, 0.5, 3);   // out of order
-    EXPECT_EQ(course.tell("b", 1.0), Verdict::Continue);
-    course.enter(0.0, 1.0, 3);
-    EXPECT_EQ(course.tell("b", 7.0), Verdict::Continue);
-    EXPECT_EQ(course.tell("b", 1.0), Verdict::Stop);
-    EXPECT_EQ(course.tell("b", 1.0), Verdict::Stop);
+    ProgressReporter progress(observe);
+    progress.enter(0.5, 1.0, 3);
+    EXPECT_EQ(progress.report("a", 0.5), ObserverDecision::Continue);
+    progress.enter(0.0, 0.5, 3);   // out of order
+    EXPECT_EQ(progress.report("b", 1.0), ObserverDecision::Continue);
+    progress.enter(0.0, 1.0, 3);
+    EXPECT_EQ(progress.report("b", 7.0), ObserverDecision::Continue);
+    EXPECT_EQ(progress.report("b", 1.0), ObserverDecision::Stop);
+    EXPECT_EQ(progress.report("b", 1.0), ObserverDecision::Stop);
     EXPECT_EQ(reported, (std::vector{0.75, 0.75, 1.0, 1.0}));
-    EXPECT_TRUE(course.isStopped());
+    EXPECT_TRUE(progress.isStopped());
 }
 
 TEST(RegisterCase, TellsOfEachViewAndItsProgressNeverFalls)
@@ -53,12 +53,12 @@ TEST(RegisterCase, TellsOfEachViewAndItsProgressNeverFalls)
             const RigidTransform& pose = report.iteration->cameraFromPatient;
             EXPECT_LT((pose.translation - values.views[report.view].cameraFromPatient.translation).norm(), 150.0);
         }
-        return Verdict::Continue;
+        return ObserverDecision::Continue;
     });
     ASSERT_TRUE(run) << run.error().message;
     EXPECT_FALSE(hasFallen);
     EXPECT_EQ(views, (std::set<std::size_t>{0, 1}));
-    EXPECT_EQ(run.value().places, (std::vector<std::size_t>{1, 0}));
+    EXPECT_EQ(run.value().viewIndices, (std::vector<std::size_t>{1, 0}));
     ASSERT_TRUE(run.value().joint);
     for (const View& view : run.value().session.views) {
         ASSERT_TRUE(view.result);
@@ -236,13 +236,13 @@ TEST(RegisterCase, SaysWhichViewHasNoImage)
     EXPECT_NE(all.error().message.text().find("lost.dcm"), std::string::npos);
     const auto loaded = registerCase(values, {Views::Loaded});
     ASSERT_TRUE(loaded);
-    EXPECT_EQ(loaded.value().places, std::vector<std::size_t>{0});
+    EXPECT_EQ(loaded.value().viewIndices, std::vector<std::size_t>{0});
 }
 
 TEST(RegisterCase, HearsStopInEveryView)
 {
     const Case values = test::twoViewCase();
-    const auto stopped = registerCase(values, {}, [](const WorkReport&) { return Verdict::Stop; });
+    const auto stopped = registerCase(values, {}, [](const WorkReport&) { return ObserverDecision::Stop; });
     EXPECT_TRUE(stopped.isStopped());   // before any pose exists
     for (const std::size_t view : {0U, 1U}) {
         int late = 0;
@@ -250,7 +250,7 @@ TEST(RegisterCase, HearsStopInEveryView)
         const auto kept = registerCase(values, {}, [&](const WorkReport& report) {
             late += isSaid ? 1 : 0;
             isSaid = isSaid || (report.iteration && report.view == view);
-            return isSaid ? Verdict::Stop : Verdict::Continue;
+            return isSaid ? ObserverDecision::Stop : ObserverDecision::Continue;
         });
         ASSERT_TRUE(kept) << kept.error().message;
         EXPECT_EQ(late, 0);
@@ -282,14 +282,14 @@ TEST(RegisterCase, DeformationsTheVesselsWhereTheOptionAsksForIt)
         EXPECT_GE(report.fraction, last);
         last = report.fraction;
         hasDeformed = hasDeformed || report.stage == "bending";
-        return Verdict::Continue;
+        return ObserverDecision::Continue;
     });
     ASSERT_TRUE(run) << run.error().message;
     EXPECT_TRUE(hasDeformed);
     ASSERT_TRUE(run.value().result().deformed);
     for (const View& view : run.value().session.views) {   // each stores it with its own view as the first
         ASSERT_TRUE(view.result->deformed);
-        EXPECT_TRUE(isOf(*values.vessels.tree, *view.result->deformed));
+        EXPECT_TRUE(isCompatible(*values.vessels.tree, *view.result->deformed));
         ASSERT_EQ(view.result->deformed->viewPoses.size(), 2u);
         EXPECT_EQ(view.result->deformed->cameraFromPatient.matrix(), view.result->deformed->viewPoses[0].matrix());
         const Eigen::Vector3d centroid = centroidInPatient(*values.vessels.tree);
@@ -302,7 +302,7 @@ TEST(RegisterCase, DeformationsTheVesselsWhereTheOptionAsksForIt)
 
     // Stopped during the deformation: the rigid pose is kept but marked not reliable, because its check was incomplete.
     const auto stopped = registerCase(values, plan, [](const WorkReport& report) {
-        return report.stage == "bending" ? Verdict::Stop : Verdict::Continue;
+        return report.stage == "bending" ? ObserverDecision::Stop : ObserverDecision::Continue;
     });
     ASSERT_TRUE(stopped);
     EXPECT_EQ(stopped.value().result().stopReason, StopReason::StoppedByUser);
@@ -310,8 +310,9 @@ TEST(RegisterCase, DeformationsTheVesselsWhereTheOptionAsksForIt)
     EXPECT_EQ(stopped.value().result().deformed->stopReason, StopReason::StoppedByUser);
 
     // Stopped earlier: the deformation was not started.
-    const auto early = registerCase(
-        values, plan, [](const WorkReport& report) { return report.iteration ? Verdict::Stop : Verdict::Continue; });
+    const auto early = registerCase(values, plan, [](const WorkReport& report) {
+        return report.iteration ? ObserverDecision::Stop : ObserverDecision::Continue;
+    });
     ASSERT_TRUE(early);
     EXPECT_FALSE(early.value().result().deformed);
 }

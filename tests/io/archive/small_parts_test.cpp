@@ -14,18 +14,18 @@ namespace {
 
 TEST(DimseCommand, ComesBackAsItWent)
 {
-    io::DimseCommand command(io::DimseKind::StoreRequest, 7, "1.2.3");
-    command.setText(io::DimseCommand::affectedInstance, "1.2.3.4");
+    io::DimseCommand command(io::DimseMessageType::StoreRequest, 7, "1.2.3");
+    command.setText(io::DimseCommand::affectedSopInstance, "1.2.3.4");
     command.setHasData();
     const std::string bytes = command.encoded();
     const auto decoded = io::DimseCommand::decode(bytes);
     ASSERT_TRUE(decoded);
-    EXPECT_EQ(decoded->kind(), io::DimseKind::StoreRequest);
-    EXPECT_EQ(decoded->text(io::DimseCommand::affectedInstance), "1.2.3.4");
+    EXPECT_EQ(decoded->kind(), io::DimseMessageType::StoreRequest);
+    EXPECT_EQ(decoded->text(io::DimseCommand::affectedSopInstance), "1.2.3.4");
     EXPECT_TRUE(decoded->hasData());
     const auto answer = decoded->response(io::dimse::success);
-    EXPECT_EQ(answer.kind(), io::DimseKind::StoreResponse);
-    EXPECT_EQ(answer.number(io::DimseCommand::respondedId), 7);
+    EXPECT_EQ(answer.kind(), io::DimseMessageType::StoreResponse);
+    EXPECT_EQ(answer.number(io::DimseCommand::respondedMessageId), 7);
     for (std::size_t size = 1; size < bytes.size(); ++size) {   // truncated anywhere: no command, or a shorter one
         (void)io::DimseCommand::decode(std::string_view(bytes).substr(0, size));
     }
@@ -34,7 +34,7 @@ TEST(DimseCommand, ComesBackAsItWent)
 
 TEST(Identifier, SaysThatItsTextsAreUtf8)
 {
-    const auto data = io::decodedIdentifier(io::encodedIdentifier({{0x00100010, "Müller"}, {0x0020000d, "1.2.3"}}));
+    const auto data = io::decodeIdentifier(io::encodeIdentifier({{0x00100010, "Müller"}, {0x0020000d, "1.2.3"}}));
     EXPECT_EQ(data.text(0x00080005), "ISO_IR 192");
     EXPECT_EQ(data.text(0x00100010), "Müller");
     EXPECT_EQ(data.text(0x0020000d), "1.2.3");
@@ -42,12 +42,12 @@ TEST(Identifier, SaysThatItsTextsAreUtf8)
 
 TEST(ArchiveQuery, TakesDatesAndRanges)
 {
-    EXPECT_EQ(io::queryDates("2024-01-31").value(), "20240131");
-    EXPECT_EQ(io::queryDates("20240131..2024-02-01").value(), "20240131-20240201");
-    EXPECT_EQ(io::queryDates("2024-01-31..").value(), "20240131-");
-    EXPECT_EQ(io::queryDates("").value(), "");
+    EXPECT_EQ(io::parseQueryDates("2024-01-31").value(), "20240131");
+    EXPECT_EQ(io::parseQueryDates("20240131..2024-02-01").value(), "20240131-20240201");
+    EXPECT_EQ(io::parseQueryDates("2024-01-31..").value(), "20240131-");
+    EXPECT_EQ(io::parseQueryDates("").value(), "");
     for (const char* wrong : {"..", "yesterday", "2024-13-01", "2024-01-01..x"}) {
-        EXPECT_FALSE(io::queryDates(wrong)) << wrong;
+        EXPECT_FALSE(io::parseQueryDates(wrong)) << wrong;
     }
 }
 
@@ -99,26 +99,26 @@ TEST(Multipart, EndlessHeadersAreRefused)
 {
     bool isClosed = false;
     EXPECT_TRUE(partsOf("--b\r\nA: " + std::string(100'000, 'x'), 1000, isClosed).empty());
-    EXPECT_EQ(io::boundaryOf("multipart/related; type=\"application/dicom\"; boundary=\"a b\""), "a b");
-    EXPECT_EQ(io::boundaryOf("Multipart/Related; Boundary=xyz; type=y"), "xyz");
-    EXPECT_FALSE(io::boundaryOf("application/dicom"));
-    EXPECT_FALSE(io::boundaryOf("multipart/related; boundary=" + std::string(71, 'x')));
+    EXPECT_EQ(io::parseBoundary("multipart/related; type=\"application/dicom\"; boundary=\"a b\""), "a b");
+    EXPECT_EQ(io::parseBoundary("Multipart/Related; Boundary=xyz; type=y"), "xyz");
+    EXPECT_FALSE(io::parseBoundary("application/dicom"));
+    EXPECT_FALSE(io::parseBoundary("multipart/related; boundary=" + std::string(71, 'x')));
 }
 
 TEST(DicomJson, ReadsMatchesAndRefusesOther)
 {
-    const auto found = io::matchesOfJson(
+    const auto found = io::parseMatches(
         R"([{"00100010":{"vr":"PN","Value":[{"Alphabetic":"A^B"}]},"0020000D":{"vr":"UI","Value":["1.2"]},
              "00080061":{"vr":"CS","Value":["CT","XA"]},"00201208":{"vr":"IS","Value":[3]}}])");
     ASSERT_TRUE(found);
     EXPECT_EQ(found.value().at(0).patientName, "A^B");
     EXPECT_EQ(found.value().at(0).modalities, "CT\\XA");
     EXPECT_EQ(found.value().at(0).objects, 3);
-    EXPECT_TRUE(io::matchesOfJson("").value().empty());
+    EXPECT_TRUE(io::parseMatches("").value().empty());
     for (const char* wrong : {"{", "{}", "[1]", "<html>"}) {
-        EXPECT_FALSE(io::matchesOfJson(wrong)) << wrong;
+        EXPECT_FALSE(io::parseMatches(wrong)) << wrong;
     }
-    EXPECT_TRUE(io::matchesOfJson(R"([{"00100010":7,"0020000D":{"Value":{}}}])"));
+    EXPECT_TRUE(io::parseMatches(R"([{"00100010":7,"0020000D":{"Value":{}}}])"));
 }
 
 TEST(NodeFile, KeepsNodesAndNamesWhatIsWrong)
@@ -134,7 +134,7 @@ TEST(NodeFile, KeepsNodesAndNamesWhatIsWrong)
     node.isTls = true;
     node.keyFile = "/k.pem";
     node.certificateFile = "/c.pem";
-    node.checksHost = false;
+    node.verifiesHost = false;
     settings.nodes = {node};
     ASSERT_TRUE(io::writeArchiveSettings(settings, path));
     const auto read = io::readArchiveSettings(path);
@@ -143,7 +143,7 @@ TEST(NodeFile, KeepsNodesAndNamesWhatIsWrong)
     const auto found = io::findNode(read.value(), "pacs", path);
     ASSERT_TRUE(found);
     EXPECT_EQ(found.value().keyFile, "/k.pem");
-    EXPECT_FALSE(found.value().checksHost);
+    EXPECT_FALSE(found.value().verifiesHost);
     const auto unknown = io::findNode(read.value(), "pax", path);
     ASSERT_FALSE(unknown);
     EXPECT_NE(unknown.error().message.text().find("known: pacs"), std::string::npos);

@@ -7,7 +7,7 @@
 namespace angiopose::test {
 namespace {
 
-using io::ArchiveWay;
+using io::ArchiveProtocol;
 
 io::ArchiveNode nodeAt(int port)
 {
@@ -22,7 +22,7 @@ io::ArchiveNode nodeAt(int port)
 TEST(UnreachableArchive, ClosedPortIsSaidAtOnce)
 {
     const int port = freePort();
-    for (const ArchiveWay way : {ArchiveWay::Dimse, ArchiveWay::Web}) {
+    for (const ArchiveProtocol way : {ArchiveProtocol::Dimse, ArchiveProtocol::Web}) {
         const Stopwatch watch;
         const auto echoed = io::echoArchive(nodeAt(port), way);
         ASSERT_FALSE(echoed);
@@ -34,7 +34,7 @@ TEST(UnreachableArchive, ClosedPortIsSaidAtOnce)
 TEST(UnreachableArchive, SwallowedPacketsEndAfterFiveSeconds)
 {
     const SwallowingPeer peer;
-    for (const ArchiveWay way : {ArchiveWay::Dimse, ArchiveWay::Web}) {
+    for (const ArchiveProtocol way : {ArchiveProtocol::Dimse, ArchiveProtocol::Web}) {
         const Stopwatch watch;
         const auto echoed = io::echoArchive(nodeAt(peer.port()), way);
         ASSERT_FALSE(echoed);
@@ -47,7 +47,7 @@ TEST(UnreachableArchive, SilentPeerIsGivenUp)
 {
     const SilentPeer peer;
     const Stopwatch watch;
-    const auto echoed = io::echoArchive(nodeAt(peer.port()), ArchiveWay::Dimse);
+    const auto echoed = io::echoArchive(nodeAt(peer.port()), ArchiveProtocol::Dimse);
     ASSERT_FALSE(echoed);
     expectFailure(echoed.error(), io::messages::archiveSilent, watch);
 }
@@ -56,12 +56,12 @@ TEST(UnreachableArchive, SilentPeerIsGivenUpWithTls)
 {
     const SilentPeer peer;
     io::ArchiveNode node = nodeAt(peer.port());
-    node.answerSeconds = 2;
+    node.responseTimeoutSeconds = 2;
     node.isTls = true;
     const Stopwatch watch;
-    const auto dimse = io::echoArchive(node, ArchiveWay::Dimse);
+    const auto dimse = io::echoArchive(node, ArchiveProtocol::Dimse);
     EXPECT_FALSE(dimse);
-    const auto web = io::echoArchive(node, ArchiveWay::Web);
+    const auto web = io::echoArchive(node, ArchiveProtocol::Web);
     EXPECT_FALSE(web);
     EXPECT_LT(watch.seconds(), 10.0);
 }
@@ -71,7 +71,7 @@ TEST(UnreachableArchive, UnknownHostIsSaid)
     io::ArchiveNode node = nodeAt(104);
     node.host = "no-such-host.invalid";
     const Stopwatch watch;
-    const auto echoed = io::echoArchive(node, ArchiveWay::Dimse);
+    const auto echoed = io::echoArchive(node, ArchiveProtocol::Dimse);
     ASSERT_FALSE(echoed);
     expectFailure(echoed.error(), io::messages::archiveUnknownHost, watch);
 }

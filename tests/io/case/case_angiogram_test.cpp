@@ -89,11 +89,11 @@ TEST(SaveCase, KeepsCathetersApartFromTheVessels)
     ASSERT_TRUE(io::saveCase(original, folder.file("a.angiopose")));
     core::Case copy = reloaded(folder.file("a.angiopose"));
     ASSERT_TRUE(core::devicesOf(copy.shown()));
-    EXPECT_EQ(core::idsOf(*core::devicesOf(copy.shown())), std::vector<int>{9});
+    EXPECT_EQ(core::curveIds(*core::devicesOf(copy.shown())), std::vector<int>{9});
     EXPECT_EQ(core::devicesOf(copy.shown())->curves.front().pointsPx, wire.pointsPx);
-    EXPECT_EQ(core::idsOf(core::targetOf(copy.shown(), "angiopose").value()), std::vector<int>{4});
-    EXPECT_EQ(core::idsOf(core::targetOf(copy.shown(), "wire").value()), std::vector<int>{9});
-    EXPECT_EQ(io::exportedFileOf(copy.shown().target).sha256, io::exportedFileOf(original.shown().target).sha256);
+    EXPECT_EQ(core::curveIds(core::targetOf(copy.shown(), "angiopose").value()), std::vector<int>{4});
+    EXPECT_EQ(core::curveIds(core::targetOf(copy.shown(), "wire").value()), std::vector<int>{9});
+    EXPECT_EQ(io::exportedFile(copy.shown().target).sha256, io::exportedFile(original.shown().target).sha256);
     copy.shown().frame += 1;
     EXPECT_FALSE(core::devicesOf(copy.shown())) << "of one frame";
 }
@@ -107,7 +107,7 @@ TEST(SaveCase, RestoresTheSubtraction)
     original.shown().treatment.plan.maskFrames = {0, 1};
     original.shown().treatment.plan.maskShiftPx = Eigen::Vector2d(0.25, -1.0 / 3.0);
     original.shown().treatment.plan.relation = core::PixelRelation::Logarithmic;
-    const auto treated = core::treatedRun(*original.shown().angiogram, original.shown().treatment);
+    const auto treated = core::processRun(*original.shown().angiogram, original.shown().treatment);
     ASSERT_TRUE(treated) << treated.error().message;
     original.shown().storedRun = original.shown().angiogram;
     original.shown().angiogram = std::make_shared<core::Angiogram>(treated.value());

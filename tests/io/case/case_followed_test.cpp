@@ -14,8 +14,8 @@ using namespace angiopose;
 
 namespace {
 
-using core::FollowedFrame;
-using core::FollowedRun;
+using core::TrackedRun;
+using core::TrackedRunFrame;
 using test::anyContains;
 using test::SmallCase;
 using Edit = std::function<void(nlohmann::json&)>;
@@ -54,24 +54,24 @@ std::shared_ptr<const core::DeformableResult> deformationOf(const core::VesselTr
 }
 
 /// Frames 0 to 3 tracked from frame 1: nothing traced in 0, deformed in 1 and 2, 3 deformed as 2.
-FollowedRun richRun(const core::Case& session)
+TrackedRun richRun(const core::Case& session)
 {
     const core::VesselTree& tree = *session.vessels.tree;
-    std::vector<FollowedFrame> frames(4);
+    std::vector<TrackedRunFrame> frames(4);
     for (int k = 0; k < 4; ++k) {
-        FollowedFrame& frame = frames[static_cast<std::size_t>(k)];
+        TrackedRunFrame& frame = frames[static_cast<std::size_t>(k)];
         frame.frame = k;
         frame.tracked.cameraFromPatient = moved(session.shown().cameraFromPatient, k - 1.0);
         frame.tracked.score = 0.9 - 0.1 / 3.0 * k;
         frame.tracked.isTrustworthy = k == 1 || k == 2;
     }
-    frames[0].problem = core::messages::followOneFrame();
+    frames[0].problem = core::messages::trackingNeedsSeveralFrames();
     frames[2].tracked.searched = true;
     frames[1].deformed = deformationOf(tree, frames[1].tracked.cameraFromPatient, 3.0);
     frames[2].deformed = deformationOf(tree, frames[2].tracked.cameraFromPatient, 5.0);
-    frames[3].deformed = core::carriedDeformation(frames[2], frames[3].tracked.cameraFromPatient);
-    frames[3].deformedAsInFrame = 2;
-    return core::followedFrom(1, std::move(frames));
+    frames[3].deformed = core::transferDeformation(frames[2], frames[3].tracked.cameraFromPatient);
+    frames[3].deformationSourceFrame = 2;
+    return core::makeTrackedRun(1, std::move(frames));
 }
 
 /// A case with a run of four frames, the second of which is shown, and with tracked poses.
@@ -124,7 +124,7 @@ protected:
             EXPECT_EQ(frames[k].tracked.cameraFromPatient.matrix(),
                       core::framesOf(session.shown().followed)[k].tracked.cameraFromPatient.matrix());
             EXPECT_FALSE(frames[k].deformed) << why;
-            EXPECT_FALSE(frames[k].deformedAsInFrame) << why;
+            EXPECT_FALSE(frames[k].deformationSourceFrame) << why;
         }
         EXPECT_TRUE(anyContains(small.warnings, "but without deformation: ")) << why;
         EXPECT_TRUE(anyContains(small.warnings, why)) << small.warnings.front().text();
@@ -154,10 +154,10 @@ TEST_F(CaseFollowed, ReopensWithEveryBit)
 {
     const core::Case again = load(path());
     EXPECT_TRUE(io::validateCase(path()).value().empty());
-    const FollowedRun& run = again.shown().followed;
+    const TrackedRun& run = again.shown().followed;
     const auto& frames = core::framesOf(run);
     const auto& kept = core::framesOf(session.shown().followed);
-    EXPECT_EQ(run.fromFrame, 1);
+    EXPECT_EQ(run.startFrame, 1);
     ASSERT_EQ(frames.size(), kept.size());
     for (std::size_t k = 0; k < kept.size(); ++k) {
         EXPECT_EQ(frames[k].frame, kept[k].frame);
@@ -166,7 +166,7 @@ TEST_F(CaseFollowed, ReopensWithEveryBit)
         EXPECT_EQ(frames[k].tracked.searched, kept[k].tracked.searched);
         EXPECT_EQ(frames[k].tracked.isTrustworthy, kept[k].tracked.isTrustworthy);
         EXPECT_EQ(frames[k].problem, kept[k].problem);
-        EXPECT_EQ(frames[k].deformedAsInFrame, kept[k].deformedAsInFrame);
+        EXPECT_EQ(frames[k].deformationSourceFrame, kept[k].deformationSourceFrame);
         ASSERT_EQ(frames[k].deformed == nullptr, kept[k].deformed == nullptr) << k;
         if (kept[k].deformed) {
             expectSame(*frames[k].deformed, *kept[k].deformed);
@@ -178,12 +178,12 @@ TEST_F(CaseFollowed, ReopensWithEveryBit)
 
 TEST_F(CaseFollowed, OfRigidVesselsNeedsNoFileOfDeformation)
 {
-    std::vector<FollowedFrame> rigid = core::framesOf(session.shown().followed);
-    for (FollowedFrame& each : rigid) {
+    std::vector<TrackedRunFrame> rigid = core::framesOf(session.shown().followed);
+    for (TrackedRunFrame& each : rigid) {
         each.deformed.reset();
-        each.deformedAsInFrame.reset();
+        each.deformationSourceFrame.reset();
     }
-    session.shown().followed = core::followedFrom(1, std::move(rigid));
+    session.shown().followed = core::makeTrackedRun(1, std::move(rigid));
     ASSERT_TRUE(io::saveCase(session, small.path("rigid.angiopose")));
     EXPECT_FALSE(std::filesystem::exists(small.path("rigid.bends.nrrd")));
     EXPECT_EQ(core::framesOf(load(small.path("rigid.angiopose")).shown().followed).size(), 4U);
@@ -246,9 +246,9 @@ TEST_F(CaseFollowed, KeepsItsPosesWithoutTheFileOfDeformation)
 TEST_F(CaseFollowed, ReplacesItsOwnFileAndNoOther)
 {
     const std::string first = test::readText(deformationsPath());
-    std::vector<FollowedFrame> frames = core::framesOf(session.shown().followed);
+    std::vector<TrackedRunFrame> frames = core::framesOf(session.shown().followed);
     frames[1].deformed = deformationOf(*session.vessels.tree, frames[1].tracked.cameraFromPatient, 9.0);
-    session.shown().followed = core::followedFrom(1, std::move(frames));
+    session.shown().followed = core::makeTrackedRun(1, std::move(frames));
     ASSERT_TRUE(io::saveCase(session, path()));
     EXPECT_NE(test::readText(deformationsPath()), first);
     EXPECT_FALSE(std::filesystem::exists(small.path("saved.bends-2.nrrd")));
@@ -285,9 +285,9 @@ TEST_F(CaseFollowed, OfALongRunIsNoLargeCase)
     ASSERT_EQ(tree->pointCount(), 2000U);
     session.vessels.tree = tree;
     session.vessels.isTreeEdited = true;
-    std::vector<FollowedFrame> frames(60);
+    std::vector<TrackedRunFrame> frames(60);
     for (int k = 0; k < 60; ++k) {
-        FollowedFrame& frame = frames[static_cast<std::size_t>(k)];
+        TrackedRunFrame& frame = frames[static_cast<std::size_t>(k)];
         frame.frame = k;
         frame.tracked.cameraFromPatient = moved(session.shown().cameraFromPatient, k - 1.0);
         frame.deformed = deformationOf(*tree, frame.tracked.cameraFromPatient, 0.1 * k + 0.3);
@@ -295,7 +295,7 @@ TEST_F(CaseFollowed, OfALongRunIsNoLargeCase)
     const auto sizeOf = [](const std::string& of) { return static_cast<double>(std::filesystem::file_size(of)); };
     session.shown().followed = {};
     ASSERT_TRUE(io::saveCase(session, small.path("before.angiopose")));
-    session.shown().followed = core::followedFrom(1, std::move(frames));
+    session.shown().followed = core::makeTrackedRun(1, std::move(frames));
     ASSERT_TRUE(io::saveCase(session, small.path("long.angiopose")));
     const double caseMb = 1e-6 * (sizeOf(small.path("long.angiopose")) - sizeOf(small.path("before.angiopose")));
     const double deformationsMb = 1e-6 * sizeOf(small.path("long.bends.nrrd"));

@@ -33,14 +33,14 @@ TEST(CaseMarks, ComeBackAsTheyWere)
     ASSERT_EQ(session.vessels.marks.size(), 2U);
     EXPECT_EQ(session.vessels.marks[1].normal, Eigen::Vector3d::UnitZ()) << "directions become unit";
     EXPECT_EQ(session.shown().annotations.at(0).kind, core::AnnotationKind::Arrow);
-    EXPECT_EQ(*session.shown().typedMmPerPx, 0.25);
+    EXPECT_EQ(*session.shown().enteredMmPerPx, 0.25);
     session.vessels.marks[0].pointInPatient.x() = 1.0 / 3.0;
     ASSERT_TRUE(io::saveCase(session, small.path("saved.angiopose")));
     EXPECT_TRUE(io::validateCase(small.path("saved.angiopose")).value().empty());
     const auto again = io::loadCase(small.path("saved.angiopose"), small.warnings);
     ASSERT_TRUE(again) << again.error().message;
     EXPECT_EQ(again.value().vessels.marks, session.vessels.marks);
-    EXPECT_EQ(again.value().shown().sightings, session.shown().sightings);
+    EXPECT_EQ(again.value().shown().observations, session.shown().observations);
     EXPECT_EQ(again.value().shown().annotations, session.shown().annotations);
     const auto saved = nlohmann::json::parse(test::readText(small.path("saved.angiopose")));
     EXPECT_EQ(saved["vessel"]["marks"][0]["by"], "A. B.");
@@ -83,7 +83,7 @@ TEST(CheckPointTable, TellsErrorsAndWhatIsMissing)
     core::Case session = std::move(loaded).value();
     session.shown().cameraFromPatient = {};
     session.shown().cameraFromPatient.translation = {0.0, 0.0, 740.0};
-    const test::QuotedTable table(io::checkPointTable(session));
+    const test::QuotedTable table(io::targetPointTable(session));
     const auto camera = core::cameraOf(session.shown()).value();
     const Eigen::Vector2d expected = *core::project(camera, {1.5, 0.0, 740.0});
     ASSERT_TRUE(table.isEven());
@@ -97,11 +97,11 @@ TEST(CheckPointTable, TellsErrorsAndWhatIsMissing)
     EXPECT_EQ(table.cell(1, "kind"), "ostium-ring");
     EXPECT_EQ(table.cell(1, "radius_mm"), "1.75");
 
-    const auto json = nlohmann::json::parse(io::checkPointJson(session));
+    const auto json = nlohmann::json::parse(io::targetPointJson(session));
     ASSERT_EQ(json.size(), 2U);
     EXPECT_NEAR(json[0]["views"][0]["errorPx"].get<double>(), std::stod(table.cell(0, "error_px")), 1e-9);
-    session.shown().sightings.clear();
-    EXPECT_TRUE(contains(io::checkPointTable(session), "Not marked in this frame")) << io::checkPointTable(session);
+    session.shown().observations.clear();
+    EXPECT_TRUE(contains(io::targetPointTable(session), "Not marked in this frame")) << io::targetPointTable(session);
 }
 
 }   // namespace

@@ -42,7 +42,7 @@ TEST(CaseMask, IsKeptBesideTheCaseAndGivesTheSameVessels)
 {
     SmallCase small;
     const core::Case edited = withEditedMask(small);
-    EXPECT_FALSE(io::findUnsavable(edited));
+    EXPECT_FALSE(io::findSaveObstacle(edited));
     ASSERT_TRUE(io::saveCase(edited, small.path("saved.angiopose")));
     EXPECT_TRUE(io::validateCase(small.path("saved.angiopose")).value().empty());
     const auto json = nlohmann::json::parse(test::readText(small.path("saved.angiopose")));

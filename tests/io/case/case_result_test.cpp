@@ -68,7 +68,7 @@ core::RegistrationResult richResult(const core::Case& session)
                         {{1, 4}, {0.0, 1.0, 2.0}, 0.15, 1.5, 0.9, session.shown().cameraFromPatient, {}}};
     result.trustworthy = false;
     result.probabilityWithin2Mm = 0.1 + 0.2;
-    result.warnings = {core::messages::trustPoseUncertain(core::inMm(2.44, 1)), core::messages::trustStopped(),
+    result.warnings = {core::messages::poseUncertain(core::inMm(2.44, 1)), core::messages::registrationStopped(),
                        core::messages::inView(2, io::messages::fileMissing().about("b.dcm")).as(core::Severity::Note)};
     result.time = {1.0, 2.0, 3.0, 6.5};
     result.provenance = {"Ada", "2026-05-04T12:30:00Z", "0.1.0", session.options};
@@ -174,7 +174,7 @@ TEST_F(CaseResult, KeepsTheDeformedVessels)
     EXPECT_EQ(is.verdict, was.verdict);
     EXPECT_EQ(is.cameraFromPatient.matrix(), was.cameraFromPatient.matrix());
     ASSERT_EQ(is.viewPoses.size(), 2U);
-    ASSERT_TRUE(core::isOf(*session.vessels.tree, is));
+    ASSERT_TRUE(core::isCompatible(*session.vessels.tree, is));
     for (std::size_t b = 0; b < was.branches.size(); ++b) {
         EXPECT_EQ(is.branches[b].displacementMm, was.branches[b].displacementMm);
         EXPECT_EQ(is.branches[b].covariance, was.branches[b].covariance);

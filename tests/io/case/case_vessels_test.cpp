@@ -168,7 +168,7 @@ TEST(LoadCase, StopsTracingWhenAsked)
     nlohmann::json json = small.json();
     json["vessel"] = {{"segmentation", {{"path", "in/mask.nii.gz"}}}};
     core::Messages warnings;
-    const auto stopped = io::loadCase(small.write(json), warnings, [](double) { return core::Verdict::Stop; });
+    const auto stopped = io::loadCase(small.write(json), warnings, [](double) { return core::ObserverDecision::Stop; });
     ASSERT_FALSE(stopped);
     EXPECT_TRUE(stopped.isStopped());
 }

@@ -151,7 +151,7 @@ TEST(CaseViews, ThatCannotBeReadAreAWarningAndAreNotLost)
     ASSERT_TRUE(io::saveCase(values, folder.file("both.angiopose")));
     fs::rename(image, folder.file("moved.dcm"));
 
-    const auto missing = io::missingInputs(folder.file("both.angiopose"));
+    const auto missing = io::findMissingInputs(folder.file("both.angiopose"));
     ASSERT_TRUE(missing);
     ASSERT_EQ(missing.value().size(), 1U);
     EXPECT_TRUE(missing.value()[0].isOptional);
@@ -164,7 +164,7 @@ TEST(CaseViews, ThatCannotBeReadAreAWarningAndAreNotLost)
     ASSERT_TRUE(io::saveCase(without, folder.file("again.angiopose")));
 
     const auto found =
-        io::findMovedInputs(io::missingInputs(folder.file("again.angiopose")).value(), {folder.file("")});
+        io::findMovedInputs(io::findMissingInputs(folder.file("again.angiopose")).value(), {folder.file("")});
     warnings.clear();
     const auto again = io::loadCase(folder.file("again.angiopose"), warnings, {}, found);
     ASSERT_TRUE(again) << again.error().message;

@@ -89,8 +89,8 @@ TEST_F(ResultSeal, NamesWhatWasChangedBesideAllViews)
         {"the excluded branches", [](auto& json) { json["vessel"]["excludedBranches"] = {2}; }},
         {"the auxiliary branches", [](auto& json) { json["vessel"]["auxiliaryBranches"] = {1}; }},
         {"the vessels", [](auto& json) { json["vessel"]["unitMm"] = 1.5; }},
-        {"the locked axes", [](auto& json) { json["pose"]["locked"] = {"along-ray"}; }},
-        {"the locked axes",
+        {"the locked degrees of freedom", [](auto& json) { json["pose"]["locked"] = {"along-ray"}; }},
+        {"the locked degrees of freedom",
          [](auto& json) {
              json["vessel"]["pivotInPatientMm"] = {1, 2, 3};
          }},

@@ -117,7 +117,7 @@ TEST(SaveCase, KeepsKeysOfOtherViewsWithTheView)
     EXPECT_EQ(same["views"][0]["geometry"]["tableHeightMm"], -99.5);
     EXPECT_EQ(same["views"][0]["angiogram"]["image"]["plane"], "B");
     // Unknown keys move with their view.
-    const nlohmann::json swapped = saved(core::showingView(loaded.value(), 1));
+    const nlohmann::json swapped = saved(core::withShownView(loaded.value(), 1));
     EXPECT_EQ(swapped["site"], "Kragujevac");
     EXPECT_EQ(swapped["geometry"]["tableHeightMm"], -99.5);
     EXPECT_EQ(swapped["views"][0]["geometry"]["tableHeightMm"], -12.25);

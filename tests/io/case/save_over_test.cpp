@@ -1,4 +1,4 @@
-#include "io/case/save_over.h"
+#include "io/case/overwrite_case.h"
 
 #include "io/messages/messages.h"
 #include "tests/io/case/small_case.h"
@@ -21,18 +21,18 @@ TEST(SaveCaseOver, KeepsWhatAnotherProgramHasSavedMeanwhile)
     const auto loaded = small.load(small.json());
     ASSERT_TRUE(loaded);
     const std::string path = small.path("case.angiopose");
-    const std::string opened = io::contentOfCaseFile(path);
+    const std::string opened = io::caseFileHash(path);
     ASSERT_EQ(opened.size(), 64U);
 
-    const auto first = io::saveCaseOver(renamed(loaded.value(), "first window"), path, opened);
+    const auto first = io::overwriteCase(renamed(loaded.value(), "first window"), path, opened);
     ASSERT_TRUE(first);
-    const auto second = io::saveCaseOver(renamed(loaded.value(), "second window"), path, opened);
+    const auto second = io::overwriteCase(renamed(loaded.value(), "second window"), path, opened);
 
     ASSERT_FALSE(second);
-    EXPECT_TRUE(io::isChangedElsewhere(second.error())) << second.error().message;
+    EXPECT_TRUE(io::isConcurrentChange(second.error())) << second.error().message;
     EXPECT_NE(test::readText(path).find("first window"), std::string::npos);
-    EXPECT_TRUE(io::saveCaseOver(renamed(loaded.value(), "once more"), path, first.value()));
-    EXPECT_TRUE(io::saveCaseOver(renamed(loaded.value(), "whatever is there"), path, {}));
+    EXPECT_TRUE(io::overwriteCase(renamed(loaded.value(), "once more"), path, first.value()));
+    EXPECT_TRUE(io::overwriteCase(renamed(loaded.value(), "whatever is there"), path, {}));
     EXPECT_NE(test::readText(path).find("whatever is there"), std::string::npos);
 }
 
@@ -42,12 +42,12 @@ TEST(SaveCaseOver, WritesACaseAgainThatWasRemoved)
     const auto loaded = small.load(small.json());
     ASSERT_TRUE(loaded);
     const std::string path = small.path("case.angiopose");
-    const std::string opened = io::contentOfCaseFile(path);
+    const std::string opened = io::caseFileHash(path);
     std::filesystem::remove(path);
-    EXPECT_EQ(io::contentOfCaseFile(path), "");
-    const auto saved = io::saveCaseOver(loaded.value(), path, opened);
+    EXPECT_EQ(io::caseFileHash(path), "");
+    const auto saved = io::overwriteCase(loaded.value(), path, opened);
     ASSERT_TRUE(saved);
-    EXPECT_EQ(saved.value(), io::contentOfCaseFile(path));
+    EXPECT_EQ(saved.value(), io::caseFileHash(path));
 }
 
 }   // namespace

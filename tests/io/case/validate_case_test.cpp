@@ -38,7 +38,7 @@ TEST(DoubtsOfCase, HoldTheCaseAgainstTheHeaderOfItsImage)
                          R"({"format": "angiopose-case", "version": 1, "vessel": {"centerline": {"path": ")" +
                              (phantom / "tree/Centerlines.vtk").string() + R"("}}, "angiogram": {"image": {"path": ")" +
                              (phantom / "views-A/IM3.dcm").string() + R"("}}, "geometry": )" + geometry + "}");
-        const auto doubts = io::doubtsOfCase(path);
+        const auto doubts = io::checkCaseGeometry(path);
         EXPECT_TRUE(doubts) << doubts.error().message;
         return doubts ? doubts.value() : core::Messages{};
     };

@@ -13,7 +13,7 @@ namespace {
 
 core::Result<io::DecoderReply> asked(const std::string& script, const io::ReadObserver& observe = {})
 {
-    return io::askDecoder("/bin/sh", {"-c", script}, "file.ply", observe);
+    return io::runDecoder("/bin/sh", {"-c", script}, "file.ply", observe);
 }
 
 std::string idOf(const core::Result<io::DecoderReply>& reply)
@@ -32,7 +32,7 @@ TEST(AskDecoder, TakesAWholeReplyAfterProgress)
                              [&last](double fraction) {
                                  EXPECT_GE(fraction, last);
                                  last = fraction;
-                                 return core::Verdict::Continue;
+                                 return core::ObserverDecision::Continue;
                              });
     ASSERT_TRUE(reply) << reply.error().message;
     EXPECT_EQ(reply.value().content, "hello");
@@ -53,15 +53,16 @@ TEST(AskDecoder, TrustsNoReplyThatIsNotWhole)
     EXPECT_EQ(idOf(asked(five + "; printf hell")), "file.decoder-died");
     EXPECT_EQ(idOf(asked(five + "; printf hello!")), "file.decoder-died");
     EXPECT_EQ(idOf(asked("printf '\\311\\377\\377\\377\\377\\377\\377\\377\\377'; yes")), "file.decoder-died");
-    EXPECT_EQ(idOf(io::askDecoder("no-such-helper", {}, "file.ply")), "file.decoder-missing");
+    EXPECT_EQ(idOf(io::runDecoder("no-such-helper", {}, "file.ply")), "file.decoder-missing");
 }
 
 TEST(AskDecoder, StopsAProgramThatDoesNotEnd)
 {
     const auto start = std::chrono::steady_clock::now();
     const auto reply = asked("exec sleep 60", [&start](double) {
-        return std::chrono::steady_clock::now() - start > std::chrono::milliseconds(200) ? core::Verdict::Stop
-                                                                                         : core::Verdict::Continue;
+        return std::chrono::steady_clock::now() - start > std::chrono::milliseconds(200)
+                   ? core::ObserverDecision::Stop
+                   : core::ObserverDecision::Continue;
     });
     EXPECT_TRUE(reply.isStopped());
     EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5));

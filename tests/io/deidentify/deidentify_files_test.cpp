@@ -35,8 +35,8 @@ TEST_F(DeidentifyFiles, WritesImagesAndNamesWhatItRefused)
     const auto done = io::deidentifyFiles({folder.file("in"), folder.file("in/Doe.dcm")}, out, {}, pseudonyms);
     ASSERT_TRUE(done) << done.error().message.text();
     EXPECT_EQ(done.value().written, 2U);
-    ASSERT_EQ(done.value().refused.size(), 1U);
-    EXPECT_NE(done.value().refused.front().text().find("letter.txt"), std::string::npos);
+    ASSERT_EQ(done.value().skipped.size(), 1U);
+    EXPECT_NE(done.value().skipped.front().text().find("letter.txt"), std::string::npos);
     int files = 0;
     for (const auto& entry : fs::recursive_directory_iterator(out)) {
         EXPECT_EQ(entry.path().string().substr(out.size()).find("Doe"), std::string::npos) << entry;
@@ -53,7 +53,7 @@ TEST_F(DeidentifyFiles, LeavesNothingWhereStoppedOrNothingFits)
     const std::string out = folder.file("out");
     int asked = 0;
     const auto stopped = io::deidentifyFiles({folder.file("in")}, out, {}, pseudonyms, [&asked](double) {
-        return ++asked > 1 ? core::Verdict::Stop : core::Verdict::Continue;
+        return ++asked > 1 ? core::ObserverDecision::Stop : core::ObserverDecision::Continue;
     });
     ASSERT_FALSE(stopped);
     EXPECT_TRUE(stopped.isStopped());

@@ -1,4 +1,4 @@
-#include "io/deidentify/kept_content.h"
+#include "io/deidentify/content_cleaner.h"
 #include "io/deidentify_file.h"
 #include "io/deidentify_files.h"
 #include "io/dicom/dicom_file.h"
@@ -20,9 +20,9 @@ namespace fs = std::filesystem;
 /// Objects of a case with an identifier planted in its free-text fields, with the images that they reference.
 class DeidentifyObjects : public test::MadeObjects {
 protected:
-    io::ShownState plantedState() const
+    io::PresentationContent plantedState() const
     {
-        io::ShownState shown = shownState();
+        io::PresentationContent shown = shownState();
         shown.layers[0].name = "PLANTED";
         shown.layers[0].description = "PLANTED layer";
         shown.layers[1].texts[0].words = "PLANTED on the image";
@@ -38,7 +38,7 @@ protected:
         return report;
     }
 
-    core::Result<io::DeidentifiedFiles> freed(const io::Deidentification& requested = {})
+    core::Result<io::DeidentifiedFiles> freed(const io::DeidentificationOptions& requested = {})
     {
         written("state", io::presentationState(plantedState(), angiogram, origin));
         written("registration", io::spatialRegistration(registration(), angiogram, origin));
@@ -89,7 +89,7 @@ TEST_F(DeidentifyObjects, NothingPlantedIsLeft)
     for (const io::DatePolicy dates : {io::DatePolicy::None, io::DatePolicy::Shifted}) {
         const auto done = freed({.dates = dates});
         ASSERT_TRUE(done);
-        EXPECT_TRUE(done.value().refused.empty()) << done.value().refused.front().text();
+        EXPECT_TRUE(done.value().skipped.empty()) << done.value().skipped.front().text();
         ASSERT_EQ(freedPaths().size(), 10U) << "a run, five slices, four objects";
         for (const std::string& path : freedPaths()) {
             const std::string bytes = test::readText(path);
@@ -253,9 +253,9 @@ TEST_F(DeidentifyObjects, OwnTermsKeepTheirMeaning)
     const std::function<void(const io::DicomDataset&)> look = [&](const io::DicomDataset& data) {
         for (const io::DicomDataset& item : data.itemsOfAllSequences()) {
             if (item.has(0x00080100)) {
-                const io::ReadTerm read{std::string(item.text(0x00080100)), std::string(item.text(0x00080102)),
-                                        std::string(item.text(0x00080104))};
-                const io::KeptTerm kept = io::keptTerm(read, none);
+                const io::CodedEntry read{std::string(item.text(0x00080100)), std::string(item.text(0x00080102)),
+                                          std::string(item.text(0x00080104))};
+                const io::DeidentifiedTerm kept = io::deidentifyTerm(read, none);
                 EXPECT_FALSE(kept.isReplaced) << read.meaning;
                 EXPECT_EQ(kept.term.meaning, read.meaning);
                 ++terms;
@@ -275,7 +275,7 @@ TEST_F(DeidentifyObjects, OwnTermsKeepTheirMeaning)
 TEST_F(DeidentifyObjects, PagesAndUnknownKindsAreRefusedWithASentence)
 {
     const std::string path = written(
-        "report", io::encapsulatedPdf("%PDF-1.4\nodd", "Report", io::BurnedInIdentity::MayBeThere, angiogram, origin));
+        "report", io::encapsulatedPdf("%PDF-1.4\nodd", "Report", io::BurnedInIdentity::Possible, angiogram, origin));
     const auto done = io::deidentifyFile(path, folder.file("pdf-freed.dcm"), {}, pseudonyms);
     ASSERT_FALSE(done);
     EXPECT_EQ(done.error().message.id(), "deidentify.pages");

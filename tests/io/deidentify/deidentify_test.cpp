@@ -1,7 +1,7 @@
 #include "tests/io/deidentify/planted_run.h"
 
 #include "io/angiogram_file.h"
-#include "io/deidentify/strip_picture.h"
+#include "io/deidentify/remove_image_metadata.h"
 #include "io/deidentify_file.h"
 #include "io/dicom/dicom_file.h"
 #include "io/image_file.h"
@@ -32,7 +32,7 @@ protected:
         folder.write("DOE_JANE_4711/run.dcm", planted.content(pixels));
     }
 
-    core::Messages freed(const io::Deidentification& requested = {})
+    core::Messages freed(const io::DeidentificationOptions& requested = {})
     {
         const auto done = io::deidentifyFile(in(), out(), requested, pseudonyms);
         EXPECT_TRUE(done) << done.error().message.text();
@@ -93,7 +93,7 @@ TEST_F(Deidentify, KeepsWhatDescribesTheImage)
 
 TEST_F(Deidentify, SaysWhatWasDone)
 {
-    freed({.dates = io::DatePolicy::Shifted, .letters = io::DrawnLetters::BlackedOut});
+    freed({.dates = io::DatePolicy::Shifted, .letters = io::BurnedInTextPolicy::Masked});
     const io::DicomFile file = parsed();
     EXPECT_EQ(file.dataset.text(0x00120062), "YES");
     EXPECT_EQ(file.dataset.text(0x00280303), "MODIFIED");
@@ -137,7 +137,7 @@ TEST_F(Deidentify, TellsOfLettersOrBlacksThemOut)
     ASSERT_EQ(reported.size(), 1U);
     EXPECT_EQ(reported[0].id(), "deidentify.letters-stay");
     EXPECT_EQ(parsed().dataset.text(0x00280301), "YES");
-    const core::Messages blackened = freed({.letters = io::DrawnLetters::BlackedOut});
+    const core::Messages blackened = freed({.letters = io::BurnedInTextPolicy::Masked});
     ASSERT_EQ(blackened.size(), 1U);
     EXPECT_EQ(blackened[0].id(), "deidentify.letters-blacked-out");
     const auto run = io::readAngiogram(out());
@@ -154,7 +154,7 @@ TEST_F(Deidentify, LettersAsHighAsASeventhAreBlackedOut)
         pixels[n] = static_cast<std::int16_t>(letters.pixels[n % pixelsPerFrame]);
     }
     folder.write("DOE_JANE_4711/run.dcm", test::PlantedRun().content(pixels));
-    const core::Messages blackened = freed({.letters = io::DrawnLetters::BlackedOut});
+    const core::Messages blackened = freed({.letters = io::BurnedInTextPolicy::Masked});
     ASSERT_EQ(blackened.size(), 1U);
     EXPECT_EQ(blackened[0].id(), "deidentify.letters-blacked-out");
     const auto run = io::readAngiogram(out());
@@ -219,7 +219,7 @@ TEST_F(Deidentify, FilesWithoutUidsStayApart)
 TEST_F(Deidentify, StoppedFolderLeavesNothing)
 {
     const auto done = io::deidentifyFolder(folder.file("DOE_JANE_4711"), folder.file("out"), {}, pseudonyms,
-                                           [](double) { return core::Verdict::Stop; });
+                                           [](double) { return core::ObserverDecision::Stop; });
     EXPECT_TRUE(done.isStopped());
     EXPECT_FALSE(fs::exists(folder.file("out")));
 }
@@ -229,7 +229,7 @@ TEST_F(Deidentify, PicturesLoseWhatIsWrittenBesideThePixels)
     core::ColorImage picture{16, 12, std::vector<std::uint8_t>(16 * 12 * 3, 90)};
     ASSERT_TRUE(io::writePng(picture, folder.file("a.png"), {{"Patient", "PLANTED"}}));
     const std::string png = test::readText(folder.file("a.png")) + "PLANTED behind the end";
-    const auto stripped = io::strippedPicture(png, "a.png");
+    const auto stripped = io::removeImageMetadata(png, "a.png");
     ASSERT_TRUE(stripped);
     EXPECT_EQ(stripped.value().find("PLANTED"), std::string::npos);
     folder.write("b.png", stripped.value());
@@ -242,11 +242,11 @@ TEST_F(Deidentify, PicturesLoseWhatIsWrittenBesideThePixels)
     const std::string exif("\xff\xe1\x00\x09PLANTED", 11);
     const std::string scan("\xff\xda\x00\x04\x01\x02\x11\xff\x00\x22\xff\xd0\x33", 13);
     const std::string table("\xff\xdb\x00\x04\x01\x02", 6);
-    const auto jpeg = io::strippedPicture("\xff\xd8" + exif + table + comment + scan + "\xff\xd9PLANTED", "a.jpg");
+    const auto jpeg = io::removeImageMetadata("\xff\xd8" + exif + table + comment + scan + "\xff\xd9PLANTED", "a.jpg");
     ASSERT_TRUE(jpeg);
     EXPECT_EQ(jpeg.value(), "\xff\xd8" + table + scan + "\xff\xd9");
-    EXPECT_FALSE(io::strippedPicture("\xff\xd8" + exif, "a.jpg"));
-    EXPECT_FALSE(io::strippedPicture("GIF89a", "a.gif"));
+    EXPECT_FALSE(io::removeImageMetadata("\xff\xd8" + exif, "a.jpg"));
+    EXPECT_FALSE(io::removeImageMetadata("GIF89a", "a.gif"));
 }
 
 TEST_F(Deidentify, OtherToolsFindNoErrorInIt)

@@ -1,6 +1,6 @@
-#include "io/deidentify/strip_tiff.h"
 #include "io/angiogram_file.h"
-#include "io/deidentify/strip_picture.h"
+#include "io/deidentify/remove_image_metadata.h"
+#include "io/deidentify/remove_tiff_metadata.h"
 #include "io/deidentify_files.h"
 #include "tests/support/temporary_folder.h"
 
@@ -83,7 +83,7 @@ TEST_P(StripTiff, KeepsEveryPixelAndNoWord)
     const TiffKind kind = GetParam();
     const std::string planted = plantedTiff(folder, kind);
     ASSERT_NE(planted.find("PLANTED"), std::string::npos);
-    const auto stripped = io::strippedPicture(planted, "planted.tif");
+    const auto stripped = io::removeImageMetadata(planted, "planted.tif");
     ASSERT_TRUE(stripped) << stripped.error().message.text();
     EXPECT_EQ(stripped.value().find("PLANTED"), std::string::npos);
     EXPECT_EQ(stripped.value().find("1950"), std::string::npos);
@@ -141,12 +141,12 @@ TEST(StripTiffFiles, OtherKindsAndDamagedOnesAreRefused)
         TIFFWriteEncodedTile(file, n, tile.data(), 256);
     }
     TIFFClose(file);
-    const auto tiled = io::strippedTiff(test::readText(path), "tiled.tif");
+    const auto tiled = io::removeTiffMetadata(test::readText(path), "tiled.tif");
     ASSERT_FALSE(tiled);
     EXPECT_EQ(tiled.error().message.id(), "deidentify.tiff");
     const std::string whole = plantedTiff(folder, {});
     for (const std::size_t size : {4UL, 8UL, 60UL, whole.size() / 4}) {
-        EXPECT_FALSE(io::strippedTiff(std::string_view(whole).substr(0, size), "cut.tif")) << size;
+        EXPECT_FALSE(io::removeTiffMetadata(std::string_view(whole).substr(0, size), "cut.tif")) << size;
     }
 }
 

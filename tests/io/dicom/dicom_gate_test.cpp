@@ -1,4 +1,4 @@
-#include "io/dicom/dicom_gate.h"
+#include "io/dicom/element_filter.h"
 
 #include "io/dicom/dicom_file.h"
 #include "io/messages/messages.h"

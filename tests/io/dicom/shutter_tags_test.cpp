@@ -50,12 +50,12 @@ std::string sequence(io::DicomTag tag, const std::vector<std::string>& items)
 ReadShutter shutterIn(const std::string& bytes)
 {
     ReadShutter read;
-    read.field = io::shutterOf(io::readElements(bytes, io::DicomEncoding{}), 60, 40, read.warnings);
+    read.field = io::shutterMask(io::readElements(bytes, io::DicomEncoding{}), 60, 40, read.warnings);
     return read;
 }
 
 /// Shutter of an image of 60 columns and 40 rows with these elements, in ascending order.
-ReadShutter shutterOf(Elements elements)
+ReadShutter shutterMask(Elements elements)
 {
     return shutterIn(bytesOf(elements));
 }
@@ -77,7 +77,7 @@ using Span = std::pair<int, int>;
 
 TEST(ShutterTags, ARectangleKeepsItsEdgesThatCountFromOne)
 {
-    const auto read = shutterOf(
+    const auto read = shutterMask(
         {{0x00181600, "RECTANGULAR"}, {0x00181602, "11"}, {0x00181604, "50"}, {0x00181606, "6"}, {0x00181608, "35"}});
     EXPECT_TRUE(read.warnings.empty());
     ASSERT_EQ(read.field.width, 60);
@@ -90,7 +90,7 @@ TEST(ShutterTags, ARectangleKeepsItsEdgesThatCountFromOne)
 
 TEST(ShutterTags, ACircleIsCenteredByRowAndColumn)
 {
-    const auto read = shutterOf({{0x00181600, "CIRCULAR"}, {0x00181610, "21\\31"}, {0x00181612, "10"}});
+    const auto read = shutterMask({{0x00181600, "CIRCULAR"}, {0x00181610, "21\\31"}, {0x00181612, "10"}});
     EXPECT_TRUE(read.warnings.empty());
     EXPECT_EQ(openInRow(read.field, 20), Span(20, 40));
     EXPECT_EQ(openInRow(read.field, 10), Span(30, 30));
@@ -100,7 +100,7 @@ TEST(ShutterTags, ACircleIsCenteredByRowAndColumn)
 
 TEST(ShutterTags, APolygonHasVerticesByRowAndColumn)
 {
-    const auto read = shutterOf({{0x00181600, "POLYGONAL"}, {0x00181620, "1\\1\\1\\41\\31\\41\\31\\31"}});
+    const auto read = shutterMask({{0x00181600, "POLYGONAL"}, {0x00181620, "1\\1\\1\\41\\31\\41\\31\\31"}});
     EXPECT_TRUE(read.warnings.empty());
     EXPECT_EQ(openInRow(read.field, 0), Span(0, 40));
     EXPECT_EQ(openInRow(read.field, 10), Span(10, 40));
@@ -110,21 +110,21 @@ TEST(ShutterTags, APolygonHasVerticesByRowAndColumn)
 
 TEST(ShutterTags, OfSeveralShapesWhatIsInsideAllIsOpen)
 {
-    const auto read = shutterOf({{0x00181600, "RECTANGULAR\\CIRCULAR"},
-                                 {0x00181602, "31"},
-                                 {0x00181604, "60"},
-                                 {0x00181606, "1"},
-                                 {0x00181608, "40"},
-                                 {0x00181610, "21\\31"},
-                                 {0x00181612, "10"}});
+    const auto read = shutterMask({{0x00181600, "RECTANGULAR\\CIRCULAR"},
+                                   {0x00181602, "31"},
+                                   {0x00181604, "60"},
+                                   {0x00181606, "1"},
+                                   {0x00181608, "40"},
+                                   {0x00181610, "21\\31"},
+                                   {0x00181612, "10"}});
     EXPECT_TRUE(read.warnings.empty());
     EXPECT_EQ(openInRow(read.field, 20), Span(30, 40));
 }
 
 TEST(ShutterTags, AShutterThatHidesNothingIsNone)
 {
-    EXPECT_TRUE(shutterOf({}).field.isEmpty());
-    const auto open = shutterOf(
+    EXPECT_TRUE(shutterMask({}).field.isEmpty());
+    const auto open = shutterMask(
         {{0x00181600, "RECTANGULAR"}, {0x00181602, "0"}, {0x00181604, "61"}, {0x00181606, "1"}, {0x00181608, "40"}});
     EXPECT_TRUE(open.field.isEmpty());
     EXPECT_TRUE(open.warnings.empty());
@@ -138,33 +138,33 @@ TEST(ShutterTags, WhatMakesNoSenseIsIgnoredAndSaid)
         EXPECT_EQ(read.warnings.front().id(), "dicom.shutter-unusable");
         EXPECT_NE(read.warnings.front().text().find(value), std::string::npos) << read.warnings.front();
     };
-    expectIgnored(shutterOf({{0x00181600, "RECTANGULAR"},   // edges the wrong way round
-                             {0x00181602, "50"},
-                             {0x00181604, "11"},
-                             {0x00181606, "6"},
-                             {0x00181608, "35"}}),
+    expectIgnored(shutterMask({{0x00181600, "RECTANGULAR"},   // edges the wrong way round
+                               {0x00181602, "50"},
+                               {0x00181604, "11"},
+                               {0x00181606, "6"},
+                               {0x00181608, "35"}}),
                   "50, 11, 6, 35");
-    expectIgnored(shutterOf({{0x00181600, "RECTANGULAR"},   // beside the image
-                             {0x00181602, "100"},
-                             {0x00181604, "160"},
-                             {0x00181606, "6"},
-                             {0x00181608, "35"}}),
+    expectIgnored(shutterMask({{0x00181600, "RECTANGULAR"},   // beside the image
+                               {0x00181602, "100"},
+                               {0x00181604, "160"},
+                               {0x00181606, "6"},
+                               {0x00181608, "35"}}),
                   "100, 160");
-    expectIgnored(shutterOf({{0x00181600, "RECTANGULAR"}, {0x00181602, "11"}, {0x00181604, "50"}}), "11, 50");
-    expectIgnored(shutterOf({{0x00181600, "CIRCULAR"}, {0x00181610, "21\\31"}, {0x00181612, "0"}}), "21\\31");
-    expectIgnored(shutterOf({{0x00181600, "POLYGONAL"}, {0x00181620, "1\\1\\1\\41\\31"}}), "1\\1\\1\\41\\31");
-    expectIgnored(shutterOf({{0x00181600, "POLYGONAL"}}), "POLYGONAL");
+    expectIgnored(shutterMask({{0x00181600, "RECTANGULAR"}, {0x00181602, "11"}, {0x00181604, "50"}}), "11, 50");
+    expectIgnored(shutterMask({{0x00181600, "CIRCULAR"}, {0x00181610, "21\\31"}, {0x00181612, "0"}}), "21\\31");
+    expectIgnored(shutterMask({{0x00181600, "POLYGONAL"}, {0x00181620, "1\\1\\1\\41\\31"}}), "1\\1\\1\\41\\31");
+    expectIgnored(shutterMask({{0x00181600, "POLYGONAL"}}), "POLYGONAL");
 }
 
 TEST(ShutterTags, AShapeThatMakesNoSenseLeavesTheOthers)
 {
-    const auto read = shutterOf({{0x00181600, "RECTANGULAR\\CIRCULAR"},
-                                 {0x00181602, "0"},
-                                 {0x00181604, "0"},
-                                 {0x00181606, "0"},
-                                 {0x00181608, "0"},
-                                 {0x00181610, "21\\31"},
-                                 {0x00181612, "10"}});
+    const auto read = shutterMask({{0x00181600, "RECTANGULAR\\CIRCULAR"},
+                                   {0x00181602, "0"},
+                                   {0x00181604, "0"},
+                                   {0x00181606, "0"},
+                                   {0x00181608, "0"},
+                                   {0x00181610, "21\\31"},
+                                   {0x00181612, "10"}});
     EXPECT_EQ(read.warnings.size(), 1U);
     EXPECT_EQ(openInRow(read.field, 20), Span(20, 40));
 }

@@ -1,5 +1,5 @@
 #include "io/movie/movie_writer.h"
-#include "io/movie/planar_picture.h"
+#include "io/movie/yuv_image.h"
 #include "tests/io/movie/movie_pictures.h"
 
 #include <gtest/gtest.h>

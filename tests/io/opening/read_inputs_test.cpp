@@ -115,7 +115,7 @@ TEST(ReadInputs, StopsReadingWhenTheObserverSaysSo)
     const test::TemporaryFolder folder;
     const std::string mask = folder.file("mask.nii.gz");
     ASSERT_TRUE(writeLabels(test::forkLabels(), mask));
-    const auto stopped = readInputs({mask}, {}, [](double) { return core::Verdict::Stop; });
+    const auto stopped = readInputs({mask}, {}, [](double) { return core::ObserverDecision::Stop; });
     ASSERT_FALSE(stopped);
     EXPECT_TRUE(stopped.isStopped());
 }

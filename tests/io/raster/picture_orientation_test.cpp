@@ -1,9 +1,9 @@
-#include "io/raster/picture_orientation.h"
 #include "io/angiogram_file.h"
 #include "io/centerline2d_file.h"
-#include "io/deidentify/strip_picture.h"
+#include "io/deidentify/remove_image_metadata.h"
 #include "io/image_file.h"
 #include "io/messages/messages.h"
+#include "io/raster/image_orientation.h"
 #include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
@@ -230,7 +230,7 @@ TEST(PictureOrientation, StaysWhereAPictureIsFreedOfWhatIsBeside)
         const std::string exif = exifBytes(orientation, true);
         for (const auto& [name, picture] :
              {std::pair("o.jpg", jpegOf(stored, exif)), std::pair("o.png", pngOf(folder, stored, exif))}) {
-            const auto stripped = io::strippedPicture(picture, name);
+            const auto stripped = io::removeImageMetadata(picture, name);
             ASSERT_TRUE(stripped) << name;
             EXPECT_EQ(stripped.value().find(exif), std::string::npos) << name;
             expectShown(folder.write(name, stripped.value()), orientation);

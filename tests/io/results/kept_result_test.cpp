@@ -52,9 +52,10 @@ protected:
         view.cameraFromPatient = view.result->cameraFromPatient;
     }
 
-    io::ResultPlace write(io::ResultNames names = io::ResultNames::Kept)
+    io::ResultLocation write(io::ResultTexts names = io::ResultTexts::Kept)
     {
-        return {small_.folder().write("results/result.json", io::keptResultJson(session_, names)), {small_.path("in")}};
+        return {small_.folder().write("results/result.json", io::storedResultJson(session_, names)),
+                {small_.path("in")}};
     }
 
     test::SmallCase small_;
@@ -66,12 +67,12 @@ TEST_F(KeptResult, TellsWhereItsRunBegan)
 {
     session_.options.method = "rgbr";   // selected after the registration
     const auto place = write();
-    const auto asked = io::openAsked(place, warnings_);
+    const auto asked = io::openInputCase(place, warnings_);
     ASSERT_TRUE(asked) << asked.error().message;
     EXPECT_EQ(asked.value().shown().cameraFromPatient.matrix(), movedBy(1.0).matrix());
     EXPECT_EQ(asked.value().options.method, "dynaweight");
     EXPECT_FALSE(asked.value().shown().result);
-    const auto found = io::openFound(place, warnings_);
+    const auto found = io::openResultCase(place, warnings_);
     ASSERT_TRUE(found) << found.error().message;
     EXPECT_EQ(found.value().shown().cameraFromPatient.matrix(), movedBy(3.0).matrix());
 }
@@ -79,10 +80,10 @@ TEST_F(KeptResult, TellsWhereItsRunBegan)
 TEST_F(KeptResult, StillKnowsItFromASavedCase)
 {
     ASSERT_TRUE(io::saveCase(session_, small_.path("saved.angiopose")));
-    const std::string before = io::keptResultJson(session_, io::ResultNames::Kept);
+    const std::string before = io::storedResultJson(session_, io::ResultTexts::Kept);
     auto again = io::loadCase(small_.path("saved.angiopose"), warnings_);
     ASSERT_TRUE(again) << again.error().message;
-    EXPECT_EQ(io::keptResultJson(again.value(), io::ResultNames::Kept), before);
+    EXPECT_EQ(io::storedResultJson(again.value(), io::ResultTexts::Kept), before);
 }
 
 TEST_F(KeptResult, LeavesOutViewsOfOtherRuns)
@@ -90,9 +91,9 @@ TEST_F(KeptResult, LeavesOutViewsOfOtherRuns)
     session_.views.insert(session_.views.begin(), 2, session_.views.front());
     keep(session_.views[0], "2026-11-26T09:00:00Z");   // registered alone, earlier
     session_.shownView = 2;
-    const auto json = nlohmann::json::parse(io::keptResultJson(session_, io::ResultNames::Kept));
+    const auto json = nlohmann::json::parse(io::storedResultJson(session_, io::ResultTexts::Kept));
     EXPECT_EQ(json["case"]["views"].size(), 1U);
-    const auto found = io::openFound(write(), warnings_);
+    const auto found = io::openResultCase(write(), warnings_);
     ASSERT_TRUE(found) << found.error().message;
     EXPECT_EQ(found.value().views.size(), 2U);
 }
@@ -100,23 +101,23 @@ TEST_F(KeptResult, LeavesOutViewsOfOtherRuns)
 TEST_F(KeptResult, TellsNoCaseWhereItsBeginningIsNotKnown)
 {
     session_.shown().result->warnings = {core::messages::cameraEstimated(core::Quantity{98.0, 1, "%"}, 2, 3)};
-    EXPECT_FALSE(nlohmann::json::parse(io::keptResultJson(session_, io::ResultNames::Kept)).contains("case"));
+    EXPECT_FALSE(nlohmann::json::parse(io::storedResultJson(session_, io::ResultTexts::Kept)).contains("case"));
     session_.shown().result->warnings.clear();
     session_.shown().result->provenance.start.reset();
-    EXPECT_FALSE(nlohmann::json::parse(io::keptResultJson(session_, io::ResultNames::Kept)).contains("case"));
-    const auto asked = io::openAsked(write(), warnings_);
+    EXPECT_FALSE(nlohmann::json::parse(io::storedResultJson(session_, io::ResultTexts::Kept)).contains("case"));
+    const auto asked = io::openInputCase(write(), warnings_);
     ASSERT_FALSE(asked);
     EXPECT_TRUE(test::contains(asked.error().message.text(), "does not record its inputs"));
 }
 
 TEST_F(KeptResult, WithoutNamesStillFindsItsInputs)
 {
-    const auto place = write(io::ResultNames::LeftOut);
+    const auto place = write(io::ResultTexts::LeftOut);
     const std::string text = test::readText(place.path);
     for (const char* name : {"Jane", "Ada", "tree.csv", "image.png", "2026-11-26"}) {
         EXPECT_EQ(text.find(name), std::string::npos) << name;
     }
-    const auto asked = io::openAsked(place, warnings_);
+    const auto asked = io::openInputCase(place, warnings_);
     ASSERT_TRUE(asked) << asked.error().message;
     EXPECT_EQ(asked.value().shown().cameraFromPatient.matrix(), movedBy(1.0).matrix());
 }
@@ -132,7 +133,7 @@ TEST_F(KeptResult, KeepsToThePublishedSchema)
     const auto keepsTo = [&schema](const nlohmann::json& json) {
         return valijson::Validator().validate(schema, valijson::adapters::NlohmannJsonAdapter(json), nullptr);
     };
-    auto json = nlohmann::json::parse(io::keptResultJson(session_, io::ResultNames::Kept));
+    auto json = nlohmann::json::parse(io::storedResultJson(session_, io::ResultTexts::Kept));
     EXPECT_TRUE(keepsTo(json)) << json;
     json["pose"]["initial"] = 3;
     EXPECT_FALSE(keepsTo(json));

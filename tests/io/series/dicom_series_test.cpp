@@ -267,7 +267,7 @@ TEST(DicomSeries, StopIsAnsweredWhileListingAndReading)
 {
     const TemporaryFolder folder;
     writeShuffled(folder, allSlices(ctPhantom()));
-    const auto stop = [](double) { return core::Verdict::Stop; };
+    const auto stop = [](double) { return core::ObserverDecision::Stop; };
     EXPECT_FALSE(io::listSeries(folder.file(""), stop));
     auto series = io::listSeries(folder.file(""));
     ASSERT_TRUE(series);

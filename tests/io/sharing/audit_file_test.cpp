@@ -42,17 +42,17 @@ TEST(AuditFile, FilesThatComeOneByOneShareLines)
     test::writeText(folder.file("a.dcm"), "abc");
     const std::string audit = folder.file("audit.jsonl");
     io::AuditBatch batch(audit, {io::AuditEvent::Retrieved, "angiopose", {}, "pacs"});
-    batch.noteAll();
+    batch.flush();
     EXPECT_FALSE(fs::exists(audit)) << "nothing came";
     for (int i = 0; i < 199; ++i) {
         batch.add(folder.file("a.dcm"));
-        batch.noteWhenDue();
+        batch.flushIfDue();
     }
     EXPECT_FALSE(fs::exists(audit)) << "not yet";
     batch.add(folder.file("a.dcm"));
-    batch.noteWhenDue();
+    batch.flushIfDue();
     batch.add(folder.file("gone.dcm"));
-    batch.noteAll();
+    batch.flush();
     EXPECT_FALSE(batch.problem());
     std::istringstream lines(test::readText(audit));
     std::string first, second, none;
@@ -66,7 +66,7 @@ TEST(AuditFile, FilesThatComeOneByOneShareLines)
     EXPECT_EQ(nlohmann::json::parse(second)["files"].size(), 1U);
     io::AuditBatch lost(folder.file("gone/audit.jsonl"), {io::AuditEvent::Received, "angiopose", {}});
     lost.add(folder.file("a.dcm"));
-    lost.noteAll();
+    lost.flush();
     EXPECT_TRUE(lost.problem());
 }
 

@@ -40,7 +40,7 @@ protected:
     std::string casePath() const { return small.path("JaneDoe.angiopose"); }
 
     /// The folder to which the packed case is extracted.
-    std::string unpacked(const std::optional<io::Deidentification>& requested)
+    std::string unpacked(const std::optional<io::DeidentificationOptions>& requested)
     {
         const std::string archive = small.path("pack.zip");
         const auto packed = io::packCaseFile(casePath(), archive, {requested, pseudonyms});
@@ -73,7 +73,7 @@ TEST_F(PackCase, OpensElsewhereWithItsResult)
 
 TEST_F(PackCase, WithoutIdentityHoldsNoWordOfIt)
 {
-    const std::string folder = unpacked(io::Deidentification{});
+    const std::string folder = unpacked(io::DeidentificationOptions{});
     for (const auto& entry : fs::recursive_directory_iterator(folder)) {
         if (entry.is_regular_file()) {
             const std::string content = test::readText(entry.path());
@@ -94,8 +94,8 @@ TEST_F(PackCase, WithoutIdentityHoldsNoWordOfIt)
 
 TEST_F(PackCase, SameCaseSameBytes)
 {
-    ASSERT_TRUE(io::packCaseFile(casePath(), small.path("a.zip"), {io::Deidentification{}, pseudonyms}));
-    ASSERT_TRUE(io::packCaseFile(casePath(), small.path("b.zip"), {io::Deidentification{}, pseudonyms}));
+    ASSERT_TRUE(io::packCaseFile(casePath(), small.path("a.zip"), {io::DeidentificationOptions{}, pseudonyms}));
+    ASSERT_TRUE(io::packCaseFile(casePath(), small.path("b.zip"), {io::DeidentificationOptions{}, pseudonyms}));
     EXPECT_EQ(test::readText(small.path("a.zip")), test::readText(small.path("b.zip")));
 }
 
@@ -112,7 +112,7 @@ TEST_F(PackCase, SaysWhyItCannot)
 TEST_F(PackCase, StopLeavesNothing)
 {
     const auto stopped = io::packCaseFile(casePath(), small.path("pack.zip"), {{}, pseudonyms},
-                                          [](double) { return core::Verdict::Stop; });
+                                          [](double) { return core::ObserverDecision::Stop; });
     EXPECT_TRUE(stopped.isStopped());
     EXPECT_FALSE(fs::exists(small.path("pack.zip")));
 }
@@ -125,7 +125,8 @@ TEST(PackPhantom, RealCaseGoesWithoutIdentity)
     }
     const test::TemporaryFolder folder;
     const io::Pseudonyms pseudonyms("a key of more than sixteen bytes");
-    const auto packed = io::packCaseFile(path.string(), folder.file("p.zip"), {io::Deidentification{}, pseudonyms});
+    const auto packed =
+        io::packCaseFile(path.string(), folder.file("p.zip"), {io::DeidentificationOptions{}, pseudonyms});
     ASSERT_TRUE(packed) << packed.error().message.text();
     EXPECT_GT(fs::file_size(folder.file("p.zip")), 10'000U);
 }

@@ -1,9 +1,9 @@
 #include "io/sharing/support_bundle.h"
 
 #include "io/sharing/case_summary.h"
-#include "io/sharing/known_words.h"
-#include "io/support/system/machine_facts.h"
-#include "io/support/system/own_process.h"
+#include "io/sharing/vocabulary.h"
+#include "io/support/system/current_process.h"
+#include "io/support/system/machine_info.h"
 #include "tests/io/case/small_case.h"
 #include "tests/io/deidentify/planted_run.h"
 #include "tests/support/temporary_folder.h"
@@ -28,19 +28,19 @@ TEST(Redaction, TakesWhatIsKnownWhateverItsLetters)
     io::Redaction redaction;
     redaction.addName("MÜLLER^Jörg");
     redaction.addName("4711");
-    const std::string clean = redaction.cleaned("müller, JÖRG (4711) has 47110 points of jörg_müller.");
+    const std::string clean = redaction.redact("müller, JÖRG (4711) has 47110 points of jörg_müller.");
     EXPECT_EQ(clean, "[name], [name] ([name]) has 47110 points of [name]_[name].");
 }
 
 TEST(Redaction, TakesPlacesUidsAndDates)
 {
     const io::Redaction redaction;
-    EXPECT_EQ(redaction.cleaned("/srv/pacs/x: it is damaged"), "[path]: it is damaged");
-    EXPECT_EQ(redaction.cleaned("Written: Doe_1.png."), "Written: [file].png.");
-    EXPECT_EQ(redaction.cleaned("of 1.2.840.10008.5.1 here"), "of [uid] here");
-    EXPECT_EQ(redaction.cleaned("born 1962-03-14, 14.3.1962, 19620314 or 3/14/1962"),
+    EXPECT_EQ(redaction.redact("/srv/pacs/x: it is damaged"), "[path]: it is damaged");
+    EXPECT_EQ(redaction.redact("Written: Doe_1.png."), "Written: [file].png.");
+    EXPECT_EQ(redaction.redact("of 1.2.840.10008.5.1 here"), "of [uid] here");
+    EXPECT_EQ(redaction.redact("born 1962-03-14, 14.3.1962, 19620314 or 3/14/1962"),
               "born [date], [date], [date] or [date]");
-    EXPECT_EQ(redaction.cleaned("ITK: 5.2.1, 2.5 px/mm, 0x19620314, 12:30:01"),
+    EXPECT_EQ(redaction.redact("ITK: 5.2.1, 2.5 px/mm, 0x19620314, 12:30:01"),
               "ITK: 5.2.1, 2.5 px/mm, 0x19620314, 12:30:01");
 }
 
@@ -49,24 +49,24 @@ TEST(Redaction, LeavesWordsOfTheTradeAndEndings)
     io::Redaction redaction;
     redaction.addPath("/data/Doe/vessels/run.dcm");
     redaction.addText("Left and right of Doe");
-    EXPECT_EQ(redaction.cleaned("vessels from .dcm and left of DOE"), "vessels from .dcm and left of [name]");
+    EXPECT_EQ(redaction.redact("vessels from .dcm and left of DOE"), "vessels from .dcm and left of [name]");
 }
 
 TEST(Redaction, TakesHomeAccountAndMachine)
 {
     const io::Redaction redaction;
     const std::string account = io::accountName();
-    const std::string host = io::machineName();
+    const std::string host = io::hostName();
     const std::string clean =
-        redaction.cleaned("user " + account + " on " + host + " in " + io::homeFolder() + "/images");
+        redaction.redact("user " + account + " on " + host + " in " + io::homeFolder() + "/images");
     EXPECT_FALSE(account.size() > 2 && holdsText(clean, account)) << clean;
     EXPECT_FALSE(host != "localhost" && holdsText(clean, host)) << clean;
     EXPECT_FALSE(io::homeFolder().size() > 1 && holdsText(clean, io::homeFolder())) << clean;
 }
 
-TEST(KnownWords, LetOwnWordsThroughAlone)
+TEST(Vocabulary, LetOwnWordsThroughAlone)
 {
-    io::KnownWords words;
+    io::Vocabulary words;
     words.add("Written: %1");
     words.add("Geöffnet, 已打开");
     EXPECT_EQ(words.only("Written: Müller 2 of 123456"), "Written: […] 2 […] […]");
@@ -104,7 +104,7 @@ TEST_F(SupportBundle, HoldsNothingOfWhatWasPlanted)
     io::Redaction redaction;
     io::addIdentifiers(session, redaction);
     io::addIdentifiersOfFile(runPath, redaction);
-    std::vector<io::SupportText> texts = io::programTexts("OpenGL: 4.5 by PLANTED00\n");
+    std::vector<io::SupportFile> texts = io::diagnosticFiles("OpenGL: 4.5 by PLANTED00\n");
     texts.push_back({"case.txt", io::caseSummary(session)});
     std::string log = "0:01 Opened " + runPath + "\n";
     for (int i = 0; i < run.count(); ++i) {
@@ -113,11 +113,11 @@ TEST_F(SupportBundle, HoldsNothingOfWhatWasPlanted)
         log += std::string("0:02 of ") + planted.data() + " and 1.2.3.777.18, 20250314\n";
     }
     texts.push_back({"log.txt", log});
-    const auto clean = io::cleaned(texts, redaction);
-    const std::string all = io::asOneText(clean);
+    const auto clean = io::redact(texts, redaction);
+    const std::string all = io::joinTexts(clean);
     // Text that the headers do not store as text (curves, overlays, pixels) must not appear in any program message
     // either.
-    io::KnownWords own;
+    io::Vocabulary own;
     own.add("Opened of and");
     const std::string logged = own.only(clean.back().text);
     for (const char* secret : {"PLANTED_Doe", "PLANTED title", "PLANTED view", "777.18", "20250314", "Doe"}) {

@@ -1,7 +1,7 @@
 #include "io/study/read_studies.h"
 #include "io/angiogram_file.h"
 #include "io/study/dicom_directory.h"
-#include "io/study/series_picture.h"
+#include "io/study/series_thumbnail.h"
 #include "io/study/study_file.h"
 #include "tests/io/series/ct_phantom.h"
 #include "tests/io/study/study_disc.h"
@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 using test::TemporaryFolder;
 
-StudyTree read(const std::string& place, StudyReach reach = StudyReach::Listed, const StudyObserver& observe = {})
+StudyTree read(const std::string& place, StudyScope reach = StudyScope::Listed, const StudyObserver& observe = {})
 {
     auto tree = readStudies(place, reach, observe);
     EXPECT_TRUE(tree) << (tree ? "" : tree.error().message.text());
@@ -64,7 +64,7 @@ TEST(ReadStudies, AFolderBecomesPatientsStudiesAndSeries)
     const TemporaryFolder folder;
     test::writeDisc(folder);
 
-    const StudyTree tree = read(folder.file(""), StudyReach::AllFiles);
+    const StudyTree tree = read(folder.file(""), StudyScope::AllFiles);
 
     ASSERT_EQ(tree.patients.size(), 1u);
     EXPECT_EQ(tree.patients.front().identity.patientName, "Phantom^CT");
@@ -114,7 +114,7 @@ TEST(ReadStudies, DamagedFilesAreNamedAndEndNothing)
     folder.write("CT/EMPTY", "");
     folder.write("CT/TORN", std::string(128, '\0') + "DICM" + "\x08");
 
-    const StudyTree tree = read(folder.file(""), StudyReach::AllFiles);
+    const StudyTree tree = read(folder.file(""), StudyScope::AllFiles);
 
     ASSERT_EQ(tree.damaged.size(), 2u);
     EXPECT_EQ(tree.damaged[0].path, folder.file("CT/EMPTY"));
@@ -127,10 +127,10 @@ TEST(ReadStudies, StopKeepsWhatWasFound)
     const TemporaryFolder folder;
     test::writeDisc(folder);
     const auto observe = [](const StudyProgress& progress) {
-        return progress.read >= 4 ? core::Verdict::Stop : core::Verdict::Continue;
+        return progress.read >= 4 ? core::ObserverDecision::Stop : core::ObserverDecision::Continue;
     };
 
-    const StudyTree tree = read(folder.file(""), StudyReach::AllFiles, observe);
+    const StudyTree tree = read(folder.file(""), StudyScope::AllFiles, observe);
 
     EXPECT_TRUE(tree.isStopped);
     EXPECT_EQ(tree.readFiles, 4u);
@@ -149,7 +149,7 @@ TEST(ReadStudies, AScoutIsNoScan)
     const std::string plain = test::ctSlice(slice);
     folder.write("SCOUT", plain.substr(0, 132) + scout.content() + plain.substr(132));
 
-    const auto all = seriesOf(read(folder.file(""), StudyReach::AllFiles));
+    const auto all = seriesOf(read(folder.file(""), StudyScope::AllFiles));
 
     const auto found = std::ranges::find(all, "1.2.77", [](const StudySeries& each) { return each.series.id; });
     ASSERT_NE(found, all.end());
@@ -180,7 +180,7 @@ TEST(DicomDirectory, ItsFilesAreReadAndThoseBesideItCounted)
         EXPECT_EQ(tree.readFiles, names.size());
         EXPECT_EQ(seriesOf(tree).size(), 3u);
     }
-    EXPECT_EQ(seriesOf(read(folder.file(""), StudyReach::AllFiles)).size(), 4u);
+    EXPECT_EQ(seriesOf(read(folder.file(""), StudyScope::AllFiles)).size(), 4u);
 }
 
 TEST(DicomDirectory, MissingFilesAreReported)
@@ -260,16 +260,16 @@ TEST(SeriesPicture, ShowsTheMiddleSliceAndTheMiddleFrame)
 {
     const TemporaryFolder folder;
     test::writeDisc(folder);
-    const std::vector<StudySeries> all = seriesOf(read(folder.file(""), StudyReach::AllFiles));
+    const std::vector<StudySeries> all = seriesOf(read(folder.file(""), StudyScope::AllFiles));
 
-    const auto run = seriesPicture(findUse(all, SeriesUse::View)->series, 64);
+    const auto run = seriesThumbnail(findUse(all, SeriesUse::View)->series, 64);
 
     ASSERT_TRUE(run) << run.error().message.text();
     EXPECT_EQ(run.value().width, 64);
     // Frame 1 of three has its bright spot in the middle; the others have it elsewhere.
     EXPECT_FLOAT_EQ(run.value().at(32, 32), 1.0F);
     EXPECT_LT(run.value().at(8, 8), 0.5F);
-    const auto slice = seriesPicture(findUse(all, SeriesUse::Vessels)->series, 64);
+    const auto slice = seriesThumbnail(findUse(all, SeriesUse::Vessels)->series, 64);
     ASSERT_TRUE(slice) << slice.error().message.text();
     EXPECT_EQ(slice.value().width, 8);
 }
@@ -278,10 +278,10 @@ TEST(SeriesPicture, StopsWhenItIsNotWantedAnyMore)
 {
     const TemporaryFolder folder;
     test::writeDisc(folder);
-    const std::vector<StudySeries> all = seriesOf(read(folder.file(""), StudyReach::AllFiles));
+    const std::vector<StudySeries> all = seriesOf(read(folder.file(""), StudyScope::AllFiles));
 
     const auto picture =
-        seriesPicture(findUse(all, SeriesUse::View)->series, 64, [](double) { return core::Verdict::Stop; });
+        seriesThumbnail(findUse(all, SeriesUse::View)->series, 64, [](double) { return core::ObserverDecision::Stop; });
 
     EXPECT_TRUE(picture.isStopped());
 }
@@ -300,7 +300,7 @@ TEST(ReadStudies, FilesOfManyVendorsAreListed)
         std::ranges::any_of(all, [](const StudySeries& each) { return each.series.identity.modality == "SR"; }));
     for (const StudySeries& each : all) {
         EXPECT_EQ(each.use == SeriesUse::None, each.reason.has_value()) << each.series.description;
-        (void)seriesPicture(each.series, 96);   // or a reason, but no end of the program
+        (void)seriesThumbnail(each.series, 96);   // or a reason, but no end of the program
     }
 }
 
@@ -314,7 +314,7 @@ TEST(ReadStudies, ARealScanHasItsVolumeAndItsPicture)
     const std::vector<StudySeries> all = seriesOf(tree);
     const StudySeries* vessels = findUse(all, SeriesUse::Vessels);
     ASSERT_TRUE(vessels);
-    const auto picture = seriesPicture(vessels->series, 96);
+    const auto picture = seriesThumbnail(vessels->series, 96);
     ASSERT_TRUE(picture) << picture.error().message.text();
     EXPECT_LE(picture.value().width, 96);
     const auto [low, high] = std::ranges::minmax_element(picture.value().pixels);

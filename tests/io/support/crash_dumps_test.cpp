@@ -36,7 +36,7 @@ protected:
     static std::string lastDump()
     {
         const auto dumps = io::crashDumps("angiopose-test");
-        return dumps.empty() ? std::string() : io::readableDump(dumps.front());
+        return dumps.empty() ? std::string() : io::demangledDump(dumps.front());
     }
 
     test::TemporaryFolder folder_;

@@ -12,7 +12,7 @@ namespace {
 
 TEST(MessageJson, GivesIdSeverityTextAndArguments)
 {
-    const auto json = nlohmann::json::parse(messageJson(core::messages::trustPoseUncertain(core::inMm(2.44, 1))));
+    const auto json = nlohmann::json::parse(messageJson(core::messages::poseUncertain(core::inMm(2.44, 1))));
 
     EXPECT_EQ(json["id"], "trust.pose-uncertain");
     EXPECT_EQ(json["severity"], "warning");
@@ -35,7 +35,7 @@ TEST(MessageJson, GivesTheFileAndWhatIsInside)
 
 TEST(MessageJson, ListsSeveral)
 {
-    const core::Messages warnings{core::messages::trustRival(), core::messages::trustStopped()};
+    const core::Messages warnings{core::messages::alternativePoseFits(), core::messages::registrationStopped()};
     const auto json = nlohmann::json::parse(messagesJson(warnings));
 
     ASSERT_EQ(json.size(), 2U);

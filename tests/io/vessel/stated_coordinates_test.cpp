@@ -24,7 +24,7 @@ bool hasWarning(const core::Messages& warnings, const core::MessageEntry& entry)
 
 double unitOf(const std::string& header, double asked = 0.0)
 {
-    const auto rule = io::coordinateRule(header, asked, "x");
+    const auto rule = io::coordinateConversion(header, asked, "x");
     return rule ? rule.value().unitMm : -1.0;
 }
 
@@ -53,7 +53,7 @@ TEST(StatedCoordinates, OtherWordsAreNoUnit)
           "# id type x y z radius parent; mm, patient LPS; type 5 where branches meet", "# unit sphere",
           "# 1 unit = 0 mm", "vtk output", "# units: pixels", "# units: mm/s", "# 1 unit = mm2", "x,y,z,radius,branch",
           ""}) {
-        const auto rule = io::coordinateRule(words, 0.0, "x");
+        const auto rule = io::coordinateConversion(words, 0.0, "x");
         ASSERT_TRUE(rule) << words;
         EXPECT_EQ(rule.value().unitMm, 1.0) << words;
         EXPECT_FALSE(rule.value().isUnitStated) << words;
@@ -62,17 +62,17 @@ TEST(StatedCoordinates, OtherWordsAreNoUnit)
 
 TEST(StatedCoordinates, WhatIsAskedForGoesFirstAndTheDifferenceIsSaid)
 {
-    const auto asked = io::coordinateRule("# units: cm", 1.0, "x");
+    const auto asked = io::coordinateConversion("# units: cm", 1.0, "x");
     ASSERT_TRUE(asked);
     EXPECT_EQ(asked.value().unitMm, 1.0);
     EXPECT_TRUE(hasWarning(asked.value().notes, io::messages::unitOverruled));
-    const auto agreed = io::coordinateRule("# units: cm", 10.0, "x");
+    const auto agreed = io::coordinateConversion("# units: cm", 10.0, "x");
     EXPECT_TRUE(hasWarning(agreed.value().notes, io::messages::unitStated));
-    const auto two = io::coordinateRule("# units: cm\n# 1 unit = 1 m", 0.0, "x");
+    const auto two = io::coordinateConversion("# units: cm\n# 1 unit = 1 m", 0.0, "x");
     EXPECT_TRUE(hasWarning(two.value().notes, io::messages::unitsContradict));
-    EXPECT_TRUE(io::coordinateRule("# units: mm", 0.0, "x").value().notes.empty());
+    EXPECT_TRUE(io::coordinateConversion("# units: mm", 0.0, "x").value().notes.empty());
     for (const double wrong : {-1.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
-        EXPECT_TRUE(io::coordinateRule("", wrong, "x").error().message.is(io::messages::fileWrongUnit));
+        EXPECT_TRUE(io::coordinateConversion("", wrong, "x").error().message.is(io::messages::fileWrongUnit));
     }
 }
 
@@ -80,15 +80,15 @@ TEST(StatedCoordinates, AxesAreTurnedOrNamed)
 {
     for (const char* ras : {"# SPACE=RAS", "comment Space: ras", "# coordinate system = RAS", "SPACE = RAS",
                             "# axes: right-anterior-superior"}) {
-        EXPECT_TRUE(io::coordinateRule(ras, 0.0, "x").value().isRas) << ras;
+        EXPECT_TRUE(io::coordinateConversion(ras, 0.0, "x").value().isRas) << ras;
     }
     for (const char* other : {"# SPACE=LPS", "# space is air", "# coordinates in lap units", "vtk output"}) {
-        const auto rule = io::coordinateRule(other, 0.0, "x");
+        const auto rule = io::coordinateConversion(other, 0.0, "x");
         ASSERT_TRUE(rule) << other;
         EXPECT_FALSE(rule.value().isRas) << other;
     }
     for (const char* wrong : {"# SPACE=LAS", "# space: rai", "# axes are LPI"}) {
-        const auto rule = io::coordinateRule(wrong, 0.0, "x");
+        const auto rule = io::coordinateConversion(wrong, 0.0, "x");
         ASSERT_FALSE(rule) << wrong;
         EXPECT_TRUE(rule.error().message.is(io::messages::axesOther)) << wrong;
     }
@@ -197,7 +197,7 @@ TEST(StatedCoordinates, AreNotAskedForAgain)
         io::LoadedInputs inputs;
         const std::string path = folder.write("small.csv", isStated ? small : small.substr(small.find('\n') + 1));
         ASSERT_TRUE(io::addVessels(inputs, path, {}, "", {}));
-        EXPECT_EQ(inputs.askedUnitsAcross.has_value(), !isStated);
+        EXPECT_EQ(inputs.extentInUnknownUnits.has_value(), !isStated);
     }
 }
 

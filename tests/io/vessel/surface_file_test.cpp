@@ -274,13 +274,14 @@ TEST(ReadSurface, TracingOneEndsWhenStopped)
     input.kind = core::VesselInputKind::Surface;
     for (const int heardAfter : {1, 2, 3, 5, 8, 13, 21, 34}) {
         int asked = 0;
-        const auto vessels = io::readVessels(
-            path, input, [&](double) { return ++asked >= heardAfter ? core::Verdict::Stop : core::Verdict::Continue; });
+        const auto vessels = io::readVessels(path, input, [&](double) {
+            return ++asked >= heardAfter ? core::ObserverDecision::Stop : core::ObserverDecision::Continue;
+        });
         if (asked < heardAfter) {
             break;   // finished before that call
         }
         ASSERT_FALSE(vessels);
-        EXPECT_TRUE(vessels.error().isStop()) << vessels.error().message;
+        EXPECT_TRUE(vessels.error().isCancellation()) << vessels.error().message;
         EXPECT_LE(asked, heardAfter + 1) << "once stopped, it ends";
     }
 }
@@ -315,7 +316,7 @@ TEST(ReadSurface, PlyIsTakenAtItsWord)
         EXPECT_EQ(surface.error().message.id(), expected.second) << name;
     }
     EXPECT_TRUE(io::readSurface(folder.write("box.ply", plyText()), 1.0, [](double) {
-                    return core::Verdict::Stop;
+                    return core::ObserverDecision::Stop;
                 }).isStopped());
 }
 

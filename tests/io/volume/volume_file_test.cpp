@@ -164,7 +164,7 @@ TEST(ReadVolume, StopEndsTheReadingWithinAChunk)
     const auto stopped = io::readVolume(folder.file("a.nii.gz"), {}, [&](double fraction) {
         EXPECT_GE(fraction, last);
         last = fraction;
-        return ++calls == 2 ? core::Verdict::Stop : core::Verdict::Continue;
+        return ++calls == 2 ? core::ObserverDecision::Stop : core::ObserverDecision::Continue;
     });
 
     ASSERT_FALSE(stopped);

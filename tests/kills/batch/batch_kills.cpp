@@ -67,7 +67,7 @@ pid_t start(std::vector<std::string> words)
 struct Ending {
     int code = -1;   ///< negative: the signal
     double seconds = 0.0;
-    double processorSeconds = 0.0;   ///< including its workers
+    double cpuSeconds = 0.0;   ///< including its workers
 };
 
 Ending endOf(pid_t child, Clock::time_point begun)
@@ -219,8 +219,8 @@ void compare(const Settings& settings)
 void tell(const Settings& settings, const char* what, const Ending& run)
 {
     std::printf("%s: %.0f cases per hour, %.0f per hour of processor (%.1f s of wall, %.1f s of processor)\n", what,
-                3600.0 * settings.cases / run.seconds, 3600.0 * settings.cases / run.processorSeconds, run.seconds,
-                run.processorSeconds);
+                3600.0 * settings.cases / run.seconds, 3600.0 * settings.cases / run.cpuSeconds, run.seconds,
+                run.cpuSeconds);
 }
 
 void measure(const Settings& settings, const Ending& one)

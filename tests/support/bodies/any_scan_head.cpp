@@ -1,4 +1,4 @@
-#include "core/simulation/paint_trunk.h"
+#include "core/simulation/paint_torso.h"
 #include "core/simulation/smooth_path.h"
 #include "tests/support/bodies/body_shapes.h"
 #include "tests/support/bodies/drawn_scan.h"
@@ -175,7 +175,7 @@ AnyScan drawCt(ScanKind kind, const ScanDraw& draw, ScanGrid& grid, CounterRando
     }
     paintTree(painter, scan.arteries, grid.geometry, draw.bloodHu);
     blurScan(grid, blurVoxels);
-    scan.volume = asStored(grid, draw.noise, random.fork(1));
+    scan.volume = storedVolume(grid, draw.noise, random.fork(1));
     return scan;
 }
 

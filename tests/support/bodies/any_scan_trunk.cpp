@@ -1,4 +1,4 @@
-#include "core/simulation/paint_trunk.h"
+#include "core/simulation/paint_torso.h"
 #include "tests/support/bodies/body_anatomy.h"
 #include "tests/support/bodies/drawn_scan.h"
 #include "tests/support/bodies/scan_artefacts.h"
@@ -56,7 +56,7 @@ AnyScan drawTrunkCt(ScanKind kind, const ScanDraw& draw, ScanGrid& grid, Counter
     paintBody(painter, values, random);
     paintTree(painter, scan.arteries, grid.geometry, draw.bloodHu);
     blurScan(grid, trunkBlurVoxels);
-    scan.volume = asStored(grid, draw.noise, random.fork(1));
+    scan.volume = storedVolume(grid, draw.noise, random.fork(1));
     if (kind == ScanKind::AbdomenGray) {
         for (std::int16_t& voxel : scan.volume.voxels) {
             voxel = static_cast<std::int16_t>(std::max(0.0, voxel + grayOfAir));

@@ -8,7 +8,7 @@ void paintEllipsoid(ScanPainter& painter, const TurnedEllipsoid& shape, double h
 {
     painter.around(shape.center, Eigen::Vector3d::Constant(shape.halfAxesMm.maxCoeff()),
                    [&](std::size_t voxel, const Eigen::Vector3d& place) {
-                       painter.blend(voxel, shareInside(shape.distanceMm(place), painter.voxelMm()), hu);
+                       painter.blend(voxel, fractionInside(shape.distanceMm(place), painter.voxelMm()), hu);
                    });
 }
 
@@ -17,7 +17,7 @@ void paintDifference(ScanPainter& painter, const TurnedEllipsoid& shape, const T
     painter.around(shape.center, Eigen::Vector3d::Constant(shape.halfAxesMm.maxCoeff()),
                    [&](std::size_t voxel, const Eigen::Vector3d& place) {
                        const double outsideMm = std::max(shape.distanceMm(place), -without.distanceMm(place));
-                       painter.blend(voxel, shareInside(outsideMm, painter.voxelMm()), hu);
+                       painter.blend(voxel, fractionInside(outsideMm, painter.voxelMm()), hu);
                    });
 }
 

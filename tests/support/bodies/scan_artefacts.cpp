@@ -41,9 +41,9 @@ void applyFallOff(ScanGrid& grid, const CoilFallOff& coil)
 
 Volume asMagnitudes(const ScanGrid& grid, double noise, const CounterRandom& random)
 {
-    return asWholeNumbers(grid, random, [noise](double signal, CounterRandom& ofSlice) {
-        const double real = signal + noise * ofSlice.normal();
-        return std::min(std::hypot(real, noise * ofSlice.normal()), maxStoredMagnitude);
+    return roundedVolume(grid, random, [noise](double signal, CounterRandom& sliceRandom) {
+        const double real = signal + noise * sliceRandom.normal();
+        return std::min(std::hypot(real, noise * sliceRandom.normal()), maxStoredMagnitude);
     });
 }
 

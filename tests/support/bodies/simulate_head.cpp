@@ -1,4 +1,4 @@
-#include "core/simulation/paint_trunk.h"
+#include "core/simulation/paint_torso.h"
 #include "tests/support/bodies/head_anatomy.h"
 #include "tests/support/bodies/simulate_body.h"
 
@@ -25,7 +25,7 @@ BodyScan simulateHead(std::uint64_t seed, const BodyScanOptions& options)
     paintTree(painter, headSinuses(random), geometry, brainHu + sinusShare * (options.bloodHu - brainHu));
     paintTree(painter, scan.arteries, geometry, options.bloodHu);
     blurScan(grid, options.blurVoxels);
-    scan.volume = asStored(grid, options.noiseHu, random.fork(1));
+    scan.volume = storedVolume(grid, options.noiseHu, random.fork(1));
     for (const VesselBranch& branch : scan.arteries.branches) {
         if (branch.generation == 0) {   // above the base of the skull
             scan.origins.push_back(branch.pointsInPatient[branch.pointsInPatient.size() - 6]);

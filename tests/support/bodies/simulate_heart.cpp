@@ -1,4 +1,4 @@
-#include "core/simulation/paint_trunk.h"
+#include "core/simulation/paint_torso.h"
 #include "core/simulation/smooth_path.h"
 #include "tests/support/bodies/body_shapes.h"
 #include "tests/support/bodies/simulate_body.h"
@@ -187,7 +187,7 @@ BodyScan simulateHeart(std::uint64_t seed, const BodyScanOptions& options)
     const ScanField field = fieldOf(geometry);
     ScanGrid grid(geometry, static_cast<float>(airHu));
     ScanPainter painter(grid);
-    paintTrunk(painter, field);
+    paintTorso(painter, field);
     for (const double side : {-1.0, 1.0}) {
         painter.ellipsoid(field.half.cwiseProduct(Eigen::Vector3d(0.62 * side, 0.0, 0.1)),
                           field.half.cwiseProduct(Eigen::Vector3d(0.42, 0.72, 1.3)), lungHu);
@@ -208,7 +208,7 @@ BodyScan simulateHeart(std::uint64_t seed, const BodyScanOptions& options)
     scan.arteries = coronaries(surface, root, random);
     paintTree(painter, scan.arteries, geometry, options.bloodHu);
     blurScan(grid, options.blurVoxels);
-    scan.volume = asStored(grid, options.noiseHu, random.fork(1));
+    scan.volume = storedVolume(grid, options.noiseHu, random.fork(1));
     scan.origins = {placeAlong(scan.arteries.branches[0], 0.08), placeAlong(scan.arteries.branches[2], 0.08)};
     return scan;
 }

@@ -1,5 +1,5 @@
 #include "core/simulation/grow_tree.h"
-#include "core/simulation/paint_trunk.h"
+#include "core/simulation/paint_torso.h"
 #include "core/simulation/smooth_path.h"
 #include "tests/support/bodies/body_shapes.h"
 #include "tests/support/bodies/simulate_body.h"
@@ -79,7 +79,7 @@ BodyScan simulateLiver(std::uint64_t seed, const BodyScanOptions& options)
     const ScanField field = fieldOf(geometry);
     ScanGrid grid(geometry, static_cast<float>(airHu));
     ScanPainter painter(grid);
-    paintTrunk(painter, field);
+    paintTorso(painter, field);
     paintUpperOrgans(painter, options.bloodHu);
     paintSkeleton(painter, field, random);
 
@@ -111,7 +111,7 @@ BodyScan simulateLiver(std::uint64_t seed, const BodyScanOptions& options)
     paintTree(painter, aorta, geometry, options.bloodHu);
     paintTree(painter, scan.arteries, geometry, options.bloodHu);
     blurScan(grid, options.blurVoxels);
-    scan.volume = asStored(grid, options.noiseHu, random.fork(1));
+    scan.volume = storedVolume(grid, options.noiseHu, random.fork(1));
     const auto& main = scan.arteries.branches[1].pointsInPatient;
     scan.origins = {main[main.size() / 3]};
     return scan;

@@ -46,7 +46,7 @@ TEST(MethodHelp, PagesNameSettingsAsTheWindowDoes)
         for (qsizetype i = 1; i < parts.size(); i += 2) {
             bool isThere = false;
             for (const core::OptionField& field : core::optionFields()) {
-                isThere = isThere || (core::isFor(field, info.id) && text(field.label) == parts[i]);
+                isThere = isThere || (core::appliesTo(field, info.id) && text(field.label) == parts[i]);
             }
             EXPECT_TRUE(isThere) << info.id << ": " << parts[i].toStdString();
         }

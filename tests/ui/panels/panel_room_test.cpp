@@ -3,7 +3,7 @@
 #include "ui/panels/result_panel.h"
 #include "ui/plots/convergence_plot.h"
 #include "ui/plots/histogram_plot.h"
-#include "ui/words/spoken.h"
+#include "ui/words/retranslation.h"
 
 #include <gtest/gtest.h>
 #include <QComboBox>
@@ -14,9 +14,9 @@ namespace angiopose::ui {
 namespace {
 
 /// A manually moved pose with the given number of messages.
-JudgedPose moved(std::size_t sentences)
+AssessedPose moved(std::size_t sentences)
 {
-    JudgedPose judged;
+    AssessedPose judged;
     judged.source = PoseSource::Edited;
     judged.residualsMm = {0.5, 1.0};
     judged.scaleMaximumMm = 2.0;
@@ -41,10 +41,10 @@ TEST(ResultPanel, KeepsRoomWhileAPoseIsMovedAndGivesItBackAtRest)
     ResultPanel panel;
     panel.setFixedWidth(300);
     panel.show();
-    panel.showJudgement(moved(5), {});
+    panel.showAssessment(moved(5), {});
     QTest::qWait(50);
     EXPECT_EQ(keptHeight(panel), 0);
-    panel.showJudgement(moved(1), {});
+    panel.showAssessment(moved(1), {});
     EXPECT_GT(keptHeight(panel), 0);   // nothing below moves under the mouse pointer
     EXPECT_TRUE(QTest::qWaitFor([&] { return keptHeight(panel) == 0; }, 5000));
 }
@@ -55,7 +55,7 @@ TEST(ResultPanel, PlotsGiveTheirRoomBack)
     const auto& histogram = *panel.findChild<HistogramPlot*>();
     const auto& convergence = *panel.findChild<ConvergencePlot*>();
     const int empty = histogram.minimumHeight();
-    panel.showJudgement(moved(0), {});
+    panel.showAssessment(moved(0), {});
     panel.showHistory(std::vector<core::IterationReport>(2));
     const int full = histogram.minimumHeight();
     ASSERT_GT(full, empty);
@@ -71,12 +71,12 @@ TEST(Words, AChoiceIsAsNarrowAsItsWordsOnceLongerOnesAreGone)
 {
     QComboBox box;
     box.setSizeAdjustPolicy(QComboBox::AdjustToContents);
-    setWords(box, {QStringLiteral("by name"), QStringLiteral("by length")});
+    setItemTexts(box, {QStringLiteral("by name"), QStringLiteral("by length")});
     box.show();
     const int minPx = box.minimumSizeHint().width();
-    setWords(box, {QStringLiteral("nach dem Namen der Gefäße"), QStringLiteral("nach der Länge")});
+    setItemTexts(box, {QStringLiteral("nach dem Namen der Gefäße"), QStringLiteral("nach der Länge")});
     ASSERT_GT(box.minimumSizeHint().width(), minPx);
-    setWords(box, {QStringLiteral("by name"), QStringLiteral("by length")});
+    setItemTexts(box, {QStringLiteral("by name"), QStringLiteral("by length")});
     EXPECT_EQ(box.minimumSizeHint().width(), minPx);
 }
 

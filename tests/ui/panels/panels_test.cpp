@@ -1,6 +1,6 @@
 #include "core/registration/options/option_fields.h"
 #include "ui/panels/geometry_panel.h"
-#include "ui/panels/lock_dot.h"
+#include "ui/panels/lock_button.h"
 #include "ui/panels/option_form.h"
 #include "ui/panels/pose_panel.h"
 #include "ui/panels/registration_panel.h"
@@ -65,7 +65,7 @@ TEST(PosePanel, TogglesALockByItsDot)
     PoseLocks reported{};
     QObject::connect(&panel, &PosePanel::locksEdited, [&](const PoseLocks& locks) { reported = locks; });
 
-    QTest::mouseClick(panel.findChildren<LockDot*>()[2], Qt::LeftButton);
+    QTest::mouseClick(panel.findChildren<LockButton*>()[2], Qt::LeftButton);
 
     EXPECT_EQ(reported, (PoseLocks{false, false, true, false, false, false}));
 }
@@ -79,7 +79,7 @@ TEST(RegistrationPanel, ShowsTheOptionsOfTheChosenMethodSilently)
     panel.showOptions(options);
     EXPECT_EQ(edited.count(), 0);
     for (const core::OptionField& field : core::optionFields()) {
-        const bool applies = core::isFor(field, "dynaweight");
+        const bool applies = core::appliesTo(field, "dynaweight");
         EXPECT_EQ(panel.findChild<QWidget*>(QString::fromUtf8(field.key.data(), static_cast<int>(field.key.size()))) !=
                       nullptr,
                   applies)
@@ -94,7 +94,7 @@ TEST(RegistrationPanel, CannotStartWhileRunningOrNotReady)
     panel.setRunning(true);
     EXPECT_FALSE(panel.registerButton()->isEnabled());
     panel.setRunning(false);
-    panel.showReady(QStringLiteral("Open an angiogram first."));
+    panel.showBlockingReason(QStringLiteral("Open an angiogram first."));
     EXPECT_FALSE(panel.registerButton()->isEnabled());
     EXPECT_EQ(panel.registerButton()->toolTip(), QStringLiteral("Open an angiogram first."));
 }

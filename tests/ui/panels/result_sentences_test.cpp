@@ -76,13 +76,13 @@ TEST(ResultSentences, HaveNothingCertainWhenTheFitIsNotTrustworthy)
 {
     core::RegistrationResult result = resultWith({20.0, 20.0});
     result.trustworthy = false;
-    result.warnings = {core::messages::trustRival()};
+    result.warnings = {core::messages::alternativePoseFits()};
 
     const auto sentences = sentencesOf(result, treeOf({"LM", "LAD"}), 0.3);
 
     EXPECT_TRUE(sentences.certain.isEmpty());
     EXPECT_TRUE(sentences.doubtful.contains(
-        QStringLiteral("Another pose explains the image almost as well: compare the alternatives.")));
+        QStringLiteral("Another pose fits the image almost as well: compare the other solutions.")));
 }
 
 TEST(ResultSentences, SayHowLikelyTheOverlayIsRightWhereThatIsKnown)

@@ -34,7 +34,7 @@ TEST(ThresholdField, CallsTheValuesOfCtAloneHounsfieldUnits)
 TEST(ThresholdField, BeginsAtWhatWasFound)
 {
     OpenThreshold open;
-    open.field.showFound(231.0);
+    open.field.showAutomatic(231.0);
     EXPECT_EQ(open.field.shown(), 231.0);
     EXPECT_FALSE(open.slider.isEnabled());
     EXPECT_FALSE(open.field.isPreviewWanted());

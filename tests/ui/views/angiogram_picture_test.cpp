@@ -93,7 +93,7 @@ INSTANTIATE_TEST_SUITE_P(
                        v.scene().setMarks({{}, {1, 2, 3}, {}, {}, {}});
                    }},
             Change{"mode", [](ui::AngiogramView& v) { v.scene().setMode(ui::OverlayMode::Hidden); }},
-            Change{"veil", [](ui::AngiogramView& v) { v.scene().setVeiled(true); }},
+            Change{"veil", [](ui::AngiogramView& v) { v.scene().setOverlayHidden(true); }},
             Change{"opacity", [](ui::AngiogramView& v) { v.scene().setOpacity(0.2); }},
             Change{"line width", [](ui::AngiogramView& v) { v.setLineWidth(6.0); }},
             Change{"depth cue", [](ui::AngiogramView& v) { v.scene().setDepthCue(ui::DepthCue::NearBright); }},

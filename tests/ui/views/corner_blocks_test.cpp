@@ -14,7 +14,7 @@ TEST(CornerBlocks, EndInDotsWhereTheImageIsNarrow)
     const ImageViewport viewport;
     const OverlayScene scene;
     const std::vector<QRectF> taken;
-    const Ground ground(viewport, scene, taken);
+    const ViewContent ground(viewport, scene, taken);
     const QStringList lines{QStringLiteral("XA"),
                             QStringLiteral("Hospital of a very long name · Left coronary, run 12")};
     for (std::size_t corner = 0; corner < 4; ++corner) {
@@ -41,7 +41,7 @@ TEST(CornerBlocks, AreOfOneSize)
         QPainter painter(&picture);
         std::vector<double> heights;
         for (const QRectF& block :
-             paintCorners(painter, picture.size(), {lines, lines, lines, lines}, Ground(viewport, scene, taken))) {
+             paintCorners(painter, picture.size(), {lines, lines, lines, lines}, ViewContent(viewport, scene, taken))) {
             heights.push_back(block.height());
         }
         return heights;

@@ -37,7 +37,7 @@ std::vector<std::uint32_t> picture(const ui::StrokeMesh& mesh)
 }
 
 /// The same curves drawn completely: the canvas is so large that no part is skipped as outside.
-ui::StrokeMesh drawnWhole(const core::Centerline2d& curves, const ui::CurveLook& look)
+ui::StrokeMesh drawnWhole(const core::Centerline2d& curves, const ui::CurveStyle& look)
 {
     ui::CurveCanvas endless = square();
     endless.widthPx = endless.heightPx = 1e5;
@@ -50,7 +50,7 @@ TEST(CurveStrokes, LeaveOutWhatDoesNotShowAndNothingElse)
 {
     const core::Centerline2d curves = wave(0.0, 5000.0);
     for (const bool isFaint : {false, true}) {
-        const ui::CurveLook look{.isFaint = isFaint};
+        const ui::CurveStyle look{.isFaint = isFaint};
         ui::StrokeMesh mesh;
         addCurves(mesh, square(), curves, look);
         const ui::StrokeMesh whole = drawnWhole(curves, look);
@@ -62,13 +62,13 @@ TEST(CurveStrokes, LeaveOutWhatDoesNotShowAndNothingElse)
 TEST(CurveStrokes, AreNothingForCurvesBesideThePicture)
 {
     ui::StrokeMesh mesh;
-    addCurves(mesh, square(), wave(400.0, 900.0), {.inDoubt = {0}});
+    addCurves(mesh, square(), wave(400.0, 900.0), {.suspectIds = {0}});
     EXPECT_EQ(mesh.vertexCount(), 0U);
 }
 
 TEST(CurveStrokes, AreDrawnAnewForOtherCurvesOrAnotherPicture)
 {
-    ui::KeptCurveStrokes kept;
+    ui::CurveStrokeCache kept;
     const std::vector<float> first = kept.of(1, square(), wave(0.0, 100.0), {}).points;
     EXPECT_EQ(kept.of(1, square(), wave(0.0, 100.0), {}).points, first);
     EXPECT_NE(kept.of(2, square(), wave(0.0, 50.0), {}).points, first);

@@ -47,14 +47,14 @@ protected:
 
 TEST_F(EditCurvesKeys, KeepASuspectApartAndAnyCurveThatIsClicked)
 {
-    QSignalSpy apart(tool, &ui::EditCurvesTool::keptApart);
+    QSignalSpy apart(tool, &ui::EditCurvesTool::deviceToggled);
     press(Qt::Key_S);
     press(Qt::Key_W);
     ASSERT_EQ(apart.count(), 1);
     EXPECT_EQ(apart[0], QVariantList({3, true}));
     tool->showCurves(curves, {.suspects = {}, .devices = {3}});   // as the case responds
     press(Qt::Key_W);   // no suspect is selected: the key sets what a click does
-    EXPECT_EQ(tool->edit(), ui::CurveEdit::Apart);
+    EXPECT_EQ(tool->edit(), ui::CurveEdit::MarkDevice);
     for (const int id : {4, 3}) {
         const core::Curve2d& curve = *std::ranges::find(curves.curves, id, &core::Curve2d::id);
         QTest::mouseClick(&view, Qt::LeftButton, {},

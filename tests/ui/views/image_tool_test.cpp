@@ -35,7 +35,7 @@ public:
     }
     bool takesKey(const QKeyEvent& event) const override { return event.key() == Qt::Key_Return; }
     void keyPress(const QKeyEvent&) override { log << QStringLiteral("key"); }
-    bool takeBack() override { return std::exchange(hasStep, false); }
+    bool undoStep() override { return std::exchange(hasStep, false); }
 
     QStringList log;
     bool takesDrags = true;

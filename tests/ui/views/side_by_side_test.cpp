@@ -97,7 +97,7 @@ int differing(const QImage& a, const QImage& b, const QRect& part)
 
 TEST(AngiogramViewCrosshair, LiesWhereTheSegmentIs)
 {
-    AngiogramView view(ImageRole::Beside);
+    AngiogramView view(ImageRole::Secondary);
     view.resize(400, 400);
     view.setFrame(core::ImageF(100, 100, 0.5F));
     view.setWindowLevel(1.0, 0.5);
@@ -122,7 +122,7 @@ TEST(AngiogramViewCrosshair, LiesWhereTheSegmentIs)
 TEST(AngiogramViewCrosshair, TakesTheLookButNotWhatIsShown)
 {
     AngiogramView leader;
-    AngiogramView follower(ImageRole::Beside);
+    AngiogramView follower(ImageRole::Secondary);
     leader.setFrame(core::ImageF(8, 8, 1.0F));
     follower.setFrame(core::ImageF(16, 16, 2.0F));
     follower.setCamera(test::obliqueCamera(test::Mirror::SeenFromDetector));
@@ -132,7 +132,7 @@ TEST(AngiogramViewCrosshair, TakesTheLookButNotWhatIsShown)
     marks.selected = {3};
     leader.scene().setMarks(marks);
     leader.setFromSource(true);
-    follower.takeLookOf(leader);
+    follower.copyAppearance(leader);
     const OverlayContent& content = follower.scene().content();
     EXPECT_EQ(content.opacity, 0.4);
     EXPECT_TRUE(content.frame.isInverted());

@@ -76,7 +76,7 @@ struct MeasuredSliceView {
         model.setCrosshair(Eigen::Vector3d::Zero());
         QObject::connect(&tool, &SliceMeasureTool::drawn, &view, [this](const SliceMeasurement& what) {
             drawn.push_back(what);
-            model.setMeasured({{drawn.back(), {}, false}});
+            model.setMeasurements({{drawn.back(), {}, false}});
         });
         view.resize(500, 420);
         view.show();
@@ -206,7 +206,7 @@ TEST(SliceMeasure, PointsStayInOneSliceAndEscTakesBack)
     s.click({-5, 3, 0});
     ASSERT_EQ(s.drawn.size(), 1U);
     EXPECT_NEAR(core::valueOf(s.drawn[0]).value().value, 10.0, 2.0 / s.view.pxPerMm());
-    EXPECT_NEAR(core::sliceAtMm(s.drawn[0]), s.view.grid().firstInPatient.z(), 1e-9);
+    EXPECT_NEAR(core::slicePositionMm(s.drawn[0]), s.view.grid().firstInPatient.z(), 1e-9);
 
     QSignalSpy moved(&s.tool, &SliceMeasureTool::pointMoved);
     const QPoint end = s.view.widgetFromPatient(s.drawn[0].pointsInPatient[0]).toPoint();

@@ -1,4 +1,4 @@
-#include "ui/slices/slice_picture.h"
+#include "ui/slices/slice_image.h"
 #include "ui/slices/slice_model.h"
 #include "ui/slices/window_bar.h"
 
@@ -44,7 +44,7 @@ QRgb middleOf(const QImage& picture, int column, int row, int scale = 1)
 
 TEST(SlicePicture, ShowsTheWindowAndInterpolates)
 {
-    const QImage picture = slicePicture(rampSlice(), wholeRamp, {}, fittedViewport(), {80, 160}, 1.0);
+    const QImage picture = sliceImage(rampSlice(), wholeRamp, {}, fittedViewport(), {80, 160}, 1.0);
     for (const int column : {0, 3, 7}) {
         EXPECT_NEAR(qRed(middleOf(picture, column, 2)), 255.0 * column / 8.0, 7.0);
         EXPECT_EQ(qRed(middleOf(picture, column, 2)), qBlue(middleOf(picture, column, 2)));
@@ -52,9 +52,9 @@ TEST(SlicePicture, ShowsTheWindowAndInterpolates)
     const int between = qRed(picture.pixel(40, 50));   // between columns 3 and 4
     EXPECT_GT(between, qRed(middleOf(picture, 3, 2)));
     EXPECT_LT(between, qRed(middleOf(picture, 4, 2)));
-    EXPECT_EQ(middleOf(slicePicture(rampSlice(), {10.0, 900.0}, {}, fittedViewport(), {80, 160}, 1.0), 7, 7),
+    EXPECT_EQ(middleOf(sliceImage(rampSlice(), {10.0, 900.0}, {}, fittedViewport(), {80, 160}, 1.0), 7, 7),
               qRgb(0, 0, 0));
-    EXPECT_EQ(middleOf(slicePicture(rampSlice(), {10.0, -90.0}, {}, fittedViewport(), {80, 160}, 1.0), 0, 0),
+    EXPECT_EQ(middleOf(sliceImage(rampSlice(), {10.0, -90.0}, {}, fittedViewport(), {80, 160}, 1.0), 0, 0),
               qRgb(255, 255, 255));
 }
 
@@ -64,7 +64,7 @@ TEST(SlicePicture, TintsLumenAndWhatIsAboveTheThreshold)
     content.mask.assign(64, 0);
     content.mask[8 * 4 + 1] = 1;
     SliceTints tints{{{{0, 0, 255}, 0.5}}, {{255, 0, 0}, 0.5}, 450.0};
-    const QImage picture = slicePicture(content, wholeRamp, tints, fittedViewport(), {80, 160}, 1.0);
+    const QImage picture = sliceImage(content, wholeRamp, tints, fittedViewport(), {80, 160}, 1.0);
     EXPECT_GT(qBlue(middleOf(picture, 1, 4)), qRed(middleOf(picture, 1, 4)));
     EXPECT_EQ(qBlue(middleOf(picture, 1, 3)), qRed(middleOf(picture, 1, 3)));
     EXPECT_EQ(qBlue(middleOf(picture, 4, 4)), qRed(middleOf(picture, 4, 4)));
@@ -80,7 +80,7 @@ TEST(SlicePicture, TintsEachLabelInItsColor)
     content.mask[8 * 4 + 3] = 2;
     content.mask[8 * 4 + 5] = 200;   // beyond the list of tints: uses the last one
     const SliceTints tints{{{{0, 0, 255}, 1.0}, {{0, 200, 0}, 0.5}}, {}, std::nullopt};
-    const QImage picture = slicePicture(content, wholeRamp, tints, fittedViewport(), {80, 160}, 1.0);
+    const QImage picture = sliceImage(content, wholeRamp, tints, fittedViewport(), {80, 160}, 1.0);
     EXPECT_EQ(middleOf(picture, 0, 4), qRgb(0, 0, 0));
     EXPECT_EQ(middleOf(picture, 1, 4), qRgb(0, 0, 255));
     EXPECT_EQ(middleOf(picture, 3, 4), qRgb(0, 100, 0));
@@ -92,17 +92,17 @@ TEST(SlicePicture, IsBlackOutsideTheScan)
     SliceContent content = rampSlice();
     content.values[0] = std::numeric_limits<float>::quiet_NaN();
     const SliceTints everything{{{{0, 0, 255}, 0.5}}, {{255, 0, 0}, 0.5}, -1e9};
-    const QImage picture = slicePicture(content, {10.0, -90.0}, everything, fittedViewport(), {200, 160}, 1.0);
+    const QImage picture = sliceImage(content, {10.0, -90.0}, everything, fittedViewport(), {200, 160}, 1.0);
     EXPECT_EQ(middleOf(picture, 0, 0), qRgb(0, 0, 0));
     EXPECT_NE(middleOf(picture, 4, 4), qRgb(0, 0, 0));
     EXPECT_EQ(picture.pixel(190, 80), qRgb(0, 0, 0));
-    EXPECT_EQ(slicePicture({}, wholeRamp, {}, fittedViewport(), {80, 160}, 1.0).pixel(40, 80), qRgb(0, 0, 0));
+    EXPECT_EQ(sliceImage({}, wholeRamp, {}, fittedViewport(), {80, 160}, 1.0).pixel(40, 80), qRgb(0, 0, 0));
 }
 
 TEST(SlicePicture, IsTheSameOnAFineScreen)
 {
-    const QImage coarse = slicePicture(rampSlice(), wholeRamp, {}, fittedViewport(), {80, 160}, 1.0);
-    const QImage fine = slicePicture(rampSlice(), wholeRamp, {}, fittedViewport(), {160, 320}, 2.0);
+    const QImage coarse = sliceImage(rampSlice(), wholeRamp, {}, fittedViewport(), {80, 160}, 1.0);
+    const QImage fine = sliceImage(rampSlice(), wholeRamp, {}, fittedViewport(), {160, 320}, 2.0);
     for (const int column : {0, 3, 7}) {
         EXPECT_NEAR(qRed(middleOf(fine, column, 5, 2)), qRed(middleOf(coarse, column, 5)), 6);
     }

@@ -275,13 +275,13 @@ TEST_F(TreeViewTest, MovesToAnotherWindow)
 TEST_F(TreeViewTest, ShowsThePictureOfAScanBehindTheTree)
 {
     settle();
-    const core::ParallelSight sight = view_->scene().sight(20000);
+    const core::ParallelProjection sight = view_->scene().sight(20000);
     EXPECT_LE(sight.width * sight.height, 21000);
     core::Image2d<core::Rgba> pixels(sight.width, sight.height, {0, 160, 0, 255});
     for (int y = 0; y < sight.height / 2; ++y) {
         std::fill_n(&pixels.at(0, y), sight.width, core::Rgba{});   // the lower half is empty
     }
-    view_->scene().setScanPicture({sight, pixels});
+    view_->scene().setScanRendering({sight, pixels});
     view_->requestRender();
     settle();
     const QImage picture = view_->grab().toImage();
@@ -291,7 +291,7 @@ TEST_F(TreeViewTest, ShowsThePictureOfAScanBehindTheTree)
     EXPECT_TRUE(isGreen(picture.pixel(picture.width() / 4, picture.height() / 4)));
     EXPECT_FALSE(isGreen(picture.pixel(picture.width() / 4, 3 * picture.height() / 4)));
     EXPECT_FALSE(isGreen(picture.pixel(picture.width() / 2, picture.height() / 4))) << "the vessel lies before it";
-    view_->scene().setScanPicture({});
+    view_->scene().setScanRendering({});
     view_->requestRender();
     settle();
     const QImage after = view_->grab().toImage();
@@ -303,10 +303,10 @@ TEST_F(TreeViewTest, TellsThatItIsSeenFromElsewhere)
     settle();
     int reported = 0;
     QObject::connect(view_.get(), &ui::TreeView::sightChanged, [&reported] { ++reported; });
-    const core::ParallelSight before = view_->scene().sight(10000);
+    const core::ParallelProjection before = view_->scene().sight(10000);
     QTest::keyClick(view_.get(), Qt::Key_Left);
     EXPECT_TRUE(QTest::qWaitFor([&reported] { return reported > 0; }, patienceMs));
-    const core::ParallelSight after = view_->scene().sight(10000);
+    const core::ParallelProjection after = view_->scene().sight(10000);
     EXPECT_LT(before.right.dot(after.right), 0.99);
     EXPECT_NEAR(after.toViewer().norm(), 1.0, 1e-9);
     settle();

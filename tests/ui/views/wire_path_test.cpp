@@ -25,8 +25,8 @@ TEST(WirePath, FollowsTheVesselFromAnchorToAnchor)
     WirePath path;
     path.add({12.0, 22.0}, &wire, false);
     EXPECT_EQ(path.anchors().front(), Eigen::Vector2d(12.0, 20.0)) << "snapped to the vessel";
-    path.aim({61.0, 70.0}, &wire, false);
-    EXPECT_GT(path.aimed().size(), 90U) << "round the corner";
+    path.previewTo({61.0, 70.0}, &wire, false);
+    EXPECT_GT(path.preview().size(), 90U) << "round the corner";
     path.add({61.0, 70.0}, &wire, false);
     for (const Eigen::Vector2d& point : path.points()) {
         EXPECT_TRUE(std::abs(point.y() - 20.0) < 1.5 || std::abs(point.x() - 60.0) < 1.5) << point.transpose();
@@ -41,14 +41,14 @@ TEST(WirePath, TakesBackAnchorByAnchor)
     path.add({40.0, 20.0}, &wire, false);
     path.add({90.0, 90.0}, &wire, true);
     EXPECT_EQ(path.anchors().back(), Eigen::Vector2d(90.0, 90.0)) << "straight, where asked";
-    path.takeBack(&wire);
+    path.undoStep(&wire);
     EXPECT_EQ(path.anchors().back(), Eigen::Vector2d(40.0, 20.0));
     path.add({60.0, 20.0}, &wire, false);
     EXPECT_NEAR(path.points().back().x(), 60.0, 1.0);
-    path.takeBack(&wire);
-    path.takeBack(&wire);
-    path.takeBack(&wire);
-    path.takeBack(&wire);
+    path.undoStep(&wire);
+    path.undoStep(&wire);
+    path.undoStep(&wire);
+    path.undoStep(&wire);
     EXPECT_TRUE(path.isEmpty());
 }
 
@@ -59,8 +59,8 @@ TEST(WirePath, IsStraightWithoutAWire)
     path.add({10.0, 5.0}, nullptr, false);
     EXPECT_EQ(path.points(), (WirePath::Points{{0.0, 0.0}, {10.0, 5.0}}));
     path.clear();
-    path.aim({1.0, 1.0}, nullptr, false);
-    EXPECT_TRUE(path.aimed().empty());
+    path.previewTo({1.0, 1.0}, nullptr, false);
+    EXPECT_TRUE(path.preview().empty());
 }
 
 }   // namespace

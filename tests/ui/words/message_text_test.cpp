@@ -26,7 +26,7 @@ public:
 
 TEST(MessageText, IsTheEnglishSentenceInEnglish)
 {
-    const core::Message message = messages::trustBetterAside(core::inMm(2.4, 1));
+    const core::Message message = messages::betterFitNearby(core::inMm(2.4, 1));
 
     EXPECT_EQ(messageText(message), QString::fromStdString(message.text()));
 }
@@ -35,7 +35,7 @@ TEST(MessageText, WritesNumbersWithTheSignOfTheLanguage)
 {
     const Speaking german("de");
 
-    EXPECT_EQ(messageText(messages::trustBetterAside(core::inMm(2.4, 1))),
+    EXPECT_EQ(messageText(messages::betterFitNearby(core::inMm(2.4, 1))),
               QStringLiteral("Eine bessere Übereinstimmung liegt 2,4 mm entfernt."));
 }
 

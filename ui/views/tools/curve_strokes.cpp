@@ -11,7 +11,7 @@ constexpr double curveThinningPx = 0.7;
 constexpr double marginPx = 64.0;   ///< clipping margin around the image, wider than any stroke
 constexpr double dashAt100Px = 7.0;
 
-const Palette& tones()
+const Palette& colors()
 {
     return palette(ThemeMode::Dark);
 }
@@ -31,7 +31,7 @@ void addStroke(StrokeMesh& mesh, const StrokeLine& line, double widthPx, double 
 {
     StrokeLine shade = line;
     for (StrokePoint& point : shade) {
-        point.color = tones().canvas;
+        point.color = colors().canvas;
     }
     addLine(mesh, shade, {widthPx + 2.0, 0.55 * opacity, 1.5});
     addLine(mesh, line, {widthPx, opacity});
@@ -39,7 +39,7 @@ void addStroke(StrokeMesh& mesh, const StrokeLine& line, double widthPx, double 
 
 void addFaint(StrokeMesh& mesh, const CurveCanvas& canvas, const core::Curve2d& curve, double widthPx)
 {
-    for (const StrokeLine& part : onPicture(canvas, lineOn(canvas, curve.pointsPx, tones().hint))) {
+    for (const StrokeLine& part : onPicture(canvas, lineOn(canvas, curve.pointsPx, colors().hint))) {
         addLine(mesh, part, {widthPx, 0.6});
     }
 }
@@ -84,30 +84,30 @@ void addShadowedDashes(StrokeMesh& mesh, const CurveCanvas& canvas, const Stroke
     }
 }
 
-void addCurves(StrokeMesh& mesh, const CurveCanvas& canvas, const core::Centerline2d& curves, const CurveLook& look)
+void addCurves(StrokeMesh& mesh, const CurveCanvas& canvas, const core::Centerline2d& curves, const CurveStyle& style)
 {
-    const double width = look.widthPx * canvas.pixelRatio;
+    const double width = style.widthPx * canvas.pixelRatio;
     for (const core::Curve2d& curve : curves.curves) {
-        if (look.isFaint) {
+        if (style.isFaint) {
             addFaint(mesh, canvas, curve, width);
-        } else if (holds(look.apart, curve.id) || holds(look.inDoubt, curve.id)) {
-            const Color& tone = holds(look.apart, curve.id) ? tones().textStrong : tones().attention;
+        } else if (holds(style.deviceIds, curve.id) || holds(style.suspectIds, curve.id)) {
+            const Color& tone = holds(style.deviceIds, curve.id) ? colors().textStrong : colors().attention;
             addShadowedDashes(mesh, canvas, lineOn(canvas, curve.pointsPx, tone), width,
                               dashAt100Px * canvas.pixelRatio);
         } else {
-            addShadowed(mesh, canvas, lineOn(canvas, curve.pointsPx, tones().accent), width, 1.0);
+            addShadowed(mesh, canvas, lineOn(canvas, curve.pointsPx, colors().accent), width, 1.0);
         }
     }
 }
 
-const StrokeMesh& KeptCurveStrokes::of(int revision, const CurveCanvas& canvas, const core::Centerline2d& curves,
-                                       const CurveLook& look)
+const StrokeMesh& CurveStrokeCache::of(int revision, const CurveCanvas& canvas, const core::Centerline2d& curves,
+                                       const CurveStyle& style)
 {
-    if (!kept_ || kept_->revision != revision || !kept_->canvas.isSame(canvas)) {
-        kept_ = Kept{revision, canvas, {}};
-        addCurves(kept_->mesh, canvas, curves, look);
+    if (!entry_ || entry_->revision != revision || !entry_->canvas.isSame(canvas)) {
+        entry_ = Entry{revision, canvas, {}};
+        addCurves(entry_->mesh, canvas, curves, style);
     }
-    return kept_->mesh;
+    return entry_->mesh;
 }
 
 }   // namespace angiopose::ui

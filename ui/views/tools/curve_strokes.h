@@ -29,28 +29,28 @@ void addShadowedDashes(StrokeMesh& mesh, const CurveCanvas& canvas, const Stroke
 
 /// Style of curves that are not being edited: suspects are dashed amber, devices dashed white. `isFaint`
 /// draws all curves faintly.
-struct CurveLook {
+struct CurveStyle {
     double widthPx = 2.2;   ///< width in px at 100 % scale
-    std::vector<int> inDoubt = {};
-    std::vector<int> apart = {};
+    std::vector<int> suspectIds = {};
+    std::vector<int> deviceIds = {};
     bool isFaint = false;
 };
-void addCurves(StrokeMesh& mesh, const CurveCanvas& canvas, const core::Centerline2d& curves, const CurveLook& look);
+void addCurves(StrokeMesh& mesh, const CurveCanvas& canvas, const core::Centerline2d& curves, const CurveStyle& style);
 
 /// Caches strokes of unedited curves until curves or view change, since mouse moves are far more frequent.
-class KeptCurveStrokes {
+class CurveStrokeCache {
 public:
     /// Returns the strokes; an equal `revision` means that curves and style are unchanged.
     const StrokeMesh& of(int revision, const CurveCanvas& canvas, const core::Centerline2d& curves,
-                         const CurveLook& look);
+                         const CurveStyle& style);
 
 private:
-    struct Kept {
+    struct Entry {
         int revision = 0;
         CurveCanvas canvas;
         StrokeMesh mesh;
     };
-    std::optional<Kept> kept_;
+    std::optional<Entry> entry_;
 };
 
 }   // namespace angiopose::ui

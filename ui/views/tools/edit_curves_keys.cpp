@@ -16,17 +16,17 @@ struct EditKey {
     Qt::Key key;
     CurveEdit edit;
 };
-constexpr std::array editKeys{EditKey{Qt::Key_E, CurveEdit::Erase}, EditKey{Qt::Key_D, CurveEdit::Draw},
-                              EditKey{Qt::Key_C, CurveEdit::Cut},   EditKey{Qt::Key_X, CurveEdit::Remove},
-                              EditKey{Qt::Key_W, CurveEdit::Apart}, EditKey{Qt::Key_B, CurveEdit::Box},
+constexpr std::array editKeys{EditKey{Qt::Key_E, CurveEdit::Erase},      EditKey{Qt::Key_D, CurveEdit::Draw},
+                              EditKey{Qt::Key_C, CurveEdit::Cut},        EditKey{Qt::Key_X, CurveEdit::Remove},
+                              EditKey{Qt::Key_W, CurveEdit::MarkDevice}, EditKey{Qt::Key_B, CurveEdit::Box},
                               EditKey{Qt::Key_L, CurveEdit::Lasso}};
 
 std::optional<CurveEdit> editOf(const QKeyEvent& event)
 {
-    const auto* found =
+    const auto* match =
         std::ranges::find(editKeys, event.key(), [](const EditKey& row) { return static_cast<int>(row.key); });
     const bool isPlain = event.modifiers() == Qt::NoModifier;
-    return isPlain && found != editKeys.end() ? std::optional(found->edit) : std::nullopt;
+    return isPlain && match != editKeys.end() ? std::optional(match->edit) : std::nullopt;
 }
 
 }   // namespace
@@ -50,14 +50,14 @@ void EditCurvesTool::keyPress(const QKeyEvent& event)
     } else if (event.key() == Qt::Key_BracketLeft || event.key() == Qt::Key_BracketRight) {
         setBrush(brushRadius_ * (event.key() == Qt::Key_BracketLeft ? 1.0 / brushStep : brushStep));
     } else if (event.key() == Qt::Key_Backspace) {
-        path_.takeBack(ground_ ? &ground_->wire : nullptr);
+        path_.undoStep(guide_ ? &guide_->wire : nullptr);
         view().redraw();
     } else {
         finishPath();
     }
 }
 
-bool EditCurvesTool::takeBack()
+bool EditCurvesTool::undoStep()
 {
     const bool wasDrawing = !path_.isEmpty();
     path_.clear();

@@ -69,9 +69,9 @@ CurveCanvas EditCurvesTool::canvas(int heightPx) const
     return canvas;
 }
 
-CurveLook EditCurvesTool::lookAtRest() const
+CurveStyle EditCurvesTool::idleStyle() const
 {
-    return {.widthPx = curveWidth, .inDoubt = marks_.suspects, .apart = marks_.devices};
+    return {.widthPx = curveWidth, .suspectIds = marks_.suspects, .deviceIds = marks_.devices};
 }
 
 StrokeMesh EditCurvesTool::strokes(int heightPx) const
@@ -80,9 +80,9 @@ StrokeMesh EditCurvesTool::strokes(int heightPx) const
     StrokeMesh mesh;
     if (isDragging_) {   // keeps removed parts faintly visible during the drag
         addCurves(mesh, canvas, curves_, {.widthPx = curveWidth, .isFaint = true});
-        addCurves(mesh, canvas, shown_, lookAtRest());
+        addCurves(mesh, canvas, shown_, idleStyle());
     } else {
-        mesh = strokesAtRest_.of(shownRevision_, canvas, shown_, lookAtRest());
+        mesh = idleStrokes_.of(shownRevision_, canvas, shown_, idleStyle());
     }
     addTouched(mesh, canvas);
     addPicked(mesh, canvas);
@@ -95,11 +95,11 @@ StrokeMesh EditCurvesTool::strokes(int heightPx) const
 /// Adds the parts of curves under the brush, which a click would erase.
 void EditCurvesTool::addTouched(StrokeMesh& mesh, const CurveCanvas& canvas) const
 {
-    if (!brushes()) {
+    if (!usesBrush()) {
         return;
     }
     for (const core::Curve2d& curve : shown_.curves) {
-        for (const std::vector<Eigen::Vector2d>& run : runsNear(curve, mouse_->imagePx, brushPx())) {
+        for (const std::vector<Eigen::Vector2d>& run : runsNear(curve, pointer_->imagePx, brushPx())) {
             addShadowed(mesh, canvas, lineOn(canvas, run, curveTones().attention), curveWidth * canvas.pixelRatio, 1.0);
         }
     }
@@ -114,7 +114,7 @@ void EditCurvesTool::addPicked(StrokeMesh& mesh, const CurveCanvas& canvas) cons
         }
     }
     if (hovered_ >= 0 && edit_ == CurveEdit::Cut) {
-        const Eigen::Vector2d cutPx = nearestPoint(curves_, hovered_, mouse_->imagePx);
+        const Eigen::Vector2d cutPx = nearestPoint(curves_, hovered_, pointer_->imagePx);
         addDot(mesh, {canvas.canvasFromImage * cutPx, curveTones().attention}, 5.0 * canvas.pixelRatio, 1.0);
     }
 }
@@ -123,7 +123,7 @@ void EditCurvesTool::addRegion(StrokeMesh& mesh, const CurveCanvas& canvas) cons
 {
     if (std::vector<Eigen::Vector2d> ring = outline(); isDragging_ && ring.size() > 1) {
         ring.push_back(ring.front());
-        const Color& tone = isKeeping_ ? curveTones().textStrong : curveTones().attention;
+        const Color& tone = keepsInside_ ? curveTones().textStrong : curveTones().attention;
         addShadowedDashes(mesh, canvas, lineOn(canvas, ring, tone), 1.4 * canvas.pixelRatio, 5.0 * canvas.pixelRatio);
     }
 }
@@ -132,7 +132,7 @@ void EditCurvesTool::addPath(StrokeMesh& mesh, const CurveCanvas& canvas) const
 {
     const double width = curveWidth * canvas.pixelRatio;
     addShadowed(mesh, canvas, lineOn(canvas, path_.points(), curveTones().textStrong), width, 1.0);
-    addShadowedDashes(mesh, canvas, lineOn(canvas, path_.aimed(), curveTones().textStrong), width,
+    addShadowedDashes(mesh, canvas, lineOn(canvas, path_.preview(), curveTones().textStrong), width,
                       5.0 * canvas.pixelRatio);
     for (const Eigen::Vector2d& anchor : path_.anchors()) {
         addDot(mesh, {canvas.canvasFromImage * anchor, curveTones().textStrong}, 4.0 * canvas.pixelRatio, 1.0);
@@ -141,20 +141,20 @@ void EditCurvesTool::addPath(StrokeMesh& mesh, const CurveCanvas& canvas) const
 
 void EditCurvesTool::addBrush(StrokeMesh& mesh, const CurveCanvas& canvas) const
 {
-    if (!brushes()) {
+    if (!usesBrush()) {
         return;
     }
     std::vector<Eigen::Vector2d> circle;
     for (int k = 0; k <= 48; ++k) {
         const double angle = 2.0 * std::numbers::pi * k / 48;
-        circle.push_back(mouse_->imagePx + brushPx() * Eigen::Vector2d(std::cos(angle), std::sin(angle)));
+        circle.push_back(pointer_->imagePx + brushPx() * Eigen::Vector2d(std::cos(angle), std::sin(angle)));
     }
     addShadowed(mesh, canvas, lineOn(canvas, circle, curveTones().textStrong), 1.4 * canvas.pixelRatio, 0.9);
 }
 
-bool EditCurvesTool::brushes() const
+bool EditCurvesTool::usesBrush() const
 {
-    return edit_ == CurveEdit::Erase && mouse_ && isReady_;
+    return edit_ == CurveEdit::Erase && pointer_ && isReady_;
 }
 
 double EditCurvesTool::brushPx() const

@@ -63,8 +63,8 @@ bool EditCurvesTool::clickSign(const ToolPoint& point)
 {
     const std::vector<Sign> all = signs();
     const auto hit = std::ranges::find_if(all, [&](const Sign& sign) {
-        const QPointF way = point.position - sign.center;
-        return std::hypot(way.x(), way.y()) <= signRadius + 2.0;
+        const QPointF offset = point.position - sign.center;
+        return std::hypot(offset.x(), offset.y()) <= signRadius + 2.0;
     });
     if (hit == all.end()) {
         return false;
@@ -80,20 +80,20 @@ void EditCurvesTool::decide(int curveId, Decision decision)
             emit suspectAccepted(curveId);
             break;
         case Decision::Device:
-            keepApart(curveId);
+            markDevice(curveId);
             break;
         case Decision::Nothing:
-            report(core::withoutCurve(curves_, curveId), [] { return tr("Mark as not a vessel"); });
+            report(core::removeCurve(curves_, curveId), [] { return tr("Mark as non-vessel"); });
             break;
     }
 }
 
 /// Marks a curve as a device, or removes that mark; no effect for a negative ID.
-void EditCurvesTool::keepApart(int curveId)
+void EditCurvesTool::markDevice(int curveId)
 {
     if (curveId >= 0) {
         const bool isApart = std::ranges::find(marks_.devices, curveId) != marks_.devices.end();
-        emit keptApart(curveId, !isApart);
+        emit deviceToggled(curveId, !isApart);
     }
 }
 
@@ -122,14 +122,14 @@ void EditCurvesTool::suspectKey(const QKeyEvent& event)
         chooseSuspect(event.modifiers() == Qt::ShiftModifier ? -1 : 1);
         return;
     }
-    const int decided = chosenSuspect_;
+    const int classifiedId = chosenSuspect_;
     chooseSuspect(1);   // selects the next curve before the current one is removed
-    if (chosenSuspect_ == decided) {
+    if (chosenSuspect_ == classifiedId) {
         chosenSuspect_ = -1;
     }
-    decide(decided, event.key() == Qt::Key_A   ? Decision::Vessel
-                    : event.key() == Qt::Key_W ? Decision::Device
-                                               : Decision::Nothing);
+    decide(classifiedId, event.key() == Qt::Key_A   ? Decision::Vessel
+                         : event.key() == Qt::Key_W ? Decision::Device
+                                                    : Decision::Nothing);
 }
 
 void EditCurvesTool::paint(QPainter& painter) const

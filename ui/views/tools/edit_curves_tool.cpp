@@ -11,8 +11,8 @@ namespace angiopose::ui {
 namespace {
 
 constexpr double reachOnScreenPx = 9.0;
-constexpr double smallestBrush = 4.0;
-constexpr double largestBrush = 80.0;
+constexpr double minBrushPx = 4.0;
+constexpr double maxBrushPx = 80.0;
 
 bool isSame(const core::Centerline2d& a, const core::Centerline2d& b)
 {
@@ -55,9 +55,9 @@ void EditCurvesTool::setReady(bool ready)
     view().redraw();
 }
 
-void EditCurvesTool::setGround(std::shared_ptr<CurveGround> ground)
+void EditCurvesTool::setGuide(std::shared_ptr<CurveGuide> guide)
 {
-    ground_ = std::move(ground);
+    guide_ = std::move(guide);
     path_.clear();
 }
 
@@ -73,7 +73,7 @@ void EditCurvesTool::setEdit(CurveEdit edit)
 
 void EditCurvesTool::setBrush(double radius)
 {
-    brushRadius_ = std::clamp(radius, smallestBrush, largestBrush);
+    brushRadius_ = std::clamp(radius, minBrushPx, maxBrushPx);
     view().redraw();
 }
 
@@ -89,13 +89,14 @@ QString EditCurvesTool::caption() const
         case CurveEdit::Erase:
             return tr("Erase: brush over curves, [ ] brush size, Esc ends");
         case CurveEdit::Draw:
-            return tr("Draw: click along the vessel, Enter ends, Backspace removes a point, Shift straight");
+            return tr(
+                "Draw: click along the vessel, Enter ends, Backspace removes a point, Shift draws straight lines");
         case CurveEdit::Cut:
-            return tr("Cut: click where a curve should be split, Esc ends");
+            return tr("Cut: click where to split a curve, Esc ends");
         case CurveEdit::Remove:
             return tr("Not a vessel: click a curve to exclude it, Esc ends");
-        case CurveEdit::Apart:
-            return tr("Catheter or guidewire: click a curve to mark it as a device or to unmark it, Esc ends");
+        case CurveEdit::MarkDevice:
+            return tr("Catheter or guidewire: click a curve to mark or unmark it as a device, Esc ends");
         case CurveEdit::Box:
             return tr("Box: drag around non-vessels; Ctrl keeps only the inside, Esc ends");
         case CurveEdit::Lasso:
@@ -113,7 +114,7 @@ void EditCurvesTool::end()
 {
     path_.clear();
     region_.clear();
-    mouse_.reset();
+    pointer_.reset();
     hovered_ = chosenSuspect_ = -1;
 }
 
@@ -122,10 +123,10 @@ double EditCurvesTool::reachPx() const
     return reachOnScreenPx / view().zoom();
 }
 
-void EditCurvesTool::report(const core::Centerline2d& curves, const Words& what)
+void EditCurvesTool::report(const core::Centerline2d& curves, const LocalizedText& undoText)
 {
     if (!isSame(curves, curves_)) {
-        emit edited(curves, what);
+        emit edited(curves, undoText);
     }
     setShown(curves_);   // the receiver of `edited` may have replaced the curves
     view().redraw();
@@ -137,7 +138,7 @@ void EditCurvesTool::eraseAlong(const Eigen::Vector2d& from, const Eigen::Vector
     const int steps = std::max(1, static_cast<int>(std::ceil((to - from).norm() / (0.5 * radiusPx))));
     core::Centerline2d left = shown_;
     for (int k = 0; k <= steps; ++k) {
-        left = core::erased(left, from + (to - from) * k / steps, radiusPx);
+        left = core::eraseDisc(left, from + (to - from) * k / steps, radiusPx);
     }
     setShown(std::move(left));
 }
@@ -149,9 +150,9 @@ bool EditCurvesTool::startDrag(const ToolPoint& pressed)
         return false;
     }
     isDragging_ = true;
-    mouse_ = pressed;
+    pointer_ = pressed;
     region_ = {pressed.imagePx};
-    isKeeping_ = pressed.modifiers.testFlag(Qt::ControlModifier);
+    keepsInside_ = pressed.modifiers.testFlag(Qt::ControlModifier);
     hovered_ = -1;
     return true;
 }
@@ -162,12 +163,12 @@ void EditCurvesTool::drag(const ToolPoint& point)
         return;   // new curves canceled the drag
     }
     if (edit_ == CurveEdit::Erase) {
-        eraseAlong(mouse_ ? mouse_->imagePx : point.imagePx, point.imagePx);
+        eraseAlong(pointer_ ? pointer_->imagePx : point.imagePx, point.imagePx);
     } else {
         region_.push_back(point.imagePx);
-        setShown(isKeeping_ ? core::restrictedTo(curves_, outline()) : core::withoutRegion(curves_, outline()));
+        setShown(keepsInside_ ? core::cropToPolygon(curves_, outline()) : core::erasePolygon(curves_, outline()));
     }
-    mouse_ = point;
+    pointer_ = point;
     view().redraw();
 }
 
@@ -180,10 +181,10 @@ void EditCurvesTool::finishDrag(const ToolPoint&)
     region_.clear();
     if (edit_ == CurveEdit::Erase) {
         report(core::Centerline2d(shown_), [] { return tr("Erase curves"); });
-    } else if (isKeeping_) {
-        report(core::restrictedTo(curves_, polygon), [] { return tr("Restrict to a region"); });
+    } else if (keepsInside_) {
+        report(core::cropToPolygon(curves_, polygon), [] { return tr("Restrict to a region"); });
     } else {
-        report(core::withoutRegion(curves_, polygon), [] { return tr("Exclude a region"); });
+        report(core::erasePolygon(curves_, polygon), [] { return tr("Exclude a region"); });
     }
 }
 
@@ -208,14 +209,14 @@ bool EditCurvesTool::click(const ToolPoint& point)
             setAnchor(point);
             break;
         case CurveEdit::Cut:
-            report(core::cutAt(curves_, point.imagePx, reachPx()), [] { return tr("Cut a curve"); });
+            report(core::splitAt(curves_, point.imagePx, reachPx()), [] { return tr("Cut a curve"); });
             break;
         case CurveEdit::Remove:
-            report(core::withoutCurve(curves_, core::curveAt(curves_, point.imagePx, reachPx())),
-                   [] { return tr("Mark as not a vessel"); });
+            report(core::removeCurve(curves_, core::curveAt(curves_, point.imagePx, reachPx())),
+                   [] { return tr("Mark as non-vessel"); });
             break;
-        case CurveEdit::Apart:
-            keepApart(core::curveAt(curves_, point.imagePx, reachPx()));
+        case CurveEdit::MarkDevice:
+            markDevice(core::curveAt(curves_, point.imagePx, reachPx()));
             break;
         case CurveEdit::Box:
         case CurveEdit::Lasso:
@@ -226,7 +227,7 @@ bool EditCurvesTool::click(const ToolPoint& point)
 
 void EditCurvesTool::setAnchor(const ToolPoint& point)
 {
-    path_.add(point.imagePx, ground_ ? &ground_->wire : nullptr, isStraight(point));
+    path_.add(point.imagePx, guide_ ? &guide_->wire : nullptr, isStraight(point));
     view().redraw();
 }
 
@@ -242,25 +243,26 @@ void EditCurvesTool::finishPath()
 {
     const std::vector<Eigen::Vector2d> path = path_.points();
     path_.clear();
-    report(ground_ ? core::withDrawn(curves_, path, ground_->opacity, ground_->maxRadiusPx)
-                   : core::withDrawn(curves_, path),
+    report(guide_ ? core::addDrawnCurve(curves_, path, guide_->opacity, guide_->maxRadiusPx)
+                  : core::addDrawnCurve(curves_, path),
            [] { return tr("Draw a curve"); });
 }
 
 void EditCurvesTool::hover(const ToolPoint& point)
 {
-    mouse_ = point;
-    const bool picks = isReady_ && (edit_ == CurveEdit::Cut || edit_ == CurveEdit::Remove || edit_ == CurveEdit::Apart);
+    pointer_ = point;
+    const bool picks =
+        isReady_ && (edit_ == CurveEdit::Cut || edit_ == CurveEdit::Remove || edit_ == CurveEdit::MarkDevice);
     hovered_ = picks ? core::curveAt(curves_, point.imagePx, reachPx()) : -1;
     if (edit_ == CurveEdit::Draw && isReady_) {
-        path_.aim(point.imagePx, ground_ ? &ground_->wire : nullptr, isStraight(point));
+        path_.previewTo(point.imagePx, guide_ ? &guide_->wire : nullptr, isStraight(point));
     }
     view().redraw();
 }
 
 void EditCurvesTool::leave()
 {
-    mouse_.reset();
+    pointer_.reset();
     hovered_ = -1;
 }
 

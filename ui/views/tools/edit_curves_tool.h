@@ -6,14 +6,14 @@
 #include "ui/views/image_tool.h"
 #include "ui/views/tools/curve_strokes.h"
 #include "ui/views/tools/wire_path.h"
-#include "ui/words/spoken.h"
+#include "ui/words/retranslation.h"
 
 #include <memory>
 #include <vector>
 
 namespace angiopose::ui {
 
-enum class CurveEdit { Erase, Draw, Cut, Remove, Apart, Box, Lasso };
+enum class CurveEdit { Erase, Draw, Cut, Remove, MarkDevice, Box, Lasso };
 
 /// IDs of the curves that are or may be devices.
 struct CurveMarks {
@@ -22,7 +22,7 @@ struct CurveMarks {
 };
 
 /// Image features that the live wire follows and on which drawn curves are centered.
-struct CurveGround {
+struct CurveGuide {
     core::LiveWire wire;
     core::ImageF opacity;
     double maxRadiusPx = 8.0;
@@ -40,8 +40,8 @@ public:
 
     void showCurves(const core::Centerline2d& curves, CurveMarks marks);   ///< cancels the current edit
     void setReady(bool ready);   ///< false disables editing while the frame is being traced
-    void setGround(std::shared_ptr<CurveGround> ground);   ///< null if not available yet: drawn lines are then straight
-    bool hasGround() const { return ground_ != nullptr; }
+    void setGuide(std::shared_ptr<CurveGuide> guide);   ///< null if not available yet: drawn lines are then straight
+    bool hasGuide() const { return guide_ != nullptr; }
     void setEdit(CurveEdit edit);
     CurveEdit edit() const { return edit_; }
     void setBrush(double radius);   ///< radius in widget px
@@ -60,7 +60,7 @@ public:
     void leave() override;
     bool takesKey(const QKeyEvent& event) const override;
     void keyPress(const QKeyEvent& event) override;
-    bool takeBack() override;
+    bool undoStep() override;
     bool picksBranches() const override { return false; }
     bool hidesOverlay() const override { return true; }
     std::optional<QCursor> cursor(bool isDragging) const override;
@@ -68,11 +68,11 @@ public:
     void paint(QPainter& painter) const override;
 
 signals:
-    void begun();   ///< the mode started; the receiver calls `setGround`
+    void begun();   ///< the mode started; the receiver calls `setGuide`
     void editChanged(ui::CurveEdit edit);
-    void edited(const core::Centerline2d& curves, const ui::Words& what);
+    void edited(const core::Centerline2d& curves, const ui::LocalizedText& undoText);
     void suspectAccepted(int curveId);
-    void keptApart(int curveId, bool apart);   ///< the curve was marked as a device, or unmarked
+    void deviceToggled(int curveId, bool isDevice);   ///< the curve was marked as a device, or unmarked
 
 private:
     struct Sign;
@@ -80,20 +80,20 @@ private:
 
     double reachPx() const;   ///< picking tolerance in image px
     void eraseAlong(const Eigen::Vector2d& from, const Eigen::Vector2d& to);
-    void report(const core::Centerline2d& curves, const Words& what);
+    void report(const core::Centerline2d& curves, const LocalizedText& undoText);
     void setAnchor(const ToolPoint& point);
     void finishPath();
     std::vector<Eigen::Vector2d> outline() const;   ///< outline of the current region, image px
     std::vector<Sign> signs() const;
     bool clickSign(const ToolPoint& point);
-    bool brushes() const;
+    bool usesBrush() const;
     double brushPx() const;   ///< brush radius in image px
     bool isSuspectKey(const QKeyEvent& event) const;
     void suspectKey(const QKeyEvent& event);
     void chooseSuspect(int step);
     void decide(int curveId, Decision decision);
-    void keepApart(int curveId);
-    CurveLook lookAtRest() const;
+    void markDevice(int curveId);
+    CurveStyle idleStyle() const;
     void setShown(core::Centerline2d curves);
     CurveCanvas canvas(int heightPx) const;
     void addTouched(StrokeMesh& mesh, const CurveCanvas& canvas) const;
@@ -105,17 +105,17 @@ private:
     core::Centerline2d curves_;
     core::Centerline2d shown_;   ///< curves including the effect of the current drag
     int shownRevision_ = 0;
-    mutable KeptCurveStrokes strokesAtRest_;
+    mutable CurveStrokeCache idleStrokes_;
     CurveMarks marks_;
     int chosenSuspect_ = -1;   ///< ID of the suspect curve selected with keys; −1 if none
-    std::shared_ptr<CurveGround> ground_;
+    std::shared_ptr<CurveGuide> guide_;
     bool isReady_ = false;
     CurveEdit edit_ = CurveEdit::Remove;
     double brushRadius_ = 14.0;
-    std::optional<ToolPoint> mouse_;
+    std::optional<ToolPoint> pointer_;
     int hovered_ = -1;
     bool isDragging_ = false;
-    bool isKeeping_ = true;   ///< Ctrl: the region keeps only its inside; otherwise its inside is removed
+    bool keepsInside_ = true;   ///< Ctrl: the region keeps only its inside; otherwise its inside is removed
     std::vector<Eigen::Vector2d> region_;
     WirePath path_;
 };

@@ -45,25 +45,25 @@ QString LandmarkTool::caption() const
     return tr("Landmarks: click in 3-D and here, or drag a node · Enter computes the pose");
 }
 
-std::optional<LandmarkTool::Held> LandmarkTool::heldAt(const QPointF& position) const
+std::optional<LandmarkTool::DraggedItem> LandmarkTool::draggableAt(const QPointF& position) const
 {
-    std::optional<Held> nearest;
+    std::optional<DraggedItem> nearest;
     double nearestPx = landmarkReachPx;
     for (std::size_t i = 0; i < marks_.pairs.size(); ++i) {
         const double away = distance(view().widgetFromImage(marks_.pairs[i].pixel), position);
         if (away < nearestPx) {
             nearestPx = away;
-            nearest = Held{static_cast<int>(i), marks_.pairs[i].pointInPatient, marks_.pairs[i].pixel};
+            nearest = DraggedItem{static_cast<int>(i), marks_.pairs[i].pointInPatient, marks_.pairs[i].pixel};
         }
     }
     if (nearest) {
         return nearest;
     }
     for (const Eigen::Vector3d& node : marks_.nodesInPatient) {
-        const auto place = view().placeOf(node);
+        const auto place = view().positionOf(node);
         if (place && distance(*place, position) < nearestPx) {
             nearestPx = distance(*place, position);
-            nearest = Held{std::nullopt, node, view().imageFromWidget(*place)};
+            nearest = DraggedItem{std::nullopt, node, view().imageFromWidget(*place)};
         }
     }
     return nearest;
@@ -71,31 +71,31 @@ std::optional<LandmarkTool::Held> LandmarkTool::heldAt(const QPointF& position) 
 
 bool LandmarkTool::startDrag(const ToolPoint& pressed)
 {
-    held_ = heldAt(pressed.position);
+    dragged_ = draggableAt(pressed.position);
     return true;   // accepts every drag, to keep window/level from changing next to landmarks
 }
 
 void LandmarkTool::drag(const ToolPoint& point)
 {
-    if (held_) {
-        held_->pixel = point.imagePx;
+    if (dragged_) {
+        dragged_->pixel = point.imagePx;
         view().redraw();
     }
 }
 
 void LandmarkTool::finishDrag(const ToolPoint& point)
 {
-    const auto held = std::exchange(held_, std::nullopt);
-    if (held && held->index) {
-        emit pairMoved(*held->index, point.imagePx);
-    } else if (held) {
-        emit pairDrawn(held->nodeInPatient, point.imagePx);
+    const auto dragged = std::exchange(dragged_, std::nullopt);
+    if (dragged && dragged->index) {
+        emit pairMoved(*dragged->index, point.imagePx);
+    } else if (dragged) {
+        emit pairDrawn(dragged->nodeInPatient, point.imagePx);
     }
 }
 
 void LandmarkTool::cancelDrag()
 {
-    held_.reset();
+    dragged_.reset();
     view().redraw();
 }
 
@@ -120,7 +120,7 @@ void LandmarkTool::keyPress(const QKeyEvent& event)
     }
 }
 
-bool LandmarkTool::takeBack()
+bool LandmarkTool::undoStep()
 {
     const bool hasHalf = marks_.pendingPointInPatient || marks_.pendingPixel;
     if (hasHalf) {
@@ -131,20 +131,20 @@ bool LandmarkTool::takeBack()
 
 void LandmarkTool::end()
 {
-    held_.reset();
+    dragged_.reset();
     emit pendingDropped();
 }
 
 std::optional<QCursor> LandmarkTool::cursor(bool isDragging) const
 {
-    return QCursor(isDragging && held_ ? Qt::ClosedHandCursor : Qt::CrossCursor);
+    return QCursor(isDragging && dragged_ ? Qt::ClosedHandCursor : Qt::CrossCursor);
 }
 
 void LandmarkTool::paintPair(QPainter& painter, const QString& label, const std::optional<Eigen::Vector2d>& pixel,
                              const std::optional<Eigen::Vector3d>& pointInPatient) const
 {
     const auto place = pixel ? std::optional(view().widgetFromImage(*pixel)) : std::nullopt;
-    const auto shadow = pointInPatient ? view().placeOf(*pointInPatient) : std::nullopt;
+    const auto shadow = pointInPatient ? view().positionOf(*pointInPatient) : std::nullopt;
     if (place && shadow) {
         painter.setPen(QPen(toQColor(landmarkTones().attention), 1.2, Qt::DotLine));
         painter.drawLine(*place, *shadow);
@@ -168,19 +168,19 @@ void LandmarkTool::paint(QPainter& painter) const
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setBrush(Qt::NoBrush);
     for (std::size_t i = 0; i < marks_.pairs.size(); ++i) {
-        const bool isHeld = held_ && held_->index == static_cast<int>(i);
-        paintPair(painter, QString::number(i + 1), isHeld ? held_->pixel : marks_.pairs[i].pixel,
+        const bool isHeld = dragged_ && dragged_->index == static_cast<int>(i);
+        paintPair(painter, QString::number(i + 1), isHeld ? dragged_->pixel : marks_.pairs[i].pixel,
                   marks_.pairs[i].pointInPatient);
     }
     const QString next = QString::number(marks_.pairs.size() + 1);
-    if (held_ && !held_->index) {
-        paintPair(painter, next, held_->pixel, held_->nodeInPatient);
+    if (dragged_ && !dragged_->index) {
+        paintPair(painter, next, dragged_->pixel, dragged_->nodeInPatient);
     } else if (marks_.pendingPixel || marks_.pendingPointInPatient) {
         paintPair(painter, next, marks_.pendingPixel, marks_.pendingPointInPatient);
     }
     painter.setPen(QPen(toQColor(landmarkTones().textStrong), 1.4));
     for (const Eigen::Vector3d& node : marks_.nodesInPatient) {
-        if (const auto place = view().placeOf(node)) {
+        if (const auto place = view().positionOf(node)) {
             painter.drawEllipse(*place, 3.5, 3.5);
         }
     }

@@ -32,7 +32,7 @@ public:
     bool click(const ToolPoint& point) override;
     bool takesKey(const QKeyEvent& event) const override;
     void keyPress(const QKeyEvent& event) override;
-    bool takeBack() override;
+    bool undoStep() override;
     void end() override;
     bool picksBranches() const override { return false; }
     std::optional<QCursor> cursor(bool isDragging) const override;
@@ -48,17 +48,17 @@ signals:
 
 private:
     /// Dragged item: the pixel of a pair, or the node of a new pair.
-    struct Held {
+    struct DraggedItem {
         std::optional<int> index;
         Eigen::Vector3d nodeInPatient = Eigen::Vector3d::Zero();
         Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
     };
-    std::optional<Held> heldAt(const QPointF& position) const;
+    std::optional<DraggedItem> draggableAt(const QPointF& position) const;
     void paintPair(QPainter& painter, const QString& label, const std::optional<Eigen::Vector2d>& pixel,
                    const std::optional<Eigen::Vector3d>& pointInPatient) const;
 
     LandmarkMarks marks_;
-    std::optional<Held> held_;
+    std::optional<DraggedItem> dragged_;
 };
 
 }   // namespace angiopose::ui

@@ -11,8 +11,8 @@
 namespace angiopose::ui {
 namespace {
 
-constexpr double smallestStepPx = 2.0;   // minimum distance between vertices, widget px
-constexpr int fewestCorners = 3;
+constexpr double minStepPx = 2.0;   // minimum distance between vertices, widget px
+constexpr int minVertices = 3;
 
 LassoEffect effectOf(Qt::KeyboardModifiers modifiers)
 {
@@ -44,7 +44,7 @@ void LassoTool::drag(const ToolPoint& point)
 {
     const QPointF corner = toPoint(point.imagePx);
     const QPointF step = corner - outline_.back();
-    if (view().zoom() * std::hypot(step.x(), step.y()) >= smallestStepPx) {
+    if (view().zoom() * std::hypot(step.x(), step.y()) >= minStepPx) {
         outline_ << corner;
         view().redraw();
     }
@@ -54,7 +54,7 @@ void LassoTool::finishDrag(const ToolPoint& point)
 {
     const QPolygonF outline = std::exchange(outline_, {});
     view().redraw();
-    if (outline.size() >= fewestCorners) {
+    if (outline.size() >= minVertices) {
         emit enclosed(outline, effectOf(point.modifiers));
     }
 }

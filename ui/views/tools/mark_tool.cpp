@@ -2,7 +2,7 @@
 
 #include "ui/views/angiogram_view.h"
 #include "ui/views/paint_marks.h"
-#include "ui/words/spoken.h"
+#include "ui/words/retranslation.h"
 
 #include <QKeyEvent>
 #include <QLineEdit>
@@ -16,7 +16,7 @@ namespace angiopose::ui {
 namespace {
 
 constexpr double markReachPx = 9.0;
-constexpr int wordsWidth = 220;
+constexpr int textEditWidth = 220;
 constexpr int maxLetters = 200;
 
 }   // namespace
@@ -27,7 +27,7 @@ void MarkTool::showHandles(std::vector<Eigen::Vector2d> handles)
 {
     if (handles != handles_) {
         handles_ = std::move(handles);
-        held_.reset();
+        draggedHandle_.reset();
         if (view().tool() == this) {
             view().redraw();
         }
@@ -41,14 +41,14 @@ QString MarkTool::caption() const
             return tr("Target point: click the vessels, here, in 3-D or in a slice · points can be moved");
         case MarkMode::OstiumRing:
             return tr("Ostium ring: click the vessels, here, in 3-D or in a slice · rings can be moved");
-        case MarkMode::SeenHere:
+        case MarkMode::TargetInImage:
             return tr("Mark in image: click where the selected target point appears, or drag it there");
         case MarkMode::Arrow:
-            return tr("Arrow: drag from tail to tip, then type · ends can be moved");
-        case MarkMode::Words:
+            return tr("Arrow: drag from tail to tip, then type a label · ends can be moved");
+        case MarkMode::Text:
             break;
     }
-    return tr("Text: click where it starts, then type · texts can be moved");
+    return tr("Text: click where it should start, then type · texts can be moved");
 }
 
 std::optional<std::size_t> MarkTool::handleAt(const QPointF& position) const
@@ -56,9 +56,9 @@ std::optional<std::size_t> MarkTool::handleAt(const QPointF& position) const
     std::optional<std::size_t> nearest;
     double nearestPx = markReachPx;
     for (std::size_t i = 0; i < handles_.size(); ++i) {
-        const QPointF way = view().widgetFromImage(handles_[i]) - position;
-        if (std::hypot(way.x(), way.y()) < nearestPx) {
-            nearestPx = std::hypot(way.x(), way.y());
+        const QPointF offset = view().widgetFromImage(handles_[i]) - position;
+        if (std::hypot(offset.x(), offset.y()) < nearestPx) {
+            nearestPx = std::hypot(offset.x(), offset.y());
             nearest = i;
         }
     }
@@ -72,10 +72,10 @@ std::optional<Eigen::Vector2d> MarkTool::snapped(const Eigen::Vector2d& pixel) c
 
 bool MarkTool::startDrag(const ToolPoint& pressed)
 {
-    finishWords();
-    held_ = handleAt(pressed.position);
+    finishTextEdit();
+    draggedHandle_ = handleAt(pressed.position);
     points_.clear();
-    if (!held_ && mode_ == MarkMode::Arrow) {
+    if (!draggedHandle_ && mode_ == MarkMode::Arrow) {
         points_ = {pressed.imagePx};
     }
     return true;   // accepts every drag, to keep window/level from changing while marking
@@ -89,11 +89,11 @@ void MarkTool::drag(const ToolPoint& point)
 
 void MarkTool::finishDrag(const ToolPoint& point)
 {
-    if (const auto held = std::exchange(held_, std::nullopt)) {
+    if (const auto held = std::exchange(draggedHandle_, std::nullopt)) {
         emit handleMoved(static_cast<int>(*held), point.imagePx);
     } else if (!points_.empty()) {
         points_.push_back(point.imagePx);
-        askWords();
+        startTextEdit();
     } else {
         click(point);   // a press with slight movement counts as a click
     }
@@ -102,10 +102,10 @@ void MarkTool::finishDrag(const ToolPoint& point)
 
 bool MarkTool::click(const ToolPoint& point)
 {
-    finishWords();
-    if (mode_ == MarkMode::Words) {
+    finishTextEdit();
+    if (mode_ == MarkMode::Text) {
         points_ = {point.imagePx};
-        askWords();
+        startTextEdit();
     } else if (mode_ != MarkMode::Arrow) {
         emit placed(point.imagePx);
     }
@@ -113,25 +113,25 @@ bool MarkTool::click(const ToolPoint& point)
 }
 
 /// Opens a line edit at the first point; Enter or any other action commits the text, Esc discards it.
-void MarkTool::askWords()
+void MarkTool::startTextEdit()
 {
-    words_ = new QLineEdit(&view());
-    withName(words_, [] { return tr("Text on the image"); });
-    words_->setMaxLength(maxLetters);
-    words_->setPlaceholderText(tr("Text, then Enter"));
+    textEdit_ = new QLineEdit(&view());
+    withAccessibleName(textEdit_, [] { return tr("Text on the image"); });
+    textEdit_->setMaxLength(maxLetters);
+    textEdit_->setPlaceholderText(tr("Text, then Enter"));
     const QPointF at = view().widgetFromImage(points_.front());
-    const QSize size(std::min(wordsWidth, view().width()), words_->sizeHint().height());
-    words_->setGeometry(std::clamp(qRound(at.x()) + 8, 0, view().width() - size.width()),
-                        std::clamp(qRound(at.y()) + 8, 0, std::max(0, view().height() - size.height())), size.width(),
-                        size.height());
-    connect(words_, &QLineEdit::editingFinished, this, &MarkTool::finishWords);
-    words_->show();
-    words_->setFocus();
+    const QSize size(std::min(textEditWidth, view().width()), textEdit_->sizeHint().height());
+    textEdit_->setGeometry(std::clamp(qRound(at.x()) + 8, 0, view().width() - size.width()),
+                           std::clamp(qRound(at.y()) + 8, 0, std::max(0, view().height() - size.height())),
+                           size.width(), size.height());
+    connect(textEdit_, &QLineEdit::editingFinished, this, &MarkTool::finishTextEdit);
+    textEdit_->show();
+    textEdit_->setFocus();
 }
 
-void MarkTool::finishWords()
+void MarkTool::finishTextEdit()
 {
-    QLineEdit* line = std::exchange(words_, nullptr);
+    QLineEdit* line = std::exchange(textEdit_, nullptr);
     if (!line) {
         return;
     }
@@ -160,7 +160,7 @@ void MarkTool::leave()
 
 bool MarkTool::takesKey(const QKeyEvent& event) const
 {
-    return event.key() == Qt::Key_Delete && (event.modifiers() & ~Qt::KeypadModifier) == Qt::NoModifier && !words_;
+    return event.key() == Qt::Key_Delete && (event.modifiers() & ~Qt::KeypadModifier) == Qt::NoModifier && !textEdit_;
 }
 
 void MarkTool::keyPress(const QKeyEvent&)
@@ -168,18 +168,18 @@ void MarkTool::keyPress(const QKeyEvent&)
     emit removeRequested();
 }
 
-bool MarkTool::takeBack()
+bool MarkTool::undoStep()
 {
-    const bool hadWords = words_ != nullptr;
+    const bool hadWords = textEdit_ != nullptr;
     drop();
     return hadWords;
 }
 
 void MarkTool::drop()
 {
-    held_.reset();
+    draggedHandle_.reset();
     points_.clear();
-    if (QLineEdit* line = std::exchange(words_, nullptr)) {
+    if (QLineEdit* line = std::exchange(textEdit_, nullptr)) {
         line->hide();
         line->deleteLater();
         view().setFocus();
@@ -189,27 +189,27 @@ void MarkTool::drop()
 
 std::optional<QCursor> MarkTool::cursor(bool isDragging) const
 {
-    return QCursor(isDragging && held_ ? Qt::ClosedHandCursor : Qt::CrossCursor);
+    return QCursor(isDragging && draggedHandle_ ? Qt::ClosedHandCursor : Qt::CrossCursor);
 }
 
 void MarkTool::paint(QPainter& painter) const
 {
-    const auto placeOf = [this](const Eigen::Vector2d& pixel) -> Eigen::Vector2d {
+    const auto positionOf = [this](const Eigen::Vector2d& pixel) -> Eigen::Vector2d {
         const QPointF place = view().widgetFromImage(pixel);
         return {place.x(), place.y()};
     };
     painter.save();
     for (std::size_t i = 0; i < handles_.size(); ++i) {
-        const bool isHeld = held_ == i;
-        paintHandle(painter, placeOf(isHeld && mousePx_ ? *mousePx_ : handles_[i]), isHeld);
+        const bool isHeld = draggedHandle_ == i;
+        paintHandle(painter, positionOf(isHeld && mousePx_ ? *mousePx_ : handles_[i]), isHeld);
     }
     if (!points_.empty() && (points_.size() == 2 || mousePx_) && mode_ == MarkMode::Arrow) {
         paintMarks(painter,
                    {{MarkShape::Arrow, {points_.front(), points_.size() == 2 ? points_[1] : *mousePx_}, {}, true}},
-                   placeOf);
-    } else if (mousePx_ && snap_ && !held_) {
+                   positionOf);
+    } else if (mousePx_ && snap_ && !draggedHandle_) {
         if (const auto place = snapped(*mousePx_)) {
-            paintMarks(painter, {{MarkShape::Point, {*place}, {}, true}}, placeOf);
+            paintMarks(painter, {{MarkShape::Point, {*place}, {}, true}}, positionOf);
         }
     }
     painter.restore();

@@ -11,7 +11,7 @@ class QLineEdit;
 namespace angiopose::ui {
 
 /// Type of mark that a click on the image sets.
-enum class MarkMode { TargetPoint, OstiumRing, SeenHere, Arrow, Words };
+enum class MarkMode { TargetPoint, OstiumRing, TargetInImage, Arrow, Text };
 inline constexpr std::size_t markModeCount = 5;
 
 /// Sets marks in the image: a click sets a point, in the mode Arrow a drag goes from tail to tip; dragging a handle
@@ -38,7 +38,7 @@ public:
     void leave() override;
     bool takesKey(const QKeyEvent& event) const override;
     void keyPress(const QKeyEvent& event) override;
-    bool takeBack() override;
+    bool undoStep() override;
     bool picksBranches() const override { return false; }
     std::optional<QCursor> cursor(bool isDragging) const override;
     void paint(QPainter& painter) const override;
@@ -52,17 +52,17 @@ signals:
 private:
     std::optional<std::size_t> handleAt(const QPointF& position) const;
     std::optional<Eigen::Vector2d> snapped(const Eigen::Vector2d& pixel) const;
-    void askWords();
-    void finishWords();
+    void startTextEdit();
+    void finishTextEdit();
     void drop();
 
     MarkMode mode_;
     Snap snap_;
     std::vector<Eigen::Vector2d> handles_;
-    std::optional<std::size_t> held_;
+    std::optional<std::size_t> draggedHandle_;
     std::vector<Eigen::Vector2d> points_;   ///< points of the arrow or text being drawn
     std::optional<Eigen::Vector2d> mousePx_;
-    QLineEdit* words_ = nullptr;   ///< line edit while the user types a text; otherwise null
+    QLineEdit* textEdit_ = nullptr;   ///< line edit while the user types a text; otherwise null
 };
 
 }   // namespace angiopose::ui

@@ -18,7 +18,7 @@ using core::MeasurementKind;
 constexpr double measureReachPx = 8.0;
 constexpr std::size_t maxOutlinePoints = 1000;   // maximum of the case file format
 
-double awayPx(const QPointF& a, const QPointF& b)
+double distancePx(const QPointF& a, const QPointF& b)
 {
     return std::hypot(a.x() - b.x(), a.y() - b.y());
 }
@@ -34,21 +34,21 @@ MarkShape shapeOf(MeasurementKind kind)
 
 MeasureTool::MeasureTool(MeasurementKind kind, AngiogramView& view) : ImageTool(view), kind_(kind) {}
 
-void MeasureTool::showMeasurements(const std::vector<core::ImageMeasurement>& there)
+void MeasureTool::showMeasurements(const std::vector<core::ImageMeasurement>& measurements)
 {
-    if (there == there_) {
+    if (measurements == measurements_) {
         return;
     }
-    there_ = there;
-    held_.reset();
+    measurements_ = measurements;
+    dragged_.reset();
     if (view().tool() == this) {
         view().redraw();
     }
 }
 
-void MeasureTool::setWords(std::function<QString(const std::vector<Eigen::Vector2d>&)> words)
+void MeasureTool::setLabelFunction(std::function<QString(const std::vector<Eigen::Vector2d>&)> label)
 {
-    words_ = std::move(words);
+    labelFunction_ = std::move(label);
 }
 
 QString MeasureTool::caption() const
@@ -64,17 +64,17 @@ QString MeasureTool::caption() const
     return tr("Area: click along the outline; double-click or Enter closes it · points can be moved");
 }
 
-std::optional<MeasureTool::Held> MeasureTool::heldAt(const QPointF& position) const
+std::optional<MeasureTool::DraggedPoint> MeasureTool::draggableAt(const QPointF& position) const
 {
-    std::optional<Held> nearest;
+    std::optional<DraggedPoint> nearest;
     double nearestPx = measureReachPx;
-    for (std::size_t m = 0; m < there_.size(); ++m) {
-        const std::vector<Eigen::Vector2d>& pixels = there_[m].pixels;
+    for (std::size_t m = 0; m < measurements_.size(); ++m) {
+        const std::vector<Eigen::Vector2d>& pixels = measurements_[m].pixels;
         for (std::size_t p = 0; p < pixels.size(); ++p) {
-            const double away = awayPx(view().widgetFromImage(pixels[p]), position);
-            if (away < nearestPx) {
-                nearestPx = away;
-                nearest = Held{m, p, pixels[p]};
+            const double distance = distancePx(view().widgetFromImage(pixels[p]), position);
+            if (distance < nearestPx) {
+                nearestPx = distance;
+                nearest = DraggedPoint{m, p, pixels[p]};
             }
         }
     }
@@ -83,13 +83,13 @@ std::optional<MeasureTool::Held> MeasureTool::heldAt(const QPointF& position) co
 
 bool MeasureTool::isAtFirst(const QPointF& position) const
 {
-    return !points_.empty() && awayPx(view().widgetFromImage(points_.front()), position) < measureReachPx;
+    return !points_.empty() && distancePx(view().widgetFromImage(points_.front()), position) < measureReachPx;
 }
 
 bool MeasureTool::startDrag(const ToolPoint& pressed)
 {
-    held_ = points_.empty() ? heldAt(pressed.position) : std::nullopt;
-    isDrawing_ = !held_ && points_.empty() && kind_ == MeasurementKind::Length;
+    dragged_ = points_.empty() ? draggableAt(pressed.position) : std::nullopt;
+    isDrawing_ = !dragged_ && points_.empty() && kind_ == MeasurementKind::Length;
     if (isDrawing_) {
         points_ = {pressed.imagePx};
     }
@@ -99,16 +99,16 @@ bool MeasureTool::startDrag(const ToolPoint& pressed)
 void MeasureTool::drag(const ToolPoint& point)
 {
     mousePx_ = point.imagePx;
-    if (held_) {
-        held_->pixel = point.imagePx;
+    if (dragged_) {
+        dragged_->pixel = point.imagePx;
     }
     view().redraw();
 }
 
 void MeasureTool::finishDrag(const ToolPoint& point)
 {
-    if (const auto held = std::exchange(held_, std::nullopt)) {
-        emit pointMoved(static_cast<int>(held->measurement), static_cast<int>(held->point), point.imagePx);
+    if (const auto dragged = std::exchange(dragged_, std::nullopt)) {
+        emit pointMoved(static_cast<int>(dragged->measurement), static_cast<int>(dragged->point), point.imagePx);
     } else if (std::exchange(isDrawing_, false)) {
         points_.push_back(point.imagePx);
         finish();
@@ -119,7 +119,7 @@ void MeasureTool::finishDrag(const ToolPoint& point)
 
 void MeasureTool::cancelDrag()
 {
-    held_.reset();
+    dragged_.reset();
     if (std::exchange(isDrawing_, false)) {
         points_.clear();
     }
@@ -186,7 +186,7 @@ void MeasureTool::keyPress(const QKeyEvent& event)
     view().redraw();
 }
 
-bool MeasureTool::takeBack()
+bool MeasureTool::undoStep()
 {
     const bool hadPoints = !points_.empty();
     drop();
@@ -206,7 +206,7 @@ void MeasureTool::finish()
 
 void MeasureTool::drop()
 {
-    held_.reset();
+    dragged_.reset();
     isDrawing_ = false;
     points_.clear();
     view().redraw();
@@ -214,33 +214,33 @@ void MeasureTool::drop()
 
 std::optional<QCursor> MeasureTool::cursor(bool isDragging) const
 {
-    return QCursor(isDragging && held_ ? Qt::ClosedHandCursor : Qt::CrossCursor);
+    return QCursor(isDragging && dragged_ ? Qt::ClosedHandCursor : Qt::CrossCursor);
 }
 
-std::vector<Eigen::Vector2d> MeasureTool::seen() const
+std::vector<Eigen::Vector2d> MeasureTool::currentPoints() const
 {
-    std::vector<Eigen::Vector2d> points = held_ ? there_[held_->measurement].pixels : points_;
-    if (held_) {
-        points[held_->point] = held_->pixel;
+    std::vector<Eigen::Vector2d> points = dragged_ ? measurements_[dragged_->measurement].pixels : points_;
+    if (dragged_) {
+        points[dragged_->point] = dragged_->pixel;
     } else if (!points.empty() && mousePx_ && points.back() != *mousePx_) {
         points.push_back(*mousePx_);
     }
     return points;
 }
 
-std::vector<ImageMark> MeasureTool::underWay() const
+std::vector<ImageMark> MeasureTool::marksInProgress() const
 {
-    const std::vector<Eigen::Vector2d> points = seen();
+    const std::vector<Eigen::Vector2d> points = currentPoints();
     if (points.size() < 2) {
         return {};
     }
-    const QString words = words_ && !held_ ? words_(points) : QString();
-    const MarkShape whole = shapeOf(held_ ? there_[held_->measurement].kind : kind_);
+    const QString label = labelFunction_ && !dragged_ ? labelFunction_(points) : QString();
+    const MarkShape whole = shapeOf(dragged_ ? measurements_[dragged_->measurement].kind : kind_);
     const bool isOpen = whole == MarkShape::Outline && points.size() < 3;
-    return {{isOpen ? MarkShape::Length : whole, points, words.toStdString(), true}};
+    return {{isOpen ? MarkShape::Length : whole, points, label.toStdString(), true}};
 }
 
-Eigen::Vector2d MeasureTool::placeOf(const Eigen::Vector2d& pixel) const
+Eigen::Vector2d MeasureTool::positionOf(const Eigen::Vector2d& pixel) const
 {
     const QPointF place = view().widgetFromImage(pixel);
     return {place.x(), place.y()};
@@ -249,26 +249,27 @@ Eigen::Vector2d MeasureTool::placeOf(const Eigen::Vector2d& pixel) const
 StrokeMesh MeasureTool::strokes(int heightPx) const
 {
     const double ratio = view().devicePixelRatio();
-    const Palette& tones = palette(ThemeMode::Dark);
+    const Palette& colors = palette(ThemeMode::Dark);
     return markStrokes(
-        underWay(), [this](const Eigen::Vector2d& pixel) { return placeOf(pixel); },
-        {{ratio * view().width(), 1.0 * heightPx}, ratio}, tones, tones.canvas);
+        marksInProgress(), [this](const Eigen::Vector2d& pixel) { return positionOf(pixel); },
+        {{ratio * view().width(), 1.0 * heightPx}, ratio}, colors, colors.canvas);
 }
 
 void MeasureTool::paint(QPainter& painter) const
 {
     painter.save();
-    for (const core::ImageMeasurement& measurement : there_) {
+    for (const core::ImageMeasurement& measurement : measurements_) {
         for (const Eigen::Vector2d& pixel : measurement.pixels) {
-            paintHandle(painter, placeOf(pixel), false);
+            paintHandle(painter, positionOf(pixel), false);
         }
     }
-    MarkGround ground;
-    ground.hasLines = true;
+    MarkBackground obstacles;
+    obstacles.hasLines = true;
     paintMarks(
-        painter, underWay(), [this](const Eigen::Vector2d& pixel) { return placeOf(pixel); }, std::move(ground));
-    for (const Eigen::Vector2d& point : seen()) {
-        paintHandle(painter, placeOf(point), true);
+        painter, marksInProgress(), [this](const Eigen::Vector2d& pixel) { return positionOf(pixel); },
+        std::move(obstacles));
+    for (const Eigen::Vector2d& point : currentPoints()) {
+        paintHandle(painter, positionOf(point), true);
     }
     painter.restore();
 }

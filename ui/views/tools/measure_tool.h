@@ -18,9 +18,9 @@ public:
     MeasureTool(core::MeasurementKind kind, AngiogramView& view);
 
     /// Sets the measurements whose points can be dragged; hidden measurements have no points. Cancels the current drag.
-    void showMeasurements(const std::vector<core::ImageMeasurement>& there);
+    void showMeasurements(const std::vector<core::ImageMeasurement>& measurements);
     /// Sets the function that labels a measurement being drawn.
-    void setWords(std::function<QString(const std::vector<Eigen::Vector2d>& pixels)> words);
+    void setLabelFunction(std::function<QString(const std::vector<Eigen::Vector2d>& pixels)> label);
 
     core::MeasurementKind kind() const { return kind_; }
     QString caption() const override;
@@ -35,7 +35,7 @@ public:
     void leave() override;
     bool takesKey(const QKeyEvent& event) const override;
     void keyPress(const QKeyEvent& event) override;
-    bool takeBack() override;
+    bool undoStep() override;
     bool picksBranches() const override { return false; }
     std::optional<QCursor> cursor(bool isDragging) const override;
     StrokeMesh strokes(int heightPx) const override;
@@ -47,25 +47,25 @@ signals:
     void removeRequested();   ///< requests removal of the selected measurement, or of the last one without a selection
 
 private:
-    struct Held {
+    struct DraggedPoint {
         std::size_t measurement = 0;
         std::size_t point = 0;
         Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
     };
-    std::optional<Held> heldAt(const QPointF& position) const;
+    std::optional<DraggedPoint> draggableAt(const QPointF& position) const;
     bool isAtFirst(const QPointF& position) const;
     void finish();
     void drop();
-    std::vector<Eigen::Vector2d> seen() const;   ///< points set so far plus the pointer position
-    std::vector<ImageMark> underWay() const;   ///< measurement being drawn or moved, with its label
-    Eigen::Vector2d placeOf(const Eigen::Vector2d& pixel) const;
+    std::vector<Eigen::Vector2d> currentPoints() const;   ///< points set so far plus the pointer position
+    std::vector<ImageMark> marksInProgress() const;   ///< measurement being drawn or moved, with its label
+    Eigen::Vector2d positionOf(const Eigen::Vector2d& pixel) const;
 
     core::MeasurementKind kind_;
-    std::function<QString(const std::vector<Eigen::Vector2d>&)> words_;
-    std::vector<core::ImageMeasurement> there_;
+    std::function<QString(const std::vector<Eigen::Vector2d>&)> labelFunction_;
+    std::vector<core::ImageMeasurement> measurements_;
     std::vector<Eigen::Vector2d> points_;   ///< points of the measurement being drawn
     std::optional<Eigen::Vector2d> mousePx_;
-    std::optional<Held> held_;
+    std::optional<DraggedPoint> dragged_;
     bool isDrawing_ = false;   ///< a length is being drawn by dragging
 };
 

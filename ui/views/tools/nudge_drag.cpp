@@ -15,16 +15,17 @@ double outerRadius(const NudgeGrip& grip)
 }
 
 /// Returns the outer handle at the offset `fromCenter` (y down), if any.
-PoseHandle outerHandleAt(const NudgeGrip& grip, const Eigen::Vector2d& way)
+PoseHandle outerHandleAt(const NudgeGrip& grip, const Eigen::Vector2d& fromCenter)
 {
     const double outer = outerRadius(grip);
-    if (std::abs(way.x() + outer) <= ringReachPx && std::abs(way.y()) <= outer * std::sin(outerHandleHalfRad)) {
+    if (std::abs(fromCenter.x() + outer) <= ringReachPx &&
+        std::abs(fromCenter.y()) <= outer * std::sin(outerHandleHalfRad)) {
         return PoseHandle::Depth;
     }
-    if (std::abs(way.norm() - outer) > ringReachPx) {
+    if (std::abs(fromCenter.norm() - outer) > ringReachPx) {
         return PoseHandle::None;
     }
-    const double angle = std::atan2(way.y(), way.x());
+    const double angle = std::atan2(fromCenter.y(), fromCenter.x());
     return std::abs(angle) <= outerHandleHalfRad                            ? PoseHandle::CraCau
            : std::abs(angle - 0.5 * std::numbers::pi) <= outerHandleHalfRad ? PoseHandle::LaoRao
                                                                             : PoseHandle::None;
@@ -43,11 +44,11 @@ PoseHandle handleAt(const NudgeGrip& grip, const Eigen::Vector2d& position)
     if (!(grip.ringRadius > 0.0)) {
         return PoseHandle::None;
     }
-    const Eigen::Vector2d way = position - grip.center;
-    if (std::abs(way.norm() - grip.ringRadius) <= ringReachPx) {
+    const Eigen::Vector2d fromCenter = position - grip.center;
+    if (std::abs(fromCenter.norm() - grip.ringRadius) <= ringReachPx) {
         return PoseHandle::Roll;
     }
-    const PoseHandle outer = outerHandleAt(grip, way);
+    const PoseHandle outer = outerHandleAt(grip, fromCenter);
     return outer != PoseHandle::None ? outer : PoseHandle::Shift;
 }
 

@@ -83,7 +83,7 @@ const Color& NudgeTool::tone() const
 
 void NudgeTool::end()
 {
-    hotHandle_ = PoseHandle::None;
+    hoveredHandle_ = PoseHandle::None;
 }
 
 NudgeGrip NudgeTool::grip() const
@@ -143,16 +143,16 @@ void NudgeTool::hover(const ToolPoint& point)
 {
     const NudgeGrip grasped = grip();
     const PoseHandle handle = handleAt(grasped, nudgeVector(point.position));
-    hotAngleRad_ = screenAngleRad(grasped.center, nudgeVector(point.position));
-    if (handle != hotHandle_ || handle == PoseHandle::Roll) {
+    hoveredAngleRad_ = screenAngleRad(grasped.center, nudgeVector(point.position));
+    if (handle != hoveredHandle_ || handle == PoseHandle::Roll) {
         view().redraw();
     }
-    hotHandle_ = handle;
+    hoveredHandle_ = handle;
 }
 
 void NudgeTool::leave()
 {
-    hotHandle_ = PoseHandle::None;
+    hoveredHandle_ = PoseHandle::None;
 }
 
 bool NudgeTool::takesKey(const QKeyEvent& event) const
@@ -171,7 +171,7 @@ void NudgeTool::keyPress(const QKeyEvent& event)
 
 std::optional<QCursor> NudgeTool::cursor(bool) const
 {
-    const PoseHandle handle = nudge_ ? nudge_->handle() : hotHandle_;
+    const PoseHandle handle = nudge_ ? nudge_->handle() : hoveredHandle_;
     switch (handle) {
         case PoseHandle::Roll:
             return rollCursor();
@@ -185,19 +185,19 @@ std::optional<QCursor> NudgeTool::cursor(bool) const
     }
 }
 
-PoseHandleLook NudgeTool::look() const
+PoseHandleState NudgeTool::handleState() const
 {
     const double ratio = view().devicePixelRatio();
     const NudgeGrip grasped = grip();
-    PoseHandleLook shown;
+    PoseHandleState shown;
     if (!(grasped.ringRadius > 0.0)) {
         return shown;
     }
     shown.center = grasped.center * ratio;
     shown.radius = grasped.ringRadius * ratio;
     shown.pixelScale = ratio;
-    shown.hot = hotHandle_;
-    shown.rollStartRad = -hotAngleRad_;
+    shown.hovered = hoveredHandle_;
+    shown.rollStartRad = -hoveredAngleRad_;
     if (nudge_) {
         shown.active = nudge_->handle();
         shown.rollStartRad = -nudge_->startAngleRad();
@@ -209,7 +209,7 @@ PoseHandleLook NudgeTool::look() const
 
 StrokeMesh NudgeTool::strokes(int heightPx) const
 {
-    PoseHandleLook shown = look();
+    PoseHandleState shown = handleState();
     shown.center.y() = heightPx - shown.center.y();
     return poseHandleStrokes(shown);
 }
@@ -223,7 +223,7 @@ QString NudgeTool::words() const
                                numberText(std::abs(value), isShift(axis) ? 2 : 1);
         return number + (isShift(axis) ? QStringLiteral(" mm") : QStringLiteral("°"));
     };
-    const PoseHandle handle = nudge_ ? nudge_->handle() : hotHandle_;
+    const PoseHandle handle = nudge_ ? nudge_->handle() : hoveredHandle_;
     const bool isShifted = handle == PoseHandle::Shift;
     if (handle == PoseHandle::None || (isShifted && !nudge_)) {
         return {};
@@ -253,8 +253,8 @@ void NudgeTool::paint(QPainter& painter) const
     QRectF box(grasped.center.x() - 0.5 * width, above - 20.0, width, 20.0);
     box.moveTo(std::clamp(box.left(), 4.0, std::max(4.0, view().width() - width - 4.0)),
                std::clamp(box.top(), 30.0, std::max(30.0, view().height() - 24.0)));
-    QColor ground(0, 0, 0, 165);
-    painter.fillRect(box, ground);
+    QColor background(0, 0, 0, 165);
+    painter.fillRect(box, background);
     const Color& shade = nudge_ ? tone() : palette(ThemeMode::Dark).text;
     painter.setPen(QColor(shade.red, shade.green, shade.blue));
     painter.drawText(box, Qt::AlignCenter, text);

@@ -38,13 +38,13 @@ signals:
 
 private:
     NudgeGrip grip() const;   ///< handles around the pivot of the tree
-    PoseHandleLook look() const;
+    PoseHandleState handleState() const;
     QString words() const;
 
     std::optional<NudgeDrag> nudge_;
     core::PoseOffset dragged_;   ///< offset of the current drag
-    PoseHandle hotHandle_ = PoseHandle::None;
-    double hotAngleRad_ = 0.0;
+    PoseHandle hoveredHandle_ = PoseHandle::None;
+    double hoveredAngleRad_ = 0.0;
 };
 
 }   // namespace angiopose::ui

@@ -1,6 +1,6 @@
 #include "ui/views/tools/pivot_tool.h"
 
-#include "core/vessel/place_on_tree.h"
+#include "core/vessel/tree_position.h"
 #include "ui/theme/active_theme.h"
 #include "ui/views/angiogram_view.h"
 
@@ -43,15 +43,15 @@ void PivotTool::end()
     candidate_.reset();
 }
 
-std::optional<Eigen::Vector3d> PivotTool::placeAt(const ToolPoint& point) const
+std::optional<Eigen::Vector3d> PivotTool::pointAt(const ToolPoint& point) const
 {
     const Eigen::Vector3d* nearest = nullptr;
     double nearestPx = nodeReachPx;
     for (const Eigen::Vector3d& node : nodes_) {
-        if (const auto place = view().placeOf(node)) {
-            const QPointF way = *place - point.position;
-            if (std::hypot(way.x(), way.y()) < nearestPx) {
-                nearestPx = std::hypot(way.x(), way.y());
+        if (const auto nodePosition = view().positionOf(node)) {
+            const QPointF offset = *nodePosition - point.position;
+            if (std::hypot(offset.x(), offset.y()) < nearestPx) {
+                nearestPx = std::hypot(offset.x(), offset.y());
                 nearest = &node;
             }
         }
@@ -62,21 +62,21 @@ std::optional<Eigen::Vector3d> PivotTool::placeAt(const ToolPoint& point) const
     if (core::findProblem(view().camera())) {
         return std::nullopt;
     }
-    return core::placeUnderPixel(tree_, {view().camera(), view().cameraFromPatient()}, point.imagePx,
+    return core::pointUnderPixel(tree_, {view().camera(), view().cameraFromPatient()}, point.imagePx,
                                  pivotReachPx / view().zoom());
 }
 
 bool PivotTool::click(const ToolPoint& point)
 {
-    if (const auto place = placeAt(point)) {
-        emit picked(*place);
+    if (const auto nodePosition = pointAt(point)) {
+        emit picked(*nodePosition);
     }
     return true;   // accepts clicks next to the vessels without effect
 }
 
 void PivotTool::hover(const ToolPoint& point)
 {
-    candidate_ = placeAt(point);
+    candidate_ = pointAt(point);
     view().redraw();
 }
 
@@ -135,11 +135,11 @@ std::optional<QCursor> PivotTool::cursor(bool) const
 
 void PivotTool::paint(QPainter& painter) const
 {
-    const auto place = candidate_ ? view().placeOf(*candidate_) : std::nullopt;
-    if (place) {
+    const auto nodePosition = candidate_ ? view().positionOf(*candidate_) : std::nullopt;
+    if (nodePosition) {
         painter.setPen(QPen(toQColor(tone()), 1.6, Qt::DotLine));
         painter.setBrush(Qt::NoBrush);
-        painter.drawEllipse(*place, 9.0, 9.0);
+        painter.drawEllipse(*nodePosition, 9.0, 9.0);
     }
 }
 

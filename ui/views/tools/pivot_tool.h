@@ -34,7 +34,7 @@ signals:
     void centroidWanted();
 
 private:
-    std::optional<Eigen::Vector3d> placeAt(const ToolPoint& point) const;
+    std::optional<Eigen::Vector3d> pointAt(const ToolPoint& point) const;
     void step(int by);
 
     core::VesselTree tree_;

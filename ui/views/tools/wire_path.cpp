@@ -4,54 +4,54 @@ namespace angiopose::ui {
 
 void WirePath::clear()
 {
-    pieces_.clear();
-    aimed_.clear();
+    segments_.clear();
+    preview_.clear();
 }
 
 WirePath::Points WirePath::wayTo(const Eigen::Vector2d& pointPx, core::LiveWire* wire, bool straight) const
 {
-    Points way{pieces_.back().back(), pointPx};
+    Points path{segments_.back().back(), pointPx};
     if (wire && !straight) {
-        way = wire->pathTo(pointPx);
-        way.insert(way.begin(), pieces_.back().back());   // the live wire starts at the strongest response
+        path = wire->pathTo(pointPx);
+        path.insert(path.begin(), segments_.back().back());   // the live wire starts at the strongest response
     }
-    return way;
+    return path;
 }
 
 void WirePath::add(const Eigen::Vector2d& pointPx, core::LiveWire* wire, bool straight)
 {
-    pieces_.push_back(pieces_.empty() ? Points{pointPx} : wayTo(pointPx, wire, straight));
-    aimed_.clear();
+    segments_.push_back(segments_.empty() ? Points{pointPx} : wayTo(pointPx, wire, straight));
+    preview_.clear();
     if (wire) {
-        wire->setAnchor(pieces_.back().back());
-        if (pieces_.size() == 1 && !straight) {
+        wire->setAnchor(segments_.back().back());
+        if (segments_.size() == 1 && !straight) {
             const Points start = wire->pathTo(pointPx);
-            pieces_.back() = {start.front()};
+            segments_.back() = {start.front()};
         }
     }
 }
 
-void WirePath::takeBack(core::LiveWire* wire)
+void WirePath::undoStep(core::LiveWire* wire)
 {
-    if (pieces_.empty()) {
+    if (segments_.empty()) {
         return;
     }
-    pieces_.pop_back();
-    aimed_.clear();
-    if (wire && !pieces_.empty()) {
-        wire->setAnchor(pieces_.back().back());
+    segments_.pop_back();
+    preview_.clear();
+    if (wire && !segments_.empty()) {
+        wire->setAnchor(segments_.back().back());
     }
 }
 
-void WirePath::aim(const Eigen::Vector2d& pointPx, core::LiveWire* wire, bool straight)
+void WirePath::previewTo(const Eigen::Vector2d& pointPx, core::LiveWire* wire, bool straight)
 {
-    aimed_ = pieces_.empty() ? Points{} : wayTo(pointPx, wire, straight);
+    preview_ = segments_.empty() ? Points{} : wayTo(pointPx, wire, straight);
 }
 
 WirePath::Points WirePath::points() const
 {
     Points all;
-    for (const Points& piece : pieces_) {
+    for (const Points& piece : segments_) {
         for (const Eigen::Vector2d& point : piece) {
             if (all.empty() || (point - all.back()).norm() > 1e-6) {
                 all.push_back(point);
@@ -64,7 +64,7 @@ WirePath::Points WirePath::points() const
 WirePath::Points WirePath::anchors() const
 {
     Points ends;
-    for (const Points& piece : pieces_) {
+    for (const Points& piece : segments_) {
         ends.push_back(piece.back());
     }
     return ends;

@@ -11,23 +11,24 @@ class WirePath {
 public:
     using Points = std::vector<Eigen::Vector2d>;
 
-    bool isEmpty() const { return pieces_.empty(); }
+    bool isEmpty() const { return segments_.empty(); }
     void clear();
 
     /// Adds an anchor. The new segment is straight if `wire` is null or `straight` is set.
     void add(const Eigen::Vector2d& pointPx, core::LiveWire* wire, bool straight);
-    void takeBack(core::LiveWire* wire);   ///< removes the last anchor
-    void aim(const Eigen::Vector2d& pointPx, core::LiveWire* wire, bool straight);   ///< previews the next anchor
+    void undoStep(core::LiveWire* wire);   ///< removes the last anchor
+    void previewTo(const Eigen::Vector2d& pointPx, core::LiveWire* wire, bool straight);   ///< previews the next anchor
 
     Points points() const;   ///< points of the path, without the preview
     Points anchors() const;
-    const Points& aimed() const { return aimed_; }
+    const Points& preview() const { return preview_; }
 
 private:
     Points wayTo(const Eigen::Vector2d& pointPx, core::LiveWire* wire, bool straight) const;
 
-    std::vector<Points> pieces_;   ///< segments, each ending at an anchor; the first consists of the first anchor only
-    Points aimed_;
+    std::vector<Points>
+        segments_;   ///< segments, each ending at an anchor; the first consists of the first anchor only
+    Points preview_;
 };
 
 }   // namespace angiopose::ui

@@ -14,7 +14,7 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double aheadCosine = 0.7;   // cosine of the maximum angle (45°) to the direction of the vessel end
+constexpr double minAheadCosine = 0.7;   // cosine of the maximum angle (45°) to the direction of the vessel end
 constexpr std::size_t directionReach = 8;
 
 struct FreeEnd {
@@ -22,7 +22,7 @@ struct FreeEnd {
     Eigen::Vector2d direction;
 };
 
-std::vector<FreeEnd> freeEndsOf(const SkeletonGraph& graph)
+std::vector<FreeEnd> findFreeEnds(const SkeletonGraph& graph)
 {
     std::vector<int> degrees(graph.nodesPx.size(), 0);
     for (const SkeletonEdge& edge : graph.edges) {
@@ -69,9 +69,9 @@ std::optional<Eigen::Vector2d> targetAhead(const FreeEnd& end, const Image2d<int
             if (!labels.contains(x, y) || labels.at(x, y) < 0 || labels.at(x, y) == labels.at(x0, y0)) {
                 continue;
             }
-            const Eigen::Vector2d way = Eigen::Vector2d(x, y) - end.point;
-            const double distance = way.norm();
-            if (distance <= nearestDistance && way.dot(end.direction) >= aheadCosine * distance) {
+            const Eigen::Vector2d offset = Eigen::Vector2d(x, y) - end.point;
+            const double distance = offset.norm();
+            if (distance <= nearestDistance && offset.dot(end.direction) >= minAheadCosine * distance) {
                 nearest = Eigen::Vector2d(x, y);
                 nearestDistance = distance;
             }
@@ -86,7 +86,7 @@ double meanAlong(const ImageF& image, const Eigen::Vector2d& from, const Eigen::
     double sum = 0.0;
     for (int k = 0; k <= steps; ++k) {
         const Eigen::Vector2d at = from + (to - from) * k / steps;
-        sum += sampled(image, at.x(), at.y());
+        sum += sampleBilinear(image, at.x(), at.y());
     }
     return sum / (steps + 1);
 }
@@ -102,12 +102,13 @@ void drawLine(Mask2d& mask, const Eigen::Vector2d& from, const Eigen::Vector2d& 
 
 }   // namespace
 
-Mask2d withGapsBridged(const Mask2d& mask, const ImageF& ridges, double reachPx, double minRidge)
+Mask2d bridgeGaps(const Mask2d& mask, const ImageF& ridges, double reachPx, double minRidge)
 {
     Mask2d bridged = mask;
     Image2d<int> labels;
     std::vector<FreeEnd> ends;
-    atOnce([&] { ends = freeEndsOf(skeletonGraph(thinned(mask))); }, [&] { labels = componentLabels(mask); });
+    runInParallel([&] { ends = findFreeEnds(buildSkeletonGraph(skeletonize(mask))); },
+                  [&] { labels = componentLabels(mask); });
     for (const FreeEnd& end : ends) {
         const std::optional<Eigen::Vector2d> target = targetAhead(end, labels, reachPx);
         if (target && meanAlong(ridges, end.point, *target) >= minRidge) {

@@ -6,6 +6,6 @@ namespace angiopose::core {
 
 /// Closes short gaps in vessels: draws a line from each skeleton end to the component it points at if that component is
 /// at most `reachPx` ahead and the mean ridge strength along the line is at least `minRidge`.
-Mask2d withGapsBridged(const Mask2d& mask, const ImageF& ridges, double reachPx, double minRidge);
+Mask2d bridgeGaps(const Mask2d& mask, const ImageF& ridges, double reachPx, double minRidge);
 
 }   // namespace angiopose::core

@@ -54,19 +54,19 @@ std::vector<std::vector<Arm>> armsByNode(const SkeletonGraph& graph)
 }
 
 /// Returns whether the arms at both ends of a short edge form two straight lines through the edge.
-bool isCrossing(const SkeletonGraph& graph, std::vector<Arm> ofStart, std::vector<Arm> ofEnd, std::size_t edge)
+bool isCrossing(const SkeletonGraph& graph, std::vector<Arm> armsAtStart, std::vector<Arm> armsAtEnd, std::size_t edge)
 {
-    const auto belongs = [edge](Arm arm) { return arm / 2 == edge; };
-    std::erase_if(ofStart, belongs);
-    std::erase_if(ofEnd, belongs);
-    if (ofStart.size() != 2 || ofEnd.size() != 2) {
+    const auto isOnEdge = [edge](Arm arm) { return arm / 2 == edge; };
+    std::erase_if(armsAtStart, isOnEdge);
+    std::erase_if(armsAtEnd, isOnEdge);
+    if (armsAtStart.size() != 2 || armsAtEnd.size() != 2) {
         return false;
     }
     const auto straight = [&](Arm a, Arm b) {
         return directionOf(graph, a).dot(directionOf(graph, b)) < crossingCosine;
     };
-    return (straight(ofStart[0], ofEnd[0]) && straight(ofStart[1], ofEnd[1])) ||
-           (straight(ofStart[0], ofEnd[1]) && straight(ofStart[1], ofEnd[0]));
+    return (straight(armsAtStart[0], armsAtEnd[0]) && straight(armsAtStart[1], armsAtEnd[1])) ||
+           (straight(armsAtStart[0], armsAtEnd[1]) && straight(armsAtStart[1], armsAtEnd[0]));
 }
 
 /// Attaches the end of the arm to a new node and removes the distorted points within `gapPx` of that node.
@@ -99,14 +99,14 @@ SkeletonGraph withCrossingsMerged(SkeletonGraph graph, double crossingPx)
             continue;
         }
         const auto arms = armsByNode(graph);
-        const auto& ofStart = arms[static_cast<std::size_t>(edge.startNode)];
-        const auto& ofEnd = arms[static_cast<std::size_t>(edge.endNode)];
-        if (!isCrossing(graph, ofStart, ofEnd, i)) {
+        const auto& armsAtStart = arms[static_cast<std::size_t>(edge.startNode)];
+        const auto& armsAtEnd = arms[static_cast<std::size_t>(edge.endNode)];
+        if (!isCrossing(graph, armsAtStart, armsAtEnd, i)) {
             continue;
         }
         const int center = static_cast<int>(graph.nodesPx.size());
         graph.nodesPx.emplace_back(0.5 * (edge.pointsPx.front() + edge.pointsPx.back()));
-        for (const auto* group : {&ofStart, &ofEnd}) {
+        for (const auto* group : {&armsAtStart, &armsAtEnd}) {
             for (const Arm arm : *group) {
                 if (arm / 2 != i) {
                     reattach(graph, arm, center, length);
@@ -168,7 +168,7 @@ std::vector<Eigen::Vector2d> chainFrom(const SkeletonGraph& graph, Arm arm, cons
 
 }   // namespace
 
-std::vector<std::vector<Eigen::Vector2d>> orderedCurves(const SkeletonGraph& graph, double crossingPx)
+std::vector<std::vector<Eigen::Vector2d>> orderCurves(const SkeletonGraph& graph, double crossingPx)
 {
     const SkeletonGraph merged = withCrossingsMerged(graph, crossingPx);
     const std::vector<Arm> partner = continuations(merged);

@@ -26,7 +26,7 @@ double deviationFromLine(const std::vector<Eigen::Vector2d>& pointsPx)
 {
     const Eigen::MatrixX2d points = centered(pointsPx);
     const Eigen::Matrix2d spread = points.transpose() * points / static_cast<double>(points.rows());
-    return std::sqrt(std::max(0.0, axesOf(spread).values[0]));
+    return std::sqrt(std::max(0.0, eigenDecomposition(spread).values[0]));
 }
 
 double deviationFromArc(const std::vector<Eigen::Vector2d>& pointsPx)

@@ -17,20 +17,20 @@ std::vector<int> degreesOf(const SkeletonGraph& graph)
 }
 
 /// Returns the index of the spur with the lowest score below `least`, or -1 if there is none.
-int minSpur(const SkeletonGraph& graph, const std::vector<double>& worths, double least)
+int findWeakestSpur(const SkeletonGraph& graph, const std::vector<double>& scores, double threshold)
 {
     const std::vector<int> degrees = degreesOf(graph);
-    int found = -1;
+    int weakest = -1;
     for (std::size_t i = 0; i < graph.edges.size(); ++i) {
         const int startDegree = degrees[static_cast<std::size_t>(graph.edges[i].startNode)];
         const int endDegree = degrees[static_cast<std::size_t>(graph.edges[i].endNode)];
         const bool isSpur = std::min(startDegree, endDegree) == 1 && std::max(startDegree, endDegree) > 2;
-        if (isSpur && worths[i] < least) {
-            found = static_cast<int>(i);
-            least = worths[i];
+        if (isSpur && scores[i] < threshold) {
+            weakest = static_cast<int>(i);
+            threshold = scores[i];
         }
     }
-    return found;
+    return weakest;
 }
 
 void reverse(SkeletonEdge& edge)
@@ -40,23 +40,23 @@ void reverse(SkeletonEdge& edge)
 }
 
 /// Joins the edges at `node` if exactly two distinct edges meet there, and scores the joined edge.
-void joinThrough(SkeletonGraph& graph, int node, std::vector<double>& worths, const EdgeMeasure& worth)
+void mergeEdgesAt(SkeletonGraph& graph, int node, std::vector<double>& scores, const EdgeMeasure& score)
 {
-    std::vector<std::size_t> meeting;
+    std::vector<std::size_t> edgesAtNode;
     for (std::size_t i = 0; i < graph.edges.size(); ++i) {
         const SkeletonEdge& edge = graph.edges[i];
         if (edge.startNode == node || edge.endNode == node) {
-            meeting.push_back(i);
+            edgesAtNode.push_back(i);
         }
         if (edge.startNode == node && edge.endNode == node) {   // closed ring: both ends are at this node
             return;
         }
     }
-    if (meeting.size() != 2) {
+    if (edgesAtNode.size() != 2) {
         return;
     }
-    SkeletonEdge first = std::move(graph.edges[meeting[0]]);
-    SkeletonEdge second = std::move(graph.edges[meeting[1]]);
+    SkeletonEdge first = std::move(graph.edges[edgesAtNode[0]]);
+    SkeletonEdge second = std::move(graph.edges[edgesAtNode[1]]);
     if (first.startNode == node) {
         reverse(first);
     }
@@ -65,14 +65,14 @@ void joinThrough(SkeletonGraph& graph, int node, std::vector<double>& worths, co
     }
     first.pointsPx.insert(first.pointsPx.end(), second.pointsPx.begin() + 1, second.pointsPx.end());
     first.endNode = second.endNode;
-    worths[meeting[0]] = worth(first);
-    graph.edges[meeting[0]] = std::move(first);
-    graph.edges.erase(graph.edges.begin() + static_cast<std::ptrdiff_t>(meeting[1]));
-    worths.erase(worths.begin() + static_cast<std::ptrdiff_t>(meeting[1]));
+    scores[edgesAtNode[0]] = score(first);
+    graph.edges[edgesAtNode[0]] = std::move(first);
+    graph.edges.erase(graph.edges.begin() + static_cast<std::ptrdiff_t>(edgesAtNode[1]));
+    scores.erase(scores.begin() + static_cast<std::ptrdiff_t>(edgesAtNode[1]));
 }
 
 /// Returns a representative node of the connected component for each node.
-std::vector<int> piecesOf(const SkeletonGraph& graph)
+std::vector<int> componentOfNodes(const SkeletonGraph& graph)
 {
     std::vector<int> parent(graph.nodesPx.size());
     std::iota(parent.begin(), parent.end(), 0);
@@ -93,34 +93,35 @@ std::vector<int> piecesOf(const SkeletonGraph& graph)
 
 }   // namespace
 
-SkeletonGraph withoutSpurs(SkeletonGraph graph, const EdgeMeasure& worth, double least)
+SkeletonGraph removeSpurs(SkeletonGraph graph, const EdgeMeasure& score, double threshold)
 {
-    std::vector<double> worths;
+    std::vector<double> scores;
     for (const SkeletonEdge& edge : graph.edges) {
-        worths.push_back(worth(edge));
+        scores.push_back(score(edge));
     }
-    for (int spur = minSpur(graph, worths, least); spur >= 0; spur = minSpur(graph, worths, least)) {
+    for (int spur = findWeakestSpur(graph, scores, threshold); spur >= 0;
+         spur = findWeakestSpur(graph, scores, threshold)) {
         const int startNode = graph.edges[static_cast<std::size_t>(spur)].startNode;
         const int endNode = graph.edges[static_cast<std::size_t>(spur)].endNode;
         graph.edges.erase(graph.edges.begin() + spur);
-        worths.erase(worths.begin() + spur);
-        joinThrough(graph, startNode, worths, worth);
-        joinThrough(graph, endNode, worths, worth);
+        scores.erase(scores.begin() + spur);
+        mergeEdgesAt(graph, startNode, scores, score);
+        mergeEdgesAt(graph, endNode, scores, score);
     }
     return graph;
 }
 
-SkeletonGraph withoutSmallPieces(SkeletonGraph graph, const EdgeMeasure& size, double least)
+SkeletonGraph removeSmallComponents(SkeletonGraph graph, const EdgeMeasure& size, double threshold)
 {
-    const std::vector<int> piece = piecesOf(graph);
-    const auto pieceOf = [&](const SkeletonEdge& edge) {
-        return static_cast<std::size_t>(piece[static_cast<std::size_t>(edge.startNode)]);
+    const std::vector<int> component = componentOfNodes(graph);
+    const auto componentOf = [&](const SkeletonEdge& edge) {
+        return static_cast<std::size_t>(component[static_cast<std::size_t>(edge.startNode)]);
     };
     std::vector<double> sizes(graph.nodesPx.size(), 0.0);
     for (const SkeletonEdge& edge : graph.edges) {
-        sizes[pieceOf(edge)] += size(edge);
+        sizes[componentOf(edge)] += size(edge);
     }
-    std::erase_if(graph.edges, [&](const SkeletonEdge& edge) { return sizes[pieceOf(edge)] < least; });
+    std::erase_if(graph.edges, [&](const SkeletonEdge& edge) { return sizes[componentOf(edge)] < threshold; });
     return graph;
 }
 

@@ -11,9 +11,9 @@ using EdgeMeasure = std::function<double(const SkeletonEdge&)>;
 
 /// Removes spurs (edges between a junction and a free end), weakest first, until none scores below `least`; joins
 /// edges that then continue each other.
-SkeletonGraph withoutSpurs(SkeletonGraph graph, const EdgeMeasure& worth, double least);
+SkeletonGraph removeSpurs(SkeletonGraph graph, const EdgeMeasure& score, double threshold);
 
 /// Removes connected components whose total edge size is below `least`.
-SkeletonGraph withoutSmallPieces(SkeletonGraph graph, const EdgeMeasure& size, double least);
+SkeletonGraph removeSmallComponents(SkeletonGraph graph, const EdgeMeasure& size, double threshold);
 
 }   // namespace angiopose::core

@@ -8,14 +8,14 @@ namespace angiopose::core {
 namespace {
 
 /// Follows the skeleton pixel by pixel; `nodeAt_` holds the node of junction and end pixels, -1 elsewhere.
-class PixelWalker {
+class PixelGraphBuilder {
 public:
-    explicit PixelWalker(const Mask2d& skeleton)
-        : skeleton_(skeleton), nodeAt_(skeleton.width, skeleton.height, -1), seen_(skeleton.width, skeleton.height)
+    explicit PixelGraphBuilder(const Mask2d& skeleton)
+        : skeleton_(skeleton), nodeAt_(skeleton.width, skeleton.height, -1), visited_(skeleton.width, skeleton.height)
     {
         for (std::size_t p = 0; p < skeleton.pixels.size(); ++p) {
             if (skeleton.pixels[p] != 0) {
-                set_.push_back(p);
+                skeletonPixels_.push_back(p);
             }
         }
     }
@@ -24,9 +24,9 @@ public:
     {
         addJunctions();
         addEnds();
-        for (const std::size_t p : set_) {
+        for (const std::size_t p : skeletonPixels_) {
             if (nodeAt_.pixels[p] >= 0) {
-                followFrom(p);
+                addEdgesFrom(p);
             }
         }
         addRings();
@@ -38,13 +38,13 @@ private:
     {
         const int x = static_cast<int>(p % static_cast<std::size_t>(skeleton_.width));
         const int y = static_cast<int>(p / static_cast<std::size_t>(skeleton_.width));
-        std::vector<std::size_t> found;
+        std::vector<std::size_t> adjacentPixels;
         for (const auto& [dx, dy] : steps) {
             if (skeleton_.contains(x + dx, y + dy) && skeleton_.at(x + dx, y + dy) != 0) {
-                found.push_back(skeleton_.index(x + dx, y + dy));
+                adjacentPixels.push_back(skeleton_.index(x + dx, y + dy));
             }
         }
-        return found;
+        return adjacentPixels;
     }
 
     Eigen::Vector2d pointOf(std::size_t p) const
@@ -61,7 +61,7 @@ private:
         for (const std::size_t p : pixels) {
             sum += pointOf(p);
             nodeAt_.pixels[p] = node;
-            seen_.pixels[p] = 255;
+            visited_.pixels[p] = 255;
         }
         graph_.nodesPx.emplace_back(sum / static_cast<double>(pixels.size()));
         return node;
@@ -70,7 +70,7 @@ private:
     void addJunctions()
     {
         Mask2d junctions(skeleton_.width, skeleton_.height);
-        for (const std::size_t p : set_) {
+        for (const std::size_t p : skeletonPixels_) {
             junctions.pixels[p] = neighborsOf(p).size() > 2 ? 255 : 0;
         }
         for (const std::vector<std::size_t>& pixels : componentsOf(junctions)) {
@@ -80,24 +80,24 @@ private:
 
     void addEnds()
     {
-        for (const std::size_t p : set_) {
+        for (const std::size_t p : skeletonPixels_) {
             if (nodeAt_.pixels[p] < 0 && neighborsOf(p).size() == 1) {
                 addNode({p});
             }
         }
     }
 
-    void followFrom(std::size_t nodePixel)
+    void addEdgesFrom(std::size_t nodePixel)
     {
         for (const std::size_t first : neighborsOf(nodePixel)) {
             const int start = nodeAt_.pixels[nodePixel];
-            const int touching = nodeAt_.pixels[first];
-            if (touching > start) {   // adjacent nodes; the edge is added once
+            const int neighborNode = nodeAt_.pixels[first];
+            if (neighborNode > start) {   // adjacent nodes; the edge is added once
                 graph_.edges.push_back({start,
-                                        touching,
+                                        neighborNode,
                                         {graph_.nodesPx[static_cast<std::size_t>(start)],
-                                         graph_.nodesPx[static_cast<std::size_t>(touching)]}});
-            } else if (touching < 0 && seen_.pixels[first] == 0) {
+                                         graph_.nodesPx[static_cast<std::size_t>(neighborNode)]}});
+            } else if (neighborNode < 0 && visited_.pixels[first] == 0) {
                 addEdge(nodePixel, first);
             }
         }
@@ -113,28 +113,28 @@ private:
         std::size_t current = first;
         while (nodeAt_.pixels[current] < 0) {
             points.push_back(pointOf(current));
-            seen_.pixels[current] = 255;
-            const std::vector<std::size_t> around = neighborsOf(current);
-            const std::size_t next = around[0] == previous ? around[1] : around[0];
+            visited_.pixels[current] = 255;
+            const std::vector<std::size_t> neighbors = neighborsOf(current);
+            const std::size_t next = neighbors[0] == previous ? neighbors[1] : neighbors[0];
             previous = current;
             current = next;
         }
         const int end = nodeAt_.pixels[current];
         points.push_back(graph_.nodesPx[static_cast<std::size_t>(end)]);
-        const bool isNub = start == end && points.size() < shortestRing;
-        if (!isNub) {
+        const bool isTinyLoop = start == end && points.size() < minRingPoints;
+        if (!isTinyLoop) {
             graph_.edges.push_back({start, end, std::move(points)});
         }
     }
 
     void addRings()
     {
-        for (const std::size_t p : set_) {
-            if (seen_.pixels[p] == 0) {
-                const std::vector<std::size_t> around = neighborsOf(p);
-                if (around.size() == 2) {
+        for (const std::size_t p : skeletonPixels_) {
+            if (visited_.pixels[p] == 0) {
+                const std::vector<std::size_t> neighbors = neighborsOf(p);
+                if (neighbors.size() == 2) {
                     addNode({p});
-                    addEdge(p, around[0]);
+                    addEdge(p, neighbors[0]);
                 }
             }
         }
@@ -145,20 +145,20 @@ private:
         int dy;
     };
     static constexpr std::array<Step, 8> steps{{{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 1}, {-1, 1}, {-1, -1}, {1, -1}}};
-    static constexpr std::size_t shortestRing = 6;
+    static constexpr std::size_t minRingPoints = 6;
 
     const Mask2d& skeleton_;
     Image2d<int> nodeAt_;
-    Mask2d seen_;
-    std::vector<std::size_t> set_;   ///< skeleton pixels, row by row
+    Mask2d visited_;
+    std::vector<std::size_t> skeletonPixels_;   ///< skeleton pixels, row by row
     SkeletonGraph graph_;
 };
 
 }   // namespace
 
-SkeletonGraph skeletonGraph(const Mask2d& skeleton)
+SkeletonGraph buildSkeletonGraph(const Mask2d& skeleton)
 {
-    return PixelWalker(skeleton).run();
+    return PixelGraphBuilder(skeleton).run();
 }
 
 }   // namespace angiopose::core

@@ -21,10 +21,10 @@ struct SkeletonGraph {
 };
 
 /// Builds the graph of a one-pixel-wide skeleton; adjacent junction pixels form one node at their centroid.
-SkeletonGraph skeletonGraph(const Mask2d& skeleton);
+SkeletonGraph buildSkeletonGraph(const Mask2d& skeleton);
 
 /// Orders the graph into curves: at each node, joins edges that continue each other straight, so two crossing vessels
 /// give two curves. Two junctions up to `crossingPx` apart that thinning created at one crossing count as one.
-std::vector<std::vector<Eigen::Vector2d>> orderedCurves(const SkeletonGraph& graph, double crossingPx);
+std::vector<std::vector<Eigen::Vector2d>> orderCurves(const SkeletonGraph& graph, double crossingPx);
 
 }   // namespace angiopose::core

@@ -7,7 +7,7 @@
 namespace angiopose::core {
 
 /// Returns whether a curve of any length has uniform curvature (straight or a single arc) and constant width.
-bool runsLikeDevice(const Curve2d& curve);
+bool isDeviceLike(const Curve2d& curve);
 
 /// Returns the IDs of long curves with uniform curvature (straight or a single arc) and constant width, typical of
 /// catheters, wires and bone edges but rare in vessels, and of closed wire loops. The curves stay in the centerline;

@@ -26,18 +26,18 @@ std::array<bool, 256> makeDeletableTable()
 }
 
 /// Thins a mask padded with a clear border, so that every pixel has eight neighbors.
-class PixelPeeler {
+class PixelThinner {
 public:
-    explicit PixelPeeler(const Mask2d& mask)
+    explicit PixelThinner(const Mask2d& mask)
         : mask_(mask),
           stride_(mask.width + 2),
-          set_(static_cast<std::size_t>(stride_) * static_cast<std::size_t>(mask.height + 2)),
-          queued_(set_.size()),
+          isSet_(static_cast<std::size_t>(stride_) * static_cast<std::size_t>(mask.height + 2)),
+          queued_(isSet_.size()),
           neighbors_{1, 1 - stride_, -stride_, -1 - stride_, -1, stride_ - 1, stride_, stride_ + 1}
     {
         for (int y = 0; y < mask.height; ++y) {
             for (int x = 0; x < mask.width; ++x) {
-                set_[rimmed(x, y)] = mask.at(x, y) != 0;
+                isSet_[paddedIndex(x, y)] = mask.at(x, y) != 0;
             }
         }
     }
@@ -48,7 +48,7 @@ public:
         while (!border.empty()) {
             std::vector<std::size_t> next;
             for (const std::size_t side : {2, 6, 4, 0}) {   // north, south, west, east
-                peel(border, side, next);
+                thinFromSide(border, side, next);
             }
             for (const std::size_t p : next) {
                 queued_[p] = 0;
@@ -59,7 +59,7 @@ public:
     }
 
 private:
-    std::size_t rimmed(int x, int y) const { return cellIndex(y + 1, stride_, x + 1); }
+    std::size_t paddedIndex(int x, int y) const { return cellIndex(y + 1, stride_, x + 1); }
     std::size_t neighbor(std::size_t p, std::size_t k) const { return p + static_cast<std::size_t>(neighbors_[k]); }
 
     bool isDeletable(std::size_t p) const
@@ -67,7 +67,7 @@ private:
         static const std::array<bool, 256> table = makeDeletableTable();
         unsigned bits = 0;
         for (std::size_t k = 0; k < 8; ++k) {
-            bits |= static_cast<unsigned>(set_[neighbor(p, k)]) << k;
+            bits |= static_cast<unsigned>(isSet_[neighbor(p, k)]) << k;
         }
         return table[bits];
     }
@@ -75,8 +75,9 @@ private:
     std::vector<std::size_t> borderPixels() const
     {
         std::vector<std::size_t> border;
-        for (std::size_t p = 0; p < set_.size(); ++p) {
-            if (set_[p] != 0 && (set_[p + 1] & set_[p - 1] & set_[neighbor(p, 2)] & set_[neighbor(p, 6)]) == 0) {
+        for (std::size_t p = 0; p < isSet_.size(); ++p) {
+            if (isSet_[p] != 0 &&
+                (isSet_[p + 1] & isSet_[p - 1] & isSet_[neighbor(p, 2)] & isSet_[neighbor(p, 6)]) == 0) {
                 border.push_back(p);
             }
         }
@@ -85,11 +86,11 @@ private:
 
     /// Deletes pixels that are open to one side. All candidates are collected first, then each is checked again,
     /// because two neighbors that are each deletable alone must not be deleted together.
-    void peel(const std::vector<std::size_t>& border, std::size_t side, std::vector<std::size_t>& next)
+    void thinFromSide(const std::vector<std::size_t>& border, std::size_t side, std::vector<std::size_t>& next)
     {
         std::vector<std::size_t> candidates;
         for (const std::size_t p : border) {
-            if (set_[p] != 0 && set_[neighbor(p, side)] == 0 && isDeletable(p)) {
+            if (isSet_[p] != 0 && isSet_[neighbor(p, side)] == 0 && isDeletable(p)) {
                 candidates.push_back(p);
             }
         }
@@ -97,10 +98,10 @@ private:
             if (!isDeletable(p)) {
                 continue;
             }
-            set_[p] = 0;
+            isSet_[p] = 0;
             for (std::size_t k = 0; k < 8; ++k) {
                 const std::size_t q = neighbor(p, k);
-                if (set_[q] != 0 && queued_[q] == 0) {
+                if (isSet_[q] != 0 && queued_[q] == 0) {
                     queued_[q] = 1;
                     next.push_back(q);
                 }
@@ -113,7 +114,7 @@ private:
         Mask2d skeleton(mask_.width, mask_.height);
         for (int y = 0; y < mask_.height; ++y) {
             for (int x = 0; x < mask_.width; ++x) {
-                skeleton.at(x, y) = set_[rimmed(x, y)] != 0 ? 255 : 0;
+                skeleton.at(x, y) = isSet_[paddedIndex(x, y)] != 0 ? 255 : 0;
             }
         }
         return skeleton;
@@ -121,16 +122,16 @@ private:
 
     const Mask2d& mask_;
     int stride_;
-    std::vector<std::uint8_t> set_;
+    std::vector<std::uint8_t> isSet_;
     std::vector<std::uint8_t> queued_;
     std::array<int, 8> neighbors_;
 };
 
 }   // namespace
 
-Mask2d thinned(const Mask2d& mask)
+Mask2d skeletonize(const Mask2d& mask)
 {
-    return mask.isEmpty() ? mask : PixelPeeler(mask).run();
+    return mask.isEmpty() ? mask : PixelThinner(mask).run();
 }
 
 }   // namespace angiopose::core

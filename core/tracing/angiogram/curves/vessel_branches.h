@@ -8,10 +8,10 @@ namespace angiopose::core {
 
 /// Builds the graph of a vessel mask and keeps only vessel-like parts: no edges along the edge of the field, no short
 /// or weak side branches, no short or weak components.
-SkeletonGraph vesselBranches(const Mask2d& vessels, const ImageF& evidence, const ImageF& opacity, const Mask2d& field,
-                             const TraceOptions& options);
+SkeletonGraph extractVesselBranches(const Mask2d& vessels, const ImageF& evidence, const ImageF& opacity,
+                                    const Mask2d& field, const TraceOptions& options);
 
-/// Variant of `vesselBranches` for manually drawn masks; judges edges by length alone.
-SkeletonGraph drawnBranches(const Mask2d& vessels, const TraceOptions& options);
+/// Variant of `extractVesselBranches` for manually drawn masks; judges edges by length alone.
+SkeletonGraph extractDrawnBranches(const Mask2d& vessels, const TraceOptions& options);
 
 }   // namespace angiopose::core

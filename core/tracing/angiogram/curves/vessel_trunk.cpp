@@ -7,13 +7,13 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double touchPx = 4.0;   // tolerance beyond the wall; tracing may stop short of a branch's origin
+constexpr double takeoffTolerancePx = 4.0;   // tolerance beyond the wall; tracing may stop short of a branch's origin
 constexpr int minBranches = 2;
 
 bool endsOn(const Eigen::Vector2d& endPx, const Curve2d& trunk)
 {
     for (std::size_t i = 0; i < trunk.pointsPx.size(); ++i) {
-        if ((trunk.pointsPx[i] - endPx).norm() <= trunk.radiusPx[i] + touchPx) {
+        if ((trunk.pointsPx[i] - endPx).norm() <= trunk.radiusPx[i] + takeoffTolerancePx) {
             return true;
         }
     }

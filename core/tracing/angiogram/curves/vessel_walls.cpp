@@ -13,8 +13,8 @@ namespace {
 constexpr double profileStepPx = 0.5;
 constexpr int profilesAveraged = 3;   // number of profiles on either side of the point
 constexpr double maxShiftPx = 2.0;
-constexpr double leapPx = 1.0;
-constexpr double widestLeap = 1.4;   // maximum width relative to the typical width nearby
+constexpr double maxJumpPx = 1.0;
+constexpr double maxWidthRatio = 1.4;   // maximum width relative to the typical width nearby
 
 using Profile = std::span<const double>;
 
@@ -29,11 +29,11 @@ public:
         for (std::size_t i = 0; i < count_; ++i) {
             for (int k = -half; k <= half; ++k) {
                 const Eigen::Vector2d at = points[i] + k * profileStepPx * normals[i];
-                *value++ = sampled(opacity, at.x(), at.y());
+                *value++ = sampleBilinear(opacity, at.x(), at.y());
             }
         }
-        shares_ = values_;
-        for (double& share : shares_) {
+        scaledValues_ = values_;
+        for (double& share : scaledValues_) {
             share /= fullCount;
         }
     }
@@ -49,7 +49,7 @@ public:
         const auto averaged = static_cast<double>(last - first + 1);
         for (std::size_t row = first * length_; row < (last + 1) * length_; row += length_) {
             for (std::size_t k = 0; k < length_; ++k) {
-                mean[k] += averaged == fullCount ? shares_[row + k] : values_[row + k] / averaged;
+                mean[k] += averaged == fullCount ? scaledValues_[row + k] : values_[row + k] / averaged;
             }
         }
     }
@@ -60,12 +60,12 @@ private:
     std::size_t count_;
     std::size_t length_;
     std::vector<double> values_;
-    std::vector<double> shares_;   ///< values divided by the full number of averaged profiles
+    std::vector<double> scaledValues_;   ///< values divided by the full number of averaged profiles
 };
 
 /// Returns the distance from `peak`, in (fractional) steps along `direction` (±1), at which the profile falls to
 /// `level`; nullopt if it never does.
-std::optional<double> fallBelow(Profile profile, int peak, int direction, double level)
+std::optional<double> distanceToLevel(Profile profile, int peak, int direction, double level)
 {
     const auto valueAt = [&profile](int k) { return profile[static_cast<std::size_t>(k)]; };
     for (int k = peak; k + direction >= 0 && k + direction < static_cast<int>(profile.size()); k += direction) {
@@ -89,8 +89,8 @@ std::optional<VesselWalls> wallsOf(Profile profile)
     const double left = *std::min_element(profile.begin(), profile.begin() + peak + 1);
     const double right = *std::min_element(profile.begin() + peak, profile.end());
     const double level = 0.5 * (top + std::max(left, right));
-    const auto before = fallBelow(profile, peak, -1, level);
-    const auto after = fallBelow(profile, peak, 1, level);
+    const auto before = distanceToLevel(profile, peak, -1, level);
+    const auto after = distanceToLevel(profile, peak, 1, level);
     if (!before || !after) {
         return std::nullopt;
     }
@@ -111,7 +111,7 @@ std::vector<std::optional<VesselWalls>> wallsAlong(const Profiles& profiles)
 }
 
 /// Returns the median of a property of the known walls around a point.
-double usualAround(const std::vector<std::optional<VesselWalls>>& walls, std::size_t i, double VesselWalls::*part)
+double localMedian(const std::vector<std::optional<VesselWalls>>& walls, std::size_t i, double VesselWalls::*part)
 {
     constexpr std::size_t reach = 15;
     std::vector<double> known;
@@ -125,17 +125,17 @@ double usualAround(const std::vector<std::optional<VesselWalls>>& walls, std::si
 }
 
 /// Drops walls that jump relative to those around them, because another vessel crosses or joins there.
-std::vector<std::optional<VesselWalls>> plausible(const std::vector<std::optional<VesselWalls>>& walls)
+std::vector<std::optional<VesselWalls>> removeJumps(const std::vector<std::optional<VesselWalls>>& walls)
 {
-    std::vector<std::optional<VesselWalls>> kept(walls.size());
+    std::vector<std::optional<VesselWalls>> filtered(walls.size());
     for (std::size_t i = 0; i < walls.size(); ++i) {
-        if (walls[i] && std::abs(walls[i]->middlePx) <= maxShiftPx &&
-            std::abs(walls[i]->middlePx - usualAround(walls, i, &VesselWalls::middlePx)) <= leapPx &&
-            walls[i]->halfWidthPx <= widestLeap * usualAround(walls, i, &VesselWalls::halfWidthPx)) {
-            kept[i] = walls[i];
+        if (walls[i] && std::abs(walls[i]->centerOffsetPx) <= maxShiftPx &&
+            std::abs(walls[i]->centerOffsetPx - localMedian(walls, i, &VesselWalls::centerOffsetPx)) <= maxJumpPx &&
+            walls[i]->halfWidthPx <= maxWidthRatio * localMedian(walls, i, &VesselWalls::halfWidthPx)) {
+            filtered[i] = walls[i];
         }
     }
-    return kept;
+    return filtered;
 }
 
 }   // namespace
@@ -145,7 +145,7 @@ std::vector<std::optional<VesselWalls>> findWalls(const std::vector<Eigen::Vecto
                                                   double reachPx)
 {
     const int half = static_cast<int>(std::ceil(reachPx / profileStepPx));
-    return plausible(wallsAlong({points, normals, opacity, half}));
+    return removeJumps(wallsAlong({points, normals, opacity, half}));
 }
 
 }   // namespace angiopose::core

@@ -10,7 +10,7 @@ namespace angiopose::core {
 
 /// The two walls of a vessel at one point of its curve, along the normal.
 struct VesselWalls {
-    double middlePx = 0.0;   ///< signed offset of the center from the point
+    double centerOffsetPx = 0.0;   ///< signed offset of the center from the point
     double halfWidthPx = 0.0;
 };
 

@@ -10,9 +10,9 @@
 namespace angiopose::core {
 namespace {
 
-using KeepsPoint = std::function<bool(const Eigen::Vector2d&)>;
+using PointFilter = std::function<bool(const Eigen::Vector2d&)>;
 
-int freeId(const Centerline2d& centerline)
+int nextFreeId(const Centerline2d& centerline)
 {
     int id = 1;
     for (const Curve2d& curve : centerline.curves) {
@@ -22,7 +22,7 @@ int freeId(const Centerline2d& centerline)
 }
 
 /// Returns the points from `first` up to but not including `end` as a separate curve.
-Curve2d partOf(const Curve2d& curve, std::size_t first, std::size_t end)
+Curve2d sectionOf(const Curve2d& curve, std::size_t first, std::size_t end)
 {
     const auto slice = [&](const auto& values) {
         using Values = std::decay_t<decltype(values)>;
@@ -34,28 +34,28 @@ Curve2d partOf(const Curve2d& curve, std::size_t first, std::size_t end)
 }
 
 /// Returns the sections of consecutive points that `keeps` accepts, each as a curve.
-std::vector<Curve2d> keptParts(const Curve2d& curve, const KeepsPoint& keeps)
+std::vector<Curve2d> splitAtRejectedPoints(const Curve2d& curve, const PointFilter& accepts)
 {
     std::vector<Curve2d> parts;
     std::size_t first = 0;
     for (std::size_t i = 0; i <= curve.pointsPx.size(); ++i) {
-        if (i < curve.pointsPx.size() && keeps(curve.pointsPx[i])) {
+        if (i < curve.pointsPx.size() && accepts(curve.pointsPx[i])) {
             continue;
         }
         if (i - first >= 2) {
-            parts.push_back(partOf(curve, first, i));
+            parts.push_back(sectionOf(curve, first, i));
         }
         first = i + 1;
     }
     return parts;
 }
 
-Centerline2d kept(const Centerline2d& centerline, const KeepsPoint& keeps)
+Centerline2d filterPoints(const Centerline2d& centerline, const PointFilter& accepts)
 {
     Centerline2d result;
-    int nextId = freeId(centerline);
+    int nextId = nextFreeId(centerline);
     for (const Curve2d& curve : centerline.curves) {
-        std::vector<Curve2d> parts = keptParts(curve, keeps);
+        std::vector<Curve2d> parts = splitAtRejectedPoints(curve, accepts);
         for (std::size_t i = 0; i < parts.size(); ++i) {
             parts[i].id = i == 0 ? curve.id : nextId++;
             result.curves.push_back(std::move(parts[i]));
@@ -78,21 +78,22 @@ bool isInside(const std::vector<Eigen::Vector2d>& polygon, const Eigen::Vector2d
     return inside;
 }
 
-struct CurvePlace {
+struct CurvePosition {
     std::size_t curve = 0;
     std::size_t point = 0;
 };
 
-std::optional<CurvePlace> nearestPlace(const Centerline2d& centerline, const Eigen::Vector2d& pointPx, double reachPx)
+std::optional<CurvePosition> findNearestPoint(const Centerline2d& centerline, const Eigen::Vector2d& pointPx,
+                                              double reachPx)
 {
-    std::optional<CurvePlace> nearest;
+    std::optional<CurvePosition> nearest;
     double nearestPx = reachPx;
     for (std::size_t c = 0; c < centerline.curves.size(); ++c) {
         for (std::size_t i = 0; i < centerline.curves[c].pointsPx.size(); ++i) {
             const double distance = (centerline.curves[c].pointsPx[i] - pointPx).norm();
             if (distance <= nearestPx) {
                 nearestPx = distance;
-                nearest = CurvePlace{c, i};
+                nearest = CurvePosition{c, i};
             }
         }
     }
@@ -101,58 +102,58 @@ std::optional<CurvePlace> nearestPlace(const Centerline2d& centerline, const Eig
 
 }   // namespace
 
-Centerline2d erased(const Centerline2d& centerline, const Eigen::Vector2d& centerPx, double radiusPx)
+Centerline2d eraseDisc(const Centerline2d& centerline, const Eigen::Vector2d& centerPx, double radiusPx)
 {
-    return kept(centerline, [&](const Eigen::Vector2d& point) { return (point - centerPx).norm() > radiusPx; });
+    return filterPoints(centerline, [&](const Eigen::Vector2d& point) { return (point - centerPx).norm() > radiusPx; });
 }
 
-Centerline2d restrictedTo(const Centerline2d& centerline, const std::vector<Eigen::Vector2d>& polygonPx)
+Centerline2d cropToPolygon(const Centerline2d& centerline, const std::vector<Eigen::Vector2d>& polygonPx)
 {
     if (polygonPx.size() < 3) {
         return centerline;
     }
-    return kept(centerline, [&](const Eigen::Vector2d& point) { return isInside(polygonPx, point); });
+    return filterPoints(centerline, [&](const Eigen::Vector2d& point) { return isInside(polygonPx, point); });
 }
 
-Centerline2d withoutRegion(const Centerline2d& centerline, const std::vector<Eigen::Vector2d>& polygonPx)
+Centerline2d erasePolygon(const Centerline2d& centerline, const std::vector<Eigen::Vector2d>& polygonPx)
 {
     if (polygonPx.size() < 3) {
         return centerline;
     }
-    return kept(centerline, [&](const Eigen::Vector2d& point) { return !isInside(polygonPx, point); });
+    return filterPoints(centerline, [&](const Eigen::Vector2d& point) { return !isInside(polygonPx, point); });
 }
 
-Centerline2d cutAt(const Centerline2d& centerline, const Eigen::Vector2d& pointPx, double reachPx)
+Centerline2d splitAt(const Centerline2d& centerline, const Eigen::Vector2d& pointPx, double reachPx)
 {
-    const std::optional<CurvePlace> place = nearestPlace(centerline, pointPx, reachPx);
-    if (!place) {
+    const std::optional<CurvePosition> position = findNearestPoint(centerline, pointPx, reachPx);
+    if (!position) {
         return centerline;
     }
-    const Curve2d& curve = centerline.curves[place->curve];
-    if (place->point < 1 || place->point + 2 > curve.pointsPx.size() - 1) {
+    const Curve2d& curve = centerline.curves[position->curve];
+    if (position->point < 1 || position->point + 2 > curve.pointsPx.size() - 1) {
         return centerline;
     }
     Centerline2d result = centerline;
-    result.curves[place->curve] = partOf(curve, 0, place->point + 1);
-    Curve2d rest = partOf(curve, place->point + 1, curve.pointsPx.size());
-    rest.id = freeId(centerline);
-    result.curves.push_back(std::move(rest));
+    result.curves[position->curve] = sectionOf(curve, 0, position->point + 1);
+    Curve2d secondPart = sectionOf(curve, position->point + 1, curve.pointsPx.size());
+    secondPart.id = nextFreeId(centerline);
+    result.curves.push_back(std::move(secondPart));
     return result;
 }
 
-Centerline2d withoutCurve(const Centerline2d& centerline, int id)
+Centerline2d removeCurve(const Centerline2d& centerline, int id)
 {
     Centerline2d result = centerline;
     std::erase_if(result.curves, [id](const Curve2d& curve) { return curve.id == id; });
     return result;
 }
 
-Centerline2d withDrawn(const Centerline2d& centerline, const std::vector<Eigen::Vector2d>& pathPx,
-                       const ImageF& opacity, double maxRadiusPx)
+Centerline2d addDrawnCurve(const Centerline2d& centerline, const std::vector<Eigen::Vector2d>& pathPx,
+                           const ImageF& opacity, double maxRadiusPx)
 {
     Centerline2d result = centerline;
     if (pathPx.size() >= 2) {
-        const int id = freeId(centerline);
+        const int id = nextFreeId(centerline);
         result.curves.push_back(opacity.isEmpty() ? smoothCurve(pathPx, id)
                                                   : centeredCurve(pathPx, id, opacity, maxRadiusPx));
     }
@@ -161,8 +162,8 @@ Centerline2d withDrawn(const Centerline2d& centerline, const std::vector<Eigen::
 
 int curveAt(const Centerline2d& centerline, const Eigen::Vector2d& pointPx, double reachPx)
 {
-    const std::optional<CurvePlace> place = nearestPlace(centerline, pointPx, reachPx);
-    return place ? centerline.curves[place->curve].id : -1;
+    const std::optional<CurvePosition> position = findNearestPoint(centerline, pointPx, reachPx);
+    return position ? centerline.curves[position->curve].id : -1;
 }
 
 }   // namespace angiopose::core

@@ -13,26 +13,26 @@ namespace angiopose::core {
 // dropped.
 
 /// Keeps the points outside the disc.
-Centerline2d erased(const Centerline2d& centerline, const Eigen::Vector2d& centerPx, double radiusPx);
+Centerline2d eraseDisc(const Centerline2d& centerline, const Eigen::Vector2d& centerPx, double radiusPx);
 
 /// Keeps the points inside the polygon (closed implicitly, even-odd rule), or all points if the polygon has fewer than
 /// three corners.
-Centerline2d restrictedTo(const Centerline2d& centerline, const std::vector<Eigen::Vector2d>& polygonPx);
+Centerline2d cropToPolygon(const Centerline2d& centerline, const std::vector<Eigen::Vector2d>& polygonPx);
 
 /// Keeps the points outside the polygon, or all points if the polygon has fewer than three corners.
-Centerline2d withoutRegion(const Centerline2d& centerline, const std::vector<Eigen::Vector2d>& polygonPx);
+Centerline2d erasePolygon(const Centerline2d& centerline, const std::vector<Eigen::Vector2d>& polygonPx);
 
 /// Splits the curve nearest to `pointPx` at the point nearest to `pointPx`. Changes nothing at the end of a curve or if
 /// no curve is within reach.
-Centerline2d cutAt(const Centerline2d& centerline, const Eigen::Vector2d& pointPx, double reachPx = 10.0);
+Centerline2d splitAt(const Centerline2d& centerline, const Eigen::Vector2d& pointPx, double reachPx = 10.0);
 
 /// Removes the curve with this id, which the user marked as not a vessel.
-Centerline2d withoutCurve(const Centerline2d& centerline, int id);
+Centerline2d removeCurve(const Centerline2d& centerline, int id);
 
 /// Adds a drawn path as a new curve, smoothed, and centered and measured on `opacity` (see `flattenBackground`; vessels
 /// positive) unless that is empty. Unchanged for fewer than two points.
-Centerline2d withDrawn(const Centerline2d& centerline, const std::vector<Eigen::Vector2d>& pathPx,
-                       const ImageF& opacity = {}, double maxRadiusPx = 8.0);
+Centerline2d addDrawnCurve(const Centerline2d& centerline, const std::vector<Eigen::Vector2d>& pathPx,
+                           const ImageF& opacity = {}, double maxRadiusPx = 8.0);
 
 /// Returns the ID of the curve nearest to `pointPx`; -1 if no curve is within reach.
 int curveAt(const Centerline2d& centerline, const Eigen::Vector2d& pointPx, double reachPx = 10.0);

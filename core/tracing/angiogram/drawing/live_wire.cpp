@@ -9,8 +9,8 @@ namespace {
 
 constexpr int snapReachPx = 4;
 constexpr double snapFalloffPx = 6.0;   // distance from the pointer at which the snap weight falls to 0
-constexpr std::size_t settledPerCall = 120000;   // about 11 ms, to keep the window responsive
-constexpr double dearest = 240.0;
+constexpr std::size_t maxSettledPerCall = 120000;   // about 11 ms, to keep the window responsive
+constexpr double maxPixelCost = 240.0;
 constexpr std::uint32_t unreachedPixel = std::numeric_limits<std::uint32_t>::max();
 
 struct WireStep {
@@ -25,12 +25,12 @@ Image2d<std::uint8_t> costsOf(const ImageF& vesselness)
     Image2d<std::uint8_t> costs(vesselness.width, vesselness.height);
     for (std::size_t i = 0; i < costs.pixels.size(); ++i) {
         const double strength = std::sqrt(std::clamp<double>(vesselness.pixels[i], 0.0, 1.0));
-        costs.pixels[i] = static_cast<std::uint8_t>(std::lround(4.0 + dearest * std::pow(1.0 - strength, 3)));
+        costs.pixels[i] = static_cast<std::uint8_t>(std::lround(4.0 + maxPixelCost * std::pow(1.0 - strength, 3)));
     }
     return costs;
 }
 
-std::vector<Eigen::Vector2d> straight(const Eigen::Vector2d& from, const Eigen::Vector2d& to)
+std::vector<Eigen::Vector2d> straightLine(const Eigen::Vector2d& from, const Eigen::Vector2d& to)
 {
     const int count = std::max(1, static_cast<int>(std::ceil((to - from).norm())));
     std::vector<Eigen::Vector2d> line;
@@ -46,7 +46,7 @@ LiveWire::LiveWire(const ImageF& vesselness)
     : costs_(costsOf(vesselness)),
       vesselness_(vesselness),
       distances_(vesselness.pixels.size()),
-      arrivals_(vesselness.pixels.size()),
+      arrivalSteps_(vesselness.pixels.size()),
       settled_(vesselness.pixels.size())
 {
 }
@@ -62,11 +62,11 @@ void LiveWire::setAnchor(const Eigen::Vector2d& pointPx)
     for (std::vector<Pixel>& bucket : buckets_) {
         bucket.clear();
     }
-    anchor_ = snapped(pointPx);
+    anchor_ = snapToVessel(pointPx);
     distances_[anchor_] = 0;
     reachedDistance_ = 0;
     buckets_[0].push_back(anchor_);
-    waiting_ = 1;
+    queuedCount_ = 1;
 }
 
 std::vector<Eigen::Vector2d> LiveWire::pathTo(const Eigen::Vector2d& pointPx)
@@ -74,13 +74,13 @@ std::vector<Eigen::Vector2d> LiveWire::pathTo(const Eigen::Vector2d& pointPx)
     if (!hasAnchor_) {
         return {};
     }
-    Pixel pixel = snapped(pointPx);
-    if (!searchUntil(pixel)) {
-        return straight(pointOf(anchor_), pointOf(pixel));
+    Pixel pixel = snapToVessel(pointPx);
+    if (!extendSearchTo(pixel)) {
+        return straightLine(pointOf(anchor_), pointOf(pixel));
     }
     std::vector<Eigen::Vector2d> path{pointOf(pixel)};
     while (pixel != anchor_) {
-        const WireStep& step = wireSteps[arrivals_[pixel]];
+        const WireStep& step = wireSteps[arrivalSteps_[pixel]];
         pixel = static_cast<Pixel>(static_cast<std::int64_t>(pixel) - step.dx -
                                    static_cast<std::int64_t>(step.dy) * vesselness_.width);
         path.push_back(pointOf(pixel));
@@ -89,7 +89,7 @@ std::vector<Eigen::Vector2d> LiveWire::pathTo(const Eigen::Vector2d& pointPx)
     return path;
 }
 
-LiveWire::Pixel LiveWire::snapped(const Eigen::Vector2d& pointPx) const
+LiveWire::Pixel LiveWire::snapToVessel(const Eigen::Vector2d& pointPx) const
 {
     const int x0 = std::clamp(static_cast<int>(std::lround(pointPx.x())), 0, vesselness_.width - 1);
     const int y0 = std::clamp(static_cast<int>(std::lround(pointPx.y())), 0, vesselness_.height - 1);
@@ -115,10 +115,10 @@ Eigen::Vector2d LiveWire::pointOf(Pixel pixel) const
     return {static_cast<double>(pixel % width), static_cast<double>(row)};
 }
 
-bool LiveWire::searchUntil(Pixel target)
+bool LiveWire::extendSearchTo(Pixel target)
 {
     std::size_t count = 0;
-    while (settled_[target] == 0 && waiting_ > 0 && count < settledPerCall) {
+    while (settled_[target] == 0 && queuedCount_ > 0 && count < maxSettledPerCall) {
         std::vector<Pixel>& bucket = buckets_[reachedDistance_ % bucketCount];
         if (bucket.empty()) {
             ++reachedDistance_;
@@ -126,7 +126,7 @@ bool LiveWire::searchUntil(Pixel target)
         }
         const Pixel pixel = bucket.back();
         bucket.pop_back();
-        --waiting_;
+        --queuedCount_;
         if (settled_[pixel] == 0) {
             settle(pixel);
             ++count;
@@ -149,9 +149,9 @@ void LiveWire::settle(Pixel pixel)
         const std::uint32_t distance = distances_[pixel] + (k < 4 ? cost : cost * 181 / 128);   // √2 on the diagonal
         if (distance < distances_[next]) {
             distances_[next] = distance;
-            arrivals_[next] = static_cast<std::uint8_t>(k);
+            arrivalSteps_[next] = static_cast<std::uint8_t>(k);
             buckets_[distance % bucketCount].push_back(static_cast<Pixel>(next));
-            ++waiting_;
+            ++queuedCount_;
         }
     }
 }

@@ -28,19 +28,19 @@ private:
     using Pixel = std::uint32_t;
     static constexpr std::uint32_t bucketCount = 512;   ///< larger than the maximum cost of a step
 
-    Pixel snapped(const Eigen::Vector2d& pointPx) const;
+    Pixel snapToVessel(const Eigen::Vector2d& pointPx) const;
     Eigen::Vector2d pointOf(Pixel pixel) const;
-    bool searchUntil(Pixel target);
+    bool extendSearchTo(Pixel target);
     void settle(Pixel pixel);
 
     Image2d<std::uint8_t> costs_;   ///< cost of one px, 1…255
     ImageF vesselness_;
     std::vector<std::uint32_t> distances_;
-    std::vector<std::uint8_t> arrivals_;   ///< direction of the step that reached the pixel
+    std::vector<std::uint8_t> arrivalSteps_;   ///< direction of the step that reached the pixel
     std::vector<std::uint8_t> settled_;
     std::array<std::vector<Pixel>, bucketCount> buckets_;   ///< by distance modulo `bucketCount` (Dial 1969)
     std::uint32_t reachedDistance_ = 0;
-    std::size_t waiting_ = 0;
+    std::size_t queuedCount_ = 0;
     Pixel anchor_ = 0;
     bool hasAnchor_ = false;
 };

@@ -10,21 +10,21 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double extremeShare = 0.02;   // tolerance around the extremes (lossy compression), fraction of the range
-constexpr double hardEdge = 0.3;   // minimum intensity step across a shape's border, as a fraction of the range
-constexpr double hardEdgeOfInk = 0.12;   // same for shapes of one exact value, which X-ray images never contain
+constexpr double extremeFraction = 0.02;   // tolerance around the extremes (lossy compression), fraction of the range
+constexpr double minEdgeStep = 0.3;   // minimum intensity step across a shape's border, as a fraction of the range
+constexpr double minInkEdgeStep = 0.12;   // same for shapes of one exact value, which X-ray images never contain
 constexpr int inkLevels = 256;
 constexpr int minInkPx = 40;
 constexpr std::size_t maxInks = 3;
-constexpr double minHardShare = 0.8;   // minimum fraction of a shape's border with such a step
+constexpr double minHardEdgeFraction = 0.8;   // minimum fraction of a shape's border with such a step
 constexpr int minPixelsOfLetter = 4;
 constexpr int minHeightPx = 5;
 constexpr int textMarginPx = 3;
 
 /// Returns the fraction of the pixels just outside the shape that differ from `value` by at least `step`, sampled two
 /// pixels away because the border may be smoothed.
-double hardShare(const ImageF& frame, const Mask2d& drawn, const std::vector<std::size_t>& pixels, float value,
-                 double step)
+double hardEdgeFraction(const ImageF& frame, const Mask2d& drawn, const std::vector<std::size_t>& pixels, float value,
+                        double step)
 {
     int hard = 0;
     int all = 0;
@@ -48,19 +48,19 @@ struct Ink {
     double step = 0.0;
 };
 
-std::vector<Glyph> glyphsOf(const ImageF& frame, const Ink& ink, double greatestHeightShare)
+std::vector<Glyph> findGlyphs(const ImageF& frame, const Ink& ink, double maxLetterHeight)
 {
     Mask2d drawn(frame.width, frame.height);
     for (std::size_t i = 0; i < drawn.pixels.size(); ++i) {
         drawn.pixels[i] = std::abs(frame.pixels[i] - ink.value) <= ink.tolerance ? 255 : 0;
     }
-    const double greatest = greatestHeightShare * std::max(frame.width, frame.height);
+    const double greatest = maxLetterHeight * std::max(frame.width, frame.height);
     std::vector<Glyph> glyphs;
     for (const std::vector<std::size_t>& pixels : componentsOf(drawn)) {
         const Glyph glyph = boundsOf(pixels, frame.width);
         const bool isSmall = glyph.height() <= greatest && glyph.width() <= 2.0 * greatest;
         if (pixels.size() >= minPixelsOfLetter && isSmall && glyph.height() >= minHeightPx &&
-            hardShare(frame, drawn, pixels, ink.value, ink.step) >= minHardShare) {
+            hardEdgeFraction(frame, drawn, pixels, ink.value, ink.step) >= minHardEdgeFraction) {
             glyphs.push_back(glyph);
         }
     }
@@ -71,7 +71,7 @@ std::vector<Glyph> glyphsOf(const ImageF& frame, const Ink& ink, double greatest
 std::vector<int> inkCounts(const ImageF& frame, float least, float range)
 {
     std::vector<int> counts(inkLevels + 1);
-    const auto step = static_cast<float>(hardEdgeOfInk) * range;
+    const auto step = static_cast<float>(minInkEdgeStep) * range;
     for (int y = 0; y < frame.height; ++y) {
         for (int x = 2; x + 2 < frame.width; ++x) {
             const float value = frame.at(x, y);
@@ -86,16 +86,16 @@ std::vector<int> inkCounts(const ImageF& frame, float least, float range)
 }
 
 /// Returns the minimum and maximum values, and the values most frequent in flat shapes with hard edges.
-std::vector<Ink> inksOf(const ImageF& frame)
+std::vector<Ink> findInks(const ImageF& frame)
 {
     const auto [least, greatest] = std::minmax_element(frame.pixels.begin(), frame.pixels.end());
     const float range = *greatest - *least;
     if (range <= 0.0F) {
         return {};
     }
-    const auto extremeTolerance = static_cast<float>(extremeShare) * range;
-    std::vector<Ink> inks{{*least, extremeTolerance, hardEdge * range},
-                          {*greatest, extremeTolerance, hardEdge * range}};
+    const auto extremeTolerance = static_cast<float>(extremeFraction) * range;
+    std::vector<Ink> inks{{*least, extremeTolerance, minEdgeStep * range},
+                          {*greatest, extremeTolerance, minEdgeStep * range}};
     std::vector<int> counts = inkCounts(frame, *least, range);
     for (std::size_t k = 0; k < maxInks; ++k) {
         const auto most = std::ranges::max_element(counts);
@@ -104,13 +104,13 @@ std::vector<Ink> inksOf(const ImageF& frame)
         }
         const float level = range / inkLevels;
         inks.push_back(
-            {*least + (static_cast<float>(most - counts.begin()) + 0.5F) * level, level, hardEdgeOfInk * range});
+            {*least + (static_cast<float>(most - counts.begin()) + 0.5F) * level, level, minInkEdgeStep * range});
         *most = 0;
     }
     return inks;
 }
 
-void blank(Mask2d& text, const std::vector<Glyph>& row)
+void maskRow(Mask2d& text, const std::vector<Glyph>& row)
 {
     Glyph box = row.front();
     for (const Glyph& glyph : row) {
@@ -127,15 +127,15 @@ void blank(Mask2d& text, const std::vector<Glyph>& row)
 
 }   // namespace
 
-Mask2d burnedInText(const ImageF& frame, double greatestHeightShare)
+Mask2d burnedInTextMask(const ImageF& frame, double maxLetterHeight)
 {
     Mask2d text(frame.width, frame.height);
     if (frame.isEmpty()) {
         return text;
     }
-    for (const Ink& ink : inksOf(frame)) {
-        for (const std::vector<Glyph>& row : textRows(glyphsOf(frame, ink, greatestHeightShare))) {
-            blank(text, row);
+    for (const Ink& ink : findInks(frame)) {
+        for (const std::vector<Glyph>& row : findTextRows(findGlyphs(frame, ink, maxLetterHeight))) {
+            maskRow(text, row);
         }
     }
     return text;

@@ -16,12 +16,12 @@ namespace {
 constexpr double sharpEdgePerPx = 0.07;
 constexpr double fieldSmoothingPx = 1.0;
 constexpr int edgeReachPx = 2;
-constexpr double minShareOfEdge = 0.6;
-constexpr std::size_t smallestDrawnShare = 200;   // the frame's area divided by the minimum area of a region
+constexpr double minBorderFraction = 0.6;
+constexpr std::size_t drawnAreaDivisor = 200;   // the frame's area divided by the minimum area of a region
 constexpr int shutterEdgePx = 4;   // width of the blurred edge, px of the full-size image
 
 /// Finds dark regions that reach the image edge and are wider than any vessel.
-Mask2d darkBorder(const ImageF& smooth, double threshold, int openingPx)
+Mask2d findDarkBorder(const ImageF& smooth, double threshold, int openingPx)
 {
     Mask2d dark(smooth.width + 2 * openingPx, smooth.height + 2 * openingPx, 255);
     for (int y = 0; y < smooth.height; ++y) {
@@ -29,7 +29,7 @@ Mask2d darkBorder(const ImageF& smooth, double threshold, int openingPx)
             dark.at(x + openingPx, y + openingPx) = smooth.at(x, y) < threshold ? 255 : 0;
         }
     }
-    const Mask2d wide = connectedToEdge(dilated(eroded(dark, openingPx), openingPx));
+    const Mask2d wide = edgeComponents(dilate(erode(dark, openingPx), openingPx));
     Mask2d border(smooth.width, smooth.height);
     for (int y = 0; y < smooth.height; ++y) {
         for (int x = 0; x < smooth.width; ++x) {
@@ -59,17 +59,17 @@ double edgeSlope(const ImageF& smooth, const Mask2d& border)
 }
 
 /// Tries several gray levels and returns the unexposed border with the sharpest edge; empty if none is sharp enough.
-Mask2d unexposedBorder(const ImageF& image, int openingPx)
+Mask2d findUnexposedBorder(const ImageF& image, int openingPx)
 {
-    const ImageF smooth = blurred(image, fieldSmoothingPx);
-    const std::vector<float> levels = rankedAt(smooth.pixels, {0.002, 0.5, 0.99});
+    const ImageF smooth = gaussianBlur(image, fieldSmoothingPx);
+    const std::vector<float> levels = grayQuantiles(smooth.pixels, {0.002, 0.5, 0.99});
     const double darkest = levels[0];
     const double middle = levels[1];
     const double range = levels[2] - darkest;
     Mask2d best(image.width, image.height);
     double bestSlope = sharpEdgePerPx * range;
     for (const double level : {0.2, 0.35, 0.5, 0.65}) {
-        const Mask2d border = darkBorder(smooth, darkest + level * (middle - darkest), openingPx);
+        const Mask2d border = findDarkBorder(smooth, darkest + level * (middle - darkest), openingPx);
         const double slope = edgeSlope(smooth, border);
         if (slope > bestSlope) {
             best = border;
@@ -80,7 +80,7 @@ Mask2d unexposedBorder(const ImageF& image, int openingPx)
 }
 
 /// Finds regions of exactly one value at the image edge, such as digitally drawn shutters and frames.
-Mask2d drawnBorder(const ImageF& image, std::size_t smallestPartPx)
+Mask2d findDrawnBorder(const ImageF& image, std::size_t minPartPx)
 {
     Mask2d flat(image.width, image.height);
     for (int y = 0; y < image.height; ++y) {
@@ -94,9 +94,9 @@ Mask2d drawnBorder(const ImageF& image, std::size_t smallestPartPx)
                                 : 0;
         }
     }
-    Mask2d drawn = connectedToEdge(dilated(eroded(flat, 2), 2));
+    Mask2d drawn = edgeComponents(dilate(erode(flat, 2), 2));
     for (const std::vector<std::size_t>& part : componentsOf(drawn)) {
-        if (part.size() < smallestPartPx) {
+        if (part.size() < minPartPx) {
             for (const std::size_t p : part) {
                 drawn.pixels[p] = 0;
             }
@@ -105,7 +105,7 @@ Mask2d drawnBorder(const ImageF& image, std::size_t smallestPartPx)
     return drawn;
 }
 
-ImageF negated(ImageF image)
+ImageF negateImage(ImageF image)
 {
     for (float& value : image.pixels) {
         value = -value;
@@ -114,15 +114,15 @@ ImageF negated(ImageF image)
 }
 
 /// Replaces the marked part of the image by the median gray value of all other pixels to suppress its contrast.
-ImageF grayedOut(ImageF image, const Mask2d& marked)
+ImageF replaceByMedian(ImageF image, const Mask2d& marked)
 {
-    std::vector<float> rest;
+    std::vector<float> unmarked;
     for (std::size_t i = 0; i < image.pixels.size(); ++i) {
         if (marked.pixels[i] == 0) {
-            rest.push_back(image.pixels[i]);
+            unmarked.push_back(image.pixels[i]);
         }
     }
-    const float middle = rest.empty() ? 0.0F : ranked(std::move(rest), 0.5);
+    const float middle = unmarked.empty() ? 0.0F : grayQuantile(std::move(unmarked), 0.5);
     for (std::size_t i = 0; i < image.pixels.size(); ++i) {
         image.pixels[i] = marked.pixels[i] != 0 ? middle : image.pixels[i];
     }
@@ -131,7 +131,7 @@ ImageF grayedOut(ImageF image, const Mask2d& marked)
 
 /// Returns whether most of the image border is marked, as by a surrounding page; lungs and air are bright on one side
 /// only.
-bool surrounds(const Mask2d& marked)
+bool coversMostOfBorder(const Mask2d& marked)
 {
     int count = 0;
     const int all = 2 * (marked.width + marked.height);
@@ -141,25 +141,25 @@ bool surrounds(const Mask2d& marked)
     for (int y = 0; y < marked.height; ++y) {
         count += (marked.at(0, y) != 0 ? 1 : 0) + (marked.at(marked.width - 1, y) != 0 ? 1 : 0);
     }
-    return count > minShareOfEdge * all;
+    return count > minBorderFraction * all;
 }
 
 /// Finds the unexposed surroundings, dark or light (pages and inverted displays).
-Mask2d surround(const ImageF& image, int openingPx)
+Mask2d findUnexposedArea(const ImageF& image, int openingPx)
 {
-    const Mask2d light = unexposedBorder(negated(image), openingPx);
-    if (!surrounds(light)) {
-        return unexposedBorder(image, openingPx);
+    const Mask2d light = findUnexposedBorder(negateImage(image), openingPx);
+    if (!coversMostOfBorder(light)) {
+        return findUnexposedBorder(image, openingPx);
     }
-    Mask2d both = dilated(light, edgeReachPx);
-    const Mask2d dark = unexposedBorder(grayedOut(image, both), openingPx);
+    Mask2d both = dilate(light, edgeReachPx);
+    const Mask2d dark = findUnexposedBorder(replaceByMedian(image, both), openingPx);
     for (std::size_t i = 0; i < both.pixels.size(); ++i) {
         both.pixels[i] = light.pixels[i] | dark.pixels[i];
     }
     return both;
 }
 
-Mask2d ofSize(const Mask2d& mask, int width, int height)
+Mask2d resizeMask(const Mask2d& mask, int width, int height)
 {
     Mask2d result(width, height);
     for (int y = 0; y < height; ++y) {
@@ -176,13 +176,13 @@ Mask2d findField(const ImageF& vesselsDark, double widestVesselPx, const Mask2d&
 {
     const int openingPx = std::max(1, static_cast<int>(std::ceil(0.25 * widestVesselPx)) + 1);
     const ImageF coarse = halved(vesselsDark);
-    const Mask2d unexposed = surround(coarse, openingPx);
-    const Mask2d drawn = drawnBorder(coarse, coarse.pixels.size() / smallestDrawnShare);
+    const Mask2d unexposed = findUnexposedArea(coarse, openingPx);
+    const Mask2d drawn = findDrawnBorder(coarse, coarse.pixels.size() / drawnAreaDivisor);
     Mask2d outside(coarse.width, coarse.height);
     for (std::size_t i = 0; i < outside.pixels.size(); ++i) {
         outside.pixels[i] = unexposed.pixels[i] | drawn.pixels[i];
     }
-    outside = dilated(outside, edgeReachPx);
+    outside = dilate(outside, edgeReachPx);
     Mask2d field(vesselsDark.width, vesselsDark.height);
     for (int y = 0; y < field.height; ++y) {
         for (int x = 0; x < field.width; ++x) {
@@ -190,7 +190,7 @@ Mask2d findField(const ImageF& vesselsDark, double widestVesselPx, const Mask2d&
         }
     }
     if (!shutter.isEmpty()) {
-        const Mask2d open = eroded(ofSize(shutter, field.width, field.height), shutterEdgePx);
+        const Mask2d open = erode(resizeMask(shutter, field.width, field.height), shutterEdgePx);
         std::ranges::transform(field.pixels, open.pixels, field.pixels.begin(), std::bit_and<>());
     }
     return field;

@@ -14,10 +14,10 @@ namespace {
 // (Beer-Lambert), 0 for a fixed difference; display curves lie in between.
 constexpr double contrastPower = 0.65;
 constexpr float vesselWeight = 0.05F;
-constexpr float darkestShare = 0.3F;   // fraction of the median background; lower values would amplify noise
+constexpr float minRelativeBackground = 0.3F;   // fraction of the median background; lower values would amplify noise
 
 /// Weighted Gaussian mean, Σ w v / Σ w, on a coarser grid, because only variations slower than `sigmaPx` are needed.
-ImageF slowMean(const ImageF& values, const ImageF& weights, double sigmaPx)
+ImageF weightedBlur(const ImageF& values, const ImageF& weights, double sigmaPx)
 {
     ImageF weighted = values;
     for (std::size_t i = 0; i < weighted.pixels.size(); ++i) {
@@ -30,17 +30,18 @@ ImageF slowMean(const ImageF& values, const ImageF& weights, double sigmaPx)
         mass = halved(mass);
         factor *= 2;
     }
-    atOnce([&] { weighted = blurred(weighted, sigmaPx / factor); }, [&] { mass = blurred(mass, sigmaPx / factor); });
+    runInParallel([&] { weighted = gaussianBlur(weighted, sigmaPx / factor); },
+                  [&] { mass = gaussianBlur(mass, sigmaPx / factor); });
     for (std::size_t i = 0; i < weighted.pixels.size(); ++i) {
         weighted.pixels[i] = mass.pixels[i] > 1e-6F ? weighted.pixels[i] / mass.pixels[i] : 0.0F;
     }
-    return enlarged(weighted, factor, values.width, values.height);
+    return upsample(weighted, factor, values.width, values.height);
 }
 
 /// Estimates the background. Pixels darker than it by more than the spread hardly count: vessels must not darken it.
-ImageF backgroundOf(const ImageF& image, const ImageF& exposed, double sigmaPx)
+ImageF estimateBackground(const ImageF& image, const ImageF& exposed, double sigmaPx)
 {
-    const ImageF first = slowMean(image, exposed, sigmaPx);
+    const ImageF first = weightedBlur(image, exposed, sigmaPx);
     double sum = 0.0;
     double count = 0.0;
     for (std::size_t i = 0; i < image.pixels.size(); ++i) {
@@ -53,7 +54,7 @@ ImageF backgroundOf(const ImageF& image, const ImageF& exposed, double sigmaPx)
     for (std::size_t i = 0; i < weights.pixels.size(); ++i) {
         weights.pixels[i] *= first.pixels[i] - image.pixels[i] > spread ? vesselWeight : 1.0F;
     }
-    return slowMean(image, weights, sigmaPx);
+    return weightedBlur(image, weights, sigmaPx);
 }
 
 /// Computes the gain that scales differences from the background to their value at the median background.
@@ -66,10 +67,10 @@ ImageF contrastGain(const ImageF& background, const ImageF& exposed, float black
         }
     }
     ImageF gain(background.width, background.height, 1.0F);
-    const float middle = levels.empty() ? 0.0F : ranked(std::move(levels), 0.5);
+    const float middle = levels.empty() ? 0.0F : grayQuantile(std::move(levels), 0.5);
     if (middle > 0.0F) {
         for (std::size_t i = 0; i < gain.pixels.size(); ++i) {
-            const float level = std::max(darkestShare, (background.pixels[i] - black) / middle);
+            const float level = std::max(minRelativeBackground, (background.pixels[i] - black) / middle);
             gain.pixels[i] = std::pow(level, static_cast<float>(-contrastPower));
         }
     }
@@ -85,12 +86,12 @@ ImageF flattenBackground(const ImageF& vesselsDark, const Mask2d& field, double 
         exposed.pixels[i] = field.pixels[i] != 0 ? 1.0F : 0.0F;
     }
     const ImageF coarseExposed = halved(exposed);
-    const ImageF coarse = backgroundOf(halved(vesselsDark), coarseExposed, 0.5 * reachPx);
+    const ImageF coarse = estimateBackground(halved(vesselsDark), coarseExposed, 0.5 * reachPx);
     const float black = *std::min_element(vesselsDark.pixels.begin(), vesselsDark.pixels.end());
     ImageF background;
     ImageF gain;
-    atOnce([&] { gain = enlarged(contrastGain(coarse, coarseExposed, black), 2, field.width, field.height); },
-           [&] { background = enlarged(coarse, 2, field.width, field.height); });
+    runInParallel([&] { gain = upsample(contrastGain(coarse, coarseExposed, black), 2, field.width, field.height); },
+                  [&] { background = upsample(coarse, 2, field.width, field.height); });
     ImageF opacity(vesselsDark.width, vesselsDark.height);
     for (std::size_t i = 0; i < opacity.pixels.size(); ++i) {
         opacity.pixels[i] = exposed.pixels[i] * gain.pixels[i] * (background.pixels[i] - vesselsDark.pixels[i]);

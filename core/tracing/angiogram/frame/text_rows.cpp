@@ -19,15 +19,15 @@ bool areInOneRow(const Glyph& a, const Glyph& b)
 }
 
 /// Removes one row of glyphs from `waiting` and returns the row.
-std::vector<Glyph> takeTextRow(std::vector<Glyph>& waiting)
+std::vector<Glyph> extractTextRow(std::vector<Glyph>& remaining)
 {
-    std::vector<Glyph> row{waiting.back()};
-    waiting.pop_back();
+    std::vector<Glyph> row{remaining.back()};
+    remaining.pop_back();
     for (std::size_t next = 0; next < row.size(); ++next) {
-        const auto rest = std::stable_partition(waiting.begin(), waiting.end(),
-                                                [&](const Glyph& glyph) { return !areInOneRow(row[next], glyph); });
-        row.insert(row.end(), rest, waiting.end());
-        waiting.erase(rest, waiting.end());
+        const auto firstInRow = std::stable_partition(
+            remaining.begin(), remaining.end(), [&](const Glyph& glyph) { return !areInOneRow(row[next], glyph); });
+        row.insert(row.end(), firstInRow, remaining.end());
+        remaining.erase(firstInRow, remaining.end());
     }
     return row;
 }
@@ -45,11 +45,11 @@ Glyph boundsOf(const std::vector<std::size_t>& pixels, int imageWidth)
     return glyph;
 }
 
-std::vector<std::vector<Glyph>> textRows(std::vector<Glyph> glyphs)
+std::vector<std::vector<Glyph>> findTextRows(std::vector<Glyph> glyphs)
 {
     std::vector<std::vector<Glyph>> rows;
     while (!glyphs.empty()) {
-        std::vector<Glyph> row = takeTextRow(glyphs);
+        std::vector<Glyph> row = extractTextRow(glyphs);
         if (row.size() >= minInRow) {
             rows.push_back(std::move(row));
         }

@@ -16,6 +16,6 @@ struct Glyph {
 Glyph boundsOf(const std::vector<std::size_t>& pixels, int imageWidth);
 
 /// Groups shapes into rows of three or more: similar height, same baseline, at most two letters apart.
-std::vector<std::vector<Glyph>> textRows(std::vector<Glyph> glyphs);
+std::vector<std::vector<Glyph>> findTextRows(std::vector<Glyph> glyphs);
 
 }   // namespace angiopose::core

@@ -17,15 +17,15 @@ double widestVesselRadiusPx(const CArm& cArm, int width, int height)
 {
     const double spacingMm = cArm.columnSpacingMm.value.value_or(0.0);
     if (!(spacingMm > 0.0)) {
-        return usualMaxVesselRadiusPx;
+        return defaultMaxVesselRadiusPx;
     }
     const auto& [sidMm, sodMm] = std::tie(cArm.sourceToDetectorMm.value, vesselDepthOf(cArm).value);
     const double magnification = sidMm && sodMm && *sodMm > 0.0 ? std::clamp(*sidMm / *sodMm, 1.0, 2.5) : 1.0;
     const double storedPx = leftMainRadiusMm * magnification / spacingMm;
-    return std::clamp(storedPx * workingSizeOf(width, height).factor(), usualMaxVesselRadiusPx, maxRadiusPx);
+    return std::clamp(storedPx * chooseWorkingSize(width, height).factor(), defaultMaxVesselRadiusPx, maxRadiusPx);
 }
 
-TraceOptions settledFor(TraceOptions options, const CArm& cArm, int width, int height)
+TraceOptions resolveOptions(TraceOptions options, const CArm& cArm, int width, int height)
 {
     if (options.maxVesselRadiusPx == 0.0) {
         options.maxVesselRadiusPx = widestVesselRadiusPx(cArm, width, height);

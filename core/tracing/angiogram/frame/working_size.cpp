@@ -19,7 +19,7 @@ double WorkingSize::factor() const
     return std::ldexp(1.0, -halvings);
 }
 
-WorkingSize workingSizeOf(int width, int height)
+WorkingSize chooseWorkingSize(int width, int height)
 {
     const int side = std::min(width, height);
     WorkingSize size;
@@ -39,13 +39,13 @@ ImageF toWorkingSize(const ImageF& frame, const WorkingSize& size)
         image = halved(image);
     }
     const int times = 1 << std::max(0, -size.halvings);
-    return times > 1 ? enlarged(image, times, times * image.width, times * image.height) : image;
+    return times > 1 ? upsample(image, times, times * image.width, times * image.height) : image;
 }
 
 ImageF fromWorkingSize(const ImageF& image, const WorkingSize& size, int width, int height)
 {
     if (size.halvings > 0) {
-        return enlarged(image, 1 << size.halvings, width, height);
+        return upsample(image, 1 << size.halvings, width, height);
     }
     ImageF result = image;
     for (int step = 0; step > size.halvings; --step) {

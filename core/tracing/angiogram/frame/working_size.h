@@ -17,10 +17,10 @@ struct WorkingSize {
 };
 
 /// Chooses the scaling that gives the shorter side 176 to 767 px.
-WorkingSize workingSizeOf(int width, int height);
-inline WorkingSize workingSizeOf(const ImageF& frame)
+WorkingSize chooseWorkingSize(int width, int height);
+inline WorkingSize chooseWorkingSize(const ImageF& frame)
 {
-    return workingSizeOf(frame.width, frame.height);
+    return chooseWorkingSize(frame.width, frame.height);
 }
 
 ImageF toWorkingSize(const ImageF& frame, const WorkingSize& size);

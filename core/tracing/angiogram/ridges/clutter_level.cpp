@@ -9,19 +9,19 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double rank = 0.9;   // quantile above most noise, but below the tail due to vessel flanks
-constexpr double tailRank = 0.98;
+constexpr double clutterQuantile = 0.9;   // quantile above most noise, but below the tail due to vessel flanks
+constexpr double tailQuantile = 0.98;
 // Ratio of these two quantiles if structures are present; lower for pure noise.
 constexpr double tailRatio = 1.75;
 constexpr double minWeight = 0.5;   // lower limit of scale weights; thin vessels must be found despite some noise
 constexpr int clutterRimPx = 6;   // width of the border in which filters respond to the field edge
 constexpr double clearMultiple = 4.0;
 constexpr int flankPx = 10;
-constexpr std::size_t minShareLeft = 10;   // if less than 1/10 of the field has no vessels, all of it is used
+constexpr std::size_t minRemainderDivisor = 10;   // if less than 1/10 of the field has no vessels, all of it is used
 constexpr int maxBands = 4;
 constexpr int minBands = 2;
 constexpr int bandRows = 40;
-constexpr int enoughPixels = 82000;   // pixels needed for stable statistics
+constexpr int sufficientPixels = 82000;   // pixels needed for stable statistics
 constexpr int marginRows = 12;   // rows added on either side for the reach of the filters
 
 struct Band {
@@ -32,7 +32,7 @@ struct Band {
 /// Returns the whole image as one band, or several evenly spaced bands if the image is large.
 std::vector<Band> bandsOf(int width, int height)
 {
-    const int bandCount = std::clamp(enoughPixels / (bandRows * std::max(1, width)), minBands, maxBands);
+    const int bandCount = std::clamp(sufficientPixels / (bandRows * std::max(1, width)), minBands, maxBands);
     if (height < 2 * maxBands * (bandRows + 2 * marginRows)) {
         return {{0, height}};
     }
@@ -70,7 +70,7 @@ ImageF invertedRidges(const ImageF& opacity, const RidgeScale& scale)
     return inverted;
 }
 
-std::vector<float> measuredWhere(const Mask2d& inside, const ImageF& inverted)
+std::vector<float> valuesInside(const Mask2d& inside, const ImageF& inverted)
 {
     std::vector<float> values;
     for (std::size_t i = 0; i < inverted.pixels.size(); ++i) {
@@ -81,13 +81,13 @@ std::vector<float> measuredWhere(const Mask2d& inside, const ImageF& inverted)
     return values;
 }
 
-Mask2d awayFromVessels(Mask2d inside, const ImageF& ridges, double clearRidge)
+Mask2d excludeVessels(Mask2d inside, const ImageF& ridges, double vesselThreshold)
 {
     Mask2d vessels(ridges.width, ridges.height);
     for (std::size_t i = 0; i < vessels.pixels.size(); ++i) {
-        vessels.pixels[i] = ridges.pixels[i] > clearRidge ? 255 : 0;
+        vessels.pixels[i] = ridges.pixels[i] > vesselThreshold ? 255 : 0;
     }
-    vessels = dilated(vessels, flankPx);
+    vessels = dilate(vessels, flankPx);
     for (std::size_t i = 0; i < inside.pixels.size(); ++i) {
         inside.pixels[i] = vessels.pixels[i] != 0 ? 0 : inside.pixels[i];
     }
@@ -96,14 +96,14 @@ Mask2d awayFromVessels(Mask2d inside, const ImageF& ridges, double clearRidge)
 
 }   // namespace
 
-Clutter::Clutter(const ImageF& opacity, const Mask2d& field, std::vector<RidgeScale> scales)
-    : inside_(eroded(field, clutterRimPx)), scales_(std::move(scales)), inverted_(opacity.width, opacity.height, -1.0F)
+ClutterEstimate::ClutterEstimate(const ImageF& opacity, const Mask2d& field, std::vector<RidgeScale> scales)
+    : field_(erode(field, clutterRimPx)), scales_(std::move(scales)), inverted_(opacity.width, opacity.height, -1.0F)
 {
     double coarsest = 0.0;
     for (auto scale = scales_.rbegin(); scale != scales_.rend(); ++scale) {
         const ImageF inverted = invertedRidges(opacity, *scale);
-        std::vector<float> measured = measuredWhere(inside_, inverted);
-        const double level = measured.empty() ? 0.0 : ranked(std::move(measured), rank);
+        std::vector<float> measured = valuesInside(field_, inverted);
+        const double level = measured.empty() ? 0.0 : grayQuantile(std::move(measured), clutterQuantile);
         coarsest = scale == scales_.rbegin() ? level : coarsest;
         scale->weight = level > coarsest ? std::max(minWeight, coarsest / level) : 1.0;
         const auto weight = static_cast<float>(scale->weight);
@@ -112,19 +112,19 @@ Clutter::Clutter(const ImageF& opacity, const Mask2d& field, std::vector<RidgeSc
     }
 }
 
-double Clutter::level(const ImageF& ridges) const
+double ClutterEstimate::level(const ImageF& ridges) const
 {
-    std::vector<float> everywhere = measuredWhere(inside_, inverted_);
-    if (everywhere.empty()) {
+    std::vector<float> allValues = valuesInside(field_, inverted_);
+    if (allValues.empty()) {
         return 0.0;
     }
-    const std::size_t enough = everywhere.size() / minShareLeft;
-    const double first = ranked(std::move(everywhere), rank);
-    std::vector<float> away = measuredWhere(awayFromVessels(inside_, ridges, clearMultiple * first), inverted_);
-    if (away.size() <= enough) {
+    const std::size_t minCount = allValues.size() / minRemainderDivisor;
+    const double first = grayQuantile(std::move(allValues), clutterQuantile);
+    std::vector<float> distantValues = valuesInside(excludeVessels(field_, ridges, clearMultiple * first), inverted_);
+    if (distantValues.size() <= minCount) {
         return first;
     }
-    const std::vector<float> levels = rankedAt(std::move(away), {rank, tailRank});
+    const std::vector<float> levels = grayQuantiles(std::move(distantValues), {clutterQuantile, tailQuantile});
     return std::min<double>(levels[0], levels[1] / tailRatio);
 }
 

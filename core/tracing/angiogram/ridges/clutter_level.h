@@ -10,10 +10,10 @@ namespace angiopose::core {
 /// Estimates the ridge strength where there is no vessel from the ridges of the opposite sign. Contrast agent only
 /// darkens, while noise and background both darken and brighten, so bright ridges show how strong dark ridges would be
 /// without vessels. In large images, only a few bands of rows are evaluated.
-class Clutter {
+class ClutterEstimate {
 public:
     /// Measures the clutter inside `field`.
-    Clutter(const ImageF& opacity, const Mask2d& field, std::vector<RidgeScale> scales);
+    ClutterEstimate(const ImageF& opacity, const Mask2d& field, std::vector<RidgeScale> scales);
 
     /// Returns the scales, weighted so that no scale has stronger clutter than the coarsest: the finest filters respond
     /// most to noise and gray-value steps, which would otherwise hide even wide vessels.
@@ -26,7 +26,7 @@ public:
     double level(const ImageF& ridges) const;
 
 private:
-    Mask2d inside_;
+    Mask2d field_;
     std::vector<RidgeScale> scales_;
     ImageF inverted_;   ///< weighted ridges of the opposite sign in all bands; -1 elsewhere
 };

@@ -12,17 +12,17 @@ double ridgeNoiseLimit(const std::vector<float>& ridges);
 
 /// Returns the ridge strength above which a ridge counts as a vessel: well above `clutter` (see `Clutter`) and above a
 /// small fraction of the strongest ridges, divided by `sensitivity`. 0 if there is no ridge.
-double clearRidge(const ImageF& ridges, double clutter, double sensitivity);
+double vesselThreshold(const ImageF& ridges, double clutter, double sensitivity);
 
-/// Ridge strength in units of `clearRidge`; 0 outside the field, and everywhere if there is no ridge.
-ImageF vesselEvidence(const ImageF& ridges, const Mask2d& field, double clearRidge);
+/// Ridge strength in units of `vesselThreshold`; 0 outside the field, and everywhere if there is no ridge.
+ImageF vesselEvidence(const ImageF& ridges, const Mask2d& field, double vesselThreshold);
 
 /// Removes the star-shaped artifacts around the ends of strong vessels, where filters still respond to the vessel but
 /// `opacity` barely exceeds the surroundings.
-ImageF withoutStars(ImageF ridges, const ImageF& opacity);
+ImageF removeStarArtifacts(ImageF ridges, const ImageF& opacity);
 
 /// Returns the mask of vessel pixels: evidence just below 1 connected to evidence well above 1 (hysteresis), except the
 /// flanks of much stronger structures close by.
-Mask2d vesselPixels(const ImageF& evidence);
+Mask2d segmentVessels(const ImageF& evidence);
 
 }   // namespace angiopose::core

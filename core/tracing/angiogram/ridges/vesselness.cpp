@@ -17,11 +17,11 @@ constexpr int directionCount = 12;
 constexpr double scaleRatio = 1.5;
 // Slightly finer than the scale of the strongest response to a round tube (0.7 r), to keep adjacent vessels apart.
 constexpr double sigmaPerRadius = 0.52;
-constexpr double finestSigmaPx = 0.8;
+constexpr double minSigmaPx = 0.8;
 // Coarser scales are filtered on a half-size image, at a quarter of the cost.
-constexpr double coarsestSigmaOnGrid = 1.7;
+constexpr double maxSigmaOnGrid = 1.7;
 constexpr double lineReachInSigmas = 2.5;
-constexpr double shortestLineReachPx = 4.0;   // lower limit, because shorter lines would not average out enough noise
+constexpr double minLineReachPx = 4.0;   // lower limit, because shorter lines would not average out enough noise
 constexpr std::size_t tapCount = 5;   // samples along the line, mostly 1.25 σ apart: fine enough at scale σ
 constexpr float slopeWeight = 0.85F;
 // Fraction of the difference between both sides by which a one-sided ridge, as at a blob, is reduced.
@@ -90,7 +90,7 @@ struct LineTaps {
 
 double lineReachPx(double sigmaPx)
 {
-    return std::max(shortestLineReachPx, lineReachInSigmas * sigmaPx);
+    return std::max(minLineReachPx, lineReachInSigmas * sigmaPx);
 }
 
 LineTaps lineTaps(double angle, const RidgeScale& scale)
@@ -99,11 +99,11 @@ LineTaps lineTaps(double angle, const RidgeScale& scale)
     LineTaps taps;
     float sum = 0.0F;
     for (std::size_t i = 0; i < tapCount; ++i) {
-        const double place = 2.0 * static_cast<double>(i) / (tapCount - 1) - 1.0;   // -1 … 1
-        const double along = place * reachPx;
+        const double position = 2.0 * static_cast<double>(i) / (tapCount - 1) - 1.0;   // -1 … 1
+        const double along = position * reachPx;
         taps.dx[i] = static_cast<int>(std::lround(along * std::cos(angle)));
         taps.dy[i] = static_cast<int>(std::lround(along * std::sin(angle)));
-        taps.weights[i] = static_cast<float>(std::exp(-0.5 * std::pow(1.5 * place, 2)));
+        taps.weights[i] = static_cast<float>(std::exp(-0.5 * std::pow(1.5 * position, 2)));
         sum += taps.weights[i];
     }
     for (float& weight : taps.weights) {
@@ -114,7 +114,7 @@ LineTaps lineTaps(double angle, const RidgeScale& scale)
 
 /// Computes curvature minus slope along the normal `n` of the direction, for the pixels of one row.
 ANGIOPOSE_WIDE_VECTORS
-void ridgeRow(const Derivatives& d, std::size_t start, const Eigen::Vector2f& n, float* ridge)
+void computeRidgeRow(const Derivatives& d, std::size_t start, const Eigen::Vector2f& n, float* ridge)
 {
     const float* dx = &d.x.pixels[start];
     const float* dy = &d.y.pixels[start];
@@ -133,12 +133,12 @@ void ridgeRow(const Derivatives& d, std::size_t start, const Eigen::Vector2f& n,
 }
 
 /// Computes the ridges across direction `angle`, padded left and right with `margin` edge values.
-void fillRidges(const Derivatives& d, double angle, int margin, ImageF& ridges)
+void computeRidges(const Derivatives& d, double angle, int margin, ImageF& ridges)
 {
     const Eigen::Vector2f normal(static_cast<float>(-std::sin(angle)), static_cast<float>(std::cos(angle)));
     for (int row = 0; row < ridges.height; ++row) {
         float* ridge = &ridges.at(margin, row);
-        ridgeRow(d, d.x.index(0, row), normal, ridge);
+        computeRidgeRow(d, d.x.index(0, row), normal, ridge);
         std::fill(ridge - margin, ridge, ridge[0]);
         std::fill(ridge + d.x.width, ridge + d.x.width + margin, ridge[d.x.width - 1]);
     }
@@ -147,8 +147,8 @@ void fillRidges(const Derivatives& d, double angle, int margin, ImageF& ridges)
 /// Raises `strongest` at each pixel to the mean ridge strength along the line through that pixel, minus the one-sided
 /// penalty. `rows` are the ridge rows already shifted by the taps, from back to front.
 ANGIOPOSE_WIDE_VECTORS
-void raiseToLineMean(float* strongest, int width, const std::array<const float*, tapCount>& rows,
-                     const std::array<float, tapCount>& weights)
+void updateWithLineMean(float* strongest, int width, const std::array<const float*, tapCount>& rows,
+                        const std::array<float, tapCount>& weights)
 {
     for (int x = 0; x < width; ++x) {
         const float half = 0.5F * weights[2] * rows[2][x];
@@ -173,20 +173,20 @@ public:
     }
 
     /// Updates the rows of `best` in the strip that starts at row `top`.
-    void raise(int top, ImageF& best)
+    void processStrip(int top, ImageF& best)
     {
         const int rowCount = std::min(rowsPerStrip, smooth_.height - top);
         differentiate(smooth_, top - margin_, scale_.sigmaPx, d_);
         for (int k = 0; k < directionCount; ++k) {
             const double angle = std::numbers::pi * k / directionCount;
-            fillRidges(d_, angle, margin_, ridges_);
+            computeRidges(d_, angle, margin_, ridges_);
             const LineTaps taps = lineTaps(angle, scale_);
             for (int row = 0; row < rowCount; ++row) {
                 std::array<const float*, tapCount> rows{};
                 for (std::size_t i = 0; i < tapCount; ++i) {
                     rows[i] = &ridges_.at(margin_ + taps.dx[i], margin_ + row + taps.dy[i]);
                 }
-                raiseToLineMean(&best.at(0, top + row), smooth_.width, rows, taps.weights);
+                updateWithLineMean(&best.at(0, top + row), smooth_.width, rows, taps.weights);
             }
         }
     }
@@ -201,16 +201,16 @@ private:
 
 /// Raises `best` to the largest line mean over all directions at one scale; the result does not depend on the number of
 /// threads.
-void raiseToRidges(const ImageF& image, const RidgeScale& scale, ImageF& best)
+void updateWithScale(const ImageF& image, const RidgeScale& scale, ImageF& best)
 {
     const int workers = std::min(maxFilterThreads, threadCount(0));
-    const ImageF smooth = blurred(image, scale.sigmaPx, workers);
+    const ImageF smooth = gaussianBlur(image, scale.sigmaPx, workers);
     parallelFor(
         static_cast<std::size_t>(workers), workers,
         [&](std::size_t number) {
             StripWorker worker(smooth, scale);
             for (int top = static_cast<int>(number) * rowsPerStrip; top < image.height; top += workers * rowsPerStrip) {
-                worker.raise(top, best);
+                worker.processStrip(top, best);
             }
         },
         [](double) { return true; });
@@ -220,7 +220,7 @@ void raiseToRidges(const ImageF& image, const RidgeScale& scale, ImageF& best)
 
 std::vector<RidgeScale> ridgeScales(double minRadiusPx, double maxRadiusPx)
 {
-    const double finest = std::max(finestSigmaPx, sigmaPerRadius * minRadiusPx);
+    const double finest = std::max(minSigmaPx, sigmaPerRadius * minRadiusPx);
     const double coarsest = std::max(finest, sigmaPerRadius * maxRadiusPx);
     const int steps = static_cast<int>(std::ceil(std::log(coarsest / finest) / std::log(scaleRatio) - 1e-9));
     std::vector<RidgeScale> scales;
@@ -245,17 +245,17 @@ ImageF ridgeStrength(const ImageF& opacity, const std::vector<RidgeScale>& scale
     double gridSpacingPx = 1.0;
     std::vector<ImageF> levels{ImageF(grid.width, grid.height)};   // strongest ridges per level of halved size
     for (const RidgeScale& scale : scales) {
-        while (scale.sigmaPx / gridSpacingPx > coarsestSigmaOnGrid &&
+        while (scale.sigmaPx / gridSpacingPx > maxSigmaOnGrid &&
                std::min(grid.width, grid.height) >= 2 * smallestSide) {
             grid = halved(grid);
             gridSpacingPx *= 2.0;
             levels.emplace_back(grid.width, grid.height);
         }
-        raiseToRidges(grid, {scale.sigmaPx / gridSpacingPx, scale.weight}, levels.back());
+        updateWithScale(grid, {scale.sigmaPx / gridSpacingPx, scale.weight}, levels.back());
     }
     while (levels.size() > 1) {
         ImageF& finer = levels[levels.size() - 2];
-        const ImageF coarser = enlarged(levels.back(), 2, finer.width, finer.height);
+        const ImageF coarser = upsample(levels.back(), 2, finer.width, finer.height);
         std::transform(finer.pixels.begin(), finer.pixels.end(), coarser.pixels.begin(), finer.pixels.begin(),
                        [](float a, float b) { return std::max(a, b); });
         levels.pop_back();

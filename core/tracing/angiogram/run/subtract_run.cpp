@@ -13,7 +13,7 @@ namespace angiopose::core {
 namespace {
 
 constexpr std::size_t maxMaskFrames = 8;
-constexpr double emptyShare = 0.15;   // limit for mask frames, as a fraction of the rise to the peak
+constexpr double maxUnopacifiedRise = 0.15;   // limit for mask frames, as a fraction of the rise to the peak
 constexpr double minRise = 1.5;   // minimum ratio of peak to first opacification; lower if the run starts with contrast
 
 std::optional<Message> problemWith(const std::vector<ImageF>& frames, const SubtractionPlan& plan)
@@ -42,17 +42,17 @@ bool isBlank(const ImageF& frame)
 }
 
 /// Removes blank frames from the mask frames unless all of them are blank.
-void leaveOutBlank(const std::vector<ImageF>& frames, std::vector<int>& maskFrames)
+void excludeBlankFrames(const std::vector<ImageF>& frames, std::vector<int>& maskFrames)
 {
-    std::vector<int> shown = maskFrames;
-    std::erase_if(shown, [&](int index) { return isBlank(frames[static_cast<std::size_t>(index)]); });
-    if (!shown.empty()) {
-        maskFrames = std::move(shown);
+    std::vector<int> usable = maskFrames;
+    std::erase_if(usable, [&](int index) { return isBlank(frames[static_cast<std::size_t>(index)]); });
+    if (!usable.empty()) {
+        maskFrames = std::move(usable);
     }
 }
 
 /// Checks the plan and chooses its mask frames if none are given.
-Result<SubtractionPlan> settledPlan(const std::vector<ImageF>& frames, Polarity polarity, SubtractionPlan plan)
+Result<SubtractionPlan> resolvePlan(const std::vector<ImageF>& frames, Polarity polarity, SubtractionPlan plan)
 {
     if (const auto problem = problemWith(frames, plan)) {
         return Error(*problem);
@@ -67,12 +67,12 @@ Result<SubtractionPlan> settledPlan(const std::vector<ImageF>& frames, Polarity 
     if (plan.maskFrames.empty()) {
         return Error(messages::subtractionNoMask());
     }
-    leaveOutBlank(frames, plan.maskFrames);
+    excludeBlankFrames(frames, plan.maskFrames);
     return plan;
 }
 
 /// Returns the index of the mask that `interval` assigns to a frame; nullopt if the mask lies outside the run.
-std::optional<std::size_t> intervalMask(const MaskInterval& interval, int frame, int frameCount)
+std::optional<std::size_t> intervalMaskIndex(const MaskInterval& interval, int frame, int frameCount)
 {
     const int first = interval.reversedFrom.value_or(0);
     const int index = interval.reversedFrom ? 2 * first - interval.offset - frame : frame - interval.offset;
@@ -80,7 +80,7 @@ std::optional<std::size_t> intervalMask(const MaskInterval& interval, int frame,
     return exists ? std::optional(static_cast<std::size_t>(index)) : std::nullopt;
 }
 
-SubtractedFrame subtractedFrame(const ImageF& frame, const ImageF& mask, const SubtractionPlan& plan)
+SubtractedFrame subtractMask(const ImageF& frame, const ImageF& mask, const SubtractionPlan& plan)
 {
     if (isBlank(frame) && !isBlank(mask)) {
         return {frame};
@@ -90,14 +90,14 @@ SubtractedFrame subtractedFrame(const ImageF& frame, const ImageF& mask, const S
 }
 
 /// Subtracts the mask from one frame. `averaged` is the mean of the mask frames; interval plans ignore it.
-SubtractedFrame subtractedFrame(const std::vector<ImageF>& frames, std::size_t index, const ImageF& averaged,
-                                const SubtractionPlan& plan)
+SubtractedFrame subtractMask(const std::vector<ImageF>& frames, std::size_t index, const ImageF& averaged,
+                             const SubtractionPlan& plan)
 {
     if (!plan.interval) {
-        return subtractedFrame(frames[index], averaged, plan);
+        return subtractMask(frames[index], averaged, plan);
     }
-    const auto mask = intervalMask(*plan.interval, static_cast<int>(index), static_cast<int>(frames.size()));
-    return mask ? subtractedFrame(frames[index], frames[*mask], plan) : SubtractedFrame{frames[index]};
+    const auto mask = intervalMaskIndex(*plan.interval, static_cast<int>(index), static_cast<int>(frames.size()));
+    return mask ? subtractMask(frames[index], frames[*mask], plan) : SubtractedFrame{frames[index]};
 }
 
 bool showsContrast(const ImageF& frame, Polarity polarity, const Mask2d& shutter)
@@ -111,39 +111,39 @@ bool showsContrast(const ImageF& frame, Polarity polarity, const Mask2d& shutter
 std::vector<int> suggestMaskFrames(const std::vector<ImageF>& frames, Polarity polarity, const Mask2d& shutter)
 {
     const std::vector<double> curve = opacificationCurve(frames, polarity, shutter);
-    std::vector<int> shown;
+    std::vector<int> usable;
     for (int k = 0; k < static_cast<int>(frames.size()); ++k) {
         if (!isBlank(frames[static_cast<std::size_t>(k)])) {
-            shown.push_back(k);
+            usable.push_back(k);
         }
     }
-    if (shown.size() < 2) {
+    if (usable.size() < 2) {
         return {};
     }
     const auto opacity = [&](int frame) { return curve[static_cast<std::size_t>(frame)]; };
-    const double least = opacity(std::ranges::min(shown, {}, opacity));
-    const double most = opacity(std::ranges::max(shown, {}, opacity));
+    const double least = opacity(std::ranges::min(usable, {}, opacity));
+    const double most = opacity(std::ranges::max(usable, {}, opacity));
     if (!(most > 0.0)) {
         return {};
     }
-    if (most < minRise * opacity(shown.front())) {   // bones and organ edges also produce ridges
+    if (most < minRise * opacity(usable.front())) {   // bones and organ edges also produce ridges
         const auto isOpacified = [&](int frame) {
             return showsContrast(frames[static_cast<std::size_t>(frame)], polarity, shutter);
         };
-        const bool contrastComes = !isOpacified(shown.front()) && isOpacified(std::ranges::max(shown, {}, opacity));
-        return contrastComes ? std::vector<int>{shown.front()} : std::vector<int>();
+        const bool contrastArrives = !isOpacified(usable.front()) && isOpacified(std::ranges::max(usable, {}, opacity));
+        return contrastArrives ? std::vector<int>{usable.front()} : std::vector<int>();
     }
-    const double limit = least + emptyShare * (most - least);
-    const auto firstFilled = std::ranges::find_if(shown, [&](int frame) { return opacity(frame) > limit; });
-    shown.erase(firstFilled, shown.end());
-    shown.resize(std::min(maxMaskFrames, shown.size()));
-    return shown;
+    const double limit = least + maxUnopacifiedRise * (most - least);
+    const auto firstOpacified = std::ranges::find_if(usable, [&](int frame) { return opacity(frame) > limit; });
+    usable.erase(firstOpacified, usable.end());
+    usable.resize(std::min(maxMaskFrames, usable.size()));
+    return usable;
 }
 
 Result<SubtractedRun> subtractRun(const std::vector<ImageF>& frames, Polarity polarity, const SubtractionPlan& plan,
                                   const StopCheck& isStopRequested)
 {
-    const auto chosen = settledPlan(frames, polarity, plan);
+    const auto chosen = resolvePlan(frames, polarity, plan);
     if (!chosen) {
         return chosen.error();
     }
@@ -152,29 +152,29 @@ Result<SubtractedRun> subtractRun(const std::vector<ImageF>& frames, Polarity po
     run.maskFrames = chosen.value().maskFrames;
     run.frames.resize(frames.size());
     run.maskShiftsPx.resize(frames.size());
-    const bool isWhole = parallelFor(
+    const bool isComplete = parallelFor(
         frames.size(), threadCount(0),
         [&](std::size_t i) {
-            SubtractedFrame result = subtractedFrame(frames, i, mask, chosen.value());
+            SubtractedFrame result = subtractMask(frames, i, mask, chosen.value());
             run.frames[i] = std::move(result.frame);
             run.maskShiftsPx[i] = result.maskShiftPx;
         },
         [&](double) { return !isStopRequested || !isStopRequested(); });
-    return isWhole ? Result<SubtractedRun>(std::move(run)) : Stopped{messages::subtractionStopped()};
+    return isComplete ? Result<SubtractedRun>(std::move(run)) : Cancellation{messages::subtractionStopped()};
 }
 
 Result<SubtractedFrame> subtractFrame(const std::vector<ImageF>& frames, Polarity polarity, const SubtractionPlan& plan,
                                       int frame)
 {
-    const auto chosen = settledPlan(frames, polarity, plan);
+    const auto chosen = resolvePlan(frames, polarity, plan);
     if (!chosen) {
         return chosen.error();
     }
     const ImageF mask = meanFrame(frames, chosen.value().maskFrames);
-    return subtractedFrame(frames, static_cast<std::size_t>(frame), mask, chosen.value());
+    return subtractMask(frames, static_cast<std::size_t>(frame), mask, chosen.value());
 }
 
-Result<Angiogram> treatedRun(const Angiogram& stored, const RunTreatment& treatment, const StopCheck& isStopRequested)
+Result<Angiogram> processRun(const Angiogram& stored, const RunProcessing& treatment, const StopCheck& isStopRequested)
 {
     Angiogram run = stored;
     run.polarity = treatment.polarity.value_or(stored.polarity);
@@ -190,7 +190,7 @@ Result<Angiogram> treatedRun(const Angiogram& stored, const RunTreatment& treatm
         run.frames = std::move(subtracted).value().frames;
     }
     if (treatment.isComposite) {
-        run.frames.assign(run.frames.size(), opacifiedComposite(run.frames, run.polarity));
+        run.frames.assign(run.frames.size(), peakOpacificationImage(run.frames, run.polarity));
     }
     return run;
 }

@@ -39,14 +39,14 @@ struct SubtractedRun {
 };
 
 /// Processing of the stored frames before they are shown, traced and registered (`angiogram.subtraction` of a case).
-struct RunTreatment {
+struct RunProcessing {
     bool isSubtracted = false;
     bool isComposite = false;   ///< replaces every frame by the peak-opacification image of the run
     SubtractionPlan plan = {};
     std::optional<Polarity> polarity = {};   ///< if unset, as stated in the file
 
     bool changesFrames() const { return isSubtracted || isComposite || polarity; }
-    bool operator==(const RunTreatment&) const = default;
+    bool operator==(const RunProcessing&) const = default;
 };
 
 /// Suggests the first frames, before the contrast agent arrives: up to eight with hardly more opacification than the
@@ -69,7 +69,7 @@ Result<SubtractedFrame> subtractFrame(const std::vector<ImageF>& frames, Polarit
                                       int frame);
 
 /// Applies the treatment to a run; headers, suggested frame and size stay unchanged. Fails as `subtractRun` does.
-Result<Angiogram> treatedRun(const Angiogram& stored, const RunTreatment& treatment,
+Result<Angiogram> processRun(const Angiogram& stored, const RunProcessing& treatment,
                              const StopCheck& isStopRequested = {});
 
 }   // namespace angiopose::core

@@ -16,11 +16,11 @@ namespace {
 
 // Opacification is measured on a coarse copy of each frame, because only the area of the vessels matters here, not
 // their position.
-constexpr int widestSidePx = 300;
+constexpr int maxCoarseSidePx = 300;
 constexpr double minRadiusPx = 1.5;
 constexpr double maxRadiusPx = 4.0;
-constexpr std::size_t smallestVesselPx = 60;
-constexpr double fullShare = 0.97;   // fraction of the maximum; smaller differences are noise
+constexpr std::size_t minVesselPx = 60;
+constexpr double nearPeakFraction = 0.97;   // fraction of the maximum; smaller differences are noise
 
 bool isTraceable(const ImageF& frame, const ImageF& first)
 {
@@ -35,7 +35,7 @@ bool isTraceable(const ImageF& frame, const ImageF& first)
 ImageF coarseVesselsDark(const ImageF& frame, Polarity polarity)
 {
     ImageF coarse = frame;
-    while (std::max(coarse.width, coarse.height) > widestSidePx) {
+    while (std::max(coarse.width, coarse.height) > maxCoarseSidePx) {
         coarse = halved(coarse);
     }
     if (polarity == Polarity::VesselsBright) {
@@ -46,7 +46,7 @@ ImageF coarseVesselsDark(const ImageF& frame, Polarity polarity)
     return coarse;
 }
 
-double shareAbove(const ImageF& ridges, float threshold)
+double fractionAbove(const ImageF& ridges, float threshold)
 {
     Mask2d above(ridges.width, ridges.height);
     for (std::size_t i = 0; i < above.pixels.size(); ++i) {
@@ -54,7 +54,7 @@ double shareAbove(const ImageF& ridges, float threshold)
     }
     std::size_t count = 0;
     for (const std::vector<std::size_t>& component : componentsOf(above)) {
-        count += component.size() >= smallestVesselPx ? component.size() : 0;   // smaller components are noise
+        count += component.size() >= minVesselPx ? component.size() : 0;   // smaller components are noise
     }
     return static_cast<double>(count) / static_cast<double>(above.pixels.size());
 }
@@ -84,7 +84,7 @@ std::vector<double> opacificationCurve(const std::vector<ImageF>& frames, Polari
     std::vector<double> curve;
     for (std::size_t k = 0; k < frames.size(); ++k) {
         const auto limit = static_cast<float>(std::max(threshold, noiseLimits[k]));
-        curve.push_back(ridges[k].isEmpty() ? 0.0 : shareAbove(ridges[k], limit));
+        curve.push_back(ridges[k].isEmpty() ? 0.0 : fractionAbove(ridges[k], limit));
     }
     return curve;
 }
@@ -96,13 +96,13 @@ int suggestFrame(const std::vector<ImageF>& frames, Polarity polarity, const Mas
         return 0;
     }
     const double peak = *std::max_element(curve.begin(), curve.end());
-    std::vector<int> full;
+    std::vector<int> nearPeak;
     for (int k = 0; k < static_cast<int>(curve.size()); ++k) {
-        if (curve[static_cast<std::size_t>(k)] >= fullShare * peak) {
-            full.push_back(k);
+        if (curve[static_cast<std::size_t>(k)] >= nearPeakFraction * peak) {
+            nearPeak.push_back(k);
         }
     }
-    return full[(full.size() - 1) / 2];
+    return nearPeak[(nearPeak.size() - 1) / 2];
 }
 
 }   // namespace angiopose::core

@@ -19,7 +19,8 @@ namespace angiopose::core {
 /// A seed inside a great vessel selects that whole vessel, so all points in it give the same result; a seed outside all
 /// great vessels is used unchanged. Without seeds, the first great vessel is used. Returns the start points of the
 /// flooding.
-std::vector<Eigen::Vector3d> splitBySeeds(VoxelMask& mask, const VesselTracingOptions& options, const VoxelFill& fill,
+std::vector<Eigen::Vector3d> splitBySeeds(VoxelMask& mask, const VesselTracingOptions& options,
+                                          const VoxelOpacification& opacification,
                                           const std::vector<GreatVessel>& greatVessels, TracingProgress& progress);
 
 }   // namespace angiopose::core

@@ -5,29 +5,30 @@
 namespace angiopose::core {
 namespace {
 
-double worthOfFirst(const std::vector<GreatVessel>& great)
+double firstScore(const std::vector<GreatVessel>& great)
 {
-    return great.empty() ? 0.0 : great.front().worth();
+    return great.empty() ? 0.0 : great.front().score();
 }
 
 }   // namespace
 
-LumenWithGreatVessels findGreatVessels(SegmentedLumen segmented, const VoxelFill& fill, int threads,
+LumenWithGreatVessels findGreatVessels(SegmentedLumen segmented, const VoxelOpacification& opacification, int threads,
                                        TracingProgress& progress, double blockMm)
 {
-    const auto greatIn = [&](const VoxelMask& lumen) {
-        return greatVessels(coarseBlood(lumen, fill, threads, progress, blockMm), threads, progress);
+    const auto findIn = [&](const VoxelMask& lumen) {
+        return assembleGreatVessels(averageInBlocks(lumen, opacification, threads, progress, blockMm), threads,
+                                    progress);
     };
     LumenWithGreatVessels found{std::move(segmented.clear), {}};
-    found.great = greatIn(found.lumen);
-    if (segmented.besideWires.empty() || !progress.advance(0.0)) {
+    found.great = findIn(found.lumen);
+    if (segmented.besideStruts.empty() || !progress.advance(0.0)) {
         return found;
     }
-    for (const std::uint32_t voxel : segmented.besideWires) {
+    for (const std::uint32_t voxel : segmented.besideStruts) {
         found.lumen.voxels[voxel] = 1;
     }
-    std::vector<GreatVessel> others = greatIn(found.lumen);
-    if (worthOfFirst(others) > worthOfFirst(found.great)) {
+    std::vector<GreatVessel> others = findIn(found.lumen);
+    if (firstScore(others) > firstScore(found.great)) {
         found.great = std::move(others);
     }
     return found;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/tracing/volume/great_vessels/coarse_blood.h"
+#include "core/tracing/volume/great_vessels/block_opacification.h"
 #include "core/tracing/volume/voxels/distance_map.h"
 #include "core/tracing/volume/voxels/tracing_progress.h"
 
@@ -20,7 +20,7 @@ struct Trunk {
 
     /// Scores the resemblance to an aorta or another main artery: long, wide, aligned with the body axis and well
     /// opacified; false lumens and veins often score lower.
-    double worth() const;
+    double score() const;
 
     bool operator==(const Trunk&) const = default;
 };
@@ -28,6 +28,6 @@ struct Trunk {
 /// Finds vessel sections that look like great vessels (round cross-sections, slowly changing width, longer than wide),
 /// highest score first. Tracks in both directions from the widest points of the lumen, whose distance map is given.
 /// Incomplete when stopped.
-std::vector<Trunk> findTrunks(const CoarseBlood& blood, const DistanceMap& distances, TracingProgress& progress);
+std::vector<Trunk> findTrunks(const BlockOpacification& blood, const DistanceMap& distances, TracingProgress& progress);
 
 }   // namespace angiopose::core

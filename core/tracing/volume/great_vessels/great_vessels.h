@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/tracing/volume/great_vessels/coarse_blood.h"
+#include "core/tracing/volume/great_vessels/block_opacification.h"
 #include "core/tracing/volume/great_vessels/find_trunks.h"
 
 #include <Eigen/Core>
@@ -12,12 +12,12 @@ namespace angiopose::core {
 struct GreatVessel {
     std::vector<Trunk> trunks;   ///< highest score first
 
-    Eigen::Vector3d middleInPatient() const;   ///< halfway along the first trunk
-    double worth() const;
-    bool surrounds(const Eigen::Vector3d& placeInPatient) const;   ///< whether the point lies within a section
+    Eigen::Vector3d centerInPatient() const;   ///< halfway along the first trunk
+    double score() const;
+    bool surrounds(const Eigen::Vector3d& positionInPatient) const;   ///< whether the point lies within a section
 };
 
 /// Finds the great vessels of a scan, highest score first. Incomplete when stopped.
-std::vector<GreatVessel> greatVessels(const CoarseBlood& blood, int threads, TracingProgress& progress);
+std::vector<GreatVessel> assembleGreatVessels(const BlockOpacification& blood, int threads, TracingProgress& progress);
 
 }   // namespace angiopose::core

@@ -1,6 +1,6 @@
 #include "core/tracing/volume/great_vessels/necks.h"
 
-#include "core/tracing/volume/voxels/chosen_pieces.h"
+#include "core/tracing/volume/voxels/component_selection.h"
 
 #include <algorithm>
 #include <queue>
@@ -9,7 +9,7 @@ namespace angiopose::core {
 namespace {
 
 template <class Visit>
-void eachNeighbor(const VolumeGeometry& grid, std::uint32_t voxel, const Visit& visit)
+void forEachNeighbor(const VolumeGeometry& grid, std::uint32_t voxel, const Visit& visit)
 {
     const Eigen::Vector3i place = grid.voxelAt(voxel);
     for (int z = -1; z <= 1; ++z) {
@@ -24,35 +24,35 @@ void eachNeighbor(const VolumeGeometry& grid, std::uint32_t voxel, const Visit& 
     }
 }
 
-std::vector<std::uint16_t> necksFrom(const std::vector<std::uint32_t>& seeds, const DistanceMap& distances,
-                                     TracingProgress& progress)
+std::vector<std::uint16_t> computeNecksFrom(const std::vector<std::uint32_t>& seeds, const DistanceMap& distances,
+                                            TracingProgress& progress)
 {
-    struct Shore {
+    struct FrontVoxel {
         std::uint16_t neck = 0;
         std::uint32_t voxel = 0;
 
-        bool operator<(const Shore& wider) const { return neck < wider.neck; }
+        bool operator<(const FrontVoxel& wider) const { return neck < wider.neck; }
     };
     std::vector<std::uint16_t> neck(distances.units.size(), 0);
-    std::priority_queue<Shore> shores;
+    std::priority_queue<FrontVoxel> front;
     const auto reach = [&](std::uint32_t voxel, std::uint16_t width) {
         if (width > neck[voxel]) {
             neck[voxel] = width;
-            shores.push({width, voxel});
+            front.push({width, voxel});
         }
     };
     for (const std::uint32_t seed : seeds) {
         reach(seed, distances.units[seed]);
     }
-    for (std::uint32_t turn = 0; !shores.empty(); ++turn) {
-        const Shore shore = shores.top();
-        shores.pop();
-        if ((turn & 0xFFFU) == 0 && !progress.advance(0.0)) {
+    for (std::uint32_t iteration = 0; !front.empty(); ++iteration) {
+        const FrontVoxel frontVoxel = front.top();
+        front.pop();
+        if ((iteration & 0xFFFU) == 0 && !progress.advance(0.0)) {
             break;
         }
-        if (shore.neck == neck[shore.voxel]) {
-            eachNeighbor(distances.geometry, shore.voxel,
-                         [&](std::uint32_t next) { reach(next, std::min(shore.neck, distances.units[next])); });
+        if (frontVoxel.neck == neck[frontVoxel.voxel]) {
+            forEachNeighbor(distances.geometry, frontVoxel.voxel,
+                            [&](std::uint32_t next) { reach(next, std::min(frontVoxel.neck, distances.units[next])); });
         }
     }
     return neck;
@@ -60,34 +60,34 @@ std::vector<std::uint16_t> necksFrom(const std::vector<std::uint32_t>& seeds, co
 
 }   // namespace
 
-std::vector<std::uint32_t> wayToMiddle(std::uint32_t voxel, const DistanceMap& distances)
+std::vector<std::uint32_t> pathToCenter(std::uint32_t voxel, const DistanceMap& distances)
 {
-    for (std::vector<std::uint32_t> way{voxel};;) {
-        std::uint32_t best = way.back();
-        eachNeighbor(distances.geometry, way.back(), [&](std::uint32_t next) {
+    for (std::vector<std::uint32_t> path{voxel};;) {
+        std::uint32_t best = path.back();
+        forEachNeighbor(distances.geometry, path.back(), [&](std::uint32_t next) {
             if (distances.units[next] > distances.units[best]) {
                 best = next;
             }
         });
-        if (best == way.back()) {
-            return way;
+        if (best == path.back()) {
+            return path;
         }
-        way.push_back(best);
+        path.push_back(best);
     }
 }
 
-Necks necksOf(const VoxelMask& mask, const DistanceMap& distances, const std::vector<Eigen::Vector3d>& seedsInPatient,
-              TracingProgress& progress)
+Necks computeNecks(const VoxelMask& mask, const DistanceMap& distances,
+                   const std::vector<Eigen::Vector3d>& seedsInPatient, TracingProgress& progress)
 {
     std::vector<std::uint32_t> seeds;
     Necks necks;
     for (const Eigen::Vector3d& seed : seedsInPatient) {
-        if (const auto voxel = voxelNear(mask, seed)) {
-            seeds.push_back(wayToMiddle(*voxel, distances).back());
+        if (const auto voxel = findVoxelNear(mask, seed)) {
+            seeds.push_back(pathToCenter(*voxel, distances).back());
             necks.seedRadiusMm = std::max(necks.seedRadiusMm, distances.mm(seeds.back()));
         }
     }
-    necks.units = necksFrom(seeds, distances, progress);
+    necks.units = computeNecksFrom(seeds, distances, progress);
     return necks;
 }
 
@@ -111,8 +111,8 @@ double neckMm(const DistanceMap& distances, const Eigen::Vector3i& from, const E
         const Eigen::Vector3i at = voxel.array() - low;
         return static_cast<std::uint32_t>(part.geometry.index(at.x(), at.y(), at.z()));
     };
-    TracingProgress unheard({});
-    return part.unitMm * necksFrom({within(from)}, part, unheard)[within(to)];
+    TracingProgress noProgress({});
+    return part.unitMm * computeNecksFrom({within(from)}, part, noProgress)[within(to)];
 }
 
 }   // namespace angiopose::core

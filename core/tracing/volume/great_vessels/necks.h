@@ -11,7 +11,7 @@
 namespace angiopose::core {
 
 /// Returns the path from a voxel to the center of the surrounding vessel by steepest ascent in the distance map.
-std::vector<std::uint32_t> wayToMiddle(std::uint32_t voxel, const DistanceMap& distances);
+std::vector<std::uint32_t> pathToCenter(std::uint32_t voxel, const DistanceMap& distances);
 
 /// Narrowest widths along the paths from the seeds.
 struct Necks {
@@ -21,8 +21,8 @@ struct Necks {
 
 /// Computes the widest paths within a mask from the vessel centers at the seeds (LPS, mm); ignores seeds outside the
 /// mask. Incomplete when stopped.
-Necks necksOf(const VoxelMask& mask, const DistanceMap& distances, const std::vector<Eigen::Vector3d>& seedsInPatient,
-              TracingProgress& progress);
+Necks computeNecks(const VoxelMask& mask, const DistanceMap& distances,
+                   const std::vector<Eigen::Vector3d>& seedsInPatient, TracingProgress& progress);
 
 /// Returns the narrowest width, in mm, on the widest path between two voxels; the search extends at most `aroundMm`
 /// beyond the box around both. 0 if they are not connected.

@@ -20,27 +20,27 @@ constexpr double maxRingMm = 130.0;
 constexpr double minSoftShare = 0.8;   ///< minimum soft-tissue fraction of the enclosed area; a chest contains air
 constexpr double innerShare = 0.75;   ///< fraction of the ring's radius that counts as enclosed
 constexpr double minHeightMm = 20.0;   ///< total height of closed rings
-constexpr double besideTableMm = 4.5;   ///< maximum distance from the wall of a venous sinus to bone
+constexpr double maxTableDistanceMm = 4.5;   ///< maximum distance from the wall of a venous sinus to bone
 constexpr double minWithinMm = 25.0;   ///< minimum length within the vault for evaluating a course
-constexpr double maxBesideOfArtery = 0.5;   ///< maximum fraction of that length; the petrous bone borders the carotid
-constexpr double minBesideOfSinus = 0.6;
-constexpr double minFillOfLate = 0.75;   ///< minimum opacification of a sinus that enhances like the arteries
+constexpr double maxAdjacentInArtery = 0.5;   ///< maximum fraction of that length; the petrous bone borders the carotid
+constexpr double minAdjacentInSinus = 0.6;
+constexpr double minLateOpacification = 0.75;   ///< minimum opacification of a sinus that enhances like the arteries
 constexpr double maxOutward = 0.45;   ///< maximum relative distance from the middle of the head
 constexpr double entryMm = 25.0;   ///< maximum distance from the lower face of the scan or the base of the vault
 
-std::size_t sectorOf(const Eigen::Vector2d& aside)
+std::size_t sectorOf(const Eigen::Vector2d& offset)
 {
-    const double turn = (std::atan2(aside.y(), aside.x()) + std::numbers::pi) / (2.0 * std::numbers::pi);
+    const double turn = (std::atan2(offset.y(), offset.x()) + std::numbers::pi) / (2.0 * std::numbers::pi);
     return std::min<std::size_t>(sectors - 1, static_cast<std::size_t>(turn * sectors));
 }
 
 enum class Block : std::uint8_t { Soft, Bone, Air };
 
 /// Classifies one block of `per` voxels along each axis.
-Block blockAt(const Eigen::Array3i& block, const Eigen::Array3i& per, const VoxelFill& fill)
+Block blockAt(const Eigen::Array3i& block, const Eigen::Array3i& per, const VoxelOpacification& fill)
 {
     int bone = 0;
-    int looked = 0;
+    int sampledCount = 0;
     double sum = 0.0;
     for (int n = 0; n < per.prod(); ++n) {
         const Eigen::Array3i in(n % per.x(), n / per.x() % per.y(), n / (per.x() * per.y()));
@@ -51,12 +51,15 @@ Block blockAt(const Eigen::Array3i& block, const Eigen::Array3i& per, const Voxe
         const double share = fill(at.x(), at.y(), at.z());
         bone += share > minBoneFill ? 1 : 0;
         sum += share;
-        ++looked;
+        ++sampledCount;
     }
-    return bone >= minBoneShare * looked ? Block::Bone : sum < maxAirFill * looked ? Block::Air : Block::Soft;
+    return bone >= minBoneShare * sampledCount ? Block::Bone
+           : sum < maxAirFill * sampledCount   ? Block::Air
+                                               : Block::Soft;
 }
 
-VoxelGrid<Block> blocksOf(const VolumeGeometry& grid, const VoxelFill& fill, int threads, TracingProgress& progress)
+VoxelGrid<Block> blocksOf(const VolumeGeometry& grid, const VoxelOpacification& fill, int threads,
+                          TracingProgress& progress)
 {
     const Eigen::Array3i per = (blockMm / grid.spacingMm.array()).round().max(1.0).cast<int>();
     VolumeGeometry coarse = grid;
@@ -78,7 +81,7 @@ VoxelGrid<Block> blocksOf(const VolumeGeometry& grid, const VoxelFill& fill, int
 }
 
 template <class Visit>
-void eachOf(const VoxelGrid<Block>& blocks, int k, const Visit& visit)
+void forEachBlock(const VoxelGrid<Block>& blocks, int k, const Visit& visit)
 {
     for (int j = 0; j < blocks.geometry.size.y(); ++j) {
         for (int i = 0; i < blocks.geometry.size.x(); ++i) {
@@ -93,11 +96,11 @@ struct BoneRing {
     std::vector<double> radius = std::vector<double>(sectors, 0.0);
 };
 
-BoneRing ringIn(const VoxelGrid<Block>& blocks, int k)
+BoneRing findRing(const VoxelGrid<Block>& blocks, int k)
 {
     BoneRing ring;
     int bones = 0;
-    eachOf(blocks, k, [&](const Eigen::Vector2d& at, Block block) {
+    forEachBlock(blocks, k, [&](const Eigen::Vector2d& at, Block block) {
         if (block == Block::Bone) {
             ring.middle += at;
             ++bones;
@@ -107,7 +110,7 @@ BoneRing ringIn(const VoxelGrid<Block>& blocks, int k)
         return ring;
     }
     ring.middle /= bones;
-    eachOf(blocks, k, [&](const Eigen::Vector2d& at, Block block) {
+    forEachBlock(blocks, k, [&](const Eigen::Vector2d& at, Block block) {
         if (block == Block::Bone) {
             double& radius = ring.radius[sectorOf(at - ring.middle)];
             radius = std::max(radius, (at - ring.middle).norm());
@@ -118,7 +121,7 @@ BoneRing ringIn(const VoxelGrid<Block>& blocks, int k)
         ring.radius, [&](double radius) { return radius * unitMm >= minRingMm && radius * unitMm <= maxRingMm; });
     int soft = 0;
     int within = 0;
-    eachOf(blocks, k, [&](const Eigen::Vector2d& at, Block block) {
+    forEachBlock(blocks, k, [&](const Eigen::Vector2d& at, Block block) {
         if ((at - ring.middle).norm() < innerShare * ring.radius[sectorOf(at - ring.middle)]) {
             ++within;
             soft += block == Block::Soft ? 1 : 0;
@@ -146,16 +149,16 @@ Skull::Course courseOf(const GreatVessel& great, const Skull& skull)
 {
     Skull::Course course;
     for (const Trunk& trunk : great.trunks) {
-        const Skull::Course its = skull.courseOf(trunk.pointsInPatient, trunk.radiusMm);
-        course.withinMm += its.withinMm;
-        course.besideMm += its.besideMm;
+        const Skull::Course trunkCourse = skull.courseOf(trunk.pointsInPatient, trunk.radiusMm);
+        course.withinMm += trunkCourse.withinMm;
+        course.adjacentMm += trunkCourse.adjacentMm;
     }
     return course;
 }
 
 bool isSinus(const Skull::Course& course)
 {
-    return course.withinMm >= minWithinMm && course.besideMm >= minBesideOfSinus * course.withinMm;
+    return course.withinMm >= minWithinMm && course.adjacentMm >= minAdjacentInSinus * course.withinMm;
 }
 
 double fillOf(const GreatVessel& great)
@@ -174,23 +177,23 @@ const Skull::Ring* Skull::ringAt(const Eigen::Vector3d& block) const
     return &rings_[static_cast<std::size_t>(k)];
 }
 
-bool Skull::isBesideTable(const Eigen::Vector3d& inPatient, double radiusMm) const
+bool Skull::isNextToInnerTable(const Eigen::Vector3d& inPatient, double radiusMm) const
 {
     const Eigen::Vector3d block = blockFromPatient_ * inPatient;
     const Eigen::Vector3i at = block.array().round().cast<int>();
     return ringAt(block) != nullptr && toBone_.geometry.contains(at) &&
-           toBone_.mm(toBone_.geometry.index(at.x(), at.y(), at.z())) <= radiusMm + besideTableMm;
+           toBone_.mm(toBone_.geometry.index(at.x(), at.y(), at.z())) <= radiusMm + maxTableDistanceMm;
 }
 
-std::optional<double> Skull::outwardShare(const Eigen::Vector3d& inPatient) const
+std::optional<double> Skull::radialPosition(const Eigen::Vector3d& inPatient) const
 {
     const Eigen::Vector3d block = blockFromPatient_ * inPatient;
     const Ring* ring = ringAt(block);
     if (ring == nullptr) {
         return {};
     }
-    const Eigen::Vector2d aside = block.head<2>() - ring->middle;
-    return aside.norm() / std::max(1.0, ring->radius[sectorOf(aside)]);
+    const Eigen::Vector2d offset = block.head<2>() - ring->middle;
+    return offset.norm() / std::max(1.0, ring->radius[sectorOf(offset)]);
 }
 
 Skull::Course Skull::courseOf(const std::vector<Eigen::Vector3d>& points, const std::vector<double>& radiusMm) const
@@ -200,20 +203,20 @@ Skull::Course Skull::courseOf(const std::vector<Eigen::Vector3d>& points, const 
         if (ringAt(blockFromPatient_ * points[n]) != nullptr) {
             const double stepMm = (points[n] - points[n - 1]).norm();
             course.withinMm += stepMm;
-            course.besideMm += isBesideTable(points[n], radiusMm[n]) ? stepMm : 0.0;
+            course.adjacentMm += isNextToInnerTable(points[n], radiusMm[n]) ? stepMm : 0.0;
         }
     }
     return course;
 }
 
-std::optional<Skull> findSkull(const VolumeGeometry& grid, const VoxelFill& fill, int threads,
+std::optional<Skull> findSkull(const VolumeGeometry& grid, const VoxelOpacification& fill, int threads,
                                TracingProgress& progress)
 {
     const VoxelGrid<Block> blocks = blocksOf(grid, fill, threads, progress);
     Skull skull;
     double heightMm = 0.0;
     for (int k = 0; k < blocks.geometry.size.z(); ++k) {
-        BoneRing ring = ringIn(blocks, k);
+        BoneRing ring = findRing(blocks, k);
         heightMm += ring.isClosed ? blocks.geometry.spacingMm.z() : 0.0;
         skull.rings_.push_back({ring.isClosed, ring.middle, std::move(ring.radius)});
     }
@@ -228,7 +231,7 @@ std::optional<Skull> findSkull(const VolumeGeometry& grid, const VoxelFill& fill
     return skull;
 }
 
-std::vector<Eigen::Vector3d> sinusPlaces(const std::vector<GreatVessel>& great, const Skull& skull)
+std::vector<Eigen::Vector3d> sinusPoints(const std::vector<GreatVessel>& great, const Skull& skull)
 {
     std::vector<Eigen::Vector3d> places;
     for (const GreatVessel& vessel : great) {
@@ -241,19 +244,21 @@ std::vector<Eigen::Vector3d> sinusPlaces(const std::vector<GreatVessel>& great, 
     return places;
 }
 
-std::vector<GreatVessel> arteriesOfHead(std::vector<GreatVessel> great, const Skull& skull, const VolumeGeometry& grid)
+std::vector<GreatVessel> selectHeadArteries(std::vector<GreatVessel> great, const Skull& skull,
+                                            const VolumeGeometry& grid)
 {
     const bool isLate = std::ranges::any_of(great, [&](const GreatVessel& vessel) {
-        return isSinus(courseOf(vessel, skull)) && fillOf(vessel) >= minFillOfLate;
+        return isSinus(courseOf(vessel, skull)) && fillOf(vessel) >= minLateOpacification;
     });
     const double faceMm = (grid.patientFromVoxel() * Eigen::Vector3d::Zero()).z();
     std::erase_if(great, [&](const GreatVessel& vessel) {
         const Skull::Course course = courseOf(vessel, skull);
         const auto [low, high] = endsOf(vessel);
-        const bool isBeside = course.withinMm >= minWithinMm && course.besideMm > maxBesideOfArtery * course.withinMm;
-        const bool comesFromBelow = low.z() <= faceMm + entryMm || !skull.outwardShare(low);
-        const bool endsInMiddle = skull.outwardShare(high).value_or(1.0) <= maxOutward;
-        return isBeside || !comesFromBelow || (isLate && !endsInMiddle);
+        const bool isNextToBone =
+            course.withinMm >= minWithinMm && course.adjacentMm > maxAdjacentInArtery * course.withinMm;
+        const bool entersFromBelow = low.z() <= faceMm + entryMm || !skull.radialPosition(low);
+        const bool endsInMiddle = skull.radialPosition(high).value_or(1.0) <= maxOutward;
+        return isNextToBone || !entersFromBelow || (isLate && !endsInMiddle);
     });
     return great;
 }

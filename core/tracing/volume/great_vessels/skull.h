@@ -16,20 +16,20 @@ namespace angiopose::core {
 class Skull {
 public:
     /// Returns whether a vessel of the given radius lies next to bone at the level of the skull vault.
-    bool isBesideTable(const Eigen::Vector3d& inPatient, double radiusMm) const;
+    bool isNextToInnerTable(const Eigen::Vector3d& inPatient, double radiusMm) const;
 
     /// Returns the position in the axial plane between the middle of the head (0) and the bone (1); nullopt if no bone
     /// ring surrounds the point.
-    std::optional<double> outwardShare(const Eigen::Vector3d& inPatient) const;
+    std::optional<double> radialPosition(const Eigen::Vector3d& inPatient) const;
 
     /// Length of a vessel axis within the skull vault, and of its part next to the inner table, in mm.
     struct Course {
         double withinMm = 0.0;
-        double besideMm = 0.0;
+        double adjacentMm = 0.0;
     };
     Course courseOf(const std::vector<Eigen::Vector3d>& points, const std::vector<double>& radiusMm) const;
 
-    friend std::optional<Skull> findSkull(const VolumeGeometry& grid, const VoxelFill& fill, int threads,
+    friend std::optional<Skull> findSkull(const VolumeGeometry& grid, const VoxelOpacification& fill, int threads,
                                           TracingProgress& progress);
 
 private:
@@ -49,14 +49,15 @@ private:
 
 /// Finds the skull; nullopt if bone does not enclose soft tissue over 20 mm along the body (no head, only its middle,
 /// or no CT). Values of `fill` (patient axis order) above 1.5 are bone, below -1 air. Incomplete when stopped.
-std::optional<Skull> findSkull(const VolumeGeometry& grid, const VoxelFill& fill, int threads,
+std::optional<Skull> findSkull(const VolumeGeometry& grid, const VoxelOpacification& fill, int threads,
                                TracingProgress& progress);
 
 /// Returns the axis points of the great vessels that are dural venous sinuses.
-std::vector<Eigen::Vector3d> sinusPlaces(const std::vector<GreatVessel>& great, const Skull& skull);
+std::vector<Eigen::Vector3d> sinusPoints(const std::vector<GreatVessel>& great, const Skull& skull);
 
 /// Keeps only definite arteries of the head: vessels that enter from the neck and do not run along the skull like
 /// venous sinuses. If the sinuses enhance like the arteries, a vessel must also reach the middle of the head.
-std::vector<GreatVessel> arteriesOfHead(std::vector<GreatVessel> great, const Skull& skull, const VolumeGeometry& grid);
+std::vector<GreatVessel> selectHeadArteries(std::vector<GreatVessel> great, const Skull& skull,
+                                            const VolumeGeometry& grid);
 
 }   // namespace angiopose::core

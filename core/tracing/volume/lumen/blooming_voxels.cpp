@@ -7,12 +7,12 @@ namespace {
 
 class BloomingDescent {
 public:
-    BloomingDescent(VoxelMask& flags, const BloomingBits& bits, const VoxelFill& fill, double minFill)
-        : flags_(flags), bits_(bits), fill_(fill), minFill_(minFill)
+    BloomingDescent(VoxelMask& flags, const BloomingBits& bits, const VoxelOpacification& opacification, double minFill)
+        : flags_(flags), bits_(bits), opacification_(opacification), minFill_(minFill)
     {
         for (std::size_t voxel = 0; voxel < flags.voxels.size(); ++voxel) {
             if ((flags.voxels[voxel] & bits.bright) != 0) {
-                shore_.push_back(static_cast<std::uint32_t>(voxel));
+                front_.push_back(static_cast<std::uint32_t>(voxel));
             }
         }
     }
@@ -21,17 +21,17 @@ public:
     void advance(const Eigen::Array<bool, 3, 1>& isOpen)
     {
         std::vector<std::uint32_t> next;
-        for (const std::uint32_t voxel : shore_) {
+        for (const std::uint32_t voxel : front_) {
             const Eigen::Vector3i at = flags_.geometry.voxelAt(voxel);
-            const double fill = fill_(at.x(), at.y(), at.z());
+            const double opacification = opacification_(at.x(), at.y(), at.z());
             for (int axis = 0; axis < 3; ++axis) {
                 if (isOpen[axis]) {
-                    descend(at - Eigen::Vector3i::Unit(axis), fill, next);
-                    descend(at + Eigen::Vector3i::Unit(axis), fill, next);
+                    descend(at - Eigen::Vector3i::Unit(axis), opacification, next);
+                    descend(at + Eigen::Vector3i::Unit(axis), opacification, next);
                 }
             }
         }
-        shore_.swap(next);
+        front_.swap(next);
     }
 
 private:
@@ -45,8 +45,8 @@ private:
         if ((flag & (bits_.bright | bits_.solid | bits_.blooming)) != 0) {
             return;
         }
-        const double fill = fill_(to.x(), to.y(), to.z());
-        if (fill >= minFill_ && fill < fromFill) {
+        const double opacification = opacification_(to.x(), to.y(), to.z());
+        if (opacification >= minFill_ && opacification < fromFill) {
             flag = static_cast<std::uint8_t>(flag | bits_.blooming);
             next.push_back(static_cast<std::uint32_t>(grid.index(to.x(), to.y(), to.z())));
         }
@@ -54,17 +54,17 @@ private:
 
     VoxelMask& flags_;
     const BloomingBits& bits_;
-    const VoxelFill& fill_;
+    const VoxelOpacification& opacification_;
     double minFill_;
-    std::vector<std::uint32_t> shore_;   ///< most recently reached voxels
+    std::vector<std::uint32_t> front_;   ///< most recently reached voxels
 };
 
 }   // namespace
 
-void markBlooming(VoxelMask& flags, const BloomingBits& bits, const VoxelFill& fill, double minFill,
+void markBlooming(VoxelMask& flags, const BloomingBits& bits, const VoxelOpacification& opacification, double minFill,
                   const Eigen::Vector3i& reach, TracingProgress& progress)
 {
-    BloomingDescent descent(flags, bits, fill, minFill);
+    BloomingDescent descent(flags, bits, opacification, minFill);
     for (int step = 0; step < reach.maxCoeff() && progress.advance(0.0); ++step) {
         descent.advance(reach.array() > step);
     }

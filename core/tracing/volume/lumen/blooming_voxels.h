@@ -20,7 +20,7 @@ struct BloomingBits {
 /// `reach` steps along each axis. Blurring, motion and streaks around bone and dense contrast agent pass through every
 /// intensity, including that of the lumen, whereas an adjacent vessel is brighter than the gap before it. Descents end
 /// below `minFill`. Incomplete when stopped.
-void markBlooming(VoxelMask& flags, const BloomingBits& bits, const VoxelFill& fill, double minFill,
+void markBlooming(VoxelMask& flags, const BloomingBits& bits, const VoxelOpacification& opacification, double minFill,
                   const Eigen::Vector3i& reach, TracingProgress& progress);
 
 }   // namespace angiopose::core

@@ -17,7 +17,7 @@ constexpr std::array<double, 3> scalesInVoxels{0.9, 1.7, 3.0};
 constexpr double reachInSigmas = 3.0;
 constexpr float minCurvature = 0.075F;   ///< minimum curvature × σ² / lumen contrast; a vessel of radius σ has 0.3
 constexpr float minRoundness = 0.33F;   ///< minimum ratio of the transverse curvatures; a sheet has 0
-constexpr float maxAlong = 0.75F;   ///< maximum axial / weaker transverse curvature; a sphere has 1
+constexpr float maxAxialRatio = 0.75F;   ///< maximum axial / weaker transverse curvature; a sphere has 1
 
 /// Opacification in a block of the scan with a margin.
 struct TubeBlock {
@@ -119,13 +119,13 @@ bool isTube(const Eigen::Matrix3f& hessian)
     solver.computeDirect(hessian, Eigen::EigenvaluesOnly);
     const Eigen::Vector3f& values = solver.eigenvalues();   // ascending: stronger transverse, weaker transverse, axial
     return values[1] < -minCurvature && values[1] < minRoundness * values[0] &&
-           std::abs(values[2]) < -maxAlong * values[1];
+           std::abs(values[2]) < -maxAxialRatio * values[1];
 }
 
 /// Marks tubes in one scan, block by block.
 class TubeMarker {
 public:
-    TubeMarker(const Volume& volume, const AxisOrder& order, const BloodLevel& level, double minFill)
+    TubeMarker(const Volume& volume, const AxisOrder& order, const LumenLevels& level, double minFill)
         : volume_(volume),
           order_(order),
           level_(level),
@@ -139,9 +139,9 @@ public:
 
     std::size_t blockCount() const { return static_cast<std::size_t>(blocks_.prod()); }
 
-    void mark(std::size_t number, VoxelMask& flags, const TubeBits& bits) const
+    void mark(std::size_t blockIndex, VoxelMask& flags, const TubeBits& bits) const
     {
-        const auto n = static_cast<int>(number);
+        const auto n = static_cast<int>(blockIndex);
         const Eigen::Vector3i low = blockSize * Eigen::Vector3i(n % blocks_.x(), n / blocks_.x() % blocks_.y(),
                                                                 n / (blocks_.x() * blocks_.y()));
         const Eigen::Vector3i high = (low.array() + blockSize).min(order_.geometry.size.array());
@@ -154,9 +154,9 @@ public:
         double reached = 0.0;
         for (const double scale : scalesInVoxels) {
             const double sigmaMm = scale * voxelMm_;
-            const double further = std::sqrt(sigmaMm * sigmaMm - reached * reached);
+            const double additionalMm = std::sqrt(sigmaMm * sigmaMm - reached * reached);
             for (int axis = 0; axis < 3; ++axis) {
-                smoothAlong(block, scratch, axis, further / order_.geometry.spacingMm[axis]);
+                smoothAlong(block, scratch, axis, additionalMm / order_.geometry.spacingMm[axis]);
             }
             if (reached == 0.0) {
                 markBright(block, candidates, flags, bits);
@@ -233,7 +233,7 @@ private:
 
     const Volume& volume_;
     const AxisOrder& order_;
-    const BloodLevel& level_;
+    const LumenLevels& level_;
     float minFill_;
     double voxelMm_;
     int margin_ = 1;
@@ -242,7 +242,7 @@ private:
 
 }   // namespace
 
-void markTubes(const Volume& volume, const AxisOrder& order, const BloodLevel& level, double minFill, VoxelMask& flags,
+void markTubes(const Volume& volume, const AxisOrder& order, const LumenLevels& level, double minFill, VoxelMask& flags,
                const TubeBits& bits, int threads, TracingProgress& progress)
 {
     const TubeMarker marker(volume, order, level, minFill);

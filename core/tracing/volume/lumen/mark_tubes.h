@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/imaging/volume.h"
-#include "core/tracing/volume/lumen/blood_level.h"
+#include "core/tracing/volume/lumen/lumen_levels.h"
 #include "core/tracing/volume/voxels/axis_order.h"
 #include "core/tracing/volume/voxels/tracing_progress.h"
 
@@ -19,7 +19,7 @@ struct TubeBits {
 /// intensity are strong and similar and the third is weak (Sato 1998, Frangi 1998), at one of three scales up to three
 /// voxels. Evaluates only voxels with an opacification of at least `minFill`, block by block to save memory. Incomplete
 /// when stopped.
-void markTubes(const Volume& volume, const AxisOrder& order, const BloodLevel& level, double minFill, VoxelMask& flags,
+void markTubes(const Volume& volume, const AxisOrder& order, const LumenLevels& level, double minFill, VoxelMask& flags,
                const TubeBits& bits, int threads, TracingProgress& progress);
 
 }   // namespace angiopose::core

@@ -3,12 +3,12 @@
 #include "core/imaging/interpolate_grid.h"
 #include "core/support/parallel_for.h"
 #include "core/tracing/volume/lumen/blooming_voxels.h"
-#include "core/tracing/volume/lumen/bright_pieces.h"
+#include "core/tracing/volume/lumen/bright_components.h"
 #include "core/tracing/volume/lumen/mark_tubes.h"
-#include "core/tracing/volume/lumen/metal_in_blood.h"
+#include "core/tracing/volume/lumen/stent_part.h"
 #include "core/tracing/volume/stents/stent_width.h"
 #include "core/tracing/volume/stents/stented_lumen.h"
-#include "core/tracing/volume/voxels/voxel_pieces.h"
+#include "core/tracing/volume/voxels/voxel_components.h"
 
 #include <algorithm>
 #include <array>
@@ -30,11 +30,11 @@ constexpr double minTubeFill = 0.25;   ///< minimum opacification of a voxel of 
 constexpr double minCoreFill = 0.55;
 constexpr double maxFillOfLumen = 1.6;   ///< brighter voxels are bone, metal or unmixed contrast agent
 constexpr double maxMetal = 6.0;   ///< cap in cross-sections; higher values add no information
-constexpr double maxUneven = 0.18;   ///< maximum standard deviation within a core
+constexpr double maxCoreDeviation = 0.18;   ///< maximum standard deviation within a core
 constexpr double maxBrightMl = 0.1;   ///< volume limit of calcifications; larger bright components are bone or metal
 constexpr double coreReachMm = 1.4;   ///< distance from a core to the wall; at least two voxels
 constexpr double rimMm = 1.5;   ///< rim of bone and metal where blurring mimics lumen; at least one voxel
-constexpr int maxWireWidth = 2;   ///< voxels from the edge of a strut to its brightest line
+constexpr int maxStrutWidth = 2;   ///< voxels from the edge of a strut to its brightest line
 constexpr double bloomingMm = 4.0;   ///< reach of streaks and blurring from bone and dense contrast agent
 constexpr double cortexReachMm = 1.4;   ///< distance from marrow to cortical bone; at least two voxels
 constexpr double maxBoneWall = 0.3;   ///< maximum fraction of a vessel's wall that borders bone
@@ -42,7 +42,7 @@ constexpr double minCoreShare = 0.2;   ///< minimum fraction of cores in a stent
 
 class Segmenter {
 public:
-    Segmenter(const Volume& volume, const AxisOrder& order, const BloodLevel& level, int threads)
+    Segmenter(const Volume& volume, const AxisOrder& order, const LumenLevels& level, int threads)
         : volume_(volume),
           order_(order),
           level_(level),
@@ -59,18 +59,19 @@ public:
     SegmentedLumen run(TracingProgress& progress)
     {
         markTooBright(progress);
-        eachSlice(progress, [&](int k) { markCores(k); });
+        forEachSlice(progress, [&](int k) { markCores(k); });
         openThinStents(progress);
         markTubes(volume_, order_, level_, minTubeFill, flags_, bits, threads_, progress);
-        markBlooming(flags_, {tooBright, core | metal, blooming}, fill(), minTubeFill, bloomingReach_, progress);
+        markBlooming(flags_, {tooBright, core | metal, blooming}, opacification(), minTubeFill, bloomingReach_,
+                     progress);
         SegmentedLumen lumen{VoxelMask(order_.geometry), {}};
-        eachSlice(progress, [&](int k) { choose(lumen.clear, k); });
+        forEachSlice(progress, [&](int k) { selectVoxels(lumen.clear, k); });
         if (progress.advance(0.0)) {
-            dropMarrow(lumen.clear, progress);
+            removeMarrow(lumen.clear, progress);
         }
         if (progress.advance(0.0)) {
-            lumen.besideWires =
-                lumenBesideWires(lumen.clear, wires(), fill(), rim_.maxCoeff() + maxWireWidth, progress);
+            lumen.besideStruts = growLumenBesideStruts(lumen.clear, struts(), opacification(),
+                                                       rim_.maxCoeff() + maxStrutWidth, progress);
         }
         return lumen;
     }
@@ -82,20 +83,20 @@ private:
         return (mm / order_.geometry.spacingMm.array()).round().cast<int>().max(least);
     }
 
-    template <class Work>
-    void eachSlice(TracingProgress& progress, const Work& work)
+    template <class Visit>
+    void forEachSlice(TracingProgress& progress, const Visit& visit)
     {
         parallelFor(
-            static_cast<std::size_t>(size_.z()), threads_, [&](std::size_t k) { work(static_cast<int>(k)); },
+            static_cast<std::size_t>(size_.z()), threads_, [&](std::size_t k) { visit(static_cast<int>(k)); },
             [&](double) { return progress.advance(0.0); });
     }
 
-    template <class Work>
-    void eachVoxel(VoxelMask& mask, int k, const Work& work)
+    template <class Visit>
+    void forEachVoxel(VoxelMask& mask, int k, const Visit& visit)
     {
         for (int j = 0; j < size_.y(); ++j) {
             for (int i = 0; i < size_.x(); ++i) {
-                work(i, j, mask.at(i, j, k));
+                visit(i, j, mask.at(i, j, k));
             }
         }
     }
@@ -105,7 +106,7 @@ private:
         return (volume_.value(order_.stored(i, j, k)) - level_.tissue) / level_.contrast();
     }
 
-    VoxelFill fill() const
+    VoxelOpacification opacification() const
     {
         return [this](int i, int j, int k) { return fillAt(i, j, k); };
     }
@@ -114,15 +115,15 @@ private:
     /// vessel wall.
     void markTooBright(TracingProgress& progress)
     {
-        eachSlice(progress, [&](int k) {
-            eachVoxel(flags_, k,
-                      [&](int i, int j, std::uint8_t& flag) { flag = fillAt(i, j, k) > maxFillOfLumen ? 1 : 0; });
+        forEachSlice(progress, [&](int k) {
+            forEachVoxel(flags_, k,
+                         [&](int i, int j, std::uint8_t& flag) { flag = fillAt(i, j, k) > maxFillOfLumen ? 1 : 0; });
         });
         if (progress.isStopped()) {
             return;
         }
-        markBrightPieces(flags_, maxBrightMl, {tooBright, calcification, metal}, [&](const VoxelPiece& piece) {
-            VoxelPiece stent = metalInBlood(piece, order_.geometry, level_, fill());
+        labelBrightComponents(flags_, maxBrightMl, {tooBright, calcification, metal}, [&](const VoxelComponent& piece) {
+            VoxelComponent stent = findStentPart(piece, order_.geometry, level_, opacification());
             if (!stent.empty()) {
                 stents_.push_back(stent);
             }
@@ -134,8 +135,8 @@ private:
     /// In a wide vessel, the struts form the wall.
     void openThinStents(TracingProgress& progress)
     {
-        std::vector<VoxelPiece> wide;
-        for (VoxelPiece& stent : stents_) {
+        std::vector<VoxelComponent> wide;
+        for (VoxelComponent& stent : stents_) {
             if (isWideStent(stent, flags_, core, threads_, progress)) {
                 wide.push_back(std::move(stent));
                 continue;
@@ -147,7 +148,7 @@ private:
         stents_ = std::move(wide);
     }
 
-    StentWires wires() const
+    StentStruts struts() const
     {
         return {stents_, [this](int i, int j, int k) {
                     return isNear(i, j, k, rim_, metal) && !isNear(i, j, k, rim_, tooBright);
@@ -156,8 +157,8 @@ private:
 
     void markCores(int k)
     {
-        eachVoxel(flags_, k, [&](int i, int j, std::uint8_t& flag) {
-            if (flag == 0 && isEven(i, j, k)) {
+        forEachVoxel(flags_, k, [&](int i, int j, std::uint8_t& flag) {
+            if (flag == 0 && isHomogeneous(i, j, k)) {
                 flag = core;
             }
         });
@@ -165,7 +166,7 @@ private:
 
     /// Returns whether the voxel and six samples at some distance on all sides have the intensity of the lumen and vary
     /// little; edge values are repeated beyond the boundary.
-    bool isEven(int i, int j, int k) const
+    bool isHomogeneous(int i, int j, int k) const
     {
         const int x = coreReach_.x();
         const int y = coreReach_.y();
@@ -175,25 +176,25 @@ private:
         double sum = 0.0;
         double squares = 0.0;
         for (const auto& step : steps) {
-            const double fill =
+            const double opacification =
                 fillAt(std::clamp(i + step[0], 0, size_.x() - 1), std::clamp(j + step[1], 0, size_.y() - 1),
                        std::clamp(k + step[2], 0, size_.z() - 1));
-            if (fill < minCoreFill || fill > maxFillOfLumen) {
+            if (opacification < minCoreFill || opacification > maxFillOfLumen) {
                 return false;
             }
-            sum += fill;
-            squares += fill * fill;
+            sum += opacification;
+            squares += opacification * opacification;
         }
         const double mean = sum / steps.size();
-        return squares / steps.size() - mean * mean < maxUneven * maxUneven;
+        return squares / steps.size() - mean * mean < maxCoreDeviation * maxCoreDeviation;
     }
 
-    bool isNear(int i, int j, int k, const Eigen::Vector3i& reach, std::uint8_t what) const
+    bool isNear(int i, int j, int k, const Eigen::Vector3i& reach, std::uint8_t flagMask) const
     {
         for (int z = std::max(0, k - reach.z()); z <= std::min(size_.z() - 1, k + reach.z()); ++z) {
             for (int y = std::max(0, j - reach.y()); y <= std::min(size_.y() - 1, j + reach.y()); ++y) {
                 for (int x = std::max(0, i - reach.x()); x <= std::min(size_.x() - 1, i + reach.x()); ++x) {
-                    if ((flags_.at(x, y, z) & what) != 0) {
+                    if ((flags_.at(x, y, z) & flagMask) != 0) {
                         return true;
                     }
                 }
@@ -204,7 +205,7 @@ private:
 
     /// Selects cores, bright voxels around them, and tubes with adjacent bright voxels; excludes the rim of bone and
     /// metal, where blurring mimics lumen.
-    void choose(VoxelMask& lumen, int k) const
+    void selectVoxels(VoxelMask& lumen, int k) const
     {
         for (int j = 0; j < size_.y(); ++j) {
             for (int i = 0; i < size_.x(); ++i) {
@@ -221,9 +222,9 @@ private:
         }
     }
 
-    void dropMarrow(VoxelMask& lumen, TracingProgress& progress) const
+    void removeMarrow(VoxelMask& lumen, TracingProgress& progress) const
     {
-        for (const VoxelPiece& piece : piecesOf(lumen)) {
+        for (const VoxelComponent& piece : connectedComponents(lumen)) {
             if (!progress.advance(0.0)) {
                 return;
             }
@@ -237,7 +238,7 @@ private:
 
     /// Returns whether a component is marrow, which can be as bright as the lumen but is inhomogeneous and surrounded
     /// by cortical bone.
-    bool isMarrow(const VoxelPiece& piece, const VoxelMask& lumen) const
+    bool isMarrow(const VoxelComponent& piece, const VoxelMask& lumen) const
     {
         std::size_t cores = 0;
         std::size_t wall = 0;
@@ -270,32 +271,36 @@ private:
 
     const Volume& volume_;
     const AxisOrder& order_;
-    const BloodLevel& level_;
+    const LumenLevels& level_;
     Eigen::Vector3i size_;
     int threads_;
     Eigen::Vector3i coreReach_;   ///< in voxels along each axis, like the reaches below
     Eigen::Vector3i rim_;
     Eigen::Vector3i bloomingReach_;
     Eigen::Vector3i cortexReach_;
-    std::vector<VoxelPiece> stents_;   ///< all stents; later only those of wide vessels
+    std::vector<VoxelComponent> stents_;   ///< all stents; later only those of wide vessels
     VoxelMask flags_;
 };
 
 }   // namespace
 
-SegmentedLumen segmentLumen(const Volume& volume, const AxisOrder& order, const BloodLevel& level, int threads,
+SegmentedLumen segmentLumen(const Volume& volume, const AxisOrder& order, const LumenLevels& level, int threads,
                             TracingProgress& progress)
 {
     return Segmenter(volume, order, level, threads).run(progress);
 }
 
-BloodFill fillOf(const Volume& volume, const AxisOrder& order, const BloodLevel& level, const VoxelMask& lumen)
+PointOpacification opacificationIn(const Volume& volume, const AxisOrder& order, const LumenLevels& level,
+                                   const VoxelMask& lumen)
 {
     return [&volume, order, level, &lumen](const Eigen::Vector3d& pointMm) {
-        return interpolated(order.geometry, pointMm, [&](const Eigen::Vector3i& at) {
-            const double fill = (volume.value(order.stored(at.x(), at.y(), at.z())) - level.tissue) / level.contrast();
+        return interpolateTrilinear(order.geometry, pointMm, [&](const Eigen::Vector3i& at) {
+            const double opacification =
+                (volume.value(order.stored(at.x(), at.y(), at.z())) - level.tissue) / level.contrast();
             const std::uint8_t kind = lumen.at(at.x(), at.y(), at.z());
-            return kind == 2 ? 1.0 : fill >= 0.5 && kind == 0 ? 0.0 : std::clamp(fill, -1.0, maxMetal);
+            return kind == 2                           ? 1.0
+                   : opacification >= 0.5 && kind == 0 ? 0.0
+                                                       : std::clamp(opacification, -1.0, maxMetal);
         });
     };
 }

@@ -1,11 +1,11 @@
 #pragma once
 
 #include "core/imaging/volume.h"
-#include "core/tracing/volume/lumen/blood_level.h"
+#include "core/tracing/volume/lumen/lumen_levels.h"
 #include "core/tracing/volume/voxels/axis_order.h"
 #include "core/tracing/volume/voxels/cross_section.h"
 #include "core/tracing/volume/voxels/tracing_progress.h"
-#include "core/tracing/volume/voxels/voxel_pieces.h"
+#include "core/tracing/volume/voxels/voxel_components.h"
 
 namespace angiopose::core {
 
@@ -14,17 +14,18 @@ struct SegmentedLumen {
     /// 2: contrast-enhanced core of a wide vessel; 1: rim of such a core, or thin line-like vessel (may be below the
     /// threshold).
     VoxelMask clear;
-    VoxelPiece besideWires;   ///< see `lumenBesideWires`
+    VoxelComponent besideStruts;   ///< see `lumenBesideWires`
 };
 
 /// Segments the lumen. Excludes most bone, whose cortex forms sheets and whose interior is inhomogeneous. Incomplete
 /// when stopped.
-SegmentedLumen segmentLumen(const Volume& volume, const AxisOrder& order, const BloodLevel& level, int threads,
+SegmentedLumen segmentLumen(const Volume& volume, const AxisOrder& order, const LumenLevels& level, int threads,
                             TracingProgress& progress);
 
 /// Returns the linearly interpolated opacification at each point of the scan; bright voxels outside `lumen` (bone next
 /// to a vessel) count as tissue, voxels of value 2 (filled holes) as lumen. `lumen` and `order` must have the same
 /// geometry; all arguments must outlive the result.
-BloodFill fillOf(const Volume& volume, const AxisOrder& order, const BloodLevel& level, const VoxelMask& lumen);
+PointOpacification opacificationIn(const Volume& volume, const AxisOrder& order, const LumenLevels& level,
+                                   const VoxelMask& lumen);
 
 }   // namespace angiopose::core

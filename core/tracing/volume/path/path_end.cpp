@@ -1,7 +1,7 @@
 #include "core/tracing/volume/path/path_end.h"
 
 #include "core/messages/messages.h"
-#include "core/tracing/volume/voxels/chosen_pieces.h"
+#include "core/tracing/volume/voxels/component_selection.h"
 
 #include <algorithm>
 
@@ -12,18 +12,18 @@ constexpr double snapReachMm = 2.0;
 
 }   // namespace
 
-Result<PathEnd> pathEnd(const PathGround& ground, const Eigen::Vector3d& placeInPatient)
+Result<PathEnd> findPathEnd(const TubeDetector& ground, const Eigen::Vector3d& positionInPatient)
 {
     const VolumeGeometry& grid = ground.volume().geometry;
-    const Eigen::Vector3i clicked = (grid.patientFromVoxel().inverse() * placeInPatient).array().round().cast<int>();
-    if (!placeInPatient.allFinite() || !grid.contains(clicked)) {
-        return Error(messages::pathEndOutsideScan(placeInMessage(placeInPatient)));
+    const Eigen::Vector3i clicked = (grid.patientFromVoxel().inverse() * positionInPatient).array().round().cast<int>();
+    if (!positionInPatient.allFinite() || !grid.contains(clicked)) {
+        return Error(messages::pathEndOutsideScan(formatPoint(positionInPatient)));
     }
     PathEnd end;
-    end.voxel = ground.likeliestNear(clicked, std::max(snapReachMm, grid.spacingMm.minCoeff()));
-    end.look = ground.lookAt(end.voxel);
+    end.voxel = ground.bestVoxelNear(clicked, std::max(snapReachMm, grid.spacingMm.minCoeff()));
+    end.look = ground.appearanceAt(end.voxel);
     if (end.look.blood <= end.look.tissue) {
-        return Error(messages::pathEndInNothing(placeInMessage(placeInPatient)));
+        return Error(messages::pathEndOutsideVessel(formatPoint(positionInPatient)));
     }
     return end;
 }

@@ -12,12 +12,12 @@ namespace angiopose::core {
 
 /// State of a voxel in a bidirectional search.
 struct SearchCell {
-    static constexpr std::uint8_t notReached = 255;
+    static constexpr std::uint8_t noArrival = 255;
     static constexpr float unknown = -1.0F;
 
     float perMm = unknown;
     std::array<float, 2> distance{std::numeric_limits<float>::infinity(), std::numeric_limits<float>::infinity()};
-    std::array<std::uint8_t, 2> arrival{notReached, notReached};   ///< step that reached the voxel, per side
+    std::array<std::uint8_t, 2> arrivalStep{noArrival, noArrival};   ///< step that reached the voxel, per side
 };
 
 /// Cells of a box of voxels, allocated in tiles on demand because a search visits only a small part of its box.

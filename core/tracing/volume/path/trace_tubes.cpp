@@ -3,9 +3,9 @@
 #include "core/imaging/mark_ball.h"
 #include "core/messages/messages.h"
 #include "core/support/quantile.h"
-#include "core/tracing/tree/tree_of_paths.h"
-#include "core/tracing/volume/chosen/chosen_lumen.h"
-#include "core/tracing/volume/path/look_along_path.h"
+#include "core/tracing/tree/tree_from_paths.h"
+#include "core/tracing/volume/chosen/selected_lumen.h"
+#include "core/tracing/volume/path/appearance_along_path.h"
 #include "core/tracing/volume/path/path_end.h"
 #include "core/tracing/volume/path/tube_growth.h"
 
@@ -43,7 +43,7 @@ bool widens(const VesselBranch& branch, const VesselBranch& parent)
 }
 
 /// Removes branches wider than their parent, and their descendants; `paths` and branches have the same order.
-VesselTree withoutWidening(const VesselTree& tree, const std::vector<BranchPath>& paths)
+VesselTree removeWideningBranches(const VesselTree& tree, const std::vector<BranchPath>& paths)
 {
     VesselTree kept;
     std::vector<bool> isKept(paths.size(), true);
@@ -60,14 +60,14 @@ VesselTree withoutWidening(const VesselTree& tree, const std::vector<BranchPath>
     return kept;
 }
 
-Result<std::vector<Eigen::Vector3i>> seedVoxels(const PathGround& ground, const VesselTracingOptions& options)
+Result<std::vector<Eigen::Vector3i>> seedVoxels(const TubeDetector& ground, const VesselTracingOptions& options)
 {
     if (options.seedsInPatient.empty()) {
         return Error(messages::tubesNeedSeed());
     }
     std::vector<Eigen::Vector3i> voxels;
     for (const Eigen::Vector3d& seed : options.seedsInPatient) {
-        const auto end = pathEnd(ground, seed);
+        const auto end = findPathEnd(ground, seed);
         if (!end) {
             return end.error();
         }
@@ -83,12 +83,12 @@ Result<TracedVessels> traceTubes(const Volume& volume, const VesselTracingOption
 {
     TracingProgress progress(observe);
     progress.enter("vessels", 0.0, 0.8);
-    const PathGround ground(volume, widestTubeMm);
+    const TubeDetector ground(volume, maxTubeRadiusMm);
     const auto seeds = seedVoxels(ground, options);
     if (!seeds) {
         return seeds.error();
     }
-    const GrownTubes grown =
+    const TubePaths grown =
         growTubes(ground, seeds.value(), {.minBranchLengthMm = options.minBranchLengthMm}, progress);
     if (progress.isStopped()) {
         return stoppedTracing();
@@ -97,20 +97,20 @@ Result<TracedVessels> traceTubes(const Volume& volume, const VesselTracingOption
         return Error(messages::noTubeAtSeed());
     }
     const VolumeGeometry& grid = volume.geometry;
-    const FillOfPath fillOf = [&ground](const BranchPath& path) {
-        return LookAlongPath(ground, path.pointsMm).quickFill();
+    const PathOpacification opacificationAlong = [&ground](const BranchPath& path) {
+        return AppearanceAlongPath(ground, path.pointsMm).cachedOpacification();
     };
     progress.enter("branches", 0.8, 1.0);
     TracedVessels traced;
-    const VesselTree whole = treeOfPaths(grown.paths, fillOf, grid, options.pointSpacingMm, progress);
+    const VesselTree unpruned = treeFromPaths(grown.paths, opacificationAlong, grid, options.pointSpacingMm, progress);
     if (progress.isStopped()) {
         return stoppedTracing();
     }
-    traced.tree = withoutWidening(whole, grown.paths);
+    traced.tree = removeWideningBranches(unpruned, grown.paths);
     traced.lumen = lumenOf(traced.tree, grid);
     traced.threshold = 0.5 * (grown.look.blood + grown.look.tissue);
-    if (grown.isCutShort) {
-        traced.warnings.push_back(messages::tubesCutShort());
+    if (grown.isTruncated) {
+        traced.warnings.push_back(messages::tubesTruncated());
     }
     return traced;
 }

@@ -17,25 +17,25 @@ namespace {
 // a tube; a higher cost adds to the path's debt.
 constexpr double tubeCost = 3.3;
 constexpr double maxDebt = 9.0;   // about 3 mm through a chamber or a quarter of a millimeter through tissue
-constexpr double paidBack = 0.5;   // fraction of the cost saved in tube voxels that reduces the debt
-constexpr double memoryMm = 12.0;   // length over which the expected appearance adapts to the path
+constexpr double debtReduction = 0.5;   // fraction of the cost saved in tube voxels that reduces the debt
+constexpr double adaptationMm = 12.0;   // length over which the expected appearance adapts to the path
 constexpr double fadingMm = 100.0;   // length over which the contrast of an artery fades
-constexpr double minOfFull = 0.6;   // minimum relative contrast; a later-opacified vein has less
+constexpr double minArteryContrast = 0.6;   // minimum relative contrast; a later-opacified vein has less
 constexpr double radiusInShell = 0.35;   // lower limit of the radius, relative to the shell
 constexpr double blurInVoxels = 1.0;
-constexpr std::size_t maxGrown = 2'000'000;
-constexpr std::size_t grownPerReport = 4096;
-constexpr double radiusOfShell = 0.75;   // assumed radius relative to the darker shell, which lies outside the wall
+constexpr std::size_t maxGrownVoxels = 2'000'000;
+constexpr std::size_t voxelsPerReport = 4096;
+constexpr double radiusPerShell = 0.75;   // assumed radius relative to the darker shell, which lies outside the wall
 constexpr int noBranch = -1;
 
 /// State of a path at a voxel.
 struct ReachedVoxel {
     double cost = std::numeric_limits<double>::infinity();
-    double wayMm = 0.0;   ///< distance from the seed
+    double pathLengthMm = 0.0;   ///< distance from the seed
     double debt = 0.0;
-    VesselLook look;
-    double fullBlood = 0.0;   ///< lumen level of the vessel without dimming by blurring
-    std::size_t before = 0;   ///< previous voxel; for a seed the voxel itself
+    VesselAppearance look;
+    double undimmedBlood = 0.0;   ///< lumen level of the vessel without dimming by blurring
+    std::size_t previous = 0;   ///< previous voxel; for a seed the voxel itself
     bool isTube = false;
     bool isSettled = false;
     int branch = noBranch;   ///< branch whose lumen contains the voxel
@@ -43,15 +43,15 @@ struct ReachedVoxel {
     bool isTooShort = false;   ///< a path through this voxel was too short for a branch
 };
 
-struct WaitingWay {
+struct QueuedTubeVoxel {
     double cost;
     std::size_t voxel;
-    bool operator>(const WaitingWay& other) const { return cost > other.cost; }
+    bool operator>(const QueuedTubeVoxel& other) const { return cost > other.cost; }
 };
 
 class TubeGrowth {
 public:
-    TubeGrowth(const PathGround& ground, const TubeLimits& limits)
+    TubeGrowth(const TubeDetector& ground, const TubeLimits& limits)
         : ground_(ground), grid_(ground.volume().geometry), limits_(limits)
     {
     }
@@ -60,28 +60,28 @@ public:
     {
         for (const Eigen::Vector3i& seed : seeds) {
             const std::size_t voxel = indexOf(seed);
-            const VesselLook look = ground_.lookAt(seed);
+            const VesselAppearance look = ground_.appearanceAt(seed);
             reached_[voxel] = {0.0, 0.0, 0.0, look, look.blood, voxel, true};
             waiting_.push({0.0, voxel});
         }
-        for (settled_ = 0; !waiting_.empty() && settled_ < maxGrown;) {
-            const WaitingWay next = waiting_.top();
+        for (settled_ = 0; !waiting_.empty() && settled_ < maxGrownVoxels;) {
+            const QueuedTubeVoxel next = waiting_.top();
             waiting_.pop();
             ReachedVoxel& here = reached_.at(next.voxel);
             if (here.isSettled || next.cost > here.cost) {
                 continue;
             }
             here.isSettled = true;
-            spread(next.voxel, here);
-            if (++settled_ % grownPerReport == 0 &&
-                !progress.advance(static_cast<double>(settled_) / static_cast<double>(maxGrown))) {
+            expand(next.voxel, here);
+            if (++settled_ % voxelsPerReport == 0 &&
+                !progress.advance(static_cast<double>(settled_) / static_cast<double>(maxGrownVoxels))) {
                 return false;
             }
         }
         return true;
     }
 
-    bool isCutShort() const { return settled_ >= maxGrown; }
+    bool isTruncated() const { return settled_ >= maxGrownVoxels; }
 
     /// Builds branches from the ends of tubes, longest path first.
     std::vector<BranchPath> branches()
@@ -93,9 +93,9 @@ public:
             }
         }
         std::ranges::sort(ends, [&](std::size_t a, std::size_t b) {
-            const double wayA = reached_.at(a).wayMm;
-            const double wayB = reached_.at(b).wayMm;
-            return wayA != wayB ? wayA > wayB : a < b;
+            const double lengthA = reached_.at(a).pathLengthMm;
+            const double lengthB = reached_.at(b).pathLengthMm;
+            return lengthA != lengthB ? lengthA > lengthB : a < b;
         });
         std::vector<BranchPath> paths;
         for (const std::size_t end : ends) {
@@ -104,7 +104,7 @@ public:
         return paths;
     }
 
-    VesselLook look() const
+    VesselAppearance look() const
     {
         std::vector<double> bloods;
         std::vector<double> tissues;
@@ -114,7 +114,7 @@ public:
                 tissues.push_back(here.look.tissue);
             }
         }
-        return bloods.empty() ? VesselLook() : VesselLook{medianOf(bloods), medianOf(tissues)};
+        return bloods.empty() ? VesselAppearance() : VesselAppearance{medianOf(bloods), medianOf(tissues)};
     }
 
 private:
@@ -124,7 +124,7 @@ private:
         return grid_.voxelAt(voxel).cast<double>().cwiseProduct(grid_.spacingMm);
     }
 
-    void spread(std::size_t from, const ReachedVoxel& here)
+    void expand(std::size_t from, const ReachedVoxel& here)
     {
         const Eigen::Vector3i voxel = grid_.voxelAt(from);
         for (int n = 0; n < 27; ++n) {
@@ -139,16 +139,16 @@ private:
     double costAt(const Eigen::Vector3i& voxel, const ReachedVoxel& here) const
     {
         const double value = ground_.valueAt(voxel);
-        const TubeLook tube = ground_.tube(voxel, here.look.tissue);
-        const double height = (value - here.look.tissue) / std::max(1.0, here.fullBlood - here.look.tissue);
-        if (height < minOfFull * fullnessOf(tube.shellMm)) {
-            return costOfTube(value, 0.0, {here.fullBlood, here.look.tissue});
+        const TubeResemblance tube = ground_.tube(voxel, here.look.tissue);
+        const double height = (value - here.look.tissue) / std::max(1.0, here.undimmedBlood - here.look.tissue);
+        if (height < minArteryContrast * relativeContrast(tube.shellMm)) {
+            return costOfTube(value, 0.0, {here.undimmedBlood, here.look.tissue});
         }
-        return costOfTube(value, tube.share, here.look);
+        return costOfTube(value, tube.fraction, here.look);
     }
 
     /// Returns the fraction of the contrast that blurring leaves at the center of a tube with walls within `shellMm`.
-    double fullnessOf(double shellMm) const
+    double relativeContrast(double shellMm) const
     {
         const double radiusInBlur = radiusInShell * shellMm / (blurInVoxels * std::cbrt(grid_.spacingMm.prod()));
         return 1.0 - std::exp(-0.5 * radiusInBlur * radiusInBlur);
@@ -156,24 +156,24 @@ private:
 
     void reach(const Eigen::Vector3i& voxel, std::size_t from, const ReachedVoxel& here, double stepMm)
     {
-        ReachedVoxel& there = reached_[indexOf(voxel)];
-        if (there.isSettled || there.cost <= here.cost) {
+        ReachedVoxel& neighbor = reached_[indexOf(voxel)];
+        if (neighbor.isSettled || neighbor.cost <= here.cost) {
             return;
         }
         const double perMm = costAt(voxel, here);
         const double debt =
-            std::max(0.0, here.debt + (perMm - tubeCost) * stepMm * (perMm < tubeCost ? paidBack : 1.0));
+            std::max(0.0, here.debt + (perMm - tubeCost) * stepMm * (perMm < tubeCost ? debtReduction : 1.0));
         const double cost = here.cost + perMm * stepMm;
-        if (debt > maxDebt || cost >= there.cost) {
+        if (debt > maxDebt || cost >= neighbor.cost) {
             return;
         }
         const bool isTube = perMm <= tubeCost;
-        const double share = isTube ? 1.0 - std::exp(-stepMm / memoryMm) : 0.0;
+        const double fraction = isTube ? 1.0 - std::exp(-stepMm / adaptationMm) : 0.0;
         const double value = std::max(ground_.volume().value(indexOf(voxel)), here.look.tissue + 1.0);
-        there = {cost, here.wayMm + stepMm, debt, here.look, here.fullBlood, from, isTube};
-        there.look.blood += share * (value - here.look.blood);
-        const double fading = value > here.fullBlood ? share : isTube ? 1.0 - std::exp(-stepMm / fadingMm) : 0.0;
-        there.fullBlood += fading * (value - here.fullBlood);
+        neighbor = {cost, here.pathLengthMm + stepMm, debt, here.look, here.undimmedBlood, from, isTube};
+        neighbor.look.blood += fraction * (value - here.look.blood);
+        const double fading = value > here.undimmedBlood ? fraction : isTube ? 1.0 - std::exp(-stepMm / fadingMm) : 0.0;
+        neighbor.undimmedBlood += fading * (value - here.undimmedBlood);
         waiting_.push({cost, indexOf(voxel)});
     }
 
@@ -181,14 +181,14 @@ private:
     void addBranch(std::size_t end, std::vector<BranchPath>& paths)
     {
         std::vector<std::size_t> way{end};
-        while (reached_.at(way.back()).branch == noBranch && reached_.at(way.back()).before != way.back()) {
+        while (reached_.at(way.back()).branch == noBranch && reached_.at(way.back()).previous != way.back()) {
             if (reached_.at(way.back()).isTooShort) {
                 return;   // a longer path through this voxel was already too short
             }
-            way.push_back(reached_.at(way.back()).before);
+            way.push_back(reached_.at(way.back()).previous);
         }
         const ReachedVoxel& start = reached_.at(way.back());
-        if (reached_.at(end).wayMm - start.wayMm < limits_.minBranchLengthMm + limits_.assumedRadiusMm) {
+        if (reached_.at(end).pathLengthMm - start.pathLengthMm < limits_.minBranchLengthMm + limits_.assumedRadiusMm) {
             for (const std::size_t voxel : way) {
                 ReachedVoxel& on = reached_.at(voxel);
                 on.isTooShort = on.branch == noBranch;
@@ -204,16 +204,16 @@ private:
         std::ranges::reverse(way);
         for (const std::size_t voxel : way) {
             path.pointsMm.push_back(placeMm(voxel));
-            path.radiusMm.push_back(radiusOfShell * tubeRadiusMm(voxel));
+            path.radiusMm.push_back(radiusPerShell * tubeRadiusMm(voxel));
         }
         for (std::size_t n = 0; n < way.size(); ++n) {
-            claimAround(way[n], tubeRadiusMm(way[n]), static_cast<int>(paths.size()));
+            assignToBranch(way[n], tubeRadiusMm(way[n]), static_cast<int>(paths.size()));
         }
         paths.push_back(std::move(path));
     }
 
     /// Assigns the voxels within the tube around a voxel of a branch to that branch.
-    void claimAround(std::size_t voxel, double radiusMm, int branch)
+    void assignToBranch(std::size_t voxel, double radiusMm, int branch)
     {
         const Eigen::Vector3i middle = grid_.voxelAt(voxel);
         const Eigen::Vector3i reach = (radiusMm * grid_.spacingMm.cwiseInverse()).array().ceil().cast<int>();
@@ -238,30 +238,30 @@ private:
     double tubeRadiusMm(std::size_t voxel) const
     {
         const double shellMm = ground_.tube(grid_.voxelAt(voxel), reached_.at(voxel).look.tissue).shellMm;
-        return std::clamp(shellMm, grid_.spacingMm.maxCoeff(), widestTubeMm);
+        return std::clamp(shellMm, grid_.spacingMm.maxCoeff(), maxTubeRadiusMm);
     }
 
-    const PathGround& ground_;
+    const TubeDetector& ground_;
     const VolumeGeometry& grid_;
     TubeLimits limits_;
     std::unordered_map<std::size_t, ReachedVoxel> reached_;
-    std::priority_queue<WaitingWay, std::vector<WaitingWay>, std::greater<>> waiting_;
+    std::priority_queue<QueuedTubeVoxel, std::vector<QueuedTubeVoxel>, std::greater<>> waiting_;
     std::size_t settled_ = 0;
 };
 
 }   // namespace
 
-GrownTubes growTubes(const PathGround& ground, const std::vector<Eigen::Vector3i>& seeds, const TubeLimits& limits,
-                     TracingProgress& progress)
+TubePaths growTubes(const TubeDetector& ground, const std::vector<Eigen::Vector3i>& seeds, const TubeLimits& limits,
+                    TracingProgress& progress)
 {
     TubeGrowth growth(ground, limits);
     if (!growth.grow(seeds, progress)) {
         return {};
     }
-    GrownTubes grown;
+    TubePaths grown;
     grown.paths = growth.branches();
     grown.look = growth.look();
-    grown.isCutShort = growth.isCutShort();
+    grown.isTruncated = growth.isTruncated();
     return grown;
 }
 

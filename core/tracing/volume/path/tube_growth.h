@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/tracing/tree/branch_paths.h"
-#include "core/tracing/volume/path/path_ground.h"
+#include "core/tracing/volume/path/tube_detector.h"
 #include "core/tracing/volume/voxels/tracing_progress.h"
 
 #include <vector>
@@ -9,13 +9,13 @@
 namespace angiopose::core {
 
 /// Maximum radius of a thin vessel.
-inline constexpr double widestTubeMm = 5.0;
+inline constexpr double maxTubeRadiusMm = 5.0;
 
 /// Tubes grown from seeds.
-struct GrownTubes {
+struct TubePaths {
     std::vector<BranchPath> paths;   ///< parents before children; mm along the grid's axes, radii assumed
-    VesselLook look;   ///< median appearance of all tubes
-    bool isCutShort = false;   ///< the search limit was reached
+    VesselAppearance look;   ///< median appearance of all tubes
+    bool isTruncated = false;   ///< the search limit was reached
 };
 
 struct TubeLimits {
@@ -25,7 +25,7 @@ struct TubeLimits {
 
 /// Grows tubes from seed voxels along tube centers (ALGORITHMS §9.13): a path may cross a few mm of other material,
 /// which incurs a debt that tube voxels pay back. Every branch is the cheapest path to its end. Empty when stopped.
-GrownTubes growTubes(const PathGround& ground, const std::vector<Eigen::Vector3i>& seeds, const TubeLimits& limits,
-                     TracingProgress& progress);
+TubePaths growTubes(const TubeDetector& ground, const std::vector<Eigen::Vector3i>& seeds, const TubeLimits& limits,
+                    TracingProgress& progress);
 
 }   // namespace angiopose::core

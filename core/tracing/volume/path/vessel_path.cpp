@@ -3,10 +3,10 @@
 #include "core/imaging/mark_ball.h"
 #include "core/imaging/reduce_volume.h"
 #include "core/messages/messages.h"
-#include "core/tracing/tree/tree_of_paths.h"
-#include "core/tracing/volume/chosen/chosen_lumen.h"
-#include "core/tracing/volume/path/cheapest_path.h"
-#include "core/tracing/volume/path/look_along_path.h"
+#include "core/tracing/tree/tree_from_paths.h"
+#include "core/tracing/volume/chosen/selected_lumen.h"
+#include "core/tracing/volume/path/appearance_along_path.h"
+#include "core/tracing/volume/path/minimal_path.h"
 #include "core/tracing/volume/path/path_end.h"
 #include "core/tracing/volume/path/voxel_cost.h"
 #include "core/tracing/volume/voxels/tracing_progress.h"
@@ -19,46 +19,47 @@
 namespace angiopose::core {
 namespace {
 
-std::vector<Eigen::Vector3i> wayBetween(const PathGround& ground, const PathEnd& from, const PathEnd& to,
-                                        TracingProgress& progress);
+std::vector<Eigen::Vector3i> findPathBetween(const TubeDetector& ground, const PathEnd& from, const PathEnd& to,
+                                             TracingProgress& progress);
 
-constexpr std::size_t soonSettled = 30'000;   // voxels settled before switching to blocks; thin vessels need fewer
+constexpr std::size_t maxSettledFirst = 30'000;   // voxels settled before switching to blocks; thin vessels need fewer
 constexpr std::size_t maxSettled = 3'000'000;
 constexpr double coarsestMm = 3.2;   // maximum side of the blocks
-constexpr double nearInBlocks = 2.5;   // search radius around the coarse path
+constexpr double nearReachInBlocks = 2.5;   // search radius around the coarse path
 constexpr double minNearMm = 4.0;
 
 /// Expected appearance of the vessels between both ends, linearly interpolated.
-class LookOnTheWay {
+class InterpolatedAppearance {
 public:
-    LookOnTheWay(const Eigen::Vector3d& fromMm, const VesselLook& from, const Eigen::Vector3d& toMm,
-                 const VesselLook& to)
-        : fromMm_(fromMm), way_(toMm - fromMm), from_(from), to_(to)
+    InterpolatedAppearance(const Eigen::Vector3d& fromMm, const VesselAppearance& from, const Eigen::Vector3d& toMm,
+                           const VesselAppearance& to)
+        : fromMm_(fromMm), span_(toMm - fromMm), from_(from), to_(to)
     {
     }
 
-    VesselLook at(const Eigen::Vector3d& pointMm) const
+    VesselAppearance at(const Eigen::Vector3d& pointMm) const
     {
-        const double share = std::clamp((pointMm - fromMm_).dot(way_) / std::max(way_.squaredNorm(), 1e-12), 0.0, 1.0);
+        const double share =
+            std::clamp((pointMm - fromMm_).dot(span_) / std::max(span_.squaredNorm(), 1e-12), 0.0, 1.0);
         return {from_.blood + share * (to_.blood - from_.blood), from_.tissue + share * (to_.tissue - from_.tissue)};
     }
 
 private:
     Eigen::Vector3d fromMm_;
-    Eigen::Vector3d way_;
-    VesselLook from_;
-    VesselLook to_;
+    Eigen::Vector3d span_;
+    VesselAppearance from_;
+    VesselAppearance to_;
 };
 
-VoxelCost costBetween(const PathGround& ground, const PathEnd& from, const PathEnd& to)
+VoxelCost costBetween(const TubeDetector& ground, const PathEnd& from, const PathEnd& to)
 {
     const Eigen::Vector3d spacing = ground.volume().geometry.spacingMm;
-    const LookOnTheWay look(from.voxel.cast<double>().cwiseProduct(spacing), from.look,
-                            to.voxel.cast<double>().cwiseProduct(spacing), to.look);
+    const InterpolatedAppearance look(from.voxel.cast<double>().cwiseProduct(spacing), from.look,
+                                      to.voxel.cast<double>().cwiseProduct(spacing), to.look);
     return {[&ground, look, spacing](const Eigen::Vector3i& voxel) {
                 return costOfVoxel(ground, voxel, look.at(voxel.cast<double>().cwiseProduct(spacing)));
             },
-            cheapestPerMm};
+            minCostPerMm};
 }
 
 /// Returns the block size in voxels: approximately cubic, twice the shortest voxel side.
@@ -68,91 +69,93 @@ Eigen::Vector3i blockOf(const VolumeGeometry& grid)
     return (sideMm / grid.spacingMm.array()).round().max(1.0).cast<int>();
 }
 
-PathEnd endInBlocks(const PathGround& blocks, const Eigen::Vector3i& voxel)
+PathEnd endInBlocks(const TubeDetector& blocks, const Eigen::Vector3i& voxel)
 {
     PathEnd end;
     end.voxel = voxel;
-    end.look = blocks.lookAt(voxel);
+    end.look = blocks.appearanceAt(voxel);
     end.look.blood = std::max(end.look.blood, end.look.tissue + 1.0);
     return end;
 }
 
 /// Marks the blocks near the coarse path.
-VoxelMask nearWay(const std::vector<Eigen::Vector3i>& way, const VolumeGeometry& blocks)
+VoxelMask markNearPath(const std::vector<Eigen::Vector3i>& way, const VolumeGeometry& blocks)
 {
     VoxelMask near(blocks);
-    const double reachMm = std::max(minNearMm, nearInBlocks * blocks.spacingMm.maxCoeff());
+    const double reachMm = std::max(minNearMm, nearReachInBlocks * blocks.spacingMm.maxCoeff());
     for (const Eigen::Vector3i& block : way) {
         markBall(blocks.patientFromVoxel() * block.cast<double>(), reachMm, near);
     }
     return near;
 }
 
-std::vector<Eigen::Vector3i> wayByBlocks(const PathGround& ground, const PathEnd& from, const PathEnd& to,
-                                         const VoxelCost& cost, TracingProgress& progress)
+std::vector<Eigen::Vector3i> findPathViaBlocks(const TubeDetector& ground, const PathEnd& from, const PathEnd& to,
+                                               const VoxelCost& cost, TracingProgress& progress)
 {
     const VolumeGeometry& grid = ground.volume().geometry;
     const Eigen::Vector3i block = blockOf(grid);
-    const VoxelRange range = searchedRange(grid, from.voxel, to.voxel);
-    const auto means = meansOfBlocks(ground.volume(), range, block, [&] { return progress.advance(0.0); });
+    const VoxelRange range = searchRange(grid, from.voxel, to.voxel);
+    const auto means = averageBlocks(ground.volume(), range, block, [&] { return progress.advance(0.0); });
     if (!means) {
         return {};
     }
-    const PathGround blocks(*means);
+    const TubeDetector blocks(*means);
     const auto blockAt = [&](const Eigen::Vector3i& voxel) {
         return ((voxel - range.low).array() / block.array()).matrix().eval();
     };
-    const std::vector<Eigen::Vector3i> way =
-        wayBetween(blocks, endInBlocks(blocks, blockAt(from.voxel)), endInBlocks(blocks, blockAt(to.voxel)), progress);
+    const std::vector<Eigen::Vector3i> way = findPathBetween(blocks, endInBlocks(blocks, blockAt(from.voxel)),
+                                                             endInBlocks(blocks, blockAt(to.voxel)), progress);
     if (way.empty()) {
         return {};
     }
-    const VoxelMask near = nearWay(way, means->geometry);
+    const VoxelMask near = markNearPath(way, means->geometry);
     const VoxelCost nearby{[&](const Eigen::Vector3i& voxel) {
                                const Eigen::Vector3i at = blockAt(voxel);
                                return near.at(at.x(), at.y(), at.z()) != 0 ? cost.perMm(voxel)
                                                                            : std::numeric_limits<double>::infinity();
                            },
                            cost.minPerMm};
-    return cheapestPath(grid, from.voxel, to.voxel, nearby, maxSettled, progress).voxels;
+    return findMinimalPath(grid, from.voxel, to.voxel, nearby, maxSettled, progress).voxels;
 }
 
 /// Finds the cheapest path between both ends, inclusive, through voxels that look like the ends (ALGORITHMS §9.12). If
 /// a limited search fails, searches a coarse path over blocks of voxels first and then the voxels near that path. Empty
 /// if stopped or if there is no path.
-std::vector<Eigen::Vector3i> wayBetween(const PathGround& ground, const PathEnd& from, const PathEnd& to,
-                                        TracingProgress& progress)
+std::vector<Eigen::Vector3i> findPathBetween(const TubeDetector& ground, const PathEnd& from, const PathEnd& to,
+                                             TracingProgress& progress)
 {
     const VolumeGeometry& grid = ground.volume().geometry;
     const VoxelCost cost = costBetween(ground, from, to);
     const bool isCoarsest = 2.0 * grid.spacingMm.minCoeff() > coarsestMm;
-    CheapestPath path = cheapestPath(grid, from.voxel, to.voxel, cost, isCoarsest ? maxSettled : soonSettled, progress);
-    return path.isCutShort && !isCoarsest ? wayByBlocks(ground, from, to, cost, progress) : std::move(path.voxels);
+    MinimalPath path =
+        findMinimalPath(grid, from.voxel, to.voxel, cost, isCoarsest ? maxSettled : maxSettledFirst, progress);
+    return path.isTruncated && !isCoarsest ? findPathViaBlocks(ground, from, to, cost, progress)
+                                           : std::move(path.voxels);
 }
 
 constexpr double outsideFill = 0.35;   // minimum opacification of a vessel
-constexpr double sayOutsideMm = 2.0;
+constexpr double minReportedMm = 2.0;
 constexpr double assumedRadiusMm = 1.5;   // radius assumed for the first cross-sections
 constexpr double pointSpacingMm = 1.0;
 
-std::vector<Eigen::Vector3d> placesOf(const std::vector<Eigen::Vector3i>& path, const VolumeGeometry& grid)
+std::vector<Eigen::Vector3d> toPointsMm(const std::vector<Eigen::Vector3i>& path, const VolumeGeometry& grid)
 {
-    std::vector<Eigen::Vector3d> placesMm;
+    std::vector<Eigen::Vector3d> pathPointsMm;
     for (const Eigen::Vector3i& voxel : path) {
-        placesMm.emplace_back(voxel.cast<double>().cwiseProduct(grid.spacingMm));
+        pathPointsMm.emplace_back(voxel.cast<double>().cwiseProduct(grid.spacingMm));
     }
-    return placesMm;
+    return pathPointsMm;
 }
 
 /// Converts the path to a smooth, centered curve with radii.
-VesselBranch centeredBranch(const std::vector<Eigen::Vector3d>& placesMm, const VolumeGeometry& grid,
-                            const LookAlongPath& look, TracingProgress& progress)
+VesselBranch centeredBranch(const std::vector<Eigen::Vector3d>& pathPointsMm, const VolumeGeometry& grid,
+                            const AppearanceAlongPath& look, TracingProgress& progress)
 {
     BranchPath way;
-    way.pointsMm = placesMm;
-    way.radiusMm.assign(placesMm.size(), std::max(assumedRadiusMm, grid.spacingMm.minCoeff()));
-    const auto fill = [&look](const BranchPath&) { return look.quickFill(); };
-    VesselTree tree = treeOfPaths({way}, fill, grid, pointSpacingMm, progress);
+    way.pointsMm = pathPointsMm;
+    way.radiusMm.assign(pathPointsMm.size(), std::max(assumedRadiusMm, grid.spacingMm.minCoeff()));
+    const auto opacification = [&look](const BranchPath&) { return look.cachedOpacification(); };
+    VesselTree tree = treeFromPaths({way}, opacification, grid, pointSpacingMm, progress);
     VesselBranch branch = tree.branches.empty() ? VesselBranch() : std::move(tree.branches.front());
     branch.id = 0;
     branch.generation = -1;
@@ -160,24 +163,25 @@ VesselBranch centeredBranch(const std::vector<Eigen::Vector3d>& placesMm, const 
 }
 
 /// Returns the length of the path outside any vessel.
-double lengthOutside(const std::vector<Eigen::Vector3d>& placesMm, const LookAlongPath& look)
+double lengthOutside(const std::vector<Eigen::Vector3d>& pathPointsMm, const AppearanceAlongPath& look)
 {
     double outsideMm = 0.0;
-    for (std::size_t n = 1; n < placesMm.size(); ++n) {
-        outsideMm += look.fill(placesMm[n]) < outsideFill ? (placesMm[n] - placesMm[n - 1]).norm() : 0.0;
+    for (std::size_t n = 1; n < pathPointsMm.size(); ++n) {
+        outsideMm +=
+            look.opacification(pathPointsMm[n]) < outsideFill ? (pathPointsMm[n] - pathPointsMm[n - 1]).norm() : 0.0;
     }
     return outsideMm;
 }
 
 }   // namespace
 
-Result<VesselPath> vesselBetween(const Volume& volume, const Eigen::Vector3d& fromInPatient,
-                                 const Eigen::Vector3d& toInPatient, const TracingObserver& observe)
+Result<VesselPath> traceVesselBetween(const Volume& volume, const Eigen::Vector3d& fromInPatient,
+                                      const Eigen::Vector3d& toInPatient, const TracingObserver& observe)
 {
     TracingProgress progress(observe);
-    const PathGround ground(volume);
-    const auto from = pathEnd(ground, fromInPatient);
-    const auto to = from ? pathEnd(ground, toInPatient) : from;
+    const TubeDetector ground(volume);
+    const auto from = findPathEnd(ground, fromInPatient);
+    const auto to = from ? findPathEnd(ground, toInPatient) : from;
     if (!to) {
         return to.error();
     }
@@ -185,25 +189,25 @@ Result<VesselPath> vesselBetween(const Volume& volume, const Eigen::Vector3d& fr
         return Error(messages::pathEndsTooNear());
     }
     progress.enter("path", 0.0, 1.0);
-    const std::vector<Eigen::Vector3i> path = wayBetween(ground, from.value(), to.value(), progress);
+    const std::vector<Eigen::Vector3i> path = findPathBetween(ground, from.value(), to.value(), progress);
     if (progress.isStopped()) {
         return stoppedTracing();
     }
     if (path.empty()) {
         return Error(messages::pathNotFound());
     }
-    const std::vector<Eigen::Vector3d> placesMm = placesOf(path, volume.geometry);
-    const LookAlongPath along(ground, placesMm);
-    VesselPath found;
-    found.branch = centeredBranch(placesMm, volume.geometry, along, progress);
-    found.outsideMm = lengthOutside(placesMm, along);
+    const std::vector<Eigen::Vector3d> pathPointsMm = toPointsMm(path, volume.geometry);
+    const AppearanceAlongPath along(ground, pathPointsMm);
+    VesselPath traced;
+    traced.branch = centeredBranch(pathPointsMm, volume.geometry, along, progress);
+    traced.outsideMm = lengthOutside(pathPointsMm, along);
     if (progress.isStopped()) {
         return stoppedTracing();
     }
-    if (found.outsideMm >= sayOutsideMm) {
-        found.warnings.push_back(messages::pathOutside(Quantity{found.outsideMm, 0, "mm"}));
+    if (traced.outsideMm >= minReportedMm) {
+        traced.warnings.push_back(messages::pathOutside(Quantity{traced.outsideMm, 0, "mm"}));
     }
-    return found;
+    return traced;
 }
 
 }   // namespace angiopose::core

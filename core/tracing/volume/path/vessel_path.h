@@ -20,7 +20,7 @@ struct VesselPath {
 /// as at the points and dark on both sides (ALGORITHMS §9.12), centered in its cross-sections. Intended for vessels
 /// that automatic tracing missed. Fails if a point lies outside the scan or not in a structure brighter than its
 /// surroundings, or if no path is found; returns as stopped if the observer requests it.
-Result<VesselPath> vesselBetween(const Volume& volume, const Eigen::Vector3d& fromInPatient,
-                                 const Eigen::Vector3d& toInPatient, const TracingObserver& observe = {});
+Result<VesselPath> traceVesselBetween(const Volume& volume, const Eigen::Vector3d& fromInPatient,
+                                      const Eigen::Vector3d& toInPatient, const TracingObserver& observe = {});
 
 }   // namespace angiopose::core

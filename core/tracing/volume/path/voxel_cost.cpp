@@ -6,29 +6,32 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double farAboveBlood = 1.4;   // relative to the lumen contrast; bone, plaque and metal are brighter
-constexpr double dimming = 3.0;   // decay rate of the similarity above `farAboveBlood`
-constexpr double shareWithoutTube = 0.15;   // weight of a voxel with the intensity of a vessel but not in a tube
+constexpr double maxLumenIntensity = 1.4;   // relative to the lumen contrast; bone, plaque and metal are brighter
+constexpr double similarityDecay = 3.0;   // decay rate of the similarity above `maxLumenIntensity`
+constexpr double weightWithoutTube = 0.15;   // weight of a voxel with the intensity of a vessel but not in a tube
 
 /// Returns the similarity to the lumen: 0 in tissue, 1 in the lumen, lower again for far brighter values.
-double likeness(double value, const VesselLook& look)
+double similarityTo(double value, const VesselAppearance& look)
 {
-    const double fill = (value - look.tissue) / (look.blood - look.tissue);
-    return fill <= farAboveBlood ? std::clamp(fill, 0.0, 1.0) : std::exp(-dimming * (fill - farAboveBlood));
+    const double opacification = (value - look.tissue) / (look.blood - look.tissue);
+    return opacification <= maxLumenIntensity ? std::clamp(opacification, 0.0, 1.0)
+                                              : std::exp(-similarityDecay * (opacification - maxLumenIntensity));
 }
 
 }   // namespace
 
-double costOfVoxel(const PathGround& ground, const Eigen::Vector3i& voxel, const VesselLook& look)
+double costOfVoxel(const TubeDetector& ground, const Eigen::Vector3i& voxel, const VesselAppearance& look)
 {
     const double value = ground.valueAt(voxel);
-    return likeness(value, look) > 0.0 ? costOfTube(value, ground.tubeShare(voxel, look.tissue), look) : dearestPerMm;
+    return similarityTo(value, look) > 0.0 ? costOfTube(value, ground.tubeResemblance(voxel, look.tissue), look)
+                                           : maxCostPerMm;
 }
 
-double costOfTube(double value, double share, const VesselLook& look)
+double costOfTube(double value, double fraction, const VesselAppearance& look)
 {
-    const double like = likeness(value, look);
-    return 1.0 / (1.0 / dearestPerMm + like * like * (shareWithoutTube + (1.0 - shareWithoutTube) * share));
+    const double similarity = similarityTo(value, look);
+    return 1.0 /
+           (1.0 / maxCostPerMm + similarity * similarity * (weightWithoutTube + (1.0 - weightWithoutTube) * fraction));
 }
 
 }   // namespace angiopose::core

@@ -3,11 +3,11 @@
 namespace angiopose::core {
 namespace {
 
-VoxelBox boxAroundAll(const std::vector<VoxelPiece>& pieces, const VolumeGeometry& grid, double aroundMm)
+VoxelBox boxAroundAll(const std::vector<VoxelComponent>& pieces, const VolumeGeometry& grid, double aroundMm)
 {
     VoxelBox all{grid.size, Eigen::Vector3i::Zero()};
-    for (const VoxelPiece& piece : pieces) {
-        const VoxelBox box = boxAround(piece, grid, aroundMm);
+    for (const VoxelComponent& piece : pieces) {
+        const VoxelBox box = enlargedBox(piece, grid, aroundMm);
         all = {all.low.cwiseMin(box.low), all.high.cwiseMax(box.high)};
     }
     return all;
@@ -15,15 +15,16 @@ VoxelBox boxAroundAll(const std::vector<VoxelPiece>& pieces, const VolumeGeometr
 
 }   // namespace
 
-StentSite::StentSite(const VoxelMask& lumen, const StentWires& wires, const VoxelFill& fill, double aroundMm)
+StentSite::StentSite(const VoxelMask& lumen, const StentStruts& wires, const VoxelOpacification& opacification,
+                     double aroundMm)
     : lumen_(lumen),
       stents_(wires),
-      fill_(fill),
+      opacification_(opacification),
       box_(boxAroundAll(wires.pieces, lumen.geometry, aroundMm)),
       wires_(cropped(lumen.geometry, box_))
 {
     labels = VoxelGrid<Label>(wires_.geometry);
-    for (const VoxelPiece& piece : wires.pieces) {
+    for (const VoxelComponent& piece : wires.pieces) {
         for (const std::uint32_t voxel : piece) {
             const Eigen::Vector3i at = lumen.geometry.voxelAt(voxel) - box_.low;
             wires_.at(at.x(), at.y(), at.z()) = 1;
@@ -31,7 +32,7 @@ StentSite::StentSite(const VoxelMask& lumen, const StentWires& wires, const Voxe
     }
 }
 
-std::uint32_t StentSite::inScan(const Eigen::Vector3i& at) const
+std::uint32_t StentSite::scanIndex(const Eigen::Vector3i& at) const
 {
     const Eigen::Vector3i whole = at + box_.low;
     return static_cast<std::uint32_t>(lumen_.geometry.index(whole.x(), whole.y(), whole.z()));
@@ -39,29 +40,29 @@ std::uint32_t StentSite::inScan(const Eigen::Vector3i& at) const
 
 std::uint8_t StentSite::lumenAt(const Eigen::Vector3i& at) const
 {
-    return lumen_.voxels[inScan(at)];
+    return lumen_.voxels[scanIndex(at)];
 }
 
 double StentSite::fillAt(const Eigen::Vector3i& at) const
 {
-    return fill_(at.x() + box_.low.x(), at.y() + box_.low.y(), at.z() + box_.low.z());
+    return opacification_(at.x() + box_.low.x(), at.y() + box_.low.y(), at.z() + box_.low.z());
 }
 
-bool StentSite::isBesideWires(const Eigen::Vector3i& at) const
+bool StentSite::isBesideStruts(const Eigen::Vector3i& at) const
 {
     return stents_.isBeside(at.x() + box_.low.x(), at.y() + box_.low.y(), at.z() + box_.low.z());
 }
 
-StentSite::Fills StentSite::fillsOf(Label label, const VoxelBox& within) const
+StentSite::OpacificationSamples StentSite::collectOpacification(Label label, const VoxelBox& within) const
 {
-    Fills fills;
+    OpacificationSamples fills;
     const Eigen::Vector3i low = within.low.cwiseMax(0);
     const Eigen::Vector3i high = within.high.cwiseMin((geometry().size.array() - 1).matrix());
     for (int k = low.z(); k <= high.z(); ++k) {
         for (int j = low.y(); j <= high.y(); ++j) {
             for (int i = low.x(); i <= high.x(); ++i) {
                 const Eigen::Vector3i at(i, j, k);
-                if (labelAt(at) != label || isWire(at)) {
+                if (labelAt(at) != label || isStrut(at)) {
                     continue;
                 }
                 fills.all.push_back(fillAt(at));

@@ -12,8 +12,8 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double minFillBetweenWires = 0.5;   ///< minimum opacification for growing between struts
-constexpr double minBlood = 0.8;   ///< minimum opacification of lumen visible between struts
+constexpr double minFillBetweenStruts = 0.5;   ///< minimum opacification for growing between struts
+constexpr double minLumenOpacification = 0.8;   ///< minimum opacification of lumen visible between struts
 constexpr double minNeckWithin = 0.45;   ///< minimum neck within one vessel, relative to the thinner lumen's radius
 constexpr double minOpenShare = 0.5;   ///< minimum open fraction of a contact area within one vessel
 constexpr double maxOpeningInRadii = 4.0;   ///< maximum span of a branch opening; dissection lumens meet over more
@@ -41,94 +41,95 @@ struct Contact {
 };
 
 /// Grows the lumen components around stents.
-class Widening {
+class LumenGrowth {
 public:
-    Widening(const VoxelMask& lumen, const StentWires& wires, const VoxelFill& fill, TracingProgress& progress)
-        : site_(lumen, wires, fill, besideOpeningMm)
+    LumenGrowth(const VoxelMask& lumen, const StentStruts& wires, const VoxelOpacification& opacification,
+                TracingProgress& progress)
+        : site_(lumen, wires, opacification, besideOpeningMm)
     {
-        labelPieces(progress);
+        labelComponents(progress);
     }
 
     /// Grows by one voxel.
     void advance()
     {
         std::vector<Eigen::Vector3i> next;
-        for (const Eigen::Vector3i& from : shore_) {
-            site_.eachBeside(from, [&](const Eigen::Vector3i& to) {
-                if (site_.labelAt(to) == 0 && leads(from, to) && !isParting(to, site_.labelAt(from))) {
-                    take(to, site_.labelAt(from));
+        for (const Eigen::Vector3i& from : front_) {
+            site_.forEachFaceNeighbor(from, [&](const Eigen::Vector3i& to) {
+                if (site_.labelAt(to) == 0 && canGrow(from, to) && !isBetweenComponents(to, site_.labelAt(from))) {
+                    add(to, site_.labelAt(from));
                     next.push_back(to);
                 }
             });
         }
-        shore_.swap(next);
+        front_.swap(next);
     }
 
     /// Closes the gaps between components of the same vessel, except next to other vessels.
-    void join()
+    void fillGaps()
     {
-        std::map<Label, Label> vessels = piecesToVessels();
+        std::map<Label, Label> vessels = groupIntoVessels();
         for (const auto& [pair, contact] : contacts_) {
             const Label vessel = vessels[pair.first];
             for (const Eigen::Vector3i& at : contact.places) {
                 bool isWithin = vessels[pair.second] == vessel;
-                site_.eachLabelAround(
+                site_.forEachLabeledNeighbor(
                     at, [&](Label its, const Eigen::Vector3i&) { isWithin = isWithin && vessels[its] == vessel; });
                 if (isWithin && site_.labelAt(at) == 0) {
-                    take(at, pair.first);
+                    add(at, pair.first);
                 }
             }
         }
     }
 
-    VoxelPiece taken() &&
+    VoxelComponent added() &&
     {
-        std::sort(taken_.begin(), taken_.end());
-        return std::move(taken_);
+        std::sort(added_.begin(), added_.end());
+        return std::move(added_);
     }
 
 private:
-    void take(const Eigen::Vector3i& at, Label label)
+    void add(const Eigen::Vector3i& at, Label label)
     {
-        taken_.push_back(site_.inScan(at));
+        added_.push_back(site_.scanIndex(at));
         site_.labels.at(at.x(), at.y(), at.z()) = label;
     }
 
     /// Labels lumen components; parts connected by paths about as wide as themselves get the same label. A tear in a
     /// dissection flap is narrow compared with the lumens.
-    void labelPieces(TracingProgress& progress)
+    void labelComponents(TracingProgress& progress)
     {
         VoxelMask part(site_.geometry());
         for (std::size_t voxel = 0; voxel < part.voxels.size(); ++voxel) {
             part.voxels[voxel] = site_.lumenAt(part.geometry.voxelAt(voxel)) != 0 ? 1 : 0;
         }
         const DistanceMap distances = distanceMap(part, 1, progress);
-        site_.labels.voxels = wideBasins(distances, minNeckWithin);
+        site_.labels.voxels = labelWideBasins(distances, minNeckWithin);
         for (std::size_t voxel = 0; voxel < part.voxels.size(); ++voxel) {
             if (part.voxels[voxel] != 0) {
                 double& radiusMm = radiusMm_[site_.labels.voxels[voxel]];
                 radiusMm = std::max(radiusMm, distances.mm(voxel));
-                shore_.push_back(part.geometry.voxelAt(voxel));
+                front_.push_back(part.geometry.voxelAt(voxel));
             }
         }
     }
 
     /// Returns whether growth may continue: up to the brightest line of a strut, or between struts.
-    bool leads(const Eigen::Vector3i& from, const Eigen::Vector3i& to) const
+    bool canGrow(const Eigen::Vector3i& from, const Eigen::Vector3i& to) const
     {
-        const double fill = site_.fillAt(to);
-        const bool isRising = site_.isWire(to) && fill > site_.fillAt(from);
-        return fill >= minFillBetweenWires && (isRising || !site_.isWire(from)) && site_.isBesideWires(to);
+        const double opacification = site_.fillAt(to);
+        const bool isRising = site_.isStrut(to) && opacification > site_.fillAt(from);
+        return opacification >= minFillBetweenStruts && (isRising || !site_.isStrut(from)) && site_.isBesideStruts(to);
     }
 
     /// Returns whether a voxel lies between different components; records their contact and whether it shows lumen.
-    bool isParting(const Eigen::Vector3i& at, Label label)
+    bool isBetweenComponents(const Eigen::Vector3i& at, Label label)
     {
-        const bool isBlood = !site_.isWire(at) && site_.fillAt(at) >= minBlood;
+        const bool isBlood = !site_.isStrut(at) && site_.fillAt(at) >= minLumenOpacification;
         std::map<Label, bool> others;   // whether lumen is visible in between
-        site_.eachLabelAround(at, [&](Label its, const Eigen::Vector3i& beside) {
+        site_.forEachLabeledNeighbor(at, [&](Label its, const Eigen::Vector3i& beside) {
             if (its != label) {
-                others[its] = others[its] || (isBlood && !site_.isWire(beside));
+                others[its] = others[its] || (isBlood && !site_.isStrut(beside));
             }
         });
         for (const auto& [other, isOpen] : others) {
@@ -141,14 +142,14 @@ private:
         return !others.empty();
     }
 
-    std::map<Label, Label> piecesToVessels() const
+    std::map<Label, Label> groupIntoVessels() const
     {
         std::map<Label, Label> vessels;
         for (const auto& [label, radiusMm] : radiusMm_) {
             vessels[label] = label;
         }
         for (const auto& [pair, contact] : contacts_) {
-            if (isOneVessel(pair, contact)) {
+            if (isSameVessel(pair, contact)) {
                 const Label joined = vessels[pair.second];
                 for (auto& [label, vessel] : vessels) {
                     vessel = vessel == joined ? vessels[pair.first] : vessel;
@@ -159,9 +160,9 @@ private:
     }
 
     /// Returns whether two components are one lumen crossed by struts, or a vessel and a branch leaving between struts.
-    bool isOneVessel(const Pair& pair, const Contact& contact) const
+    bool isSameVessel(const Pair& pair, const Contact& contact) const
     {
-        if (contact.open.empty() || !isSameBlood(pair, contact)) {
+        if (contact.open.empty() || !hasSameOpacification(pair, contact)) {
             return false;
         }
         const double openShare = static_cast<double>(contact.open.size()) / static_cast<double>(contact.places.size());
@@ -176,42 +177,42 @@ private:
     }
 
     /// Returns whether both components have the same opacification, or one is too thin to decide.
-    bool isSameBlood(const Pair& pair, const Contact& contact) const
+    bool hasSameOpacification(const Pair& pair, const Contact& contact) const
     {
         const VoxelBox box = contact.box();
         const Eigen::Vector3i reach = (besideOpeningMm / site_.geometry().spacingMm.array()).ceil().cast<int>();
         const VoxelBox around{box.low - reach, box.high + reach};
-        const StentSite::Fills first = site_.fillsOf(pair.first, around);
-        const StentSite::Fills second = site_.fillsOf(pair.second, around);
+        const StentSite::OpacificationSamples first = site_.collectOpacification(pair.first, around);
+        const StentSite::OpacificationSamples second = site_.collectOpacification(pair.second, around);
         if (first.inner.size() < minInnerOfLumen || second.inner.size() < minInnerOfLumen) {
-            return std::min(quantile(first.all, 0.9), quantile(second.all, 0.9)) >= minBlood;
+            return std::min(quantile(first.all, 0.9), quantile(second.all, 0.9)) >= minLumenOpacification;
         }
         return std::abs(medianOf(first.inner) - medianOf(second.inner)) <= maxDifference;
     }
 
     StentSite site_;   ///< box around the stents, labeled with the components
-    std::vector<Eigen::Vector3i> shore_;   ///< most recently added voxels
-    VoxelPiece taken_;   ///< added voxels, as indices of the whole scan
+    std::vector<Eigen::Vector3i> front_;   ///< most recently added voxels
+    VoxelComponent added_;   ///< added voxels, as indices of the whole scan
     std::map<Label, double> radiusMm_;   ///< maximum radius of each component
     std::map<Pair, Contact> contacts_;   ///< by pair of adjacent components
 };
 
 }   // namespace
 
-VoxelPiece lumenBesideWires(const VoxelMask& lumen, const StentWires& wires, const VoxelFill& fill, int steps,
-                            TracingProgress& progress)
+VoxelComponent growLumenBesideStruts(const VoxelMask& lumen, const StentStruts& wires,
+                                     const VoxelOpacification& opacification, int steps, TracingProgress& progress)
 {
     if (wires.pieces.empty()) {
         return {};
     }
-    Widening widening(lumen, wires, fill, progress);
+    LumenGrowth growth(lumen, wires, opacification, progress);
     for (int n = 0; n < steps && progress.advance(0.0); ++n) {
-        widening.advance();
+        growth.advance();
     }
     if (!progress.isStopped()) {
-        widening.join();
+        growth.fillGaps();
     }
-    return std::move(widening).taken();
+    return std::move(growth).added();
 }
 
 }   // namespace angiopose::core

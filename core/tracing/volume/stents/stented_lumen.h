@@ -4,7 +4,7 @@
 #include "core/tracing/volume/stents/stent_site.h"
 #include "core/tracing/volume/voxels/touching_vessels.h"
 #include "core/tracing/volume/voxels/tracing_progress.h"
-#include "core/tracing/volume/voxels/voxel_pieces.h"
+#include "core/tracing/volume/voxels/voxel_components.h"
 
 namespace angiopose::core {
 
@@ -13,7 +13,7 @@ namespace angiopose::core {
 /// separated by struts stay separate, like those of an aortic dissection. Two parts are merged if their opacification
 /// is the same (measured in voxels above 1) or a vessel is too thin to decide, and if lumen is visible over most of
 /// their contact area or in an area no larger than a branch. Incomplete when stopped.
-VoxelPiece lumenBesideWires(const VoxelMask& lumen, const StentWires& wires, const VoxelFill& fill, int steps,
-                            TracingProgress& progress);
+VoxelComponent growLumenBesideStruts(const VoxelMask& lumen, const StentStruts& wires,
+                                     const VoxelOpacification& opacification, int steps, TracingProgress& progress);
 
 }   // namespace angiopose::core

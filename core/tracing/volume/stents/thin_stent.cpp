@@ -12,31 +12,31 @@ namespace {
 constexpr double minFillOfStent = 0.7;   ///< minimum opacification, as in a large vessel
 constexpr double maxFillOfStent = 1.6;
 constexpr double minSlendernessOfStent = 1.6;   ///< minimum axial / transverse spread; a tube twice as long as wide
-constexpr double maxAcrossMm = 3.5;   ///< maximum transverse spread: a tube of 8 mm with its blur
+constexpr double maxTransverseMm = 3.5;   ///< maximum transverse spread: a tube of 8 mm with its blur
 constexpr double endShare = 0.25;   ///< length of an end section, relative to half the length
 constexpr double beyondMm = 2.0;   ///< distance from a tip to the center of the lumen search
 constexpr double aroundMm = 3.0;
 
 /// End of a long thin component, and its outward direction.
-struct PieceEnd {
+struct ComponentEnd {
     Eigen::Vector3d tipMm;
     Eigen::Vector3d outwards;
 };
 
 /// Returns the end of a component on one side of its center, along its longest axis.
-PieceEnd endOf(const std::vector<Eigen::Vector3d>& pointsMm, const Eigen::Vector3d& middleMm,
-               const Eigen::Vector3d& towards)
+ComponentEnd findEnd(const std::vector<Eigen::Vector3d>& pointsMm, const Eigen::Vector3d& centerMm,
+                     const Eigen::Vector3d& towards)
 {
     double farthest = 0.0;
     for (const Eigen::Vector3d& point : pointsMm) {
-        farthest = std::max(farthest, towards.dot(point - middleMm));
+        farthest = std::max(farthest, towards.dot(point - centerMm));
     }
     Eigen::Vector3d outer = Eigen::Vector3d::Zero();
     Eigen::Vector3d before = Eigen::Vector3d::Zero();
     double outerCount = 0.0;
     double beforeCount = 0.0;
     for (const Eigen::Vector3d& point : pointsMm) {
-        const double along = towards.dot(point - middleMm) / farthest;
+        const double along = towards.dot(point - centerMm) / farthest;
         if (along > 1.0 - endShare) {
             outer += point;
             outerCount += 1.0;
@@ -54,31 +54,33 @@ PieceEnd endOf(const std::vector<Eigen::Vector3d>& pointsMm, const Eigen::Vector
 /// Tube too thin to show lumen inside its struts, with a vessel beyond both ends.
 class ThinTube {
 public:
-    ThinTube(const VoxelPiece& piece, const VolumeGeometry& grid, const VoxelFill& fill) : grid_(grid), fill_(fill)
+    ThinTube(const VoxelComponent& piece, const VolumeGeometry& grid, const VoxelOpacification& opacification)
+        : grid_(grid), opacification_(opacification)
     {
         for (const std::uint32_t voxel : piece) {
             pointsMm_.emplace_back(grid.spacingMm.cwiseProduct(grid.voxelAt(voxel).cast<double>()));
-            middleMm_ += pointsMm_.back() / static_cast<double>(piece.size());
+            centerMm_ += pointsMm_.back() / static_cast<double>(piece.size());
         }
         Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
         for (const Eigen::Vector3d& point : pointsMm_) {
-            spread += (point - middleMm_) * (point - middleMm_).transpose() / static_cast<double>(piece.size());
+            spread += (point - centerMm_) * (point - centerMm_).transpose() / static_cast<double>(piece.size());
         }
-        const Axes<3> axes = axesOf(spread);
+        const EigenDecomposition<3> axes = eigenDecomposition(spread);
         axis_ = axes.directions.col(2);
-        acrossMm_ = std::sqrt(std::max(axes.values[1], 0.0));
-        alongMm_ = std::sqrt(std::max(axes.values[2], 0.0));
+        transverseMm_ = std::sqrt(std::max(axes.values[1], 0.0));
+        axialMm_ = std::sqrt(std::max(axes.values[2], 0.0));
     }
 
-    bool isContinuedByBlood() const
+    bool isContinuedByLumen() const
     {
-        return alongMm_ > minSlendernessOfStent * acrossMm_ && acrossMm_ < maxAcrossMm &&
-               isBloodBeyond(endOf(pointsMm_, middleMm_, axis_)) && isBloodBeyond(endOf(pointsMm_, middleMm_, -axis_));
+        return axialMm_ > minSlendernessOfStent * transverseMm_ && transverseMm_ < maxTransverseMm &&
+               isLumenBeyond(findEnd(pointsMm_, centerMm_, axis_)) &&
+               isLumenBeyond(findEnd(pointsMm_, centerMm_, -axis_));
     }
 
 private:
     /// Returns whether homogeneous opacified lumen lies close beyond the tip; the vessel may curve there.
-    bool isBloodBeyond(const PieceEnd& end) const
+    bool isLumenBeyond(const ComponentEnd& end) const
     {
         const Eigen::Array3d middle =
             (end.tipMm + beyondMm * end.outwards).cwiseQuotient(grid_.spacingMm).array().round();
@@ -88,7 +90,7 @@ private:
                 for (int x = -reach.x(); x <= reach.x(); ++x) {
                     const Eigen::Vector3i step(x, y, z);
                     if (grid_.spacingMm.cwiseProduct(step.cast<double>()).norm() <= aroundMm &&
-                        isBloodAt(middle.matrix().cast<int>() + step)) {
+                        isLumenAt(middle.matrix().cast<int>() + step)) {
                         return true;
                     }
                 }
@@ -98,34 +100,34 @@ private:
     }
 
     /// Returns whether the voxel and its six neighbors have the intensity of the lumen.
-    bool isBloodAt(const Eigen::Vector3i& voxel) const
+    bool isLumenAt(const Eigen::Vector3i& voxel) const
     {
-        const auto isBlood = [this](const Eigen::Vector3i& at) {
-            const double fill = grid_.contains(at) ? fill_(at.x(), at.y(), at.z()) : 0.0;
-            return fill >= minFillOfStent && fill <= maxFillOfStent;
+        const auto isLumen = [this](const Eigen::Vector3i& at) {
+            const double opacification = grid_.contains(at) ? opacification_(at.x(), at.y(), at.z()) : 0.0;
+            return opacification >= minFillOfStent && opacification <= maxFillOfStent;
         };
-        bool isEven = isBlood(voxel);
-        for (int axis = 0; axis < 3 && isEven; ++axis) {
+        bool isHomogeneous = isLumen(voxel);
+        for (int axis = 0; axis < 3 && isHomogeneous; ++axis) {
             const Eigen::Vector3i step = Eigen::Vector3i::Unit(axis);
-            isEven = isBlood(voxel - step) && isBlood(voxel + step);
+            isHomogeneous = isLumen(voxel - step) && isLumen(voxel + step);
         }
-        return isEven;
+        return isHomogeneous;
     }
 
     const VolumeGeometry& grid_;
-    const VoxelFill& fill_;
+    const VoxelOpacification& opacification_;
     std::vector<Eigen::Vector3d> pointsMm_;
-    Eigen::Vector3d middleMm_ = Eigen::Vector3d::Zero();
+    Eigen::Vector3d centerMm_ = Eigen::Vector3d::Zero();
     Eigen::Vector3d axis_ = Eigen::Vector3d::UnitZ();
-    double acrossMm_ = 0.0;   ///< standard deviation of the points across the axis; `alongMm_` along it
-    double alongMm_ = 0.0;
+    double transverseMm_ = 0.0;   ///< standard deviation of the points across the axis; `axialMm_` along it
+    double axialMm_ = 0.0;
 };
 
 }   // namespace
 
-bool isThinStent(const VoxelPiece& piece, const VolumeGeometry& grid, const VoxelFill& fill)
+bool isThinStent(const VoxelComponent& piece, const VolumeGeometry& grid, const VoxelOpacification& opacification)
 {
-    return ThinTube(piece, grid, fill).isContinuedByBlood();
+    return ThinTube(piece, grid, opacification).isContinuedByLumen();
 }
 
 }   // namespace angiopose::core

@@ -2,12 +2,12 @@
 
 #include "core/imaging/volume.h"
 #include "core/tracing/volume/voxels/touching_vessels.h"
-#include "core/tracing/volume/voxels/voxel_pieces.h"
+#include "core/tracing/volume/voxels/voxel_components.h"
 
 namespace angiopose::core {
 
 /// Returns whether a metal component is a stent too thin to show lumen inside or beside it, with a vessel beyond both
 /// ends; wires in bone and clips have none, leads and catheters only at one end.
-bool isThinStent(const VoxelPiece& piece, const VolumeGeometry& grid, const VoxelFill& fill);
+bool isThinStent(const VoxelComponent& piece, const VolumeGeometry& grid, const VoxelOpacification& opacification);
 
 }   // namespace angiopose::core

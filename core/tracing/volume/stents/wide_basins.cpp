@@ -5,9 +5,9 @@
 namespace angiopose::core {
 namespace {
 
-class Flooding {
+class BasinFlooding {
 public:
-    Flooding(const DistanceMap& distances, double minNeck)
+    BasinFlooding(const DistanceMap& distances, double minNeck)
         : distances_(distances), minNeck_(minNeck), labels_(distances.units.size(), 0)
     {
     }
@@ -34,60 +34,61 @@ public:
 
 private:
     struct Basin {
-        std::uint32_t joined = 0;   ///< basin into which this one was merged, or this one
-        std::uint16_t summit = 0;
+        std::uint32_t mergedInto = 0;   ///< basin into which this one was merged, or this one
+        std::uint16_t peak = 0;
     };
 
     std::uint32_t basinOf(std::uint32_t label) const
     {
-        while (basins_[label - 1].joined != label) {
-            label = basins_[label - 1].joined;
+        while (basins_[label - 1].mergedInto != label) {
+            label = basins_[label - 1].mergedInto;
         }
         return label;
     }
 
-    std::uint16_t summitOf(std::uint32_t basin) const { return basins_[basin - 1].summit; }
+    std::uint16_t peakOf(std::uint32_t basin) const { return basins_[basin - 1].peak; }
 
     /// Assigns a voxel to the basin of its highest neighbor; merges adjacent basins if the neck is wide enough.
     void flood(std::uint32_t voxel)
     {
-        std::uint32_t own = 0;
+        std::uint32_t ownBasin = 0;
         std::uint16_t highest = 0;
-        eachNeighbor(voxel, [&](std::uint32_t neighbor, std::uint32_t basin) {
+        forEachNeighbor(voxel, [&](std::uint32_t neighbor, std::uint32_t basin) {
             if (distances_.units[neighbor] > highest) {
                 highest = distances_.units[neighbor];
-                own = basin;
+                ownBasin = basin;
             }
         });
         const std::uint16_t height = distances_.units[voxel];
-        if (own == 0) {
+        if (ownBasin == 0) {
             basins_.push_back({static_cast<std::uint32_t>(basins_.size() + 1), height});
-            own = basins_.back().joined;
+            ownBasin = basins_.back().mergedInto;
         }
-        labels_[voxel] = own;
-        eachNeighbor(voxel, [&](std::uint32_t, std::uint32_t basin) { join(basinOf(own), basin, height); });
+        labels_[voxel] = ownBasin;
+        forEachNeighbor(voxel,
+                        [&](std::uint32_t, std::uint32_t basin) { mergeIfWide(basinOf(ownBasin), basin, height); });
     }
 
-    void join(std::uint32_t one, std::uint32_t other, std::uint16_t height)
+    void mergeIfWide(std::uint32_t one, std::uint32_t other, std::uint16_t height)
     {
         const auto& [lower, higher] =
-            std::minmax(one, other, [this](std::uint32_t a, std::uint32_t b) { return summitOf(a) < summitOf(b); });
-        if (one != other && height >= minNeck_ * summitOf(lower)) {
-            basins_[lower - 1].joined = higher;
+            std::minmax(one, other, [this](std::uint32_t a, std::uint32_t b) { return peakOf(a) < peakOf(b); });
+        if (one != other && height >= minNeck_ * peakOf(lower)) {
+            basins_[lower - 1].mergedInto = higher;
         }
     }
 
     template <class Visit>
-    void eachNeighbor(std::uint32_t voxel, const Visit& visit) const
+    void forEachNeighbor(std::uint32_t voxel, const Visit& visit) const
     {
         const VolumeGeometry& grid = distances_.geometry;
         const Eigen::Vector3i at = grid.voxelAt(voxel);
         for (int n = 0; n < 27; ++n) {
-            const Eigen::Vector3i beside = at + Eigen::Vector3i(n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1);
-            if (n == 13 || !grid.contains(beside)) {
+            const Eigen::Vector3i position = at + Eigen::Vector3i(n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1);
+            if (n == 13 || !grid.contains(position)) {
                 continue;
             }
-            const auto neighbor = static_cast<std::uint32_t>(grid.index(beside.x(), beside.y(), beside.z()));
+            const auto neighbor = static_cast<std::uint32_t>(grid.index(position.x(), position.y(), position.z()));
             if (labels_[neighbor] != 0) {
                 visit(neighbor, basinOf(labels_[neighbor]));
             }
@@ -102,9 +103,9 @@ private:
 
 }   // namespace
 
-std::vector<std::uint32_t> wideBasins(const DistanceMap& distances, double minNeck)
+std::vector<std::uint32_t> labelWideBasins(const DistanceMap& distances, double minNeck)
 {
-    return Flooding(distances, minNeck).run();
+    return BasinFlooding(distances, minNeck).run();
 }
 
 }   // namespace angiopose::core

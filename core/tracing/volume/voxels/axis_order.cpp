@@ -65,7 +65,7 @@ AxisOrder cropped(const AxisOrder& order, const VoxelBox& box)
     return part;
 }
 
-VoxelBox grown(const VoxelBox& box, int margin, const VolumeGeometry& within)
+VoxelBox enlarge(const VoxelBox& box, int margin, const VolumeGeometry& within)
 {
     return {(box.low.array() - margin).max(0).matrix(), (box.high.array() + margin).min(within.size.array()).matrix()};
 }

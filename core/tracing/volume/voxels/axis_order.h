@@ -37,6 +37,6 @@ AxisOrder cropped(const AxisOrder& order, const VoxelBox& box);
 VolumeGeometry cropped(const VolumeGeometry& geometry, const VoxelBox& box);
 
 /// Enlarges `box` by `margin` voxels on all sides, within the volume.
-VoxelBox grown(const VoxelBox& box, int margin, const VolumeGeometry& within);
+VoxelBox enlarge(const VoxelBox& box, int margin, const VolumeGeometry& within);
 
 }   // namespace angiopose::core

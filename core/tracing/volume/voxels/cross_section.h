@@ -6,14 +6,14 @@
 namespace angiopose::core {
 
 /// Opacification at a point in mm along the grid's axes: 0 in tissue, 1 in the lumen, 0.5 at the wall.
-using BloodFill = std::function<double(const Eigen::Vector3d& pointMm)>;
+using PointOpacification = std::function<double(const Eigen::Vector3d& pointMm)>;
 
 /// Cross-section of a vessel lumen.
 struct CrossSection {
     Eigen::Vector3d centerMm = Eigen::Vector3d::Zero();   ///< centroid of the area within the wall
     double radiusMm = 0.0;   ///< radius of a disc of equal area
-    double closed = 0.0;   ///< fraction of rays that meet a wall, including the far one of a flattened vessel
-    double trust = 0.0;   ///< 0 if no section was found, near 1 for a round section with walls all around
+    double closedFraction = 0.0;   ///< fraction of rays that meet a wall, including the far one of a flattened vessel
+    double confidence = 0.0;   ///< 0 if no section was found, near 1 for a round section with walls all around
 };
 
 /// Position, orientation and resolution of a cross-section.
@@ -27,6 +27,6 @@ struct SectionPlane {
 /// Casts rays across the vessel and locates the wall with subvoxel accuracy where the opacification passes one half (or
 /// half the maximum of a vessel thinner than the scanner's resolution). The width of such a thin vessel follows from
 /// the integrated opacification of its section, which blurring preserves.
-CrossSection crossSection(const SectionPlane& plane, const BloodFill& fill);
+CrossSection measureCrossSection(const SectionPlane& plane, const PointOpacification& opacification);
 
 }   // namespace angiopose::core

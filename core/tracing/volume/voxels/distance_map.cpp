@@ -10,18 +10,18 @@ namespace angiopose::core {
 namespace {
 
 constexpr double unitsPerVoxel = 256.0;
-constexpr std::uint16_t farthest = std::numeric_limits<std::uint16_t>::max();
+constexpr std::uint16_t maxUnits = std::numeric_limits<std::uint16_t>::max();
 
 std::uint16_t inUnits(double value)
 {
-    return static_cast<std::uint16_t>(std::min(std::round(value), static_cast<double>(farthest)));
+    return static_cast<std::uint16_t>(std::min(std::round(value), static_cast<double>(maxUnits)));
 }
 
 /// Computes the distance along one row to the nearest clear voxel in that row.
 void measureRow(const std::uint8_t* mask, std::uint16_t* units, int count, double step)
 {
     int last = -count - 1;   // last clear voxel passed
-    const auto distance = [&](int voxels) { return voxels > count ? farthest : inUnits(step * voxels); };
+    const auto distance = [&](int voxels) { return voxels > count ? maxUnits : inUnits(step * voxels); };
     for (int i = 0; i < count; ++i) {
         last = mask[i] == 0 ? i : last;
         units[i] = distance(i - last);
@@ -43,14 +43,14 @@ public:
 
     void replace(std::uint16_t* units, std::ptrdiff_t stride, int count, double step)
     {
-        bool anything = false;
+        bool hasDistance = false;
         for (int i = 0; i < count; ++i) {
             const std::uint16_t value = units[i * stride];
             squared_[static_cast<std::size_t>(i)] =
-                value == farthest ? infinite : static_cast<double>(value) * static_cast<double>(value);
-            anything = anything || value != 0;
+                value == maxUnits ? infinite : static_cast<double>(value) * static_cast<double>(value);
+            hasDistance = hasDistance || value != 0;
         }
-        if (!anything) {
+        if (!hasDistance) {
             return;
         }
         const double squaredStep = step * step;
@@ -63,9 +63,9 @@ public:
             while (a + 1 < apexes && from_[a + 1] < i) {
                 ++a;
             }
-            const double away = i - apex_[a];
+            const double fromApex = i - apex_[a];
             units[i * stride] =
-                inUnits(std::sqrt(away * away * squaredStep + squared_[static_cast<std::size_t>(apex_[a])]));
+                inUnits(std::sqrt(fromApex * fromApex * squaredStep + squared_[static_cast<std::size_t>(apex_[a])]));
         }
     }
 
@@ -80,17 +80,17 @@ private:
             if (height == infinite) {
                 continue;
             }
-            double meets = -infinite;
+            double intersection = -infinite;
             while (apexes > 0) {
                 const int other = apex_[apexes - 1];
                 const double otherHeight = squared_[static_cast<std::size_t>(other)];
-                meets = 0.5 * (i + other + (height - otherHeight) / (squaredStep * (i - other)));
-                if (meets > from_[apexes - 1]) {
+                intersection = 0.5 * (i + other + (height - otherHeight) / (squaredStep * (i - other)));
+                if (intersection > from_[apexes - 1]) {
                     break;
                 }
                 --apexes;
             }
-            from_[apexes] = apexes == 0 ? -infinite : meets;
+            from_[apexes] = apexes == 0 ? -infinite : intersection;
             apex_[apexes++] = i;
         }
         return apexes;

@@ -14,13 +14,13 @@ constexpr unsigned centerBit = 1U << 13U;
 
 /// Neighbors of each of the 27 positions for 26- and 6-connectivity, and the 18-neighborhood of the center.
 struct Adjacency {
-    std::array<unsigned, 27> byCorner{};
-    std::array<unsigned, 27> byFace{};
-    unsigned withoutCorners = 0;
-    unsigned facesOfCenter = 0;
+    std::array<unsigned, 27> neighbors26{};
+    std::array<unsigned, 27> neighbors6{};
+    unsigned neighbors18 = 0;
+    unsigned faceNeighbors = 0;
 };
 
-constexpr int apart(unsigned a, unsigned b)
+constexpr int distance(unsigned a, unsigned b)
 {
     return a > b ? static_cast<int>(a - b) : static_cast<int>(b - a);
 }
@@ -29,22 +29,22 @@ constexpr Adjacency makeAdjacency()
 {
     Adjacency adjacency;
     for (unsigned a = 0; a < 27; ++a) {
-        const int fromCenter = apart(a % 3, 1) + apart(a / 3 % 3, 1) + apart(a / 9, 1);
+        const int fromCenter = distance(a % 3, 1) + distance(a / 3 % 3, 1) + distance(a / 9, 1);
         if (fromCenter == 1) {
-            adjacency.facesOfCenter |= 1U << a;
+            adjacency.faceNeighbors |= 1U << a;
         }
         if (fromCenter == 1 || fromCenter == 2) {
-            adjacency.withoutCorners |= 1U << a;
+            adjacency.neighbors18 |= 1U << a;
         }
         for (unsigned b = 0; b < 27; ++b) {
-            const int dx = apart(a % 3, b % 3);
-            const int dy = apart(a / 3 % 3, b / 3 % 3);
-            const int dz = apart(a / 9, b / 9);
+            const int dx = distance(a % 3, b % 3);
+            const int dy = distance(a / 3 % 3, b / 3 % 3);
+            const int dz = distance(a / 9, b / 9);
             if (a != b && dx <= 1 && dy <= 1 && dz <= 1) {
-                adjacency.byCorner[a] |= 1U << b;
+                adjacency.neighbors26[a] |= 1U << b;
             }
             if (dx + dy + dz == 1) {
-                adjacency.byFace[a] |= 1U << b;
+                adjacency.neighbors6[a] |= 1U << b;
             }
         }
     }
@@ -54,7 +54,7 @@ constexpr Adjacency makeAdjacency()
 constexpr Adjacency adjacency = makeAdjacency();
 
 /// Returns the part of `places` that is connected to `seed`.
-unsigned flooded(unsigned seed, unsigned places, const std::array<unsigned, 27>& touching)
+unsigned floodFill(unsigned seed, unsigned places, const std::array<unsigned, 27>& touching)
 {
     unsigned reached = seed;
     unsigned front = seed;
@@ -79,12 +79,12 @@ constexpr unsigned lowestBit(unsigned bits)
 bool isSimple(unsigned neighborhood)
 {
     const unsigned object = neighborhood & ~centerBit;
-    if (object == 0 || flooded(lowestBit(object), object, adjacency.byCorner) != object) {
+    if (object == 0 || floodFill(lowestBit(object), object, adjacency.neighbors26) != object) {
         return false;
     }
-    const unsigned background = ~neighborhood & adjacency.withoutCorners;
-    const unsigned faces = background & adjacency.facesOfCenter;
-    return faces != 0 && (flooded(lowestBit(faces), background, adjacency.byFace) & faces) == faces;
+    const unsigned background = ~neighborhood & adjacency.neighbors18;
+    const unsigned faces = background & adjacency.faceNeighbors;
+    return faces != 0 && (floodFill(lowestBit(faces), background, adjacency.neighbors6) & faces) == faces;
 }
 
 bool isEndOfLine(unsigned neighborhood)
@@ -99,12 +99,12 @@ bool isDeletable(unsigned neighborhood)
 
 /// Thins a mask with a clear border, where every voxel has all its neighbors; keeps the border voxels of the mask in
 /// ascending order.
-class VoxelPeeler {
+class VoxelThinner {
 public:
-    explicit VoxelPeeler(VoxelMask rimmed)
-        : strideY_(rimmed.geometry.size.x()),
-          strideZ_(strideY_ * rimmed.geometry.size.y()),
-          state_(std::move(rimmed.voxels)),
+    explicit VoxelThinner(VoxelMask padded)
+        : strideY_(padded.geometry.size.x()),
+          strideZ_(strideY_ * padded.geometry.size.y()),
+          state_(std::move(padded.voxels)),
           sides_{-strideY_, strideY_, 1, -1, strideZ_, -strideZ_}
     {
         findBorder();
@@ -113,14 +113,14 @@ public:
     void run(TracingProgress& progress)
     {
         const auto start = static_cast<double>(border_.size());
-        double peeled = 0.0;
+        double deletedTotal = 0.0;
         bool changed = true;
-        while (changed && progress.advance(peeled / (peeled + start))) {
+        while (changed && progress.advance(deletedTotal / (deletedTotal + start))) {
             changed = false;
             for (const std::ptrdiff_t side : sides_) {
-                const std::size_t gone = peel(side);
-                changed = changed || gone > 0;
-                peeled += static_cast<double>(gone);
+                const std::size_t deletedCount = thinFromSide(side);
+                changed = changed || deletedCount > 0;
+                deletedTotal += static_cast<double>(deletedCount);
             }
             std::erase_if(border_, [&](std::size_t p) { return state_[p] == clear; });
         }
@@ -129,11 +129,11 @@ public:
     const std::vector<std::size_t>& remaining() const { return border_; }
 
 private:
-    static constexpr int longestBite = 6;
+    static constexpr int maxTipsPerPass = 6;
 
     enum : std::uint8_t { clear = 0, inside = 1, atBorder = 2 };
 
-    std::uint8_t stateBeside(std::size_t p, std::ptrdiff_t step) const
+    std::uint8_t neighborState(std::size_t p, std::ptrdiff_t step) const
     {
         return state_[static_cast<std::size_t>(static_cast<std::ptrdiff_t>(p) + step)];
     }
@@ -144,8 +144,9 @@ private:
             state = state != clear ? inside : clear;
         }
         for (std::size_t p = 0; p < state_.size(); ++p) {
-            if (state_[p] != clear && std::any_of(sides_.begin(), sides_.end(),
-                                                  [&](std::ptrdiff_t side) { return stateBeside(p, side) == clear; })) {
+            if (state_[p] != clear && std::any_of(sides_.begin(), sides_.end(), [&](std::ptrdiff_t side) {
+                    return neighborState(p, side) == clear;
+                })) {
                 state_[p] = atBorder;
                 border_.push_back(p);
             }
@@ -169,33 +170,33 @@ private:
 
     /// Deletes voxels that are open to one side. All candidates are collected first, then each is checked again,
     /// because two neighbors that are each deletable alone must not be deleted together.
-    std::size_t peel(std::ptrdiff_t side)
+    std::size_t thinFromSide(std::ptrdiff_t side)
     {
         std::vector<std::size_t> candidates;
         for (const std::size_t p : border_) {
-            if (state_[p] != clear && stateBeside(p, side) == clear && isDeletable(neighborhood(p))) {
+            if (state_[p] != clear && neighborState(p, side) == clear && isDeletable(neighborhood(p))) {
                 candidates.push_back(p);
             }
         }
         std::vector<std::size_t> exposed;
-        std::size_t gone = 0;
-        eaten_.clear();
+        std::size_t deletedCount = 0;
+        deletedTips_.clear();
         for (const std::size_t p : candidates) {
             const unsigned around = neighborhood(p);
-            if (isSimple(around) && !isEatenUp(p, around)) {
+            if (isSimple(around) && !mustKeepTip(p, around)) {
                 state_[p] = clear;
-                ++gone;
+                ++deletedCount;
                 expose(p, exposed);
             }
         }
         mergeIntoBorder(exposed);
-        return gone;
+        return deletedCount;
     }
 
     /// Returns whether a line tip must be kept in this pass. A band two voxels wide and one thick is open to one side
     /// over its whole length: processed in order of position, each voxel in turn would become the free tip of the rest
     /// until nothing is left (as in Lee's thinning), so at most six tips in a row are deleted per pass.
-    bool isEatenUp(std::size_t p, unsigned around)
+    bool mustKeepTip(std::size_t p, unsigned around)
     {
         if (std::popcount(around & ~centerBit) > 3) {
             return false;
@@ -205,15 +206,15 @@ private:
             for (std::ptrdiff_t y = -strideY_; y <= strideY_; y += strideY_) {
                 for (std::ptrdiff_t x = -1; x <= 1; ++x) {
                     const auto found =
-                        eaten_.find(static_cast<std::size_t>(static_cast<std::ptrdiff_t>(p) + z + y + x));
-                    before = found == eaten_.end() ? before : std::max(before, found->second);
+                        deletedTips_.find(static_cast<std::size_t>(static_cast<std::ptrdiff_t>(p) + z + y + x));
+                    before = found == deletedTips_.end() ? before : std::max(before, found->second);
                 }
             }
         }
-        if (before >= longestBite) {
+        if (before >= maxTipsPerPass) {
             return true;
         }
-        eaten_[p] = before + 1;
+        deletedTips_[p] = before + 1;
         return false;
     }
 
@@ -241,32 +242,32 @@ private:
     std::vector<std::uint8_t> state_;
     std::array<std::ptrdiff_t, 6> sides_;
     std::vector<std::size_t> border_;
-    std::unordered_map<std::size_t, int> eaten_;   ///< tips deleted in this pass, with their count in the row
+    std::unordered_map<std::size_t, int> deletedTips_;   ///< tips deleted in this pass, with their count in the row
 };
 
 }   // namespace
 
-std::vector<std::size_t> thinnedInPlace(VoxelMask rimmed, TracingProgress& progress)
+std::vector<std::size_t> skeletonizeInPlace(VoxelMask padded, TracingProgress& progress)
 {
-    VoxelPeeler peeler(std::move(rimmed));
-    peeler.run(progress);
-    return peeler.remaining();
+    VoxelThinner thinner(std::move(padded));
+    thinner.run(progress);
+    return thinner.remaining();
 }
 
-std::vector<std::size_t> thinned(const VoxelMask& mask, TracingProgress& progress)
+std::vector<std::size_t> skeletonize(const VoxelMask& mask, TracingProgress& progress)
 {
     const Eigen::Vector3i& size = mask.geometry.size;
-    VolumeGeometry rimmedGrid;
-    rimmedGrid.size = size.array() + 2;
-    VoxelMask rimmed(rimmedGrid);
+    VolumeGeometry paddedGrid;
+    paddedGrid.size = size.array() + 2;
+    VoxelMask padded(paddedGrid);
     for (int k = 0; k < size.z(); ++k) {
         for (int j = 0; j < size.y() && size.x() > 0; ++j) {
-            std::copy_n(&mask.at(0, j, k), size.x(), &rimmed.at(1, j + 1, k + 1));
+            std::copy_n(&mask.at(0, j, k), size.x(), &padded.at(1, j + 1, k + 1));
         }
     }
-    std::vector<std::size_t> skeleton = thinnedInPlace(std::move(rimmed), progress);
+    std::vector<std::size_t> skeleton = skeletonizeInPlace(std::move(padded), progress);
     for (std::size_t& voxel : skeleton) {
-        const Eigen::Vector3i at = rimmedGrid.voxelAt(voxel);
+        const Eigen::Vector3i at = paddedGrid.voxelAt(voxel);
         voxel = mask.geometry.index(at.x() - 1, at.y() - 1, at.z() - 1);
     }
     return skeleton;

@@ -2,7 +2,7 @@
 
 #include "core/imaging/volume.h"
 #include "core/support/message.h"
-#include "core/tracing/volume/voxels/traced_piece.h"
+#include "core/tracing/volume/voxels/traced_component.h"
 #include "core/vessel/vessel_tree.h"
 
 #include <Eigen/Core>
@@ -18,7 +18,7 @@ struct TracedVessels {
     double threshold = 0.0;   ///< lower limit of the lumen; 0.5 for masks
     std::optional<Eigen::Vector3d>
         foundStart;   ///< without seeds: point in the great vessel where tracing started, LPS mm
-    std::vector<TracedPiece> pieces;   ///< all components that could be traced, the largest first
+    std::vector<TracedComponent> pieces;   ///< all components that could be traced, the largest first
     Messages warnings;   ///< left-out components, opened loops, …
 };
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/support/verdict.h"
+#include "core/support/observer_decision.h"
 
 #include <algorithm>
 #include <chrono>
@@ -15,7 +15,7 @@ struct TracingReport {
 };
 
 /// Called on the calling thread several times per second; returning Stop ends the work within a second.
-using TracingObserver = std::function<Verdict(const TracingReport&)>;
+using TracingObserver = std::function<ObserverDecision(const TracingReport&)>;
 
 /// Reports progress and receives stop requests, at most about twenty times per second. A stop is permanent.
 class TracingProgress {
@@ -32,10 +32,10 @@ public:
     }
 
     /// Reports the completed fraction `share` of the stage; returns false to request a stop as soon as possible.
-    bool advance(double share)
+    bool advance(double fraction)
     {
-        if (!stopped_ && std::chrono::steady_clock::now() >= due_) {
-            report(share);
+        if (!stopped_ && std::chrono::steady_clock::now() >= nextReport_) {
+            report(fraction);
         }
         return !stopped_;
     }
@@ -43,22 +43,22 @@ public:
     bool isStopped() const { return stopped_; }
 
 private:
-    void report(double share)
+    void report(double fraction)
     {
-        reached_ = std::max(reached_, from_ + (to_ - from_) * std::clamp(share, 0.0, 1.0));
+        maxReported_ = std::max(maxReported_, from_ + (to_ - from_) * std::clamp(fraction, 0.0, 1.0));
         if (observe_ && !stopped_) {
-            stopped_ = observe_({stage_, reached_}) == Verdict::Stop;
+            stopped_ = observe_({stage_, maxReported_}) == ObserverDecision::Stop;
         }
-        due_ = std::chrono::steady_clock::now() + std::chrono::milliseconds(50);
+        nextReport_ = std::chrono::steady_clock::now() + std::chrono::milliseconds(50);
     }
 
     TracingObserver observe_;
     std::string_view stage_;
     double from_ = 0.0;
     double to_ = 0.0;
-    double reached_ = 0.0;
+    double maxReported_ = 0.0;
     bool stopped_ = false;
-    std::chrono::steady_clock::time_point due_{};
+    std::chrono::steady_clock::time_point nextReport_{};
 };
 
 }   // namespace angiopose::core

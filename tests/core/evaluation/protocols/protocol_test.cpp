@@ -1,6 +1,6 @@
 #include "core/evaluation/protocols/protocol.h"
 
-#include "core/evaluation/trial/contestant.h"
+#include "core/evaluation/trial/evaluated_method.h"
 #include "core/evaluation/trial/projection_error.h"
 #include "core/simulation/prune_tree.h"
 
@@ -18,7 +18,7 @@ using namespace core;
 Trial makeTrial(std::string_view protocol, const std::string& condition, std::uint64_t trial, std::uint64_t seed = 1)
 {
     const Protocol& row = *findProtocol(protocol);
-    const auto chosen = conditionsFrom(row, condition);
+    const auto chosen = parseConditions(row, condition);
     return row.prepare(chosen.value().front(), seed)(trial);
 }
 
@@ -38,9 +38,9 @@ TEST(Protocols, HaveDistinctIdsAndConditions)
             EXPECT_TRUE(conditions.insert(condition.id).second) << condition.id;
             EXPECT_EQ(condition.id.find(','), std::string::npos);
         }
-        EXPECT_FALSE(conditionsFrom(protocol, "").value().empty());
-        EXPECT_EQ(conditionsFrom(protocol, "all").value().size(), protocol.conditions.size());
-        EXPECT_FALSE(conditionsFrom(protocol, "magic"));
+        EXPECT_FALSE(parseConditions(protocol, "").value().empty());
+        EXPECT_EQ(parseConditions(protocol, "all").value().size(), protocol.conditions.size());
+        EXPECT_FALSE(parseConditions(protocol, "magic"));
     }
     EXPECT_EQ(findProtocol("magic"), nullptr);
 }
@@ -48,10 +48,10 @@ TEST(Protocols, HaveDistinctIdsAndConditions)
 TEST(Protocols, ConditionsAreFoundByTheirBeginning)
 {
     const Protocol& robustness = *findProtocol("robustness");
-    EXPECT_EQ(conditionsFrom(robustness, "full").value().size(), 3u);
-    EXPECT_EQ(conditionsFrom(robustness, "full-5-2").value().size(), 1u);
-    EXPECT_EQ(conditionsFrom(robustness, "full-5-2,pruned").value().size(), 4u);
-    EXPECT_FALSE(conditionsFrom(robustness, "ful"));   // prefixes must end at a dash
+    EXPECT_EQ(parseConditions(robustness, "full").value().size(), 3u);
+    EXPECT_EQ(parseConditions(robustness, "full-5-2").value().size(), 1u);
+    EXPECT_EQ(parseConditions(robustness, "full-5-2,pruned").value().size(), 4u);
+    EXPECT_FALSE(parseConditions(robustness, "ful"));   // prefixes must end at a dash
 }
 
 TEST(Protocols, TrialsDependOnSeedAndNumberAlone)
@@ -113,7 +113,7 @@ TEST(SimulationProtocol, DisturbsAboutSourceOrCentroid)
 {
     const Protocol& simulation = *findProtocol("simulation");
     const auto meanStartPx = [&](const std::string& condition) {
-        const TrialMaker maker = simulation.prepare(conditionsFrom(simulation, condition).value().front(), 1);
+        const TrialMaker maker = simulation.prepare(parseConditions(simulation, condition).value().front(), 1);
         double sum = 0.0;
         for (std::uint64_t number = 0; number < 40; ++number) {
             const Trial trial = maker(number);
@@ -178,7 +178,7 @@ TEST(PruneTree, TakesOnlyBranchesThatNoOtherLeaves)
     EXPECT_GE(leaves.size(), tree.branches.size() / 3);
     EXPECT_LT(leaves.size(), tree.branches.size());
     CounterRandom random(1);
-    EXPECT_EQ(pruned(tree, 1000, random).branches.size(), tree.branches.size() - leaves.size());
+    EXPECT_EQ(removeRandomLeaves(tree, 1000, random).branches.size(), tree.branches.size() - leaves.size());
 }
 
 TEST(ClinicalProtocol, TracesTheSameTreeInDifferentViews)
@@ -195,11 +195,11 @@ TEST(ClinicalProtocol, TracesTheSameTreeInDifferentViews)
 TEST(TrustProtocol, MakesTheSameViewsHarderOrImpossible)
 {
     const Trial given = makeTrial("trust", "as-given", 3);
-    EXPECT_TRUE(given.hasRightAnswer);
+    EXPECT_TRUE(given.hasCorrectPose);
     EXPECT_LT(targetError(targetsOf(*given.tree), startOf(given)).mtreInPlaneMm, 60.0);
 
     const Trial far = makeTrial("trust", "far-start", 3);
-    EXPECT_TRUE(far.hasRightAnswer);
+    EXPECT_TRUE(far.hasCorrectPose);
     EXPECT_EQ(far.input.target.pointCount(), given.input.target.pointCount());
     const PoseError start = poseError(centroidInPatient(*far.tree), startOf(far));
     EXPECT_GE(start.angleDeg, 30.0);
@@ -208,12 +208,12 @@ TEST(TrustProtocol, MakesTheSameViewsHarderOrImpossible)
     EXPECT_LE(start.centroidInPlaneMm, 150.0);
 
     const Trial mirrored = makeTrial("trust", "mirrored", 3);
-    EXPECT_FALSE(mirrored.hasRightAnswer);
+    EXPECT_FALSE(mirrored.hasCorrectPose);
     const ImageF& image = *given.input.image;
     EXPECT_EQ(mirrored.input.image->at(10, 200), image.at(image.width - 11, 200));
 
     const Trial other = makeTrial("trust", "other-tree", 3);
-    EXPECT_FALSE(other.hasRightAnswer);
+    EXPECT_FALSE(other.hasCorrectPose);
     EXPECT_EQ(other.input.image->pixels, image.pixels);
     EXPECT_NE(other.tree->branches.front().pointsInPatient, given.tree->branches.front().pointsInPatient);
     const auto centroidInCamera = [](const Trial& trial) {
@@ -236,7 +236,7 @@ TEST(TrustProtocol, CutsTheImageAndItsCameraAlike)
 TEST(TrustProtocol, LeavesErrorsUnknownWhereNoPoseIsRight)
 {
     const Trial other = makeTrial("trust", "other-tree", 1);
-    const auto run = runTrial(other, contestantFrom("angiopose").value(), KeepHistory::No, [] { return false; });
+    const auto run = runTrial(other, parseMethod("angiopose").value(), KeepHistory::No, [] { return false; });
     ASSERT_TRUE(run);
     EXPECT_TRUE(std::isnan(run->mrpdMm));
     EXPECT_TRUE(std::isnan(run->meanMm));

@@ -3,7 +3,7 @@
 
 #include "tests/support/clean_case.h"
 
-#include "core/geometry/camera_spread.h"
+#include "core/geometry/camera_uncertainty.h"
 
 #include <gtest/gtest.h>
 #include <array>
@@ -22,7 +22,7 @@ struct AlignmentTest : ::testing::Test {
     {
         Vector6d step;
         step << 0.004, -0.003, 0.005, 0.4, -0.3, 2.0;
-        beside = moved(truth, step);
+        beside = retract(truth, step);
     }
 
     test::CleanCase clean{3};
@@ -44,8 +44,8 @@ TEST_F(AlignmentTest, GradientsMatchDifferencesOfResiduals)
     int compared = 0;
     for (int k = 0; k < 6; ++k) {
         const Vector6d step = h * Vector6d::Unit(k);
-        alignment.collectRows(moved(beside, step), scalePx, ahead);
-        alignment.collectRows(moved(beside, -step), scalePx, behind);
+        alignment.collectRows(retract(beside, step), scalePx, ahead);
+        alignment.collectRows(retract(beside, -step), scalePx, behind);
         for (std::size_t i = 0; i < rows.size(); ++i) {
             const double difference = (ahead[i].residual - behind[i].residual) / (2.0 * h);
             // There is no derivative where the nearest line changes within the step.
@@ -89,14 +89,14 @@ TEST_F(AlignmentTest, CameraGradientsMatchDifferencesOfResiduals)
 TEST_F(AlignmentTest, LinesDrawnToTheTreePullItBack)
 {
     // Isolates the contribution of the lines: subtracts the tree's own points from the sum of both directions.
-    Agreement both;
+    AlignmentEvaluation both;
     CentroidPose pose = beside;
     for (int k = 0; k < 4; ++k) {
         alignment.searchBothDirections(pose, 5.0, both);
         NormalEquations reverse = alignment.evaluate(pose, 5.0).equations;
         reverse.hessian = both.equations.hessian - reverse.hessian;
         reverse.gradient = both.equations.gradient - reverse.gradient;
-        pose = moved(pose, dampedStep(reverse, 1e-6));
+        pose = retract(pose, dampedStep(reverse, 1e-6));
     }
     EXPECT_LT(stepBetween(truth, pose).head<3>().norm(), 0.1 * stepBetween(truth, beside).head<3>().norm());
     EXPECT_LT(stepBetween(truth, pose).segment<2>(3).norm(), 0.1 * stepBetween(truth, beside).segment<2>(3).norm());
@@ -106,16 +106,16 @@ TEST_F(AlignmentTest, LinesKeepTheirPartnersWhileThePointsHardlyMove)
 {
     Vector6d step = Vector6d::Zero();
     step[3] = 0.2 * millimetersPerPixel(clean.camera, beside.centroidInCamera.z());
-    const CentroidPose near = moved(beside, step);
+    const CentroidPose near = retract(beside, step);
     Alignment fresh = alignment;
-    Agreement kept;
-    Agreement again;
+    AlignmentEvaluation kept;
+    AlignmentEvaluation again;
     alignment.searchBothDirections(beside, 3.0, kept);
-    const std::vector<int> partners = alignment.buffers().reverse.partners();
+    const std::vector<int> matches = alignment.buffers().reverse.matches();
     alignment.searchBothDirections(near, 3.0, kept);
     fresh.searchBothDirections(near, 3.0, again);
-    EXPECT_EQ(alignment.buffers().reverse.partners(), partners);
-    EXPECT_NE(fresh.buffers().reverse.partners(), partners);
+    EXPECT_EQ(alignment.buffers().reverse.matches(), matches);
+    EXPECT_NE(fresh.buffers().reverse.matches(), matches);
     // Perpendicular to the branches, both agree.
     EXPECT_NEAR(kept.loss, again.loss, 0.01 * std::abs(again.loss));
     const Vector6d keptStep = dampedStep(kept.equations, 1e-6);
@@ -124,14 +124,14 @@ TEST_F(AlignmentTest, LinesKeepTheirPartnersWhileThePointsHardlyMove)
     // After a longer step, or with a different reach, correspondences are searched again.
     alignment.searchBothDirections(truth, 3.0, kept);
     fresh.searchBothDirections(truth, 3.0, again);
-    EXPECT_EQ(alignment.buffers().reverse.partners(), fresh.buffers().reverse.partners());
+    EXPECT_EQ(alignment.buffers().reverse.matches(), fresh.buffers().reverse.matches());
     EXPECT_EQ(kept.loss, again.loss);
 }
 
 TEST_F(AlignmentTest, NearestProjectedPointIsFoundWithinReachOnly)
 {
     ProjectedPoints points;
-    points.restart(100, 60, 6.0);
+    points.reset(100, 60, 6.0);
     points.add({50.0, 30.0, 7});
     points.add({57.0, 30.0, 8});
     points.add({-5.0, 30.0, 9});
@@ -141,7 +141,7 @@ TEST_F(AlignmentTest, NearestProjectedPointIsFoundWithinReachOnly)
     EXPECT_EQ(points.nearest(50.0, 37.0), nullptr);
     EXPECT_EQ(points.nearest(-3.0, 30.0), nullptr);
     EXPECT_EQ(points.nearest(500.0, -300.0), nullptr);
-    points.restart(100, 60, 6.0);
+    points.reset(100, 60, 6.0);
     EXPECT_EQ(points.nearest(50.0, 30.0), nullptr);
 }
 
@@ -183,7 +183,7 @@ TEST_F(AlignmentTest, GoingBehindTheSourceCostsTheMost)
 TEST_F(AlignmentTest, TheLossAloneIsTheLossOfALook)
 {
     for (const double scalePx : {1.0, 5.0}) {
-        const Agreement look = alignment.evaluate(beside, scalePx);
+        const AlignmentEvaluation look = alignment.evaluate(beside, scalePx);
         EXPECT_NEAR(alignment.loss(beside, scalePx), look.loss, 1e-9 * look.loss);
         alignment.setVisibility(look);
     }
@@ -195,7 +195,7 @@ TEST_F(AlignmentTest, VesselsAcrossTheTreeDoNotPull)
     Vector6d roll = Vector6d::Zero();
     roll[2] = std::numbers::pi / 2.0;
     const double along = alignment.evaluate(truth, 1.0).equations.hessian.trace();
-    EXPECT_LT(alignment.evaluate(moved(truth, roll), 1.0).equations.hessian.trace(), 0.1 * along);
+    EXPECT_LT(alignment.evaluate(retract(truth, roll), 1.0).equations.hessian.trace(), 0.1 * along);
 }
 
 }   // namespace

@@ -29,7 +29,7 @@ StackedEquations equationsFor(const CameraError& error)
     return {J.transpose() * J, J.transpose() * residuals};
 }
 
-const CameraSpread wideSpread{100.0, 100.0};
+const CameraUncertainty wideSpread{100.0, 100.0};
 
 TEST(CameraInfluence, FindsTheErrorThatLeftTheResiduals)
 {
@@ -42,7 +42,7 @@ TEST(CameraInfluence, FindsTheErrorThatLeftTheResiduals)
 TEST(CameraInfluence, APriorHoldsWhatTheImagesDoNotTell)
 {
     StackedEquations nothing{1e-9 * Eigen::MatrixXd::Identity(9, 9), Eigen::VectorXd::Zero(9)};
-    const CameraSpread spread{0.03, 10.0};
+    const CameraUncertainty spread{0.03, 10.0};
     const CameraInfluence influence(nothing, Matrix6d::Identity(), {&spread, 1});
     EXPECT_NEAR(influence.evidence(0).std[0], 0.03, 1e-6);
     EXPECT_NEAR(influence.evidence(0).std[2], 10.0, 1e-6);
@@ -53,12 +53,12 @@ TEST(CameraInfluence, APriorHoldsWhatTheImagesDoNotTell)
 TEST(CameraInfluence, AddsToThePoseWhatTheErrorDoesToIt)
 {
     const Eigen::MatrixXd J = derivatives();
-    const CameraSpread onlyFocal{1e-4, 0.0};   // far below the information in the rows, so all of it remains
+    const CameraUncertainty onlyFocal{1e-4, 0.0};   // far below the information in the rows, so all of it remains
     const CameraInfluence influence(equationsFor(CameraError::Zero()), Matrix6d::Identity(), {&onlyFocal, 1});
     const Matrix6d H = J.leftCols(6).transpose() * J.leftCols(6);
     const Vector6d moved = -1e-4 * H.inverse() * J.leftCols(6).transpose() * J.col(6);
     const Matrix6d expected = moved * moved.transpose();
-    EXPECT_LT((influence.covarianceOfPose() - expected).norm(), 1e-3 * expected.norm());
+    EXPECT_LT((influence.poseCovariance() - expected).norm(), 1e-3 * expected.norm());
 }
 
 TEST(CameraInfluence, AnErrorThatShowsCountsWhole)
@@ -69,17 +69,17 @@ TEST(CameraInfluence, AnErrorThatShowsCountsWhole)
     const Matrix6d H = J.leftCols(6).transpose() * J.leftCols(6);
     const Vector6d moved = -H.inverse() * J.leftCols(6).transpose() * J.rightCols(3) * error;
     const CameraInfluence none(equationsFor(CameraError::Zero()), Matrix6d::Identity(), {&wideSpread, 1});
-    const Matrix6d added = influence.covarianceOfPose() - none.covarianceOfPose();
+    const Matrix6d added = influence.poseCovariance() - none.poseCovariance();
     EXPECT_LT((added - moved * moved.transpose()).norm(), 0.02 * moved.squaredNorm());
 }
 
 TEST(CameraInfluence, LockedStepsStayCertain)
 {
-    const CameraSpread spread{0.03, 10.0};
+    const CameraUncertainty spread{0.03, 10.0};
     const Eigen::MatrixXd allButDepth = Matrix6d::Identity().leftCols(5);
     const CameraInfluence influence(equationsFor(CameraError::Zero()), allButDepth, {&spread, 1});
-    EXPECT_NEAR(influence.covarianceOfPose()(5, 5), 0.0, 1e-12);
-    EXPECT_GT(influence.covarianceOfPose()(4, 4), 0.0);
+    EXPECT_NEAR(influence.poseCovariance()(5, 5), 0.0, 1e-12);
+    EXPECT_GT(influence.poseCovariance()(4, 4), 0.0);
 }
 
 TEST(CameraContradiction, NamesWhatIsOffAndByHowMuch)

@@ -31,8 +31,8 @@ TEST_F(CoarseSearchTest, LandsInTheBasinOfAFarTruth)
     Vector6d step;
     step << 7.0 * degree, -6.0 * degree, 8.0 * degree, 40.0, -35.0, 15.0;
     const auto candidates =
-        CoarseSearch(problem.camera, target).find(points, moved(truth, step), {60.0, 10.0, 10.0}, [](double) {
-            return Verdict::Continue;
+        CoarseSearch(problem.camera, target).find(points, retract(truth, step), {60.0, 10.0, 10.0}, [](double) {
+            return ObserverDecision::Continue;
         });
     ASSERT_FALSE(candidates.empty());
     const Vector6d off = stepBetween(truth, candidates.front().pose);
@@ -44,7 +44,7 @@ TEST_F(CoarseSearchTest, StopsWhenReported)
 {
     int asked = 0;
     const auto candidates = CoarseSearch(problem.camera, target).find(points, truth, {60.0, 10.0, 10.0}, [&](double) {
-        return ++asked == 2 ? Verdict::Stop : Verdict::Continue;
+        return ++asked == 2 ? ObserverDecision::Stop : ObserverDecision::Continue;
     });
     EXPECT_EQ(asked, 2);
     EXPECT_FALSE(candidates.empty());
@@ -53,7 +53,7 @@ TEST_F(CoarseSearchTest, StopsWhenReported)
 TEST_F(CoarseSearchTest, ReachOfZeroLooksOnlyAtTheStart)
 {
     const auto candidates = CoarseSearch(problem.camera, target).find(points, truth, {0.0, 0.0, 0.0}, [](double) {
-        return Verdict::Continue;
+        return ObserverDecision::Continue;
     });
     ASSERT_EQ(candidates.size(), 1u);
     EXPECT_LT(stepBetween(truth, candidates.front().pose).norm(), 1e-12);

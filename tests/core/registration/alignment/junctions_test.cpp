@@ -27,7 +27,7 @@ TEST(Junctions, AreWhereAnEndTouchesAnotherCurve)
     addLine(points, curve, {0.0, 0.0}, {100.0, 0.0});
     addLine(points, curve, {50.0, 2.0}, {50.0, 80.0});
     addLine(points, curve, {0.0, 60.0}, {100.0, 60.0});   // a crossing curve that does not end there
-    const auto junctions = junctionsOf<2>(points, curve, {5.0, 20.0});
+    const auto junctions = findJunctions<2>(points, curve, {5.0, 20.0});
     ASSERT_EQ(junctions.size(), 1u);
     EXPECT_LT((junctions.front().point - Eigen::Vector2d(50.0, 0.0)).norm(), 2.5);
     ASSERT_EQ(junctions.front().directions.size(), 3u);
@@ -44,7 +44,7 @@ TEST(Junctions, OfThreeEndsAreOne)
     addLine(points, curve, {1.0, 0.0}, {60.0, 0.0});
     addLine(points, curve, {-50.0, 30.0}, {-1.0, 1.0});
     addLine(points, curve, {0.0, -1.0}, {-40.0, -40.0});
-    const auto junctions = junctionsOf<2>(points, curve, {5.0, 20.0});
+    const auto junctions = findJunctions<2>(points, curve, {5.0, 20.0});
     ASSERT_EQ(junctions.size(), 1u);
     EXPECT_EQ(junctions.front().directions.size(), 3u);
 }
@@ -53,8 +53,8 @@ TEST(Junctions, OfATreeAreThoseOfItsProjection)
 {
     const test::CleanCase clean(2);
     const RegistrationProblem problem = makeProblem(clean.from(clean.truth), {}).value();
-    const auto nodes = junctionsOf<3>(problem.tree.points, problem.tree.branchIndex, {2.5, 12.0});
-    const auto junctions = junctionsOf<2>(problem.target.points, problem.target.curveIndex, {5.0, 20.0});
+    const auto nodes = findJunctions<3>(problem.tree.points, problem.tree.branchIndex, {2.5, 12.0});
+    const auto junctions = findJunctions<2>(problem.target.points, problem.target.curveIndex, {5.0, 20.0});
     EXPECT_GT(nodes.size(), 10u);
     const auto seen = std::count_if(nodes.begin(), nodes.end(), [&](const Junction<3>& node) {
         const Eigen::Vector2d pixel = *project(clean.camera, clean.truth * node.point);

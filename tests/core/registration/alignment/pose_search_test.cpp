@@ -14,11 +14,12 @@ struct PoseSearchTest : ::testing::Test {
     /// Distance to the truth of the coarse pose found from an initial pose that is off by `step`.
     Vector6d errorAfterWideSearch(const Vector6d& step)
     {
-        const CentroidPose start = moved(truth, step);
-        const StartPrior prior = startPrior(start, options);
+        const CentroidPose start = retract(truth, step);
+        const InitialPosePrior prior = initialPosePrior(start, options);
         PoseRanking ranking(problem, target, prior);
         const PoseSearch search(problem, target, options);
-        for (const CentroidPose& hypothesis : search.wide(start, [](double) { return Verdict::Continue; })) {
+        for (const CentroidPose& hypothesis :
+             search.searchWide(start, [](double) { return ObserverDecision::Continue; })) {
             ranking.add(hypothesis);
         }
         return stepBetween(truth, ranking.best().pose);
@@ -57,10 +58,11 @@ TEST_F(PoseSearchTest, JunctionsFindStartsTurnedAndDisplacedFar)
         }
         step.head<3>() *= 60.0 * radiansPerDegree / step.head<3>().norm();
         step.tail<3>() *= 100.0 / step.tail<3>().norm();
-        const CentroidPose start = moved(truth, step);
-        PoseRanking ranking(problem, target, startPrior(start, options));
+        const CentroidPose start = retract(truth, step);
+        PoseRanking ranking(problem, target, initialPosePrior(start, options));
         const PoseSearch search(problem, target, options);
-        for (const CentroidPose& hypothesis : search.byJunctions(start, [](double) { return Verdict::Continue; })) {
+        for (const CentroidPose& hypothesis :
+             search.searchByJunctions(start, [](double) { return ObserverDecision::Continue; })) {
             ranking.add(hypothesis);
         }
         const Vector6d error = stepBetween(truth, ranking.best().pose);
@@ -76,7 +78,7 @@ TEST_F(PoseSearchTest, JunctionsKeepWhatIsLockedAndWithinReach)
     options.angiopose.searchTiltDeg = 20.0;
     problem = makeProblem(clean.from(clean.truth), options).value();
     const PoseSearch search(problem, target, options);
-    const auto found = search.byJunctions(truth, [](double) { return Verdict::Continue; });
+    const auto found = search.searchByJunctions(truth, [](double) { return ObserverDecision::Continue; });
     EXPECT_FALSE(found.empty());
     for (const CentroidPose& pose : found) {
         EXPECT_LT((pose.centroidInCamera - truth.centroidInCamera).head<2>().norm(), 50.0);
@@ -92,8 +94,9 @@ TEST_F(PoseSearchTest, JunctionsAreNotNeeded)
     RegistrationInput input = clean.from(clean.truth);
     input.tree = alone;
     problem = makeProblem(input, options).value();
-    EXPECT_TRUE(
-        PoseSearch(problem, target, options).byJunctions(truth, [](double) { return Verdict::Continue; }).empty());
+    EXPECT_TRUE(PoseSearch(problem, target, options)
+                    .searchByJunctions(truth, [](double) { return ObserverDecision::Continue; })
+                    .empty());
 }
 
 TEST_F(PoseSearchTest, RecentringMeetsTheTracedVessels)
@@ -101,22 +104,22 @@ TEST_F(PoseSearchTest, RecentringMeetsTheTracedVessels)
     Vector6d step = Vector6d::Zero();
     step[3] = 300.0;
     const PoseSearch search(problem, target, options);
-    const Vector6d error = stepBetween(truth, search.recentered(moved(truth, step)));
+    const Vector6d error = stepBetween(truth, search.recentered(retract(truth, step)));
     EXPECT_LT(error.segment<2>(3).norm(), 15.0);
 }
 
 TEST_F(PoseSearchTest, RanksTheTruthAboveAllElse)
 {
-    PoseRanking ranking(problem, target, startPrior(truth, options));
+    PoseRanking ranking(problem, target, initialPosePrior(truth, options));
     Vector6d aside = Vector6d::Zero();
     aside[3] = 40.0;
-    ranking.add(moved(truth, aside));
+    ranking.add(retract(truth, aside));
     EXPECT_FALSE(ranking.isConclusive());
     ranking.add(truth);
-    ranking.add(moved(truth, -aside));
+    ranking.add(retract(truth, -aside));
     EXPECT_TRUE(ranking.isConclusive());
     EXPECT_LT(stepBetween(truth, ranking.best().pose).tail<3>().norm(), 1.0);
-    EXPECT_EQ(ranking.distinct(1.0, 3).size(), 1u);
+    EXPECT_EQ(ranking.distinctPoses(1.0, 3).size(), 1u);
 }
 
 }   // namespace

@@ -50,7 +50,7 @@ TEST(ResidualNoise, KnowsHowFarNeighborsSayTheSame)
     const double kept = std::exp(-1.0 / 5.0);
     const ResidualNoise noise = residualNoise(rowsWith(kept, none));
     const double truth = 0.09 * (1.0 + kept) / (1.0 - kept);
-    EXPECT_NEAR(noise.rowVariance() / ResidualNoise::nearestPartnerGain, truth, 0.3 * truth);
+    EXPECT_NEAR(noise.rowVariance() / ResidualNoise::nearestPointBias, truth, 0.3 * truth);
     EXPECT_LT(noise.offsetPx, 0.15);
 }
 

@@ -72,7 +72,7 @@ TEST(ShapeField, FindsHowMuchTheVesselsAreDeformed)
     for (const double offsetPx : {0.5, 2.0}) {
         double sum = 0.0;
         for (std::uint64_t seed = 1; seed <= 10; ++seed) {
-            sum += ShapeField(deformedRows(offsetPx, seed), 0.04).likelyOffsetPx(prior) / 10.0;
+            sum += ShapeField(deformedRows(offsetPx, seed), 0.04).estimateOffsetPx(prior) / 10.0;
         }
         EXPECT_NEAR(sum, offsetPx, 0.35 * offsetPx);
     }
@@ -85,7 +85,7 @@ TEST(ShapeTolerance, KeepsThePoseOfAnExactShape)
     const TargetLines target(problem.target, problem.camera);
     const Alignment alignment(alignmentPoints(problem.tree), problem.camera, target);
     const CentroidPose truth = aboutCentroid(clean.truth, problem.tree.centroid);
-    const CentroidPose refined = refineTolerantly(alignment, startPrior(truth, {}), truth, 1.0);
+    const CentroidPose refined = refineWithShapeErrors(alignment, initialPosePrior(truth, {}), truth, 1.0);
     EXPECT_LT(stepBetween(truth, refined).norm(), 1e-12);
 }
 

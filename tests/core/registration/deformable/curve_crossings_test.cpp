@@ -19,7 +19,7 @@ TargetSamples sampled(const std::vector<std::vector<Eigen::Vector2d>>& curves)
     for (const auto& curve : curves) {
         target.curves.push_back({static_cast<int>(target.curves.size()), curve, {}});
     }
-    return sampledTarget(target, {});
+    return sampleTarget(target, {});
 }
 
 TEST(CurveCrossings, FindsCurvesOnBothSidesNearestFirst)
@@ -92,7 +92,7 @@ TEST(CurveCrossings, AreAllFoundAlongLinesOfAnySlope)
             Eigen::Matrix2d system;
             system << query.normal, line[0] - line[1];
             const Eigen::Vector2d at =
-                system.inverse() * (line[0] - query.placePx);   // parameters along the query and along the line
+                system.inverse() * (line[0] - query.positionPx);   // parameters along the query and along the line
             if (std::abs(at[0]) < query.reachPx && at[1] > 0.0 && at[1] < 1.0) {
                 wanted.push_back(at[0]);
             }

@@ -165,7 +165,7 @@ TEST(DeformVessels, StopKeepsTheRigidPose)
         EXPECT_EQ(report.stage, "bending");
         EXPECT_GE(report.progress, progress);
         progress = report.progress;
-        return ++reported == 5 ? Verdict::Stop : Verdict::Continue;
+        return ++reported == 5 ? ObserverDecision::Stop : ObserverDecision::Continue;
     });
 
     ASSERT_TRUE(result);

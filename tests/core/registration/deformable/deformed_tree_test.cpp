@@ -36,7 +36,7 @@ TEST(DeformedTree, BelongsToItsTreeInAnyOrderOfBranches)
     VesselTree tree = smallTree();
     const DeformableResult deformed = deformationOf(tree);
     std::swap(tree.branches[0], tree.branches[1]);
-    ASSERT_TRUE(isOf(tree, deformed));
+    ASSERT_TRUE(isCompatible(tree, deformed));
     EXPECT_EQ(deformedTree(tree, deformed).branches[0].pointsInPatient[2], Eigen::Vector3d(10, 25, 10));
 }
 
@@ -78,8 +78,8 @@ TEST(DeformedTree, AlongTheRayOfOneViewNothingIsApart)
     const VesselTree tree = smallTree();
     const DeformableResult deformed = deformationOf(tree);
     const VesselTree there = deformedTreeAt(tree, deformed, deformed.cameraFromPatient);
-    const auto inSpace = distancesApart(tree.branches[0], there.branches[0], deformed.cameraFromPatient, 2);
-    const auto across = distancesApart(tree.branches[0], there.branches[0], deformed.cameraFromPatient, 1);
+    const auto inSpace = pointDistances(tree.branches[0], there.branches[0], deformed.cameraFromPatient, 2);
+    const auto across = pointDistances(tree.branches[0], there.branches[0], deformed.cameraFromPatient, 1);
     ASSERT_EQ(across.size(), 2U);
     EXPECT_NEAR(inSpace[0], 3.0 * std::sqrt(5.0), 1e-9);
     EXPECT_NEAR(across[0], 3.0, 1e-9);   // the point lies on the optical axis: its ray is z
@@ -89,7 +89,7 @@ TEST(DeformedTree, SeenFirstFromAnotherViewIsTheSameDeformation)
 {
     const VesselTree tree = smallTree();
     const DeformableResult deformed = deformationOf(tree);
-    const DeformableResult other = seenFirst(deformed, 1);
+    const DeformableResult other = withViewFirst(deformed, 1);
     EXPECT_EQ(other.cameraFromPatient.matrix(), deformed.viewPoses[1].matrix());
     EXPECT_EQ(other.viewPoses[1].matrix(), deformed.viewPoses[0].matrix());
     EXPECT_EQ(other.branches[1].displacementMm, deformed.branches[1].displacementMm);

@@ -27,7 +27,7 @@ RigidTransform poseAt(int frame)
 }
 
 /// Points that move uniformly to the side, observed with noise.
-DeformationInTime seenAt(const VesselTree& tree, int frame, double sizeMm, CounterRandom& random)
+TimedDeformation seenAt(const VesselTree& tree, int frame, double sizeMm, CounterRandom& random)
 {
     auto deformed = std::make_shared<DeformableResult>();
     deformed->cameraFromPatient = poseAt(frame);
@@ -42,11 +42,11 @@ DeformationInTime seenAt(const VesselTree& tree, int frame, double sizeMm, Count
     return {frame, poseAt(frame), deformed};
 }
 
-double errorMm(const std::vector<DeformationInTime>& deformations)
+double errorMm(const std::vector<TimedDeformation>& deformations)
 {
     double squares = 0.0;
     double count = 0.0;
-    for (const DeformationInTime& each : deformations) {
+    for (const TimedDeformation& each : deformations) {
         for (const Eigen::Vector3d& displacement : each.deformed->branches.front().displacementMm) {
             squares += (displacement - Eigen::Vector3d(0.1 * each.frame, 0.0, 0.0)).squaredNorm();
             count += 1.0;
@@ -59,11 +59,11 @@ TEST(SmoothInTime, TakesNoiseOutOfEvenMotion)
 {
     const VesselTree tree = straightTree();
     CounterRandom random(7);
-    std::vector<DeformationInTime> deformations;
+    std::vector<TimedDeformation> deformations;
     for (int frame = 0; frame < 30; ++frame) {
         deformations.push_back(seenAt(tree, frame, noiseMm, random));
     }
-    const std::vector<DeformationInTime> smooth = smoothInTime(tree, deformations);
+    const std::vector<TimedDeformation> smooth = smoothOverTime(tree, deformations);
     ASSERT_EQ(smooth.size(), deformations.size());
     EXPECT_LT(errorMm(smooth), 0.6 * errorMm(deformations));
     EXPECT_EQ(smooth[3].deformed->branches.front().covariance[5],
@@ -74,9 +74,9 @@ TEST(SmoothInTime, LeavesFastMotionWhereItIsSeenWell)
 {
     const VesselTree tree = straightTree();
     CounterRandom random(8);
-    std::vector<DeformationInTime> deformations;
+    std::vector<TimedDeformation> deformations;
     for (const int frame : {0, 1, 2, 20, 21}) {   // a 2 mm motion in the gap
-        DeformationInTime seen = seenAt(tree, frame, 0.01, random);
+        TimedDeformation seen = seenAt(tree, frame, 0.01, random);
         auto exact = std::make_shared<DeformableResult>(*seen.deformed);
         for (Eigen::Matrix3d& covariance : exact->branches.front().covariance) {
             covariance = 1e-4 * Eigen::Matrix3d::Identity();
@@ -84,19 +84,19 @@ TEST(SmoothInTime, LeavesFastMotionWhereItIsSeenWell)
         seen.deformed = exact;
         deformations.push_back(seen);
     }
-    EXPECT_LT(errorMm(smoothInTime(tree, deformations)), 0.03);
+    EXPECT_LT(errorMm(smoothOverTime(tree, deformations)), 0.03);
 }
 
 TEST(SmoothInTime, LeavesWhatIsTooShortOrOfAnotherTree)
 {
     const VesselTree tree = straightTree();
     CounterRandom random(9);
-    std::vector<DeformationInTime> deformations{seenAt(tree, 0, noiseMm, random), seenAt(tree, 1, noiseMm, random)};
-    EXPECT_EQ(smoothInTime(tree, deformations)[1].deformed, deformations[1].deformed);
+    std::vector<TimedDeformation> deformations{seenAt(tree, 0, noiseMm, random), seenAt(tree, 1, noiseMm, random)};
+    EXPECT_EQ(smoothOverTime(tree, deformations)[1].deformed, deformations[1].deformed);
     deformations.push_back(seenAt(tree, 2, noiseMm, random));
     VesselTree other = tree;
     other.branches.front().id = 5;
-    EXPECT_EQ(smoothInTime(other, deformations)[1].deformed, deformations[1].deformed);
+    EXPECT_EQ(smoothOverTime(other, deformations)[1].deformed, deformations[1].deformed);
 }
 
 }   // namespace

@@ -55,7 +55,7 @@ TEST(BranchInformation, AgreesWithDifferencesOfProjections)
     const Eigen::Vector3d from(10.0, 5.0, 720.0);
     const Eigen::Vector3d to(10.4, 5.3, 721.0);
     const Eigen::Vector3d center(-3.0, 8.0, 750.0);
-    const Matrix6d information = pieceInformation(crossCamera, from, to, center);
+    const Matrix6d information = segmentInformation(crossCamera, from, to, center);
     const Eigen::Vector2d along = *project(crossCamera, to) - *project(crossCamera, from);
     const Eigen::Vector2d normal = Eigen::Vector2d(-along.y(), along.x()).normalized();
     const Eigen::Vector3d middle = 0.5 * (from + to);
@@ -74,16 +74,16 @@ TEST(BranchInformation, AgreesWithDifferencesOfProjections)
 TEST(BranchInformation, NamesTheBranchThatPinsAStep)
 {
     const auto reported = branchInformation(cross(), crossCamera, pose);
-    EXPECT_EQ(branchesThatPin(reported, 3, prior, 1), std::vector{2});   // horizontally: the vertical vessel
-    EXPECT_EQ(branchesThatPin(reported, 4, prior, 1), std::vector{1});
-    const auto outside = branchesThatPin(reported, 5, prior, 4);
+    EXPECT_EQ(bestBranchesForComponent(reported, 3, prior, 1), std::vector{2});   // horizontally: the vertical vessel
+    EXPECT_EQ(bestBranchesForComponent(reported, 4, prior, 1), std::vector{1});
+    const auto outside = bestBranchesForComponent(reported, 5, prior, 4);
     EXPECT_EQ(std::ranges::count(outside, 4), 0);
 }
 
 TEST(BranchInformation, ChoosesFewBranchesThatTellNearlyAsMuchAsAll)
 {
     const auto reported = branchInformation(cross(), crossCamera, pose);
-    const auto chosen = bestInformedBranches(reported, prior, 1.3);
+    const auto chosen = informativeBranchSet(reported, prior, 1.3);
     ASSERT_EQ(chosen.size(), 2u);   // the two long ones
     EXPECT_TRUE(std::ranges::count(chosen, 1) == 1 && std::ranges::count(chosen, 2) == 1);
     const Vector6d all = expectedStd(reported, {1, 2, 3, 4}, prior);

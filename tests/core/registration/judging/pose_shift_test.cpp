@@ -18,7 +18,7 @@ struct PoseShiftTest : ::testing::Test {
     RigidTransform truthMovedBy(const Vector6d& step) const
     {
         const Eigen::Vector3d& centroid = problem.wholeTreeCentroid;
-        return cameraFromPatient(moved(aboutCentroid(clean.truth, centroid), step), centroid);
+        return cameraFromPatient(retract(aboutCentroid(clean.truth, centroid), step), centroid);
     }
 };
 
@@ -58,10 +58,10 @@ TEST_F(PoseShiftTest, ExpectationIsTheSpreadOfDrawnPoses)
 
 TEST_F(PoseShiftTest, APoseBesideTheVesselsSettlesOnThem)
 {
-    EXPECT_LT(settlingShiftMm(problem, target, clean.truth, options), 0.05);
+    EXPECT_LT(refinementShiftMm(problem, target, clean.truth, options), 0.05);
     Vector6d step = Vector6d::Zero();
     step[3] = 1.6;
-    EXPECT_NEAR(settlingShiftMm(problem, target, truthMovedBy(step), options), 1.6, 0.1);
+    EXPECT_NEAR(refinementShiftMm(problem, target, truthMovedBy(step), options), 1.6, 0.1);
 }
 
 }   // namespace

@@ -23,11 +23,11 @@ double depthStdWith(int points)
     input.initialCameraFromPatient = shown.trueCameraFromPatient;
     double sum = 0.0;
     for (std::uint64_t image = 0; image < images; ++image) {
-        input.target = degraded(shown.exactTarget, shown.camera, CounterRandom(image));
+        input.target = addTracingErrors(shown.exactTarget, shown.camera, CounterRandom(image));
         const RegistrationProblem problem = makeProblem(input, options).value();
-        const StartPrior prior = startPrior(aboutCentroid(problem.start, problem.tree.centroid), options);
+        const InitialPosePrior prior = initialPosePrior(aboutCentroid(problem.start, problem.tree.centroid), options);
         const TargetLines lines(problem.target, problem.camera);
-        sum += poseKnowledge(problem, lines, problem.start, prior).uncertainty.depthMm / images;
+        sum += estimateUncertainty(problem, lines, problem.start, prior).uncertainty.depthMm / images;
     }
     return sum;
 }
@@ -46,7 +46,7 @@ TEST(PoseUncertainty, IsAboutTheCentroidOfTheWholeTree)
     const Phantom shown = makePhantom(1000, 2000);
     RegistrationInput input;
     input.tree = shown.tree;
-    input.target = degraded(shown.exactTarget, shown.camera, CounterRandom(3));
+    input.target = addTracingErrors(shown.exactTarget, shown.camera, CounterRandom(3));
     input.camera = shown.camera;
     input.initialCameraFromPatient = shown.trueCameraFromPatient;
     const auto branchCount = static_cast<int>(shown.tree.branches.size());
@@ -59,13 +59,13 @@ TEST(PoseUncertainty, IsAboutTheCentroidOfTheWholeTree)
 
     const TargetLines lines(problem.target, problem.camera);
     const CentroidPose pose = aboutCentroid(problem.start, problem.tree.centroid);
-    const StartPrior prior = startPrior(pose, {});
+    const InitialPosePrior prior = initialPosePrior(pose, {});
     const Matrix6d aboutUsed = poseInformation(problem, lines, pose, prior).inverse();
     Eigen::Matrix<double, 3, 6>
         motion;   // Jacobian from steps about the centroid of the used points to steps about that of the whole tree
     motion << -skew(arm), Eigen::Matrix3d::Identity();
     const Eigen::Matrix3d expected = motion * aboutUsed * motion.transpose();
-    const PoseUncertainty reported = poseKnowledge(problem, lines, problem.start, prior).uncertainty;
+    const PoseUncertainty reported = estimateUncertainty(problem, lines, problem.start, prior).uncertainty;
     EXPECT_LT((reported.covariance.bottomRightCorner<3, 3>() - expected).norm(), 1e-6 * expected.norm());
     EXPECT_NEAR(reported.depthMm, std::sqrt(expected(2, 2)), 1e-6);
     const Matrix6d difference = reported.covariance - aboutUsed;   // rotations are the same about any pivot

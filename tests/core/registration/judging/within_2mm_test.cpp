@@ -48,7 +48,7 @@ TEST(Within2Mm, IsNotKnownOfOtherMethodsStopsAndJudgedPoses)
     RegistrationOptions options;
     options.method = "dt-icp";
     EXPECT_FALSE(foundFrom(input, options).probabilityWithin2Mm);
-    const auto stopped = registerVessels(input, {}, [](const IterationReport&) { return Verdict::Stop; });
+    const auto stopped = registerVessels(input, {}, [](const IterationReport&) { return ObserverDecision::Stop; });
     ASSERT_TRUE(stopped);
     EXPECT_FALSE(stopped.value().probabilityWithin2Mm);
     const auto judged = evaluatePose(input, clean.truth);
@@ -62,7 +62,7 @@ TEST(Within2Mm, TakesSignsThatAreNoNumbers)
     result.metrics.medianMm = std::nan("");
     result.metrics.p95Mm = std::numeric_limits<double>::infinity();
     result.metrics.coverage = std::nan("");
-    for (const double value : signVector(result)) {
+    for (const double value : featureVector(result)) {
         EXPECT_TRUE(std::isfinite(value));
     }
     EXPECT_LT(overlayProbability(result), 0.5);

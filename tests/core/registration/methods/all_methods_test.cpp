@@ -91,7 +91,7 @@ TEST_P(EveryMethod, AStopEndsItAtOnceWithTheReportedPose)
         IterationReport last;
         const auto result = registerVessels(small.input, quickOptions(GetParam()), [&](const IterationReport& report) {
             last = report;
-            return report.iteration == stopAt ? Verdict::Stop : Verdict::Continue;
+            return report.iteration == stopAt ? ObserverDecision::Stop : ObserverDecision::Continue;
         });
         ASSERT_TRUE(result) << result.error().message;
         if (last.iteration < stopAt) {

@@ -147,7 +147,7 @@ TEST(GraphMethods, HearAStopAtOnce)
     for (const std::string_view method : {"cvo", "matched-branches", "graph-matching"}) {
         int heard = 0;
         const auto result = registerVessels(input, quickBy(method), [&](const IterationReport&) {
-            return ++heard == 2 ? Verdict::Stop : Verdict::Continue;
+            return ++heard == 2 ? ObserverDecision::Stop : ObserverDecision::Continue;
         });
         ASSERT_TRUE(result) << method;
         EXPECT_EQ(result.value().stopReason, StopReason::StoppedByUser) << method;

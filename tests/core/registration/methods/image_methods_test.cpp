@@ -3,9 +3,9 @@
 #include "core/registration/methods/method.h"
 #include "core/registration/picture/drr.h"
 #include "core/registration/picture/rank_correlation.h"
-#include "core/registration/picture/tube_picture.h"
+#include "core/registration/picture/tube_image.h"
 #include "core/registration/picture/vessel_brightness.h"
-#include "core/registration/picture/vessel_picture.h"
+#include "core/registration/picture/vessel_image.h"
 #include "core/registration/picture/wall_sites.h"
 #include "core/simulation/simulated_case.h"
 
@@ -39,7 +39,7 @@ struct DrawnCase {
     void showImage()
     {
         const RegistrationProblem drawn = problem();
-        ImageF image = pictureOf(drawn.tree, input.camera, truth);
+        ImageF image = renderTubes(drawn.tree, input.camera, truth);
         for (float& value : image.pixels) {
             value = 1000.0F - 20.0F * value;
         }
@@ -101,23 +101,23 @@ TEST(VesselPicture, IsTheSameForEitherPolarity)
 {
     DrawnCase drawn;
     drawn.showImage();
-    const ImageF dark = vesselPicture(drawn.problem());
+    const ImageF dark = vesselImage(drawn.problem());
     ImageF inverted = *drawn.input.image;
     for (float& value : inverted.pixels) {
         value = -value;
     }
     drawn.input.image = std::make_shared<const ImageF>(std::move(inverted));
     drawn.input.polarity = Polarity::VesselsBright;
-    EXPECT_EQ(vesselPicture(drawn.problem()).pixels, dark.pixels);
+    EXPECT_EQ(vesselImage(drawn.problem()).pixels, dark.pixels);
 }
 
 TEST(VesselPicture, IsBrightOnTheVesselsWithOrWithoutAnImage)
 {
     DrawnCase drawn;
     const RegistrationProblem traced = drawn.problem();
-    const ImageF ofTarget = vesselPicture(traced);
+    const ImageF ofTarget = vesselImage(traced);
     drawn.showImage();
-    const ImageF ofImage = vesselPicture(drawn.problem());
+    const ImageF ofImage = vesselImage(drawn.problem());
     for (const ImageF* picture : {&ofTarget, &ofImage}) {
         double on = 0.0;
         for (const Eigen::Vector2d& point : traced.target.points) {
@@ -219,12 +219,12 @@ TEST(WallSites, LieOnTheWallsAndAgreeMostAtTheTruth)
     for (const WallSite& site : sites) {
         EXPECT_NEAR(site.normal.norm(), 1.0, 1e-12);
     }
-    const BackprojectedGradients gradients(vesselPicture(problem), drawn.input.camera, 1.0);
+    const BackprojectedGradients gradients(vesselImage(problem), drawn.input.camera, 1.0);
     const CentroidPose truth = aboutCentroid(drawn.truth, problem.tree.centroid);
     for (int k = 0; k < 6; ++k) {
         const Vector6d step = (k < 3 ? 0.03 : (k < 5 ? 2.0 : 30.0)) * Vector6d::Unit(k);
-        EXPECT_GT(gradients.score(sites, truth), gradients.score(sites, moved(truth, step))) << k;
-        EXPECT_GT(gradients.score(sites, truth), gradients.score(sites, moved(truth, -step))) << k;
+        EXPECT_GT(gradients.score(sites, truth), gradients.score(sites, retract(truth, step))) << k;
+        EXPECT_GT(gradients.score(sites, truth), gradients.score(sites, retract(truth, -step))) << k;
     }
 }
 
@@ -235,10 +235,10 @@ TEST(VesselBrightness, PullLeadsUphill)
     const VesselBrightness brightness(problem);
     const CentroidPose truth = aboutCentroid(drawn.truth, problem.tree.centroid);
     for (int k = 3; k < 5; ++k) {
-        const CentroidPose off = moved(truth, 1.5 * Vector6d::Unit(k));
-        const Vector6d direction = dampedStep(brightness.pull(off, 2.0), 1e-3);
+        const CentroidPose off = retract(truth, 1.5 * Vector6d::Unit(k));
+        const Vector6d direction = dampedStep(brightness.normalEquations(off, 2.0), 1e-3);
         EXPECT_LT(direction(k), 0.0);
-        const CentroidPose next = moved(off, 0.2 / direction.tail<3>().norm() * direction);
+        const CentroidPose next = retract(off, 0.2 / direction.tail<3>().norm() * direction);
         EXPECT_GT(brightness.of(next, 2.0), brightness.of(off, 2.0));
     }
 }

@@ -224,7 +224,7 @@ TEST(SeedMethods, AStopAtAnyTimeReturnsTheReportedPose)
         for (const int stopAt : {1, 4, 33, 40}) {
             const RegistrationOptions options = exactSamplesWith(PriorPreset::SeedMean);
             const Outcome stopped = solvedBy(method, input, options, [stopAt](const IterationReport& report) {
-                return report.iteration == stopAt ? Verdict::Stop : Verdict::Continue;
+                return report.iteration == stopAt ? ObserverDecision::Stop : ObserverDecision::Continue;
             });
             if (static_cast<int>(stopped.reports.size()) < stopAt) {
                 continue;   // converged before that iteration

@@ -78,8 +78,8 @@ TEST(BranchGraph, CutsABranchWhereAnotherLeavesIt)
     EXPECT_EQ(graph.edges[1].curve, 0);
     EXPECT_EQ(graph.edges[2].curve, 1);
     EXPECT_EQ(graph.edges[0].to, graph.edges[1].from);
-    EXPECT_EQ(graph.arrivalOf({0, false}), graph.arrivalOf({1, true}));   // both walks end at the bifurcation
-    EXPECT_EQ(graph.arrivalOf({0, false}), graph.arrivalOf({2, true}));
+    EXPECT_EQ(graph.targetNode({0, false}), graph.targetNode({1, true}));   // both walks end at the bifurcation
+    EXPECT_EQ(graph.targetNode({0, false}), graph.targetNode({2, true}));
 }
 
 TEST(BranchGraph, CurvesThatOnlyCrossDoNotMeet)
@@ -108,12 +108,12 @@ TEST(TracedPath, GoesStraightOnThroughANode)
     const TargetSamples target = targetOf({trunk, side});
     const BranchGraph graph = graphOf(target);
     ASSERT_EQ(graph.edges.size(), 3U);
-    const TracedPath path = pathFrom(graph, target, outOf(graph, target, {0.0, 50.0}), 95.0);
+    const TracedPath path = followPath(graph, target, outOf(graph, target, {0.0, 50.0}), 95.0);
     EXPECT_EQ(path.edges.size(), 2U);
     EXPECT_NEAR(path.lengthPx, 100.0, 1.0);
     EXPECT_LT((path.points.back() - Eigen::Vector2d(100.0, 50.0)).norm(), 1e-9);
-    ASSERT_NE(path.arrivesAt, TracedPath::nowhere);
-    EXPECT_EQ(graph.nodes[static_cast<std::size_t>(path.arrivesAt)].size(), 1U);
+    ASSERT_NE(path.endNode, TracedPath::noNode);
+    EXPECT_EQ(graph.nodes[static_cast<std::size_t>(path.endNode)].size(), 1U);
 }
 
 TEST(TracedPath, EndsAtTheNodeWhereItIsLongEnoughAndInBetweenWhereTooLong)
@@ -121,12 +121,12 @@ TEST(TracedPath, EndsAtTheNodeWhereItIsLongEnoughAndInBetweenWhereTooLong)
     const TargetSamples target = targetOf({trunk, side});
     const BranchGraph graph = graphOf(target);
     const EdgeEnd start = outOf(graph, target, {0.0, 50.0});
-    const TracedPath asLong = pathFrom(graph, target, start, 60.0);
+    const TracedPath asLong = followPath(graph, target, start, 60.0);
     EXPECT_EQ(asLong.edges.size(), 1U);
-    ASSERT_NE(asLong.arrivesAt, TracedPath::nowhere);
-    EXPECT_EQ(graph.nodes[static_cast<std::size_t>(asLong.arrivesAt)].size(), 3U);
-    const TracedPath cut = pathFrom(graph, target, start, 30.0);
-    EXPECT_EQ(cut.arrivesAt, TracedPath::nowhere);
+    ASSERT_NE(asLong.endNode, TracedPath::noNode);
+    EXPECT_EQ(graph.nodes[static_cast<std::size_t>(asLong.endNode)].size(), 3U);
+    const TracedPath cut = followPath(graph, target, start, 30.0);
+    EXPECT_EQ(cut.endNode, TracedPath::noNode);
     EXPECT_DOUBLE_EQ(cut.lengthPx, 30.0);
 }
 
@@ -134,16 +134,16 @@ TEST(TracedPath, TurnsIntoNoOtherVessel)
 {
     const TargetSamples target = targetOf({trunk, side});
     const BranchGraph graph = graphOf(target);
-    const TracedPath path = pathFrom(graph, target, outOf(graph, target, {60.0, 100.0}), 200.0);
+    const TracedPath path = followPath(graph, target, outOf(graph, target, {60.0, 100.0}), 200.0);
     EXPECT_EQ(path.edges.size(), 1U);   // both continuations turn by 90°
-    EXPECT_NE(path.arrivesAt, TracedPath::nowhere);
+    EXPECT_NE(path.endNode, TracedPath::noNode);
 }
 
 TEST(TracedPath, PlacesLieAlongThePolyline)
 {
-    EXPECT_LT((placeAlong(side, 10.5) - Eigen::Vector2d(60.0, 62.5)).norm(), 1e-12);
-    EXPECT_EQ(placeAlong(side, -3.0), side.front());
-    EXPECT_EQ(placeAlong(side, 1e6), side.back());
+    EXPECT_LT((pointAtLength(side, 10.5) - Eigen::Vector2d(60.0, 62.5)).norm(), 1e-12);
+    EXPECT_EQ(pointAtLength(side, -3.0), side.front());
+    EXPECT_EQ(pointAtLength(side, 1e6), side.back());
     EXPECT_DOUBLE_EQ(lengthOf(side), 48.0);
 }
 

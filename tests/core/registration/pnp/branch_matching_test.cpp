@@ -35,7 +35,7 @@ TEST_F(BranchMatchingTest, GivesBranchesTheirOwnCurves)
     EXPECT_GT(rightShare(truth, 5.0), 0.9);
     Vector6d offset;
     offset << 0.01, -0.01, 0.02, 3.0, -2.0, 0.0;
-    EXPECT_GT(rightShare(moved(truth, offset), 15.0), 0.75);
+    EXPECT_GT(rightShare(retract(truth, offset), 15.0), 0.75);
 }
 
 TEST_F(BranchMatchingTest, PairsAtTheTruthLieOnEachOther)
@@ -53,9 +53,9 @@ TEST_F(BranchMatchingTest, MatchesNothingFarAway)
 {
     Vector6d far = Vector6d::Zero();
     far(3) = 600.0;
-    const std::vector<int> matched = matching.match(moved(truth, far), 20.0);
+    const std::vector<int> matched = matching.match(retract(truth, far), 20.0);
     EXPECT_EQ(std::ranges::count(matched, BranchMatching::noCurve), std::ssize(matched));
-    EXPECT_TRUE(matching.pairs(moved(truth, far), 20.0).empty());
+    EXPECT_TRUE(matching.pairs(retract(truth, far), 20.0).empty());
 }
 
 std::vector<Eigen::Vector3d> run(const Eigen::Vector3d& from, const Eigen::Vector3d& to)

@@ -24,13 +24,13 @@ struct KernelFlowTest : testing::Test {
 TEST_F(KernelFlowTest, GradientMatchesDifferences)
 {
     KernelFlow flow(problem, {8.0, false});
-    const CentroidPose pose = moved(truth, offset);
+    const CentroidPose pose = retract(truth, offset);
     const Vector6d gradient = flow.at(pose).gradient;
     for (int k = 0; k < 6; ++k) {
         const double h = k < 3 ? 1e-4 : 1e-2;
-        const double slope =
-            (flow.at(moved(pose, h * Vector6d::Unit(k))).value - flow.at(moved(pose, -h * Vector6d::Unit(k))).value) /
-            (2.0 * h);
+        const double slope = (flow.at(retract(pose, h * Vector6d::Unit(k))).value -
+                              flow.at(retract(pose, -h * Vector6d::Unit(k))).value) /
+                             (2.0 * h);
         EXPECT_NEAR(gradient(k), slope, 5e-3 * gradient.cwiseAbs().maxCoeff()) << k;
     }
 }
@@ -42,7 +42,7 @@ TEST_F(KernelFlowTest, IsHighestAtTheTruth)
     for (int k = 0; k < 6; ++k) {
         for (const double side : {-1.0, 1.0}) {
             const double h = side * (k < 3 ? 0.02 : 8.0);
-            EXPECT_LT(flow.at(moved(truth, h * Vector6d::Unit(k))).value, atTruth) << k;
+            EXPECT_LT(flow.at(retract(truth, h * Vector6d::Unit(k))).value, atTruth) << k;
         }
     }
 }
@@ -50,14 +50,14 @@ TEST_F(KernelFlowTest, IsHighestAtTheTruth)
 TEST_F(KernelFlowTest, TheSeriesFollowsTheFlowAlongAStep)
 {
     KernelFlow flow(problem, {20.0, false});
-    const CentroidPose pose = moved(truth, offset);
+    const CentroidPose pose = retract(truth, offset);
     Vector6d step;
     step << 0.002, 0.003, -0.004, 0.8, 0.5, 3.0;   // a few px
-    const KernelFlow::Slope here = flow.at(pose);
+    const KernelFlow::ValueAndGradient here = flow.at(pose);
     const PowerSeries series = flow.along(step);
     EXPECT_NEAR(series.value(0.0), here.value, 1e-12);
     EXPECT_NEAR(series.slope(0.0), here.gradient.dot(step), 1e-9 * std::abs(here.value));
-    const double change = flow.at(moved(pose, step)).value - here.value;
+    const double change = flow.at(retract(pose, step)).value - here.value;
     EXPECT_GT(std::abs(change), 1e-3 * here.value);
     EXPECT_NEAR(series.value(1.0) - here.value, change, 0.02 * std::abs(change));
 }

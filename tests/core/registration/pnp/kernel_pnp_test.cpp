@@ -156,7 +156,7 @@ TEST(KernelPnp, NeverAcceptsAFallOfTheKernelSum)
             EXPECT_LE(kernelLoss(*step.distances, step.scalePx), kernelLoss(before, step.scalePx));
             before = *step.distances;
             ++accepted;
-            return Verdict::Continue;
+            return ObserverDecision::Continue;
         });
         EXPECT_GT(accepted, 3);
     }
@@ -254,8 +254,8 @@ TEST(KernelPnp, KeepsTheDepthWithinItsGuard)
 {
     const KernelCase clean(4);
     KernelSchedule schedule;
-    schedule.nearestMm = 815.0;
-    schedule.farthestMm = 900.0;
+    schedule.minDepthMm = 815.0;
+    schedule.maxDepthMm = 900.0;
     Vector6d deeper = Vector6d::Zero();
     deeper(5) = 30.0;
     const KernelPnpResult result = KernelPnp(clean.matched(), {}, schedule).solve(expSe3(deeper));
@@ -272,7 +272,7 @@ TEST(KernelPnp, AStopKeepsThePoseReachedSoFar)
     const KernelPnpResult result =
         KernelPnp(clean.matched(), {}, {}).solve(start, [&seen](const KernelIteration& step) {
             seen = step.pose;
-            return step.iteration == 2 ? Verdict::Stop : Verdict::Continue;
+            return step.iteration == 2 ? ObserverDecision::Stop : ObserverDecision::Continue;
         });
     EXPECT_EQ(result.stopReason, StopReason::StoppedByUser);
     EXPECT_EQ(result.iterations, 2);

@@ -22,14 +22,14 @@ TEST_F(OrientedMixtureTest, GradientMatchesDifferences)
     OrientedMixture mixture(problem, {6.0, 0.3, 1.0});
     Vector6d offset;
     offset << 0.01, -0.02, 0.015, 1.0, -2.0, 5.0;
-    const CentroidPose pose = moved(truth, offset);
+    const CentroidPose pose = retract(truth, offset);
     Vector6d gradient;
     mixture.distance(pose, gradient);
     Vector6d unused;
     for (int k = 0; k < 6; ++k) {
         const double h = k < 3 ? 1e-6 : 1e-4;
-        const double slope = (mixture.distance(moved(pose, h * Vector6d::Unit(k)), unused) -
-                              mixture.distance(moved(pose, -h * Vector6d::Unit(k)), unused)) /
+        const double slope = (mixture.distance(retract(pose, h * Vector6d::Unit(k)), unused) -
+                              mixture.distance(retract(pose, -h * Vector6d::Unit(k)), unused)) /
                              (2.0 * h);
         EXPECT_NEAR(gradient(k), slope, 2e-3 * gradient.cwiseAbs().maxCoeff()) << k;
     }
@@ -43,7 +43,7 @@ TEST_F(OrientedMixtureTest, IsLeastAtTheTruth)
     for (int k = 0; k < 6; ++k) {
         for (const double side : {-1.0, 1.0}) {
             const double h = side * (k < 3 ? 0.02 : 4.0);
-            EXPECT_GT(mixture.distance(moved(truth, h * Vector6d::Unit(k)), unused), atTruth) << k;
+            EXPECT_GT(mixture.distance(retract(truth, h * Vector6d::Unit(k)), unused), atTruth) << k;
         }
     }
 }
@@ -54,7 +54,7 @@ TEST_F(OrientedMixtureTest, TheSelfTermChargesCollapse)
     Vector6d unused;
     Vector6d away = Vector6d::Zero();
     away(5) = 2000.0;
-    const CentroidPose collapsed = moved(truth, away);
+    const CentroidPose collapsed = retract(truth, away);
     OrientedMixture with(problem, {15.0, 0.3, 1.0});
     OrientedMixture without(problem, {15.0, 0.3, 0.0});
     const double charged = with.distance(collapsed, unused) - with.distance(truth, unused);

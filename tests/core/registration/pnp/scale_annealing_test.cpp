@@ -14,7 +14,7 @@ TEST(ScaleAnnealing, HalvesEveryFiveStepsDownToItsFloor)
     for (const double expected : {3.0, 1.5, 1.0, 1.0}) {
         EXPECT_DOUBLE_EQ(annealing.scalePx(), expected);
         for (int step = 0; step < 5; ++step) {
-            annealing.noteStep(100);
+            annealing.countStep(100);
         }
     }
     EXPECT_TRUE(annealing.isFinal());
@@ -24,10 +24,10 @@ TEST(ScaleAnnealing, StagnationWaitsWhilePointsStillComeWithinReach)
 {
     ScaleAnnealing annealing(Decay::Stagnation, 10.0, 1.0);
     for (int step = 0; step < 25; ++step) {
-        annealing.noteStep(100 + step);
+        annealing.countStep(100 + step);
     }
     EXPECT_DOUBLE_EQ(annealing.scalePx(), 10.0);
-    annealing.noteStep(100);
+    annealing.countStep(100);
     EXPECT_DOUBLE_EQ(annealing.scalePx(), 7.0);
 }
 
@@ -35,10 +35,10 @@ TEST(ScaleAnnealing, StagnationSpendsAtLeastTenStepsAtOneScale)
 {
     ScaleAnnealing annealing(Decay::Stagnation, 10.0, 1.0);
     for (int step = 0; step < 9; ++step) {
-        annealing.noteStep(100);
+        annealing.countStep(100);
         EXPECT_DOUBLE_EQ(annealing.scalePx(), 10.0);
     }
-    annealing.noteStep(100);
+    annealing.countStep(100);
     EXPECT_DOUBLE_EQ(annealing.scalePx(), 7.0);
 }
 
@@ -46,7 +46,7 @@ TEST(ScaleAnnealing, StartsAtItsFloorWhenTheStartIsFiner)
 {
     ScaleAnnealing annealing(Decay::Halving, 0.2, 1.0);
     EXPECT_DOUBLE_EQ(annealing.scalePx(), 1.0);
-    EXPECT_FALSE(annealing.sharpen());
+    EXPECT_FALSE(annealing.shrinkScale());
 }
 
 }   // namespace

@@ -38,10 +38,10 @@ TEST(SeedProblem, PresetsWeighThePriorAsSpecified)
 TEST(SeedProblem, OnlyTheFreePresetNeedsTheDepthGuard)
 {
     const CleanCase clean(1);
-    EXPECT_TRUE(std::isinf(seedProblem(clean, PriorPreset::SeedSum).schedule.farthestMm));
+    EXPECT_TRUE(std::isinf(seedProblem(clean, PriorPreset::SeedSum).schedule.maxDepthMm));
     const SeedProblem none = seedProblem(clean, PriorPreset::NoPrior);
-    EXPECT_NEAR(none.schedule.nearestMm, 700.0, 2.0);
-    EXPECT_NEAR(none.schedule.farthestMm, 900.0, 2.0);
+    EXPECT_NEAR(none.schedule.minDepthMm, 700.0, 2.0);
+    EXPECT_NEAR(none.schedule.maxDepthMm, 900.0, 2.0);
 }
 
 TEST(SeedProblem, PointsStandWhereTheInitialPosePutsThem)
@@ -60,10 +60,10 @@ TEST(SeedProblem, PointsStandWhereTheInitialPosePutsThem)
 TEST(SeedProblem, FourWellSpreadPointsCanFixAPose)
 {
     const std::vector<Eigen::Vector3d> tree{{-50, 0, 0}, {50, 0, 0}, {0, 50, 0}, {0, -50, 0}, {0, 0, 50}, {0, 0, -50}};
-    EXPECT_TRUE(isSolvableAlone({tree.begin(), tree.begin() + 4}, tree));
-    EXPECT_FALSE(isSolvableAlone({tree.begin(), tree.begin() + 3}, tree));
-    EXPECT_FALSE(isSolvableAlone({{10, 0, 0}, {-10, 0, 0}, {0, 10, 0}, {0, -10, 0}}, tree));
-    EXPECT_FALSE(isSolvableAlone({}, tree));
+    EXPECT_TRUE(determinesPose({tree.begin(), tree.begin() + 4}, tree));
+    EXPECT_FALSE(determinesPose({tree.begin(), tree.begin() + 3}, tree));
+    EXPECT_FALSE(determinesPose({{10, 0, 0}, {-10, 0, 0}, {0, 10, 0}, {0, -10, 0}}, tree));
+    EXPECT_FALSE(determinesPose({}, tree));
 }
 
 }   // namespace

@@ -1,4 +1,4 @@
-#include "core/registration/pose/start_prior.h"
+#include "core/registration/pose/initial_pose_prior.h"
 
 #include <gtest/gtest.h>
 
@@ -24,37 +24,37 @@ TEST(CentroidPose, StepBetweenUndoesMoved)
 {
     Vector6d step;
     step << 0.1, -0.05, 0.2, 3.0, -4.0, 20.0;
-    EXPECT_LT((stepBetween(someCentroidPose(), moved(someCentroidPose(), step)) - step).norm(), 1e-12);
+    EXPECT_LT((stepBetween(someCentroidPose(), retract(someCentroidPose(), step)) - step).norm(), 1e-12);
 }
 
-TEST(StartPrior, GradientMatchesDifferencesOfItsCost)
+TEST(InitialPosePrior, GradientMatchesDifferencesOfItsCost)
 {
     Vector6d std;
     std << 0.14, 0.2, 1.05, 30.0, 20.0, 60.0;
-    StartPrior prior = independentPrior(someCentroidPose(), std);
+    InitialPosePrior prior = independentPrior(someCentroidPose(), std);
     const Vector6d shared = 0.7 / 20.0 * Vector6d::Unit(4) + 0.7 / 0.14 * Vector6d::Unit(0);
     prior.information += shared * shared.transpose();
     Vector6d away;
     away << 0.2, -0.15, 0.3, 10.0, -4.0, 25.0;
-    const CentroidPose pose = moved(someCentroidPose(), away);
+    const CentroidPose pose = retract(someCentroidPose(), away);
     NormalEquations equations;
     prior.add(pose, 1.0, equations);
     for (int k = 0; k < 6; ++k) {
         constexpr double h = 1e-6;
         const Vector6d step = h * Vector6d::Unit(k);
-        const double slope = (prior.cost(moved(pose, step)) - prior.cost(moved(pose, -step))) / (2.0 * h);
+        const double slope = (prior.cost(retract(pose, step)) - prior.cost(retract(pose, -step))) / (2.0 * h);
         EXPECT_NEAR(2.0 * equations.gradient[k], slope, 1e-5 * std::max(1.0, std::abs(slope)));
     }
 }
 
-TEST(StartPrior, InformationIsTheCurvatureOfItsCost)
+TEST(InitialPosePrior, InformationIsTheCurvatureOfItsCost)
 {
-    const StartPrior prior = startPrior(someCentroidPose(), {});
+    const InitialPosePrior prior = initialPosePrior(someCentroidPose(), {});
     Vector6d away;
     away << 0.2, -0.15, 0.3, 10.0, -4.0, 25.0;
     NormalEquations equations;
-    prior.add(moved(someCentroidPose(), away), 1.0, equations);
-    EXPECT_LT((equations.hessian - prior.informationAt(moved(someCentroidPose(), away))).norm(), 1e-9);
+    prior.add(retract(someCentroidPose(), away), 1.0, equations);
+    EXPECT_LT((equations.hessian - prior.informationAt(retract(someCentroidPose(), away))).norm(), 1e-9);
     EXPECT_LT((prior.std() - independentPrior(someCentroidPose(), prior.std()).std()).norm(), 1e-9);
     EXPECT_DOUBLE_EQ(prior.std()[5], RegistrationOptions().angiopose.priorDepthMm);
 }

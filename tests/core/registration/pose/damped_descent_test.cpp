@@ -41,7 +41,7 @@ public:
     {
         return dampedStep(equations, damping);
     }
-    Vector6d moved(const Vector6d& state, const Vector6d& step) const { return state + step; }
+    Vector6d retract(const Vector6d& state, const Vector6d& step) const { return state + step; }
     std::optional<double> decrease(const Evaluation& here, const Evaluation& there) const
     {
         return there.cost <= here.cost ? std::optional(here.cost - there.cost) : std::nullopt;
@@ -58,9 +58,9 @@ private:
     Vector6d request_;
 };
 
-Verdict goOn(const StepOutcome&)
+ObserverDecision goOn(const StepOutcome&)
 {
-    return Verdict::Continue;
+    return ObserverDecision::Continue;
 }
 
 // Only the rotations are wrong and the first full step worsens them. Measured by its shift alone, the step would look
@@ -70,11 +70,11 @@ TEST(DampedDescent, ARefusedTurnIsNotTakenForSettled)
     const Vector6d request = 2.5 * Vector6d::Unit(1);
     Arctangents problem(request);
     EvaluationPair<Arctangents::Evaluation> evaluations;
-    DampedDescent descent(problem, Vector6d(Vector6d::Zero()), evaluations, {.settledMm = 1e-6});
+    DampedDescent descent(problem, Vector6d(Vector6d::Zero()), evaluations, {.minMotionMm = 1e-6});
     const StepOutcome first = descent.step();
-    ASSERT_FALSE(first.isTaken);
-    EXPECT_FALSE(first.isSettled);
-    EXPECT_TRUE(descent.descend(100, goOn).isSettled);
+    ASSERT_FALSE(first.isAccepted);
+    EXPECT_FALSE(first.isConverged);
+    EXPECT_TRUE(descent.descend(100, goOn).isConverged);
     EXPECT_LT((descent.state() - request).norm(), 1e-7);
 }
 
@@ -83,7 +83,7 @@ TEST(DampedDescent, LinearizesOncePerPlaceHoweverManyTriesItTakes)
     Arctangents problem(2.5 * Vector6d::Unit(1));
     EvaluationPair<Arctangents::Evaluation> evaluations;
     DampedDescent descent(problem, Vector6d(Vector6d::Zero()), evaluations, {20, 1e-6});
-    EXPECT_TRUE(descent.step().isTaken);
+    EXPECT_TRUE(descent.step().isAccepted);
     EXPECT_EQ(problem.linearizations, 1);
     EXPECT_GT(problem.evaluations, 2);
 }
@@ -91,17 +91,17 @@ TEST(DampedDescent, LinearizesOncePerPlaceHoweverManyTriesItTakes)
 TEST(DampedDescent, AStepThatPromisesLittleSettlesIt)
 {
     const Vector6d request = 0.5 * Vector6d::Ones();
-    const auto stepsUntil = [&](double settledGain) {
+    const auto stepsUntil = [&](double minGain) {
         Arctangents problem(request);
         EvaluationPair<Arctangents::Evaluation> evaluations;
         DampedDescent descent(problem, Vector6d(Vector6d::Zero()), evaluations,
-                              {.settledMm = 1e-9, .settledGain = settledGain});
+                              {.minMotionMm = 1e-9, .minGain = minGain});
         int steps = 0;
         const StepOutcome last = descent.descend(50, [&](const StepOutcome&) {
             ++steps;
-            return Verdict::Continue;
+            return ObserverDecision::Continue;
         });
-        EXPECT_TRUE(last.isSettled);
+        EXPECT_TRUE(last.isConverged);
         EXPECT_LT((descent.state() - request).norm(), 1e-3);
         return steps;
     };
@@ -113,7 +113,7 @@ TEST(DampedDescent, NeverStandsWhereItCannot)
     Arctangents problem(0.9 * Vector6d::Ones());
     problem.limit = 0.5;
     EvaluationPair<Arctangents::Evaluation> evaluations;
-    DampedDescent descent(problem, Vector6d(Vector6d::Zero()), evaluations, {.settledMm = 1e-6});
+    DampedDescent descent(problem, Vector6d(Vector6d::Zero()), evaluations, {.minMotionMm = 1e-6});
     ASSERT_TRUE(descent.isFeasible());
     descent.descend(60, goOn);
     EXPECT_LT(descent.state().maxCoeff(), 0.5);
@@ -127,8 +127,8 @@ TEST(DampedDescent, AStopEndsItAfterTheStep)
     EvaluationPair<Arctangents::Evaluation> evaluations;
     DampedDescent descent(problem, Vector6d(Vector6d::Zero()), evaluations, {});
     int steps = 0;
-    const StepOutcome last =
-        descent.descend(50, [&](const StepOutcome&) { return ++steps == 2 ? Verdict::Stop : Verdict::Continue; });
+    const StepOutcome last = descent.descend(
+        50, [&](const StepOutcome&) { return ++steps == 2 ? ObserverDecision::Stop : ObserverDecision::Continue; });
     EXPECT_TRUE(last.isStopped);
     EXPECT_EQ(steps, 2);
 }

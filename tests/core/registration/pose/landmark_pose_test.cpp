@@ -62,7 +62,7 @@ TEST(LandmarkPose, FindsTheExactPoseWithoutAStart)
         ASSERT_TRUE(found) << found.error().message.text();
         EXPECT_LT((found.value().cameraFromPatient.matrix() - trueCameraFromPatient().matrix()).norm(), 1e-5);
         EXPECT_LT(found.value().rmsPx, 1e-6);
-        EXPECT_FALSE(found.value().leansOnPrior);
+        EXPECT_FALSE(found.value().usesPrior);
     }
 }
 
@@ -94,7 +94,7 @@ TEST(LandmarkPose, OnePairShiftsThePoseAndTurnsNothing)
     const RigidTransform before = disturbed(6.0, {20.0, -14.0, 30.0});
     const auto found = poseFromLandmarks(pairsOf({spreadOffsets[0]}), landmarkCamera, before);
     ASSERT_TRUE(found) << found.error().message.text();
-    EXPECT_TRUE(found.value().leansOnPrior);
+    EXPECT_TRUE(found.value().usesPrior);
     EXPECT_LT(found.value().errorPx[0], 0.1);
     EXPECT_LT(turnDeg(found.value().cameraFromPatient, before), 0.05);
     const Eigen::Vector3d point = center + spreadOffsets[0];

@@ -92,11 +92,11 @@ TEST(PoseFreedom, FreeStepsAndHeldPosesKeepWhatIsLocked)
                              {PoseAxis::Roll, PoseAxis::AlongRay}}) {
         const PoseFreedom freedom = scene.freedom(axes);
         const Vector6d before = freedom.coordinates(scene.start);
-        const CentroidPose after = freedom.moved(scene.start, scene.randomStep(random));
+        const CentroidPose after = freedom.retract(scene.start, scene.randomStep(random));
         const Vector6d change = freedom.coordinates(after) - before;
         const StepBasis free = freedom.freeSteps(scene.start);
         EXPECT_EQ(free.cols(), 6 - static_cast<Eigen::Index>(axes.size()));
-        const Vector6d along = freedom.coordinates(moved(scene.start, 1e-6 * free.rowwise().sum())) - before;
+        const Vector6d along = freedom.coordinates(retract(scene.start, 1e-6 * free.rowwise().sum())) - before;
         for (Eigen::Index k = 0; k < 6; ++k) {
             EXPECT_EQ(std::abs(change[k]) < 1e-10, freedom.isLocked(k)) << k;
             EXPECT_EQ(std::abs(along[k]) < 1e-9, freedom.isLocked(k)) << k;
@@ -109,7 +109,7 @@ TEST(PoseFreedom, AllFreeChangesNothing)
     const Scene scene;
     CounterRandom random(4);
     const Vector6d step = scene.randomStep(random);
-    EXPECT_EQ(PoseFreedom().moved(scene.start, step).rotation, moved(scene.start, step).rotation);
+    EXPECT_EQ(PoseFreedom().retract(scene.start, step).rotation, retract(scene.start, step).rotation);
     EXPECT_TRUE(PoseFreedom().isFull());
 }
 
@@ -119,9 +119,9 @@ TEST(PoseFreedom, MotionsFromTheStartHaveTheSameCoordinates)
     const PoseFreedom freedom = scene.freedom({PoseAxis::AlongRay});
     const RigidTransform initialPose{scene.start.rotation, {0.0, 0.0, 0.0}};
     CounterRandom random(5);
-    const CentroidPose moved = core::moved(scene.start, scene.randomStep(random));
-    const CentroidPose motion{moved.rotation * initialPose.rotation.transpose(), moved.centroidInCamera};
-    const Vector6d gap = freedom.fromStart(initialPose.rotation).coordinates(motion) - freedom.coordinates(moved);
+    const CentroidPose retract = core::retract(scene.start, scene.randomStep(random));
+    const CentroidPose motion{retract.rotation * initialPose.rotation.transpose(), retract.centroidInCamera};
+    const Vector6d gap = freedom.fromStart(initialPose.rotation).coordinates(motion) - freedom.coordinates(retract);
     EXPECT_LT(gap.norm(), 1e-11);
 }
 
@@ -129,10 +129,11 @@ TEST(PoseFreedom, LocksMoreAtTheGivenPose)
 {
     const Scene scene;
     CounterRandom random(6);
-    const CentroidPose elsewhere = moved(scene.start, scene.randomStep(random));
+    const CentroidPose elsewhere = retract(scene.start, scene.randomStep(random));
     for (const PoseFreedom& freedom : {PoseFreedom(), scene.freedom({PoseAxis::AlongRay})}) {
-        const PoseFreedom shifts = freedom.alsoLocking({PoseAxis::Roll, PoseAxis::LaoRao, PoseAxis::CraCau}, elsewhere);
-        const CentroidPose after = shifts.moved(elsewhere, scene.randomStep(random));
+        const PoseFreedom shifts =
+            freedom.withLockedAxes({PoseAxis::Roll, PoseAxis::LaoRao, PoseAxis::CraCau}, elsewhere);
+        const CentroidPose after = shifts.retract(elsewhere, scene.randomStep(random));
         EXPECT_LT((after.rotation - elsewhere.rotation).norm(), 1e-13);
         EXPECT_GT((after.centroidInCamera - elsewhere.centroidInCamera).norm(), 1.0);
     }

@@ -273,7 +273,7 @@ TEST(Wire, AStopKeepsTheBestPoseUntrusted)
         const auto result = registerVessels(made.from(moved), options, [&](const IterationReport& report) {
             EXPECT_GE(report.progress, last.progress);
             last = report;
-            return report.iteration == stopAt ? Verdict::Stop : Verdict::Continue;
+            return report.iteration == stopAt ? ObserverDecision::Stop : ObserverDecision::Continue;
         });
         ASSERT_TRUE(result);
         EXPECT_EQ(last.iteration, stopAt);

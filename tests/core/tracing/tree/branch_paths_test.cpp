@@ -43,10 +43,10 @@ TEST(BranchPaths, BeginAtTheThickestEnd)
     tree.add(top, fork, 8, 7);
     tree.add(fork, tree.addNode({40, 0, -60}, 4), 5, 4);
     tree.add(fork, tree.addNode({-40, 0, -60}, 4), 5, 4);
-    const auto paths = core::branchPaths(tree.graph, std::nullopt, {});
+    const auto paths = core::splitIntoPaths(tree.graph, std::nullopt, {});
     ASSERT_EQ(paths.size(), 2U);
     EXPECT_EQ(paths.front().pointsMm.front(), Point(0, 0, 100));
-    const auto asked = core::branchPaths(tree.graph, Point(40, 0, -60), {});
+    const auto asked = core::splitIntoPaths(tree.graph, Point(40, 0, -60), {});
     EXPECT_EQ(asked.front().pointsMm.front(), Point(40, 0, -60));
 }
 
@@ -60,7 +60,7 @@ TEST(BranchPaths, BeginWhereTheAortaDoesWithCoronaryArteriesAtItsEnd)
     tree.add(root, arch, 13, 12);
     tree.add(arch, tree.addNode({0, 60, -80}, 7), 8, 7);
     tree.add(arch, tree.addNode({0, 0, 120}, 4), 5, 4);
-    const auto paths = core::branchPaths(tree.graph, std::nullopt, {});
+    const auto paths = core::splitIntoPaths(tree.graph, std::nullopt, {});
     ASSERT_FALSE(paths.empty());
     EXPECT_EQ(paths.front().pointsMm.front().z(), 0.0);
 }
@@ -73,7 +73,7 @@ TEST(BranchPaths, DoNotBeginAtStumpsOnWideVessels)
     tree.add(top, bulge, 8, 8);
     tree.add(bulge, tree.addNode({0, 0, -80}, 6), 7, 6);
     tree.add(bulge, tree.addNode({15, 0, 0}, 2), 12, 2);
-    const auto paths = core::branchPaths(tree.graph, std::nullopt, {});
+    const auto paths = core::splitIntoPaths(tree.graph, std::nullopt, {});
     ASSERT_EQ(paths.size(), 2U);
     EXPECT_EQ(paths.front().pointsMm.front(), Point(0, 0, 80));
     EXPECT_EQ(paths.front().pointsMm.back(), Point(0, 0, -80));

@@ -1,5 +1,5 @@
 #include "core/registration/registration.h"
-#include "core/tracing/tree/rim_stubs.h"
+#include "core/tracing/tree/boundary_stubs.h"
 #include "core/tracing/volume/trace_vessels.h"
 #include "core/vessel/edit_tree.h"
 #include "core/vessel/root_tree.h"
@@ -83,7 +83,7 @@ TEST(TracedPieces, TheirPlacesAreSeeds)
 {
     const TracedVessels all = tracedPieces(twoRoots());
     ASSERT_EQ(all.pieces.size(), 2U);
-    const TracedVessels second = tracedPieces(twoRoots(), {.seedsInPatient = {all.pieces[1].placeInPatient}});
+    const TracedVessels second = tracedPieces(twoRoots(), {.seedsInPatient = {all.pieces[1].positionInPatient}});
     ASSERT_EQ(second.tree.branches.size(), 1U);
     EXPECT_NEAR(second.tree.branches.front().lengthMm(), all.pieces[1].lengthMm, 0.5);
     EXPECT_NE(said(second).find("was left out"), std::string::npos) << "the other one is reported";
@@ -135,7 +135,7 @@ TEST(TracedPieces, AClearGapIsClosed)
     ASSERT_EQ(traced.tree.branches.size(), 1U);
     EXPECT_GT(traced.tree.branches.front().lengthMm(), 50.0);
     EXPECT_NE(said(traced).find("were closed: 1"), std::string::npos) << said(traced);
-    EXPECT_EQ(core::pieceCount(traced.tree), 1);
+    EXPECT_EQ(core::componentCount(traced.tree), 1);
     const TracedVessels one = tracedPieces(tubes, {.pieces = TracedPieces::Largest});
     EXPECT_LT(one.tree.branches.front().lengthMm(), 30.0);
 }
@@ -175,7 +175,7 @@ TEST(TracedLoops, AreKeptWhereAsked)
     EXPECT_EQ(std::ranges::count_if(nodes, [](const core::VesselNode& node) { return !node.isBifurcation(); }), 3)
         << "where blood comes in, and where it leaves";
     EXPECT_EQ(core::treeKnots(kept.tree, {}, 2.0).cuts.size(), 1U) << "one cut makes it a tree";
-    EXPECT_EQ(core::pieceCount(kept.tree), 1);
+    EXPECT_EQ(core::componentCount(kept.tree), 1);
     EXPECT_EQ(rootsOf(kept.tree), 1);
 }
 
@@ -207,19 +207,19 @@ TEST(ForestOfVessels, IsEditedPieceByPiece)
 {
     const core::VesselTree tree = tracedPieces(twoRoots()).tree;
     ASSERT_EQ(tree.branches.size(), 3U);
-    const auto without = core::withoutSubtree(tree, tree.branches[0].id);
+    const auto without = core::removeSubtree(tree, tree.branches[0].id);
     ASSERT_TRUE(without);
     ASSERT_EQ(without.value().branches.size(), 1U) << "the other piece stays";
     EXPECT_EQ(without.value().branches[0].id, tree.branches[2].id);
-    const auto pruned = core::pruned(tree, 5.0, 0.0);
-    ASSERT_TRUE(pruned);
-    EXPECT_EQ(pruned.value().branches.size(), 3U);
-    const core::VesselTree rooted = core::rootedAt(tree, at(14, 3, 20));
+    const auto prunedTree = core::prunedTree(tree, 5.0, 0.0);
+    ASSERT_TRUE(prunedTree);
+    EXPECT_EQ(prunedTree.value().branches.size(), 3U);
+    const core::VesselTree rooted = core::rootTreeAt(tree, at(14, 3, 20));
     EXPECT_EQ(rootsOf(rooted), 2) << "a new root of the one piece, one of the other";
     EXPECT_LT((rooted.branches.front().pointsInPatient.front() - at(14, 3, 20)).norm(), 3.0);
-    const auto cut = core::cutAt(tree, tree.branches[2].id, 15);
+    const auto cut = core::splitAt(tree, tree.branches[2].id, 15);
     ASSERT_TRUE(cut);
-    EXPECT_EQ(core::pieceCount(cut.value()), 2) << "the halves still touch";
+    EXPECT_EQ(core::componentCount(cut.value()), 2) << "the halves still touch";
 }
 
 TEST(ForestOfVessels, IsRegisteredAsOne)
@@ -233,7 +233,7 @@ TEST(ForestOfVessels, IsRegisteredAsOne)
         }
         clean.tree.branches.push_back(branch);
     }
-    ASSERT_EQ(core::pieceCount(clean.tree), 2);
+    ASSERT_EQ(core::componentCount(clean.tree), 2);
     clean.target = core::projectTree(clean.tree, clean.camera, clean.truth);
     core::CounterRandom random(2);
     const auto result = core::registerVessels(clean.from(clean.nearbyStart(random)));
@@ -264,15 +264,15 @@ TEST(RimStub, IsABulgeThatACropCutsOff)
         }
         return curve;
     };
-    EXPECT_TRUE(core::isRimStub(leavingFrom(21.0), parent, lumen, 4.0)) << "3 mm beyond the wall";
-    EXPECT_FALSE(core::isRimStub(leavingFrom(10.0), parent, lumen, 4.0)) << "14 mm beyond the wall";
+    EXPECT_TRUE(core::isBoundaryStub(leavingFrom(21.0), parent, lumen, 4.0)) << "3 mm beyond the wall";
+    EXPECT_FALSE(core::isBoundaryStub(leavingFrom(10.0), parent, lumen, 4.0)) << "14 mm beyond the wall";
     const core::VesselCurve bulge = leavingFrom(21.0);
     for (int k = 0; k < 40; ++k) {
         for (int j = 0; j < 30; ++j) {
             lumen.at(29, j, k) = 0;
         }
     }
-    EXPECT_FALSE(core::isRimStub(bulge, parent, lumen, 4.0)) << "not cut off: pruning judges it";
+    EXPECT_FALSE(core::isBoundaryStub(bulge, parent, lumen, 4.0)) << "not cut off: pruning judges it";
 }
 
 TEST(TracedPieces, ACropAcrossAVesselLeavesNoStubs)
@@ -308,12 +308,12 @@ TEST(TracedPieces, OfNoiseEndWhenStopped)
         int reports = 0;
         auto stoppedAt = std::chrono::steady_clock::now();
         const auto traced = core::traceMask(mask, {}, [&](const core::TracingReport&) {
-            const bool isStop = ++reports >= heardAfter;
-            stoppedAt = isStop ? std::chrono::steady_clock::now() : stoppedAt;
-            return isStop ? core::Verdict::Stop : core::Verdict::Continue;
+            const bool isCancellation = ++reports >= heardAfter;
+            stoppedAt = isCancellation ? std::chrono::steady_clock::now() : stoppedAt;
+            return isCancellation ? core::ObserverDecision::Stop : core::ObserverDecision::Continue;
         });
         ASSERT_FALSE(traced);
-        EXPECT_TRUE(traced.error().isStop());
+        EXPECT_TRUE(traced.error().isCancellation());
         EXPECT_EQ(reports, heardAfter) << "once stopped, nothing is asked again";
         RecordProperty("stopMs" + std::to_string(heardAfter),
                        static_cast<int>(std::chrono::duration_cast<std::chrono::milliseconds>(

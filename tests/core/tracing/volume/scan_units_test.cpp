@@ -26,7 +26,7 @@ bool warnsOfUnits(const core::Volume& scan, const core::VesselTracingOptions& op
     const auto traced = core::traceVessels(scan, options);
     EXPECT_TRUE(traced) << traced.error().message;
     return traced && std::ranges::any_of(traced.value().warnings, [](const core::Message& warning) {
-               return warning.is(core::messages::perhapsNoHounsfield);
+               return warning.is(core::messages::possiblyNotHounsfield);
            });
 }
 

@@ -260,12 +260,12 @@ TEST(TraceVesselMask, TellsProgressAndKeepsNothingWhenStopped)
         EXPECT_GE(report.progress, last);
         EXPECT_FALSE(report.stage.empty());
         last = report.progress;
-        return core::Verdict::Continue;
+        return core::ObserverDecision::Continue;
     });
     EXPECT_TRUE(traced);
     for (const std::string_view stage : {"vessels", "thinning", "branches"}) {
         const auto stopped = traceMask(mask, {}, [&](const core::TracingReport& report) {
-            return report.stage == stage ? core::Verdict::Stop : core::Verdict::Continue;
+            return report.stage == stage ? core::ObserverDecision::Stop : core::ObserverDecision::Continue;
         });
         ASSERT_FALSE(stopped) << stage;
         EXPECT_TRUE(stopped.isStopped());

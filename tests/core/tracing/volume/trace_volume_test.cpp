@@ -280,7 +280,7 @@ TEST(TraceVolume, StopsAtOnceInEachStage)
         const auto traced = core::traceVessels(smallCta().volume, {}, [&](const core::TracingReport& report) {
             later += isAsked ? 1 : 0;
             isAsked = isAsked || report.stage == stage;
-            return isAsked ? core::Verdict::Stop : core::Verdict::Continue;
+            return isAsked ? core::ObserverDecision::Stop : core::ObserverDecision::Continue;
         });
         ASSERT_FALSE(traced) << stage;
         EXPECT_TRUE(traced.isStopped()) << traced.error().message;

@@ -97,9 +97,9 @@ protected:
         return pose;
     }
 
-    io::CapturedPictures pictures(int count) const
+    io::CapturedImages pictures(int count) const
     {
-        io::CapturedPictures captured;
+        io::CapturedImages captured;
         for (int k = 0; k < count; ++k) {
             core::ColorImage picture{21, 15, {}};   // an odd number of bytes
             for (int i = 0; i < 21 * 15 * 3; ++i) {
@@ -112,9 +112,9 @@ protected:
         return captured;
     }
 
-    io::ShownState shownState() const
+    io::PresentationContent shownState() const
     {
-        io::ShownState shown;
+        io::PresentationContent shown;
         shown.layers = {{"VESSELS", "Vessels", {80, 160, 250}, {{{0.0, 0.0}, {3.25, 7.5}, {19.0, 15.0}}}, {}},
                         {"NOTICE", "Notice", {200, 200, 200}, {}, {{"Not for clinical use, 血管", {2.0, 3.0}}}}};
         shown.frame = 1;
@@ -125,9 +125,9 @@ protected:
 
     io::MeasurementReport measured() const
     {
-        io::ReportedNumber length{io::lengthTerm, 12.345678901234567, {"mm", "UCUM", "millimeter"}, 2};
+        io::ReportNumber length{io::lengthTerm, 12.345678901234567, {"mm", "UCUM", "millimeter"}, 2};
         length.pixels = {{1.0, 2.0}, {4.0, 6.0}};
-        io::ReportedNumber inScan{io::lengthTerm, 5.5, {"mm", "UCUM", "millimeter"}};
+        io::ReportNumber inScan{io::lengthTerm, 5.5, {"mm", "UCUM", "millimeter"}};
         inScan.pointsInPatient = {{1.0, 2.0, 3.0}, {4.0, 5.0, 6.0}};
         return {{{"Stenosis, Länge", {length}, {{{"121106", "DCM", "Comment"}, "at the vessels"}}},
                  {"In the scan", {inScan}}},
@@ -147,8 +147,8 @@ protected:
     std::vector<std::pair<std::string, core::Result<std::string>>> all() const
     {
         return {{"picture", io::secondaryCapture(pictures(1), angiogram, origin)},
-                {"run", io::secondaryCaptureRun(pictures(3), angiogram, origin)},
-                {"report", io::encapsulatedPdf("%PDF-1.4\nodd", "Report of Müller", io::BurnedInIdentity::MayBeThere,
+                {"run", io::multiframeSecondaryCapture(pictures(3), angiogram, origin)},
+                {"report", io::encapsulatedPdf("%PDF-1.4\nodd", "Report of Müller", io::BurnedInIdentity::Possible,
                                                angiogram, origin)},
                 {"state", io::presentationState(shownState(), angiogram, origin)},
                 {"registration", io::spatialRegistration(registration(), angiogram, origin)},

@@ -54,7 +54,7 @@ TEST_F(ObjectsByDcmtk, EveryElementHasAValueOfItsKind)
 
 TEST_F(ObjectsByDcmtk, PixelsOfPicturesAreTheSame)
 {
-    DcmDataset& data = load("run", io::secondaryCaptureRun(pictures(3), angiogram, origin));
+    DcmDataset& data = load("run", io::multiframeSecondaryCapture(pictures(3), angiogram, origin));
     const Uint8* pixels = nullptr;
     unsigned long count = 0;
     ASSERT_TRUE(data.findAndGetUint8Array(DCM_PixelData, pixels, &count).good());

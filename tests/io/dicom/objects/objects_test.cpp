@@ -71,21 +71,21 @@ TEST(NewUid, IsAnotherOneEveryTimeAndFollowsFromContent)
     for (int i = 0; i < 1000; ++i) {
         EXPECT_TRUE(uids.insert(io::newUid()).second);
     }
-    EXPECT_EQ(io::uidOfContent("a"), io::uidOfContent("a"));
-    EXPECT_NE(io::uidOfContent("a"), io::uidOfContent("b"));
+    EXPECT_EQ(io::uidFromContent("a"), io::uidFromContent("a"));
+    EXPECT_NE(io::uidFromContent("a"), io::uidFromContent("b"));
     // SHA-256 of "a" is ca978112ca1bbdcafac231b39a23dc4d…, with version 8 and variant bits ca978112-ca1b-8dca-bac2-…
-    EXPECT_EQ(io::uidOfContent("a"), "2.25.269290709893686844195134956664967650381");
+    EXPECT_EQ(io::uidFromContent("a"), "2.25.269290709893686844195134956664967650381");
 }
 
 TEST(NewUid, TellsUidsFromOtherWords)
 {
     for (const char* good : {"1", "1.2.840.10008.1.2", "2.25.0", "0.1"}) {
         EXPECT_TRUE(io::isUid(good)) << good;
-        EXPECT_EQ(io::usableUid(good), good);
+        EXPECT_EQ(io::validUid(good), good);
     }
     for (const char* bad : {"", ".", "1.", ".1", "1..2", "1.02", "dccc95", "1.2 ", "1,2"}) {
         EXPECT_FALSE(io::isUid(bad)) << bad;
-        EXPECT_TRUE(io::isUid(io::usableUid(bad))) << bad;
+        EXPECT_TRUE(io::isUid(io::validUid(bad))) << bad;
     }
     EXPECT_FALSE(io::isUid("1." + std::string(63, '2')));
 }
@@ -110,9 +110,9 @@ TEST_F(MadeObjects, WithoutADicomImageAreAStudyOfTheirOwn)
 TEST_F(MadeObjects, PicturesKeepEveryByte)
 {
     for (const int count : {1, 3}) {
-        const io::CapturedPictures captured = pictures(count);
+        const io::CapturedImages captured = pictures(count);
         const auto object = count == 1 ? io::secondaryCapture(captured, angiogram, origin)
-                                       : io::secondaryCaptureRun(captured, angiogram, origin);
+                                       : io::multiframeSecondaryCapture(captured, angiogram, origin);
         ASSERT_TRUE(object);
         const io::DicomFile file = parsedObject(object.value());
         EXPECT_EQ(file.dataset.text(0x00280004), "RGB");
@@ -129,9 +129,9 @@ TEST_F(MadeObjects, PicturesKeepEveryByte)
 
 TEST_F(MadeObjects, PicturesOfSeveralSizesAreRefused)
 {
-    io::CapturedPictures captured = pictures(2);
+    io::CapturedImages captured = pictures(2);
     captured.pictures[1] = core::ColorImage{2, 2, std::vector<std::uint8_t>(12)};
-    EXPECT_FALSE(io::secondaryCaptureRun(captured, angiogram, origin));
+    EXPECT_FALSE(io::multiframeSecondaryCapture(captured, angiogram, origin));
     EXPECT_FALSE(io::secondaryCapture({}, angiogram, origin));
 }
 
@@ -269,7 +269,7 @@ TEST_F(MadeObjects, StateOfAnInvertedImageStaysInverted)
 
 TEST_F(MadeObjects, StateCutsLinesThatAreTooLongForOneElement)
 {
-    io::ShownState shown = shownState();
+    io::PresentationContent shown = shownState();
     std::vector<Eigen::Vector2d> line;
     for (int i = 0; i < 20000; ++i) {
         line.emplace_back(i % 20, i % 16);
@@ -304,8 +304,8 @@ TEST(SourceImage, LeavesOutWhatNoReaderWouldTake)
     EXPECT_EQ(source.patientText(0x00080020), "");
     EXPECT_EQ(source.patientText(0x00100040), "");
     EXPECT_EQ(source.patientText(0x00101010), "");
-    EXPECT_EQ(source.studyUid, io::usableUid("hash-of-a-uid"));
-    EXPECT_FALSE(source.canBeReferredTo());
+    EXPECT_EQ(source.studyUid, io::validUid("hash-of-a-uid"));
+    EXPECT_FALSE(source.isReferenceable());
 }
 
 }   // namespace

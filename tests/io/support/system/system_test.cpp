@@ -1,6 +1,6 @@
 #include "io/support/system/child_process.h"
+#include "io/support/system/current_process.h"
 #include "io/support/system/files.h"
-#include "io/support/system/own_process.h"
 #include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
@@ -25,12 +25,12 @@ TEST(SystemFiles, AreToldApartWithoutOpeningThem)
     const TemporaryFolder folder;
     writeText(folder.file("five.txt"), "five5");
     ASSERT_EQ(::mkfifo(folder.file("pipe").c_str(), 0600), 0);
-    EXPECT_EQ(io::factsOf(folder.file("none")).kind, FileKind::Missing);
-    EXPECT_EQ(io::factsOf(folder.file("pipe")).kind, FileKind::Other);
-    EXPECT_EQ(io::factsOf(folder.file("five.txt/below")).kind, FileKind::Unreachable);
-    EXPECT_FALSE(io::factsOf(folder.file("five.txt/below")).problem.empty());
-    EXPECT_EQ(io::factsOf(folder.file("five.txt")).kind, FileKind::Regular);
-    EXPECT_EQ(io::factsOf(folder.file("five.txt")).size, 5U);
+    EXPECT_EQ(io::fileStatus(folder.file("none")).kind, FileKind::Missing);
+    EXPECT_EQ(io::fileStatus(folder.file("pipe")).kind, FileKind::Other);
+    EXPECT_EQ(io::fileStatus(folder.file("five.txt/below")).kind, FileKind::Unreachable);
+    EXPECT_FALSE(io::fileStatus(folder.file("five.txt/below")).problem.empty());
+    EXPECT_EQ(io::fileStatus(folder.file("five.txt")).kind, FileKind::Regular);
+    EXPECT_EQ(io::fileStatus(folder.file("five.txt")).size, 5U);
 }
 
 TEST(SystemFiles, AreReadAndMapped)
@@ -42,7 +42,7 @@ TEST(SystemFiles, AreReadAndMapped)
     const char* const mapping = file.map();
     ASSERT_NE(mapping, nullptr);
     EXPECT_EQ(std::string(mapping, file.size()), "five5");
-    EXPECT_FALSE(io::faultOfMapping(mapping, file.size()));
+    EXPECT_FALSE(io::findMappingFault(mapping, file.size()));
     io::unmap(mapping, file.size());
     std::array<char, 16> bytes{};
     EXPECT_EQ(file.read(bytes.data(), bytes.size()), 5U);
@@ -66,8 +66,8 @@ std::string heardFrom(const ChildProcess& child)
     std::string all;
     std::array<char, 4> bytes{};
     while (true) {
-        const ChildProcess::Output output = child.listen(bytes, -1);
-        if (output.what == ChildProcess::Heard::End) {
+        const ChildProcess::Output output = child.readOutput(bytes, -1);
+        if (output.what == ChildProcess::ReadStatus::End) {
             return all;
         }
         all.append(bytes.data(), output.size);
@@ -79,15 +79,15 @@ TEST(ChildProcesses, AreHeardToTheirEnd)
     ChildProcess child("/bin/sh", {"-c", "echo hello; echo lost >&2; cat; exit 3"});
     ASSERT_TRUE(child.isStarted());
     EXPECT_EQ(heardFrom(child), "hello\n");
-    EXPECT_EQ(child.waitForEnd(), ChildProcess::Ending::ItsOwn);
+    EXPECT_EQ(child.waitForExit(), ChildProcess::EndReason::Normal);
 }
 
 TEST(ChildProcesses, TellFaultsFromTimeThatRanOut)
 {
     ChildProcess fault("/bin/sh", {"-c", "kill -SEGV $$"});
-    EXPECT_EQ(fault.waitForEnd(), ChildProcess::Ending::Fault);
+    EXPECT_EQ(fault.waitForExit(), ChildProcess::EndReason::Fault);
     ChildProcess late("/bin/sh", {"-c", "kill -XCPU $$"});
-    EXPECT_EQ(late.waitForEnd(), ChildProcess::Ending::OutOfTime);
+    EXPECT_EQ(late.waitForExit(), ChildProcess::EndReason::TimedOut);
     EXPECT_FALSE(ChildProcess("/nowhere/program", {}).isStarted());
 }
 
@@ -97,16 +97,16 @@ TEST(ChildProcesses, EndWithWhoStartedThem)
     {
         const ChildProcess silent("/bin/sleep", {"60"});
         std::array<char, 4> bytes{};
-        EXPECT_EQ(silent.listen(bytes, 10).what, ChildProcess::Heard::Nothing);
+        EXPECT_EQ(silent.readOutput(bytes, 10).what, ChildProcess::ReadStatus::Nothing);
     }
     EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(30));
 }
 
 TEST(OwnProcess, KnowsItsProgramAndItsMachine)
 {
-    EXPECT_TRUE(io::isExecutable(io::ownBinary()));
+    EXPECT_TRUE(io::isExecutable(io::currentBinaryPath()));
     EXPECT_FALSE(io::isExecutable("/etc/passwd"));
-    EXPECT_GT(io::memoryBytes(), 1e8);
+    EXPECT_GT(io::physicalMemoryBytes(), 1e8);
 }
 
 TEST(OwnProcess, AProgramThatHasEndedIsNotAliveThoughNobodyAskedForIt)
@@ -117,10 +117,10 @@ TEST(OwnProcess, AProgramThatHasEndedIsNotAliveThoughNobodyAskedForIt)
     }
     siginfo_t ending{};
     ASSERT_EQ(::waitid(P_PID, static_cast<id_t>(child), &ending, WEXITED | WNOWAIT), 0);   // it remains as a zombie
-    EXPECT_FALSE(io::isAlive(child));
-    EXPECT_TRUE(io::isAlive(::getpid()));
+    EXPECT_FALSE(io::isProcessRunning(child));
+    EXPECT_TRUE(io::isProcessRunning(::getpid()));
     ::waitpid(child, nullptr, 0);
-    EXPECT_FALSE(io::isAlive(child));
+    EXPECT_FALSE(io::isProcessRunning(child));
 }
 
 }   // namespace

@@ -36,7 +36,7 @@ Mask2d blobs(std::uint64_t seed)
     for (float& value : noise.pixels) {
         value = static_cast<float>(random.normal());
     }
-    const core::ImageF smooth = core::blurred(noise, random.uniform(0.3, 2.0));
+    const core::ImageF smooth = core::gaussianBlur(noise, random.uniform(0.3, 2.0));
     Mask2d mask(noise.width, noise.height);
     for (std::size_t i = 0; i < mask.pixels.size(); ++i) {
         mask.pixels[i] = smooth.pixels[i] > 0.0F ? 255 : 0;
@@ -48,7 +48,7 @@ TEST(ThinMask, KeepsComponentsAndHolesOfRandomMasks)
 {
     for (std::uint64_t seed = 0; seed < 40; ++seed) {
         const Mask2d mask = blobs(seed);
-        const Mask2d skeleton = core::thinned(mask);
+        const Mask2d skeleton = core::skeletonize(mask);
         EXPECT_EQ(core::componentsOf(skeleton).size(), core::componentsOf(mask).size()) << seed;
         EXPECT_EQ(eulerNumber(skeleton), eulerNumber(mask)) << seed;
         for (std::size_t i = 0; i < mask.pixels.size(); ++i) {
@@ -60,8 +60,8 @@ TEST(ThinMask, KeepsComponentsAndHolesOfRandomMasks)
 TEST(ThinMask, LeavesNoPixelThatCouldStillGo)
 {
     for (std::uint64_t seed = 0; seed < 10; ++seed) {
-        const Mask2d skeleton = core::thinned(blobs(seed));
-        EXPECT_EQ(core::thinned(skeleton).pixels, skeleton.pixels) << seed;
+        const Mask2d skeleton = core::skeletonize(blobs(seed));
+        EXPECT_EQ(core::skeletonize(skeleton).pixels, skeleton.pixels) << seed;
     }
 }
 
@@ -73,7 +73,7 @@ TEST(ThinMask, ABarBecomesItsMiddleLine)
             bar.at(x, y) = 255;
         }
     }
-    const Mask2d skeleton = core::thinned(bar);
+    const Mask2d skeleton = core::skeletonize(bar);
     for (int x = 12; x < 48; ++x) {
         int set = 0;
         for (int y = 0; y < skeleton.height; ++y) {
@@ -86,9 +86,9 @@ TEST(ThinMask, ABarBecomesItsMiddleLine)
 
 TEST(ThinMask, EdgesOfTheImageAreNoDanger)
 {
-    EXPECT_TRUE(core::thinned(Mask2d()).isEmpty());
-    EXPECT_EQ(core::componentsOf(core::thinned(Mask2d(1, 1, 255))).size(), 1U);
-    EXPECT_EQ(core::componentsOf(core::thinned(Mask2d(7, 30, 255))).size(), 1U);
+    EXPECT_TRUE(core::skeletonize(Mask2d()).isEmpty());
+    EXPECT_EQ(core::componentsOf(core::skeletonize(Mask2d(1, 1, 255))).size(), 1U);
+    EXPECT_EQ(core::componentsOf(core::skeletonize(Mask2d(7, 30, 255))).size(), 1U);
 }
 
 }   // namespace

@@ -17,7 +17,7 @@ ImageF bar(float ground, float vessel, float edge)
 
 TEST(DrawnMask, TakesTwoLevelsWithSmoothedEdges)
 {
-    const auto mask = drawnMask(bar(0.0F, 255.0F, 140.0F));
+    const auto mask = vesselMaskFromDrawing(bar(0.0F, 255.0F, 140.0F));
     ASSERT_TRUE(mask);
     EXPECT_EQ(mask->at(48, 10), 0);
     EXPECT_EQ(mask->at(49, 10), 255);
@@ -26,14 +26,14 @@ TEST(DrawnMask, TakesTwoLevelsWithSmoothedEdges)
 
 TEST(DrawnMask, LeavesPicturesAlone)
 {
-    EXPECT_FALSE(drawnMask(bar(255.0F, 0.0F, 140.0F))) << "dark vessels on white: a picture";
-    EXPECT_FALSE(drawnMask(ImageF(20, 20, 7.0F))) << "one level";
-    EXPECT_FALSE(drawnMask(ImageF()));
+    EXPECT_FALSE(vesselMaskFromDrawing(bar(255.0F, 0.0F, 140.0F))) << "dark vessels on white: a picture";
+    EXPECT_FALSE(vesselMaskFromDrawing(ImageF(20, 20, 7.0F))) << "one level";
+    EXPECT_FALSE(vesselMaskFromDrawing(ImageF()));
     ImageF gray(100, 100);
     for (std::size_t i = 0; i < gray.pixels.size(); ++i) {
         gray.pixels[i] = static_cast<float>(i % 100);
     }
-    EXPECT_FALSE(drawnMask(gray));
+    EXPECT_FALSE(vesselMaskFromDrawing(gray));
 }
 
 }   // namespace

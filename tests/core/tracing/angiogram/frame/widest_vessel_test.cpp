@@ -28,9 +28,9 @@ TEST(WidestVessel, FollowsPixelSpacingAndMagnification)
     EXPECT_NEAR(core::widestVesselRadiusPx(cArmOf(0.184, 1050, 750), 1024, 1024), 0.5 * 2.5 * 1.4 / 0.184, 1e-9);
     EXPECT_DOUBLE_EQ(core::widestVesselRadiusPx(cArmOf(0.4, 900, 750), 512, 512), 8.0) << "no less than before";
     EXPECT_DOUBLE_EQ(core::widestVesselRadiusPx(cArmOf(0.05, 1200, 600), 512, 512), 24.0);
-    EXPECT_DOUBLE_EQ(core::settledFor({}, cArmOf(0.25, 1200, 1000), 512, 512).maxVesselRadiusPx, 12.0);
-    EXPECT_DOUBLE_EQ(core::settledFor({.maxVesselRadiusPx = 5.0}, cArmOf(0.25, 1200, 1000), 512, 512).maxVesselRadiusPx,
-                     5.0)
+    EXPECT_DOUBLE_EQ(core::resolveOptions({}, cArmOf(0.25, 1200, 1000), 512, 512).maxVesselRadiusPx, 12.0);
+    EXPECT_DOUBLE_EQ(
+        core::resolveOptions({.maxVesselRadiusPx = 5.0}, cArmOf(0.25, 1200, 1000), 512, 512).maxVesselRadiusPx, 5.0)
         << "as somebody wants it";
 }
 

@@ -15,12 +15,12 @@ using core::ImageF;
 
 TEST(WorkingSize, UsualFramesAreTakenAsTheyAre)
 {
-    EXPECT_EQ(core::workingSizeOf(ImageF(512, 512)).halvings, 0);
-    EXPECT_EQ(core::workingSizeOf(ImageF(300, 300)).halvings, 0);
-    EXPECT_EQ(core::workingSizeOf(ImageF(1024, 1024)).halvings, 1);
-    EXPECT_EQ(core::workingSizeOf(ImageF(2048, 1600)).halvings, 2);
-    EXPECT_EQ(core::workingSizeOf(ImageF(150, 200)).halvings, -1);
-    EXPECT_EQ(core::workingSizeOf(ImageF(20, 20)).halvings, -2);
+    EXPECT_EQ(core::chooseWorkingSize(ImageF(512, 512)).halvings, 0);
+    EXPECT_EQ(core::chooseWorkingSize(ImageF(300, 300)).halvings, 0);
+    EXPECT_EQ(core::chooseWorkingSize(ImageF(1024, 1024)).halvings, 1);
+    EXPECT_EQ(core::chooseWorkingSize(ImageF(2048, 1600)).halvings, 2);
+    EXPECT_EQ(core::chooseWorkingSize(ImageF(150, 200)).halvings, -1);
+    EXPECT_EQ(core::chooseWorkingSize(ImageF(20, 20)).halvings, -2);
 }
 
 TEST(WorkingSize, PixelCentersStayWhereTheyWere)

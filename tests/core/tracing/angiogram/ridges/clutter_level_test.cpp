@@ -19,14 +19,14 @@ ImageF noiseFrame(int width, int height, double sigma)
     return image;
 }
 
-core::Clutter measured(const ImageF& opacity)
+core::ClutterEstimate measured(const ImageF& opacity)
 {
     return {opacity, Mask2d(opacity.width, opacity.height, 255), core::ridgeScales(1.5, 8.0)};
 }
 
 double clutterOf(const ImageF& opacity)
 {
-    const core::Clutter clutter = measured(opacity);
+    const core::ClutterEstimate clutter = measured(opacity);
     return clutter.level(core::ridgeStrength(opacity, clutter.scales()));
 }
 
@@ -57,7 +57,7 @@ TEST(ClutterLevel, BandsOfALargeImageStandForTheWhole)
 
 TEST(ClutterLevel, IsNothingWithoutAField)
 {
-    const core::Clutter clutter(noiseFrame(60, 60, 2.0), Mask2d(60, 60), core::ridgeScales(1.5, 8.0));
+    const core::ClutterEstimate clutter(noiseFrame(60, 60, 2.0), Mask2d(60, 60), core::ridgeScales(1.5, 8.0));
     EXPECT_EQ(clutter.level(noiseFrame(60, 60, 2.0)), 0.0);
 }
 
@@ -72,7 +72,7 @@ TEST(ClutterLevel, StructuresOfAllSizesLeaveTheWeightsAlone)
 {
     ImageF opacity = noiseFrame(300, 300, 1.0);
     for (const double sigmaPx : {1.5, 3.0, 6.0, 12.0}) {   // equal contrast at each size
-        const ImageF coarser = core::blurred(noiseFrame(300, 300, 40.0 * sigmaPx), sigmaPx);
+        const ImageF coarser = core::gaussianBlur(noiseFrame(300, 300, 40.0 * sigmaPx), sigmaPx);
         for (std::size_t i = 0; i < opacity.pixels.size(); ++i) {
             opacity.pixels[i] += coarser.pixels[i];
         }

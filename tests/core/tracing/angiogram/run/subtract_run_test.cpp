@@ -122,8 +122,8 @@ TEST(TreatedRun, CompositeShowsAllContrastInEveryFrame)
 {
     core::Angiogram stored;
     stored.frames = ribRun();
-    core::RunTreatment treatment{.isSubtracted = true, .isComposite = true, .plan = {.maskFrames = {0, 1}}};
-    const auto treated = core::treatedRun(stored, treatment);
+    core::RunProcessing treatment{.isSubtracted = true, .isComposite = true, .plan = {.maskFrames = {0, 1}}};
+    const auto treated = core::processRun(stored, treatment);
     ASSERT_TRUE(treated) << treated.error().message;
     ASSERT_EQ(treated.value().frameCount(), stored.frameCount());
     EXPECT_EQ(treated.value().frames[0].pixels, treated.value().frames[3].pixels);

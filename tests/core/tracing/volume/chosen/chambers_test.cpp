@@ -46,7 +46,7 @@ protected:
     {
         core::TracingProgress progress({});
         const core::DistanceMap distances = core::distanceMap(mask_, 1, progress);
-        return core::voxelsBeyondNecks(distances, core::necksOf(mask_, distances, {seed}, progress));
+        return core::voxelsBeyondNecks(distances, core::computeNecks(mask_, distances, {seed}, progress));
     }
 
     bool holds(const std::vector<std::uint32_t>& voxels, int i, int j, int k) const

@@ -15,19 +15,19 @@ namespace {
 using test::Tube;
 
 /// Opacified tubes in a body of 120 x 120 x 180 mm.
-core::CoarseBlood drawnBlood(const std::vector<Tube>& tubes, const Eigen::Vector3d& voxelMm = {1.5, 1.5, 1.5})
+core::BlockOpacification drawnBlood(const std::vector<Tube>& tubes, const Eigen::Vector3d& voxelMm = {1.5, 1.5, 1.5})
 {
     const Eigen::Vector3i size = Eigen::Vector3d(120, 120, 180).cwiseQuotient(voxelMm).array().round().cast<int>();
     const core::VoxelMask lumen = test::drawnMask(test::gridAround({0, 0, 0}, size, voxelMm), tubes);
     core::TracingProgress progress({});
-    return core::coarseBlood(
+    return core::averageInBlocks(
         lumen, [&](int i, int j, int k) { return lumen.at(i, j, k) != 0 ? 1.0 : 0.0; }, 1, progress);
 }
 
-std::vector<core::GreatVessel> foundIn(const core::CoarseBlood& blood)
+std::vector<core::GreatVessel> foundIn(const core::BlockOpacification& blood)
 {
     core::TracingProgress progress({});
-    return core::greatVessels(blood, 1, progress);
+    return core::assembleGreatVessels(blood, 1, progress);
 }
 
 bool passes(const core::GreatVessel& vessel, const Eigen::Vector3d& place, double withinMm)
@@ -87,13 +87,13 @@ TEST(GreatVessels, AreTheSameInVoxelsOfAnySize)
     ASSERT_EQ(usual.size(), 2U);
     for (const Eigen::Vector3d& voxelMm : {Eigen::Vector3d(0.6, 0.6, 0.6), Eigen::Vector3d(1.0, 1.0, 1.0),
                                            Eigen::Vector3d(1.2, 1.2, 1.2), Eigen::Vector3d(0.75, 0.75, 5.0)}) {
-        const core::CoarseBlood blood = drawnBlood({pulmonaryArtery, leftVentricle, aorta}, voxelMm);
+        const core::BlockOpacification blood = drawnBlood({pulmonaryArtery, leftVentricle, aorta}, voxelMm);
         EXPECT_TRUE((blood.lumen.geometry.spacingMm.array() == 1.5).all());
         const auto found = foundIn(blood);
         ASSERT_EQ(found.size(), 2U) << voxelMm.transpose();
-        EXPECT_NEAR(found[0].worth() / usual[0].worth(), 1.0, 0.1) << voxelMm.transpose();
+        EXPECT_NEAR(found[0].score() / usual[0].score(), 1.0, 0.1) << voxelMm.transpose();
         for (std::size_t n = 0; n < 2; ++n) {
-            EXPECT_LT((found[n].middleInPatient() - usual[n].middleInPatient()).norm(), 6.0) << voxelMm.transpose();
+            EXPECT_LT((found[n].centerInPatient() - usual[n].centerInPatient()).norm(), 6.0) << voxelMm.transpose();
         }
     }
 }
@@ -123,7 +123,7 @@ TEST(GreatVessels, DoNotHoldVesselsOfOtherBlood)
             const bool isWall = neck.at(i, j, k) != 0 && open.at(i, j, k) == 0;
             return lumen.at(i, j, k) == 0 || isWall ? 0.0 : 2 * k < grid.size.z() ? fill : 1.0;
         };
-        return foundIn(core::coarseBlood(lumen, blood, 1, progress));
+        return foundIn(core::averageInBlocks(lumen, blood, 1, progress));
     };
     const auto same = along(0.95);
     const auto other = along(0.65);
@@ -135,7 +135,7 @@ TEST(GreatVessels, DoNotHoldVesselsOfOtherBlood)
 
 /// An aortic arch whose true lumen is compressed by the flap to a thickness of 9 mm, and to a radius of `narrowMm` at
 /// one point.
-core::CoarseBlood tornArch(double narrowMm, double descendingFill)
+core::BlockOpacification tornArch(double narrowMm, double descendingFill)
 {
     std::vector<Tube> tubes{{{30, 0, -70}, {30, 0, 38}, 13.0}};
     for (double y = -9.0; y <= 9.0; y += 3.0) {
@@ -148,7 +148,7 @@ core::CoarseBlood tornArch(double narrowMm, double descendingFill)
     const auto fill = [&](int i, int j, int k) {
         return lumen.at(i, j, k) == 0 ? 0.0 : 2 * i < lumen.geometry.size.x() ? descendingFill : 1.0;
     };
-    return core::coarseBlood(lumen, fill, 1, progress);
+    return core::averageInBlocks(lumen, fill, 1, progress);
 }
 
 TEST(GreatVessels, GoOnThroughNarrowPlacesOfTheSameBlood)
@@ -165,7 +165,7 @@ TEST(GreatVessels, AreNamedByAPlaceInThem)
 {
     const auto found = foundIn(drawnBlood({aorta}));
     ASSERT_EQ(found.size(), 1U);
-    const Eigen::Vector3d middle = found[0].middleInPatient();
+    const Eigen::Vector3d middle = found[0].centerInPatient();
     EXPECT_LT((middle.head<2>() - Eigen::Vector2d(-30, 20)).norm(), 2.0);
     EXPECT_LT(std::abs(middle.z()), 60.0);
     EXPECT_TRUE(foundIn(drawnBlood({})).empty());

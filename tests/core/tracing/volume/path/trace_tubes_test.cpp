@@ -74,7 +74,7 @@ TEST(TraceTubes, AsksForASeedAndSaysWhereNoneLeadsOn)
     chamber.voxels.front() = 0;
     const auto nothing = traceTubes(chamber, {.seedsInPatient = {{0.0, 0.0, 0.0}}, .tubesOnly = true});
     ASSERT_FALSE(nothing);
-    EXPECT_TRUE(nothing.error().message.is(messages::pathEndInNothing)) << nothing.error().message.text();
+    EXPECT_TRUE(nothing.error().message.is(messages::pathEndOutsideVessel)) << nothing.error().message.text();
 }
 
 /// An artery that ends on a wider vein with half the enhancement, as a hepatic artery on the portal vein.
@@ -113,7 +113,7 @@ TEST(TraceTubes, DoesNotGoOnInAVeinThatIsDarkerThoughWider)
 TEST(TraceTubes, HearsAStop)
 {
     const auto stopped =
-        traceTubes(heart().volume, fromOrigins(heart()), [](const TracingReport&) { return Verdict::Stop; });
+        traceTubes(heart().volume, fromOrigins(heart()), [](const TracingReport&) { return ObserverDecision::Stop; });
     EXPECT_TRUE(stopped.isStopped());
 }
 

@@ -79,7 +79,7 @@ test::TreeAgreement agreementWithArc(const VesselPath& path)
 
 TEST(VesselPath, FollowsABentVesselAndMeasuresIt)
 {
-    const auto path = vesselBetween(scanOf(insideArc, evenBlood), arcStart, arcEnd);
+    const auto path = traceVesselBetween(scanOf(insideArc, evenBlood), arcStart, arcEnd);
     ASSERT_TRUE(path) << path.error().message.text();
     const auto agreement = agreementWithArc(path.value());
     EXPECT_GT(agreement.overlap, 0.97);
@@ -92,7 +92,7 @@ TEST(VesselPath, FollowsABentVesselAndMeasuresIt)
 TEST(VesselPath, DoesNotCutThroughAFilledChamber)
 {
     const Depth heart = [](const Eigen::Vector3d& place) { return std::max(insideArc(place), 12.0 - place.norm()); };
-    const auto path = vesselBetween(scanOf(heart, evenBlood), arcStart, arcEnd);
+    const auto path = traceVesselBetween(scanOf(heart, evenBlood), arcStart, arcEnd);
     ASSERT_TRUE(path) << path.error().message.text();
     EXPECT_GT(agreementWithArc(path.value()).overlap, 0.95);
 }
@@ -103,7 +103,7 @@ TEST(VesselPath, FollowsAVesselThatGrowsDim)
     const auto fading = [](const Eigen::Vector3d& place) {
         return tissueHu + 300.0 * std::exp(-(place.x() + 15.0) / 15.0);
     };
-    const auto path = vesselBetween(scanOf(insideArc, fading, 5.0), arcStart, arcEnd);
+    const auto path = traceVesselBetween(scanOf(insideArc, fading, 5.0), arcStart, arcEnd);
     ASSERT_TRUE(path) << path.error().message.text();
     EXPECT_GT(agreementWithArc(path.value()).overlap, 0.95);
 }
@@ -111,7 +111,7 @@ TEST(VesselPath, FollowsAVesselThatGrowsDim)
 TEST(VesselPath, TakesClicksBesideTheVessel)
 {
     const Eigen::Vector3d beside(0.9, 0.4, 0.9);
-    const auto path = vesselBetween(scanOf(insideArc, evenBlood), arcStart + beside, arcEnd - beside);
+    const auto path = traceVesselBetween(scanOf(insideArc, evenBlood), arcStart + beside, arcEnd - beside);
     ASSERT_TRUE(path) << path.error().message.text();
     EXPECT_GT(agreementWithArc(path.value()).overlap, 0.95);
 }
@@ -136,7 +136,7 @@ TEST(VesselPath, LeavesAWideVesselByAThinOne)
             std::clamp(0.5 + depth(grid.patientFromVoxel() * grid.voxelAt(n).cast<double>()) / 0.8, 0.0, 1.0);
         scan.voxels[n] = static_cast<std::int16_t>(std::lround(tissueHu + share * 300.0 + 15.0 * random.normal()));
     }
-    const auto path = vesselBetween(scan, {0.0, 0.0, 24.0}, {50.0, 0.0, 0.0});
+    const auto path = traceVesselBetween(scan, {0.0, 0.0, 24.0}, {50.0, 0.0, 0.0});
     ASSERT_TRUE(path) << path.error().message.text();
     const VesselBranch& branch = path.value().branch;
     EXPECT_NEAR(branch.radiusMm.front(), 14.0, 3.0);
@@ -154,7 +154,7 @@ TEST(VesselPath, SaysWhereItRunsThroughNothing)
     const Depth interrupted = [](const Eigen::Vector3d& place) {
         return std::abs(place.x()) < 4.0 && place.y() > 0.0 ? -5.0 : insideArc(place);
     };
-    const auto path = vesselBetween(scanOf(interrupted, evenBlood), arcStart, arcEnd);
+    const auto path = traceVesselBetween(scanOf(interrupted, evenBlood), arcStart, arcEnd);
     ASSERT_TRUE(path) << path.error().message.text();
     EXPECT_GT(path.value().outsideMm, 5.0);
     ASSERT_EQ(path.value().warnings.size(), 1U);
@@ -164,25 +164,25 @@ TEST(VesselPath, SaysWhereItRunsThroughNothing)
 TEST(VesselPath, RefusesPlacesThatAreNone)
 {
     const Volume scan = scanOf(insideArc, evenBlood);
-    const auto outside = vesselBetween(scan, arcStart, {900.0, 0.0, 0.0});
+    const auto outside = traceVesselBetween(scan, arcStart, {900.0, 0.0, 0.0});
     ASSERT_FALSE(outside);
     EXPECT_TRUE(outside.error().message.is(messages::pathEndOutsideScan));
-    const auto unknown = vesselBetween(scan, {std::nan(""), 0.0, 0.0}, arcEnd);
+    const auto unknown = traceVesselBetween(scan, {std::nan(""), 0.0, 0.0}, arcEnd);
     ASSERT_FALSE(unknown);
     EXPECT_TRUE(unknown.error().message.is(messages::pathEndOutsideScan));
-    const auto same = vesselBetween(scan, arcStart, arcStart + Eigen::Vector3d(0.1, 0.0, 0.0));
+    const auto same = traceVesselBetween(scan, arcStart, arcStart + Eigen::Vector3d(0.1, 0.0, 0.0));
     ASSERT_FALSE(same);
     EXPECT_TRUE(same.error().message.is(messages::pathEndsTooNear));
     const Volume empty(scan.geometry);
-    const auto nothing = vesselBetween(empty, arcStart, arcEnd);
+    const auto nothing = traceVesselBetween(empty, arcStart, arcEnd);
     ASSERT_FALSE(nothing);
-    EXPECT_TRUE(nothing.error().message.is(messages::pathEndInNothing));
+    EXPECT_TRUE(nothing.error().message.is(messages::pathEndOutsideVessel));
 }
 
 TEST(VesselPath, HearsAStop)
 {
-    const auto stopped = vesselBetween(scanOf(insideArc, evenBlood), arcStart, arcEnd,
-                                       [](const TracingReport&) { return Verdict::Stop; });
+    const auto stopped = traceVesselBetween(scanOf(insideArc, evenBlood), arcStart, arcEnd,
+                                            [](const TracingReport&) { return ObserverDecision::Stop; });
     ASSERT_FALSE(stopped);
     EXPECT_TRUE(stopped.isStopped());
 }
@@ -193,8 +193,8 @@ TEST(VesselPath, TracesEveryBranchOfASimulatedScan)
     const SimulatedCta cta = simulateCta(3, {.branchCount = 6, .rootRadiusMm = 6.0},
                                          {.size = {160, 160, 140}, .spacingMm = {0.9, 0.9, 1.0}});
     for (const VesselBranch& branch : cta.tree.branches) {
-        const auto path = vesselBetween(cta.volume, branch.pointsInPatient.front(),
-                                        branch.pointsInPatient[branch.pointsInPatient.size() - 2]);
+        const auto path = traceVesselBetween(cta.volume, branch.pointsInPatient.front(),
+                                             branch.pointsInPatient[branch.pointsInPatient.size() - 2]);
         ASSERT_TRUE(path) << path.error().message.text();
         VesselTree traced;
         traced.branches.push_back(path.value().branch);

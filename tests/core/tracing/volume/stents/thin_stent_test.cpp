@@ -18,7 +18,7 @@ protected:
         const core::VolumeGeometry grid = test::gridAround({0, 0, 0}, {40, 30, 80}, {1.0, 1.0, 1.0});
         const core::VoxelMask metal = test::drawnMask(grid, {metalTube});
         const core::VoxelMask blood = test::drawnMask(grid, vessels);
-        core::VoxelPiece piece;
+        core::VoxelComponent piece;
         for (std::uint32_t voxel = 0; voxel < metal.voxels.size(); ++voxel) {
             if (metal.voxels[voxel] != 0) {
                 piece.push_back(voxel);

@@ -21,7 +21,7 @@ protected:
     {
         mask_ = test::drawnMask(grid_, tubes);
         core::TracingProgress progress({});
-        basins_ = core::wideBasins(core::distanceMap(mask_, 1, progress), 0.45);
+        basins_ = core::labelWideBasins(core::distanceMap(mask_, 1, progress), 0.45);
     }
 
     std::uint32_t at(const Eigen::Vector3d& place) const

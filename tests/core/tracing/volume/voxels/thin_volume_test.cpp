@@ -29,7 +29,7 @@ std::vector<std::uint8_t> unpacked(const std::string& relative)
 std::vector<std::size_t> thin(const core::VoxelMask& mask)
 {
     core::TracingProgress progress({});
-    return core::thinned(mask, progress);
+    return core::skeletonize(mask, progress);
 }
 
 core::VoxelMask cube(int size, std::uint8_t fill = 0)

@@ -44,9 +44,9 @@ protected:
     {
         core::TracingProgress progress({});
         const core::DistanceMap distances = core::distanceMap(mask_, 1, progress);
-        const core::Necks necks = core::necksOf(mask_, distances, {{30.0, 7.0, 7.0}}, progress);
-        return core::voxelsOfOtherBlood(distances, necks.units,
-                                        [&](int, int j, int) { return j < 14 ? 0.97 : secondFill; });
+        const core::Necks necks = core::computeNecks(mask_, distances, {{30.0, 7.0, 7.0}}, progress);
+        return core::differentlyOpacifiedVoxels(distances, necks.units,
+                                                [&](int, int j, int) { return j < 14 ? 0.97 : secondFill; });
     }
 
     VoxelMask mask_;

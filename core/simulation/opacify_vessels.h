@@ -1,0 +1,22 @@
+#pragma once
+
+#include "core/simulation/contrast_path.h"
+#include "core/simulation/grow_tree.h"
+
+#include <vector>
+
+namespace angiopose::core {
+
+/// Opacified part of a tree and the other structures made visible by the contrast agent.
+struct OpacifiedVessels {
+    std::vector<ContrastPath> paths;   ///< opacified branches, extra vessels and the catheter
+    std::vector<int> missingBranchIds;   ///< unopacified branches; their children are unopacified too
+    VesselTree visible;   ///< opacified branches and extra vessels; the latter have ids above the tree's
+    VesselTree catheter;   ///< one branch, or none without a catheter
+    double maxPathMm = 0.0;
+};
+
+/// Draws missing branches (thin ones twice as often), opacities, extra vessels and the catheter (ALGORITHMS §4.4).
+OpacifiedVessels opacifyVessels(const GrownTree& grown, const DsaOptions& options, CounterRandom& random);
+
+}   // namespace angiopose::core

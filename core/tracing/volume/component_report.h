@@ -1,0 +1,22 @@
+#pragma once
+
+#include "core/imaging/volume.h"
+#include "core/support/message.h"
+#include "core/tracing/volume/voxels/traced_component.h"
+#include "core/tracing/volume/voxels/tracing_progress.h"
+#include "core/vessel/vessel_tree.h"
+
+#include <vector>
+
+namespace angiopose::core {
+
+/// Lists all traceable connected components, largest first: those of the traced lumen with the length of their
+/// branches, and those excluded before. Incomplete when stopped.
+std::vector<TracedComponent> listComponents(const VoxelMask& lumen, const VesselTree& tree,
+                                            std::vector<TracedComponent> excluded, TracingProgress& progress);
+
+/// Returns messages about connected components: which were traced, if there are several and no seed selected them;
+/// which were not, if these are more than one in fifty voxels.
+Messages componentWarnings(const std::vector<TracedComponent>& pieces, bool isSelectedBySeeds);
+
+}   // namespace angiopose::core

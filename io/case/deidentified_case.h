@@ -1,0 +1,18 @@
+#pragma once
+
+#include "core/case/case.h"
+
+#include <cstddef>
+
+namespace angiopose::io {
+
+/// Removes user-entered texts and unknown keys from a case: title, notes, authors, times, text annotations, and names
+/// of views, snapshots, marks, landmarks and measurements. Replaces required texts by numbers; keeps branch names
+/// because they are anatomical terms. Returns the number of removed texts.
+std::size_t removeTexts(core::Case& session);
+
+/// Removes texts and input file names from a case; the content hashes still identify the inputs. Does not change the
+/// images.
+core::Case deidentifiedCase(core::Case session);
+
+}   // namespace angiopose::io

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "io/case/fields/stored_field.h"
+
+namespace angiopose::io {
+
+/// Tracking result for a view's cine run: poses and deformation summaries. The deformed points are stored in a file
+/// next to the case (io/case/tracked_deformations_file).
+StoredField<core::View> trackingField();
+
+}   // namespace angiopose::io

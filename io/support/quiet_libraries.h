@@ -1,9 +1,0 @@
-#pragma once
-
-namespace angiopose::io {
-
-/// Prevents VTK, ITK, DCMTK, nifti_clib and libtiff from printing to the terminal; readers return relevant problems as
-/// messages. Cheap to call repeatedly.
-void quietLibraries();
-
-}   // namespace angiopose::io

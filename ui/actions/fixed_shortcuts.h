@@ -1,0 +1,23 @@
+#pragma once
+
+#include "ui/actions/mouse_preset.h"
+
+#include <QString>
+#include <vector>
+
+class QAction;
+
+namespace angiopose::ui {
+
+/// One line of the shortcut sheet.
+struct ShortcutRow {
+    QString heading;   ///< mode or view in which the shortcut works
+    QString keys;
+    QString effect;
+    QAction* action = nullptr;   ///< action with an editable shortcut; null for fixed keys
+};
+
+/// Lists the fixed keys by mode and view, and the mouse actions.
+std::vector<ShortcutRow> fixedShortcuts(const MousePreset& mouse);
+
+}   // namespace angiopose::ui

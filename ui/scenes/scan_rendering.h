@@ -1,0 +1,13 @@
+#pragma once
+
+#include "core/viewing/scan/render_scan.h"
+
+namespace angiopose::ui {
+
+/// Volume rendering of the scan from one viewpoint; bottom row first, premultiplied alpha.
+struct ScanRendering {
+    core::ParallelProjection sight;
+    core::Image2d<core::Rgba> pixels;
+};
+
+}   // namespace angiopose::ui
