@@ -170,10 +170,12 @@ std::string stageTimesText(const core::StageTimes& time)
 
 void printDeformed(const core::DeformableResult& deformed)
 {
-    printLine("vessels",
-              std::string(core::toText(deformed.verdict)) + ", evidence " + fixedText(deformed.logEvidenceGain, 0) +
-                  ", displaced by " + fixedText(deformed.meanMotionMm, 1) + " mm on average, " +
-                  fixedText(deformed.largestMotionMm, 1) + " mm maximum, " + fixedText(deformed.timeMs, 0) + " ms");
+    const bool isCertain = deformed.verdict == core::DeformationVerdict::Deformed;   // "bent" in files
+    printLine("vessels", (isCertain ? "deformed" : std::string(core::toText(deformed.verdict))) + ", evidence " +
+                             fixedText(deformed.logEvidenceGain, 0) + ", displaced by " +
+                             fixedText(deformed.meanMotionMm, 1) + " mm on average, " +
+                             fixedText(deformed.largestMotionMm, 1) + " mm maximum, " + fixedText(deformed.timeMs, 0) +
+                             " ms");
     for (const core::Message& message : deformed.messages) {
         printLine("", message.text());
     }

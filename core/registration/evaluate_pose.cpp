@@ -9,7 +9,7 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double settledMm = 1.3;   // beyond this the pose does not match the image (see judgeTrust)
+constexpr double maxRefinementMm = 1.3;   // beyond this the pose does not match the image (see assessConfidence)
 constexpr double mostlyExplained = 0.5;
 
 /// Withdraws the single-path warning unless the pose explains the image: at a wrong pose, even a fully opacified tree
@@ -17,7 +17,7 @@ constexpr double mostlyExplained = 0.5;
 void withdrawSinglePath(RegistrationResult& assessed)
 {
     const FitIndicators& indicators = assessed.indicators;
-    const bool explains = indicators.refinementMm <= settledMm && assessed.metrics.coverage >= mostlyExplained;
+    const bool explains = indicators.refinementMm <= maxRefinementMm && assessed.metrics.coverage >= mostlyExplained;
     const auto withdrawn = explains ? 0 : std::erase_if(assessed.warnings, [](const Message& said) {
         return said.is(messages::singlePathVisible);
     });

@@ -220,7 +220,7 @@ TEST(LowConfidence, NamesWhatItsDistancesAreAbout)
     EXPECT_TRUE(words.contains(QStringLiteral("over the %1 %").arg(qRound(100.0 * share)))) << words.toStdString();
     EXPECT_TRUE(words.contains(QStringLiteral("whole tree"))) << words.toStdString();
     const std::string reported = wordsIn(found);
-    EXPECT_NE(reported.find("judged opacified. Whole tree: median"), std::string::npos) << reported;
+    EXPECT_NE(reported.find("classified as opacified. Whole tree: median"), std::string::npos) << reported;
 }
 
 TEST(LowConfidence, NamesExcludedBranchesAndTheValueWithThem)

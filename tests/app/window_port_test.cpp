@@ -158,7 +158,7 @@ TEST_F(WindowPort, TlsTakesKnownCertificatesOnly)
     auto* tls = asked->findChild<QCheckBox*>(QStringLiteral("portTls"));
     QTest::mouseClick(tls, Qt::LeftButton, {}, {8, tls->height() / 2});
     OpenWindow::clickButton(asked, QStringLiteral("Save"));
-    EXPECT_TRUE(asked->line().statusText().contains(QStringLiteral("needs our own certificate")))
+    EXPECT_TRUE(asked->line().statusText().contains(QStringLiteral("requires a local certificate")))
         << "there is none yet";
     type(*asked, "portCertificate", ours->certificateFile);
     type(*asked, "portKey", ours->keyFile);

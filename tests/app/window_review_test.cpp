@@ -139,7 +139,7 @@ TEST(WindowReview, SaysThatRegisterKeepsWhatIsLocked)
     const auto says = [&w] {
         const auto labels = w.window.registration().findChildren<QLabel*>();
         return std::ranges::any_of(labels, [](const QLabel* label) {
-            return label->isVisible() && label->text().contains(QStringLiteral("Register keeps the locked"));
+            return label->isVisible() && label->text().contains(QStringLiteral("Registration keeps the locked"));
         });
     };
     EXPECT_FALSE(says());

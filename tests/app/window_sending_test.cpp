@@ -75,7 +75,7 @@ TEST_F(WindowSending, ObjectsArriveAndAfterAFaultTheSameOnesGoAgain)
     const Heartbeat beat;
     OpenWindow::clickButton(dialog, QStringLiteral("Send"));
     const QString fault = statusText(dialog->line());
-    EXPECT_TRUE(fault.contains(QStringLiteral("objects arrived."))) << fault.toStdString();
+    EXPECT_TRUE(fault.contains(QStringLiteral("objects were delivered."))) << fault.toStdString();
     line.heal();
     OpenWindow::clickButton(dialog, QStringLiteral("Send"));
     const QString said = statusText(dialog->line());

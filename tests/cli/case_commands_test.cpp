@@ -308,7 +308,7 @@ TEST_F(CliOnSimulatedCase, RanksTheWaysOfAWireAndTakesTheOneAskedFor)
     const auto words = runCli({"register", path, "--output", folder_.file("wire")});
     ASSERT_TRUE(words.exitCode == 0 || words.exitCode == 4) << words.exitCode << words.messages;
     EXPECT_NE(words.output.find("path taken"), std::string::npos) << words.output;
-    EXPECT_NE(words.output.find("of the guidewire along them"), std::string::npos) << words.output;
+    EXPECT_NE(words.output.find("of the guidewire along these branches"), std::string::npos) << words.output;
 
     const auto first =
         nlohmann::json::parse(runCli({"register", path, "--output", folder_.file("wire"), "--json"}).output);

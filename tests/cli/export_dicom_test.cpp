@@ -127,7 +127,7 @@ TEST_F(CliExportDicom, WritesNothingWhereOneObjectCannotBeMade)
 {
     const auto outcome = exported({"--objects", "sc,seg"});
     EXPECT_EQ(outcome.exitCode, 3);
-    EXPECT_NE(outcome.messages.find("needs the scan or mask"), std::string::npos) << outcome.messages;
+    EXPECT_NE(outcome.messages.find("requires the scan or mask"), std::string::npos) << outcome.messages;
     EXPECT_FALSE(fs::exists(folder_.file("out")));
     const auto unknown = exported({"--objects", "sc,hologram"});
     EXPECT_EQ(unknown.exitCode, 2);

@@ -148,7 +148,7 @@ TEST(ObserverLog, DoesNotTouchAnotherFile)
     std::ofstream(path) << "dear diary\n";
     const auto refused = io::appendTrial(trialOf("Ada"), path);
     ASSERT_FALSE(refused);
-    EXPECT_NE(refused.error().message.text().find("not a log"), std::string::npos);
+    EXPECT_NE(refused.error().message.text().find("not a blind trial log"), std::string::npos);
     EXPECT_EQ(readText(path), "dear diary\n");
 }
 

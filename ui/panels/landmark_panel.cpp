@@ -14,7 +14,7 @@
 namespace angiopose::ui {
 namespace {
 
-constexpr int maxVisibleRows = 6;
+constexpr int maxVisibleLandmarks = 6;
 
 }   // namespace
 
@@ -83,7 +83,7 @@ void LandmarkPanel::showLandmarks(const LandmarkState& state)
         const QString error = isKnown ? tr("%1 px").arg(numberText(state.errorPx[i], 1)) : tr("not in view");
         list_->addItem(QStringLiteral("%1   %2   %3").arg(i + 1).arg(name, error));
     }
-    const int rows = std::min(list_->count(), maxVisibleRows);
+    const int rows = std::min(list_->count(), maxVisibleLandmarks);
     list_->setVisible(rows > 0);
     list_->setFixedHeight(rows > 0 ? rows * list_->sizeHintForRow(0) + 4 : 0);
     verdict_->setText(state.verdict);

@@ -18,7 +18,7 @@
 namespace angiopose::ui {
 namespace {
 
-constexpr int maxVisibleRows = 6;
+constexpr int maxVisibleMarks = 6;
 enum MarkColumn { MarkName, MarkValue, MarkColumnCount };
 constexpr std::array markCommands{Command::TargetPoint, Command::OstiumRing, Command::TargetInImage, Command::DrawArrow,
                                   Command::WriteText};
@@ -168,7 +168,7 @@ void MarkPanel::showMarks(const std::vector<MarkRow>& rows, const QString& note)
             item->setToolTip(column, row.basis);
         }
     }
-    const int visible = std::min(count, maxVisibleRows);
+    const int visible = std::min(count, maxVisibleMarks);
     list_->setVisible(visible > 0);
     list_->setFixedHeight(visible > 0 ? visible * list_->sizeHintForRow(0) + 4 : 0);
     setHint(count == 0 ? QString() : QString::number(count));

@@ -19,7 +19,7 @@
 namespace angiopose::ui {
 namespace {
 
-constexpr int maxVisibleRows = 6;
+constexpr int maxVisibleMeasurements = 6;
 enum MeasureColumn { MeasureName, MeasureValue, MeasureColumnCount };
 
 Command commandOf(core::MeasurementKind kind)
@@ -178,7 +178,7 @@ void MeasurePanel::showMeasurements(const MeasureState& state)
             item->setToolTip(column, row.basis);
         }
     }
-    const int rows = std::min(count, maxVisibleRows);
+    const int rows = std::min(count, maxVisibleMeasurements);
     list_->setVisible(rows > 0);
     list_->setFixedHeight(rows > 0 ? rows * list_->sizeHintForRow(0) + 4 : 0);
     plane_->setCurrentIndex(static_cast<int>(state.plane));

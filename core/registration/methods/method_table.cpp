@@ -68,7 +68,7 @@ const std::vector<Method>& table()
           "Image intensity under the vessels at the scale of each vessel, optimized by an evolution strategy (Jomier "
           "2006; re-implementation, our parameters)."},
          solveEvolution},
-        {{"wire", "Wire or catheter",
+        {{"wire", "Guidewire or catheter",
           "For images that show only a guidewire or catheter: finds its path through the tree, and the pose near the "
           "last full registration."},
          solveWire},

@@ -239,7 +239,7 @@ std::vector<OptionField> graphFields()
                     {"graphHypotheses", "Hypotheses", "Maximum number of matched-branch sequences tested."}, 10, 2000)),
         onlyFor({"graph-matching"},
                 number<&Options::graph, &GraphOptions::reachPx>(
-                    {"graphReachPx", "Root reach",
+                    {"graphReachPx", "Max. node distance",
                      "Maximum distance between a bifurcation or end of the tree and its match in the image."},
                     {"px", 1.0, 2000.0, 0})),
         onlyFor({"graph-matching"}, number<&Options::graph, &GraphOptions::spreadWeight>(

@@ -119,7 +119,7 @@ std::vector<OptionField> wireFields()
                            {"mm", 0.2, 10.0, 1})),
         onlyFor(wires,
                 count<&Options::wire, &WireOptions::way>(
-                    {"wireWay", "Wire path", "Rank of the path by probability: 1 is the most probable path."}, 1, 9)),
+                    {"wireWay", "Path rank", "Rank of the path by probability: 1 is the most probable path."}, 1, 9)),
     };
 }
 

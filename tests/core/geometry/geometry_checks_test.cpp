@@ -82,7 +82,7 @@ const Wrong wrongs[] = {
      [](CArm&, GantryHeader& h) {
          h.pixelSpacingMm = {0.4, 0.4};
      }},
-    {"without a calibration", [](CArm&, GantryHeader& h) { h.isPixelSpacingCalibrated = false; }},
+    {"without calibration", [](CArm&, GantryHeader& h) { h.isPixelSpacingCalibrated = false; }},
     {"primary angle", [](CArm& c, GantryHeader&) { c.primaryAngleDeg.value = 200.0; }},
     {"secondary angle", [](CArm& c, GantryHeader&) { c.secondaryAngleDeg.value = -95.0; }},
     {"roll", [](CArm& c, GantryHeader&) { c.rollDeg.value = 270.0; }},

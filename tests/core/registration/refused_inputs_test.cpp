@@ -89,7 +89,7 @@ TEST(RegisterVessels, NamesWhatMakesAnInputUnusable)
     EXPECT_NE(reasonFor(input).find("behind the X-ray source"), std::string::npos);
     input = good;
     input.initialCameraFromPatient.rotation *= 1.1;
-    EXPECT_NE(reasonFor(input).find("not a rigid motion"), std::string::npos);
+    EXPECT_NE(reasonFor(input).find("not a rigid transform"), std::string::npos);
     input = good;
     input.auxiliaryBranchIds = {987654};
     EXPECT_NE(reasonFor(input).find("987654"), std::string::npos);

@@ -212,15 +212,21 @@ TEST(RegisterViews, NamesWhatIsWrong)
     EXPECT_NE(registerViews(two.inputs, {}, called).error().message.text().find("View 1"), std::string::npos);
 }
 
-/// The table moved by an unknown distance; only the rotation is known.
-TEST(RegisterViews, FindsTheSecondViewWhereverTheTableLeftIt)
+const MultiViewOptions unknownTable{.steps = {RelativePoseStd(), RelativePoseStd{0.75, {60.0, 60.0, 30.0}}}};
+
+/// Two views between which the table moved by an unknown distance; only the rotation is known.
+TwoViews withUnknownTable()
 {
     TwoViews two;
     two.startOff(typicalStep());
     two.inputs[1].initialCameraFromPatient.translation += Eigen::Vector3d(60.0, -35.0, 40.0);
-    MultiViewOptions unknown;
-    unknown.steps = {RelativePoseStd(), RelativePoseStd{0.75, {60.0, 60.0, 30.0}}};
-    const auto joint = registerViews(two.inputs, {}, unknown);
+    return two;
+}
+
+TEST(RegisterViews, FindsTheSecondViewWhereverTheTableLeftIt)
+{
+    const TwoViews two = withUnknownTable();
+    const auto joint = registerViews(two.inputs, {}, unknownTable);
     ASSERT_TRUE(joint) << joint.error().message;
     EXPECT_TRUE(joint.value().trustworthy);
     for (std::size_t k = 0; k < 2; ++k) {
@@ -232,6 +238,16 @@ TEST(RegisterViews, FindsTheSecondViewWhereverTheTableLeftIt)
     const auto asTaken = registerViews(two.inputs, {}, {});
     ASSERT_TRUE(asTaken);
     EXPECT_FALSE(asTaken.value().trustworthy) << "planes taken together do not lie apart";
+}
+
+TEST(RegisterViews, AnUnmeasuredDepthIsNoDeformation)
+{
+    RegistrationOptions always;
+    always.deformation = Deformation::Always;
+    const auto joint = registerViews(withUnknownTable().inputs, always, unknownTable);
+    ASSERT_TRUE(joint) << joint.error().message;
+    ASSERT_TRUE(joint.value().deformed);
+    EXPECT_LT(joint.value().deformed->rigid.meanMm, 0.5);
 }
 
 }   // namespace

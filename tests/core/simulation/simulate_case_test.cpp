@@ -212,7 +212,7 @@ TEST(SimulateCase, NamesWhatCannotBeSimulated)
 {
     EXPECT_FALSE(findProblem(TreeOptions{}, DsaOptions{}));
     EXPECT_EQ(findProblem({.branchCount = 0}, {})->text(),
-              "The simulation's branchCount must lie between 1 and 200, not 0.");
+              "The branchCount of the simulation must be between 1 and 200, not 0.");
     EXPECT_TRUE(findProblem({}, {.frameCount = 0}));
     EXPECT_TRUE(findProblem({}, {.missingBranchShare = 2.0}));
     EXPECT_TRUE(findProblem({}, {.nonRigidStdMm = std::numeric_limits<double>::quiet_NaN()}));

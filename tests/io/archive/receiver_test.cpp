@@ -148,7 +148,7 @@ TEST(ArchiveReceiver, TellsOfThoseTurnedAwayAsItHappens)
     const core::Messages heard = port.heard();
     ASSERT_EQ(heard.size(), 2u) << "while it serves";
     EXPECT_EQ(heard[0].text(),
-              "127.0.0.1 (AE title ANGIOPOSE) was rejected: it is not in the list of allowed callers.");
+              "127.0.0.1 (AE title ANGIOPOSE) was rejected: it is not in the list of allowed calling AE titles.");
     EXPECT_TRUE(heard[1].is(io::messages::archiveCalledOtherwise)) << heard[1].text();
 }
 

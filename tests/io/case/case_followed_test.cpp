@@ -232,13 +232,13 @@ TEST_F(CaseFollowed, KeepsItsPosesWithoutTheFileOfDeformation)
     expectPosesWithoutDeformation(afterReplacingDeformation(endless), "damaged or truncated");
     std::string others = whole;
     others.replace(whole.find("sizes: 9 5 2"), 12, "sizes: 9 5 3");
-    expectPosesWithoutDeformation(afterReplacingDeformation(others), "belong to other vessels or frames");
+    expectPosesWithoutDeformation(afterReplacingDeformation(others), "belong to different vessels or frames");
     expectPosesWithoutDeformation(afterReplacingDeformation("a letter"), "not a deformation file");
     small.folder().write("saved.bends.nrrd", whole);
-    expectPosesWithoutDeformation(afterEditing([](auto& json) { json["followed"].erase("bends"); }), "names no file");
+    expectPosesWithoutDeformation(afterEditing([](auto& json) { json["followed"].erase("bends"); }), "specifies no deformation file");
     expectPosesWithoutDeformation(
         afterEditing([](auto& json) { json["followed"]["frames"][1]["deformable"]["perBranch"][0]["branch"] = 9; }),
-        "belong to other vessels or frames");
+        "belong to different vessels or frames");
     std::filesystem::remove(deformationsPath());
     expectPosesWithoutDeformation(load(path()), "saved.bends.nrrd");
 }

@@ -16,7 +16,7 @@ TEST(MessageJson, GivesIdSeverityTextAndArguments)
 
     EXPECT_EQ(json["id"], "trust.pose-uncertain");
     EXPECT_EQ(json["severity"], "warning");
-    EXPECT_EQ(json["text"], "The pose is uncertain by about 2.4 mm.");
+    EXPECT_EQ(json["text"], "The pose uncertainty is about 2.4 mm.");
     EXPECT_EQ(json["arguments"][0]["value"], 2.44);
     EXPECT_EQ(json["arguments"][0]["unit"], "mm");
     EXPECT_FALSE(json.contains("subject"));

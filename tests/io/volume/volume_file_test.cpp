@@ -149,7 +149,7 @@ TEST(ReadVolume, NotANumberBecomesTheLowestValue)
     EXPECT_NE(some.value().warnings.front().text().find("2 voxels are not numbers"), std::string::npos);
 
     expectRefused(folder.write("b.mha", metaImage("MET_FLOAT", bytesOf(std::vector<float>(8, none)))),
-                  "none of its voxels is a number");
+                  "no voxel contains a valid number");
 }
 
 TEST(ReadVolume, StopEndsTheReadingWithinAChunk)

@@ -169,7 +169,7 @@ TEST(Nrrd, RefusesAFieldOfAMegabyte)
     const std::string header = "NRRD0004\ntype: short\ndimension: 3\nspace: left-posterior-superior\nsizes: 2 2 2\n";
     expectRefused(
         folder.write("a.nrrd", header + longField + "\nendian: little\nencoding: raw\n\n" + std::string(16, '\0')),
-        "its header cannot be read");
+        "the header cannot be read");
 }
 
 /// Free text may have any length.

@@ -45,7 +45,7 @@ TEST(VoxelsElsewhere, AreNamedWhereTheyAreMissing)
     const auto refused = io::readVolume(header);
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().message.text(),
-              header + ": its voxel data file scan.raw is missing. Copy both files together.");
+              header + ": the voxel data file scan.raw is missing. Copy both files together.");
 }
 
 }   // namespace

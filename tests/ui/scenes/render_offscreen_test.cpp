@@ -135,7 +135,7 @@ TEST(RenderOffscreen, RefusesImpossibleSizes)
     ui::OverlayScene scene;
     const auto picture = ui::renderOffscreen(scene, 0, 100, wholeImage);
     ASSERT_FALSE(picture);
-    EXPECT_NE(picture.error().message.text().find("choose another size"), std::string::npos);
+    EXPECT_NE(picture.error().message.text().find("Choose another size"), std::string::npos);
 }
 
 /// Two parallel vessels of 3 mm radius, the upper one closer to the source.
