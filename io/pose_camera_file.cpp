@@ -14,7 +14,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
 #include <nlohmann/json.hpp>
 
 namespace angiopose::io {

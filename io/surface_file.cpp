@@ -12,7 +12,6 @@
 #include "io/vessel/vtk_lines.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 #include <optional>
 

@@ -6,15 +6,224 @@
 #include "io/series/dicom_segmentation.h"
 #include "io/support/file_error.h"
 #include "io/support/input_bytes.h"
+#include "io/support/numbers.h"
+#include "io/support/system/current_process.h"
 #include "io/volume/open_stored_volume.h"
-#include "io/volume/read_voxels.h"
+#include "io/volume/quantization.h"
+#include "io/volume/robust_range.h"
+#include "io/volume/stored_volume.h"
 
 #include <algorithm>
 #include <bitset>
+#include <cmath>
+#include <cstring>
 #include <filesystem>
+#include <memory>
+#include <new>
+#include <optional>
+#include <type_traits>
 
 namespace angiopose::io {
 namespace {
+
+core::Error tooLarge(const StoredVolume& stored)
+{
+    return fileError(stored.path, messages::volumeLargerThanMemory());
+}
+
+/// Reads voxels of up to 16 bits directly into the memory of `place`, then widens them in place, from last to first, by
+/// `convert(value)`.
+template <class T, class Level, class Convert>
+core::Status readInPlace(const StoredVolume& stored, std::vector<Level>& place, const ReadObserver& observe,
+                         const Convert& convert)
+{
+    static_assert(sizeof(T) <= sizeof(Level));
+    char* bytes = reinterpret_cast<char*>(place.data());
+    if (const auto filled = stored.voxels->read(bytes, observe); !filled) {
+        return filled;
+    }
+    for (std::size_t i = place.size(); i-- > 0;) {
+        T value;
+        std::memcpy(&value, bytes + i * sizeof(T), sizeof(T));
+        place[i] = convert(value);
+    }
+    return core::Done{};
+}
+
+/// Reads the voxels as stored, for types whose range must be determined before conversion to 16 bits.
+template <class T>
+core::Result<std::unique_ptr<T[]>> readApart(const StoredVolume& stored, const ReadObserver& observe)
+{
+    auto values = std::make_unique_for_overwrite<T[]>(stored.geometry.voxelCount());
+    const auto filled = stored.voxels->read(reinterpret_cast<char*>(values.get()), observe);
+    return filled ? core::Result<std::unique_ptr<T[]>>(std::move(values)) : filled.error();
+}
+
+template <class T>
+ValueRange rangeOf(const T* values, std::size_t count)
+{
+    ValueRange range;
+    if constexpr (std::is_integral_v<T>) {
+        const auto [low, high] = std::minmax_element(values, values + count);
+        range.low = static_cast<double>(*low);
+        range.high = static_cast<double>(*high);
+    } else {
+        for (std::size_t i = 0; i < count; ++i) {
+            range.add(static_cast<double>(values[i]));
+        }
+    }
+    return range;
+}
+
+void noteLosses(const StoredVolume& stored, const ValueRange& range, const Quantization& quantization,
+                core::Messages& warnings)
+{
+    if (range.missing > 0) {
+        warnings.push_back(messages::volumeNotNumbers(range.missing));
+    }
+    if (!range.isInteger || quantization.scale != 1.0) {
+        warnings.push_back(roundingNote(stored.slope * quantization.scale, std::string(nameOf(stored.type))));
+    }
+}
+
+template <class T>
+void quantize(const T* values, const Quantization& quantization, const ValueRange& range,
+              std::vector<std::int16_t>& voxels)
+{
+    const bool isExact = quantization.scale == 1.0;
+    for (std::size_t i = 0; i < voxels.size(); ++i) {
+        const auto raw = static_cast<double>(values[i]);
+        const double value = std::isfinite(raw) ? std::clamp(raw, range.low, range.high) : range.low;
+        voxels[i] = isExact && value == std::trunc(value) ? static_cast<std::int16_t>(value - quantization.offset)
+                                                          : quantization.voxel(value);
+    }
+}
+
+template <class T>
+core::Result<core::Volume> readNarrow(const StoredVolume& stored, const ReadObserver& observe)
+{
+    constexpr bool isWide = std::is_same_v<T, std::uint16_t>;
+    constexpr int offset = isWide ? 32768 : 0;
+    core::Volume volume(stored.geometry);
+    volume.slope = stored.slope;
+    volume.intercept = stored.slope * offset + stored.intercept;
+    const auto filled = readInPlace<T>(stored, volume.voxels, observe, [](T value) {
+        return static_cast<std::int16_t>(static_cast<int>(value) - offset);
+    });
+    return filled ? core::Result<core::Volume>(std::move(volume)) : filled.error();
+}
+
+template <class T>
+core::Result<core::Volume> readWide(const StoredVolume& stored, const ReadObserver& observe, core::Messages& warnings)
+{
+    const auto apart = readApart<T>(stored, observe);
+    if (!apart) {
+        return apart.error();
+    }
+    const T* values = apart.value().get();
+    const std::size_t count = stored.geometry.voxelCount();
+    const ValueRange whole = rangeOf(values, count);
+    if (whole.missing == count) {
+        return fileError(stored.path, messages::volumeNoNumbers());
+    }
+    const auto valueAt = [values](std::size_t i) { return static_cast<double>(values[i]); };
+    const ValueRange range = robustRange(whole, count, valueAt);
+    if (const std::size_t outside =
+            range.low > whole.low || range.high < whole.high ? countOutside(range, count, valueAt) : 0;
+        outside > 0) {
+        warnings.push_back(messages::volumeStrayValues(outside, toText(stored.slope * range.low + stored.intercept),
+                                                       toText(stored.slope * range.high + stored.intercept)));
+    }
+    const Quantization quantization = quantizationOf(range);
+    noteLosses(stored, range, quantization, warnings);
+    core::Volume volume(stored.geometry);
+    volume.slope = stored.slope * quantization.scale;
+    volume.intercept = stored.slope * quantization.offset + stored.intercept;
+    quantize(values, quantization, range, volume.voxels);
+    return volume;
+}
+
+/// Returns the label for a value after slope and intercept, up to float rounding; negative if it is not a label.
+double labelOf(double value)
+{
+    const double label = std::round(value);
+    return label >= 0.0 && label <= storedLevels && std::abs(value - label) <= 1e-3 ? label : -1.0;
+}
+
+template <class T>
+core::Result<core::LabelVolume> labelsAs(const StoredVolume& stored, const ReadObserver& observe)
+{
+    core::LabelVolume labels(stored.geometry);
+    std::optional<double> wrong;
+    const auto voxelOf = [&](T raw) {
+        const double value = stored.slope * static_cast<double>(raw) + stored.intercept;
+        const double label = labelOf(value);
+        wrong = label < 0.0 ? value : wrong;
+        return static_cast<std::uint16_t>(std::max(label, 0.0));
+    };
+    if constexpr (sizeof(T) <= 2) {
+        if (const auto filled = readInPlace<T>(stored, labels.voxels, observe, voxelOf); !filled) {
+            return filled.error();
+        }
+    } else {
+        const auto apart = readApart<T>(stored, observe);
+        if (!apart) {
+            return apart.error();
+        }
+        for (std::size_t i = labels.voxels.size(); i-- > 0;) {
+            labels.voxels[i] = voxelOf(apart.value()[i]);
+        }
+    }
+    if (wrong) {
+        return fileError(stored.path, messages::labelsNoWholeNumber(toText(*wrong)));
+    }
+    return labels;
+}
+
+/// Fails if the file is too short for its voxels or the voxels do not fit into memory; does not read any voxels.
+core::Status checkVoxels(const StoredVolume& stored)
+{
+    if (const auto there = stored.voxels->check(); !there) {
+        return there;
+    }
+    const std::size_t apart = bytesOf(stored.type) > 2 ? bytesOf(stored.type) : 0;
+    const double needed = static_cast<double>(stored.geometry.voxelCount()) * static_cast<double>(2 + apart);
+    return needed > 0.9 * physicalMemoryBytes() ? core::Status(tooLarge(stored)) : core::Done{};
+}
+
+/// Reads the voxels of a stored volume as 16 bits, directly into place. Types of up to 16 bits, and whole numbers that
+/// span at most 16 bits, keep every value; others are rounded to 65535 steps, with a warning that states the step.
+core::Result<core::Volume> readVoxels(const StoredVolume& stored, const ReadObserver& observe, core::Messages& warnings)
+{
+    if (const auto plausible = checkVoxels(stored); !plausible) {
+        return plausible.error();
+    }
+    try {
+        return visitVoxelType(stored.type, [&](auto kind) -> core::Result<core::Volume> {
+            using T = decltype(kind);
+            if constexpr (sizeof(T) <= 2) {
+                return readNarrow<T>(stored, observe);
+            } else {
+                return readWide<T>(stored, observe, warnings);
+            }
+        });
+    } catch (const std::bad_alloc&) {
+        return tooLarge(stored);
+    }
+}
+
+/// Reads the voxels of a stored label image; fails if a value is not a label (fractional, negative, or above 65535).
+core::Result<core::LabelVolume> readLabelVoxels(const StoredVolume& stored, const ReadObserver& observe)
+{
+    if (const auto plausible = checkVoxels(stored); !plausible) {
+        return plausible.error();
+    }
+    try {
+        return visitVoxelType(stored.type, [&](auto kind) { return labelsAs<decltype(kind)>(stored, observe); });
+    } catch (const std::bad_alloc&) {
+        return tooLarge(stored);
+    }
+}
 
 /// Returns the series with this ID, or the only volume if no ID is given.
 core::Result<DicomSeries> selectSeries(std::vector<DicomSeries> all, const std::string& seriesId,

@@ -34,7 +34,7 @@ check_files("${forbidden_ui_scenes}" ${scenes})
 
 # The whole window is known to those that wire it or speak of all of it; every other controller is given what it serves.
 set(knows_window app/case_controller app/window_host app/step_controller app/help/help_controller
-    app/preferences/window_layout app/review/step_layout_controller app/review/view_placement_controller)
+    app/review/step_layout_controller app/review/view_placement_controller)
 set(found "")
 foreach(source ${app_files})
   file(STRINGS "${source}" hits REGEX "MainWindow|ui/main_window\\.h")

@@ -3,7 +3,6 @@
 #include "app/jobs/job.h"
 #include "io/archive/archive.h"
 
-#include <QHash>
 #include <QObject>
 
 #include <deque>

@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <optional>
-#include <string_view>
 
 namespace angiopose::app {
 namespace {

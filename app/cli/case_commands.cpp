@@ -1,9 +1,7 @@
 #include "app/cli/add_commands.h"
 
-#include "app/cli/case_or_result.h"
 #include "app/cli/commands.h"
-#include "app/cli/frame_option.h"
-#include "app/cli/method_list.h"
+#include "app/cli/common_options.h"
 #include "core/registration/options/option_fields.h"
 #include "io/case/case_settings.h"
 

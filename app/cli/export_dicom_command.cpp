@@ -1,9 +1,8 @@
 #include "app/cli/add_commands.h"
 
 #include "app/cli/case_input.h"
-#include "app/cli/case_or_result.h"
+#include "app/cli/common_options.h"
 #include "app/cli/console.h"
-#include "app/cli/frame_option.h"
 #include "app/cli/register_case.h"
 #include "app/messages/messages.h"
 #include "app/texts/dicom_export.h"

@@ -1,7 +1,7 @@
 #include "app/cli/add_commands.h"
 
 #include "app/cli/commands.h"
-#include "app/cli/frame_option.h"
+#include "app/cli/common_options.h"
 #include "io/case/case_file.h"
 #include "io/results/result_schema.h"
 

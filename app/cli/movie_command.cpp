@@ -1,7 +1,6 @@
 #include "app/cli/case_input.h"
 #include "app/cli/commands.h"
 #include "app/cli/register_case.h"
-#include "app/cli/track_case.h"
 #include "app/messages/messages.h"
 #include "app/texts/number_text.h"
 #include "core/workflow/register_case.h"

@@ -5,6 +5,7 @@
 #include "core/registration/methods/method_info.h"
 #include "core/registration/options/option_text.h"
 #include "core/support/utc_time.h"
+#include "core/workflow/track_frames.h"
 
 #include <cstdlib>
 #include <utility>
@@ -77,6 +78,22 @@ core::Result<core::RegisteredCase> registerWithoutProgress(core::Case session, c
     return core::registerCase(std::move(session), signedPlan(std::move(plan)), [](const core::WorkReport&) {
         return isInterrupted() ? core::ObserverDecision::Stop : core::ObserverDecision::Continue;
     });
+}
+
+core::Status trackForCommand(core::Case& session)
+{
+    core::View& shown = session.shown();
+    const auto known = static_cast<int>(core::framesOf(shown.followed).size());
+    if (shown.angiogram && known == shown.angiogram->frameCount()) {
+        return core::Done{};
+    }
+    ProgressLine progress("following");
+    auto frames = core::trackFrames(session, progress.observer());
+    if (!frames) {
+        return frames.error();
+    }
+    shown.followed = core::makeTrackedRun(shown.frame, std::move(frames).value());
+    return core::Done{};
 }
 
 }   // namespace angiopose::app

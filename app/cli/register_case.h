@@ -18,4 +18,8 @@ core::Result<core::RegisteredCase> registerForCommand(core::Case session, const 
 /// Registers without a progress line, for use when several cases run at once.
 core::Result<core::RegisteredCase> registerWithoutProgress(core::Case session, core::RegistrationPlan plan = {});
 
+/// Tracks the vessels through the displayed run and shows a progress line. Does nothing if the case already has tracked
+/// poses for all frames.
+core::Status trackForCommand(core::Case& session);
+
 }   // namespace angiopose::app

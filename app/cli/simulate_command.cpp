@@ -98,8 +98,6 @@ core::Status writeSimulatedCase(const core::SimulatedCase& simulated, const std:
     return io::saveCase(caseOf(simulated, absolute, title, start), casePath);
 }
 
-namespace fs = std::filesystem;
-
 constexpr std::size_t numberDigits = 4;   ///< digits of a case number, zero-padded so that folders sort numerically
 
 core::Status writeScan(std::uint64_t seed, const core::TreeOptions& tree, const core::CtaOptions& cta,

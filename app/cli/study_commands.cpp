@@ -1,8 +1,8 @@
 #include "app/cli/add_commands.h"
 
 #include "app/cli/commands.h"
+#include "app/cli/common_options.h"
 #include "app/cli/evaluate_own.h"
-#include "app/cli/method_list.h"
 #include "core/evaluation/protocols/protocol.h"
 
 #include <memory>

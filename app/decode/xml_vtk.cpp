@@ -11,7 +11,6 @@
 #include <vtkXMLPolyDataReader.h>
 #include <vtkXMLUnstructuredGridReader.h>
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <span>
 #include <string>

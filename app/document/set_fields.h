@@ -7,7 +7,6 @@
 #include <QUndoCommand>
 
 #include <tuple>
-#include <type_traits>
 #include <utility>
 
 namespace angiopose::app {

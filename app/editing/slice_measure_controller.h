@@ -5,7 +5,6 @@
 #include "ui/panels/measure_panel.h"
 #include "ui/slices/slice_measure_tool.h"
 
-#include <array>
 #include <set>
 
 namespace angiopose::ui {

@@ -12,7 +12,6 @@
 #include "ui/words/message_text.h"
 #include "ui/words/retranslation.h"
 
-#include <QSignalBlocker>
 #include <QtConcurrentRun>
 
 #include <algorithm>

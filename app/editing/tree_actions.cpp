@@ -13,7 +13,6 @@
 #include "ui/words/retranslation.h"
 
 #include <QCoreApplication>
-#include <QListView>
 #include <QMenu>
 
 #include <array>

@@ -12,7 +12,6 @@
 #include "ui/words/message_text.h"
 
 #include <QApplication>
-#include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <memory>

@@ -1,7 +1,7 @@
 #include "app/files/export_controller.h"
 
 #include "app/files/pdf_picture.h"
-#include "app/jobs/drr_source.h"
+#include "app/jobs/drr_job.h"
 #include "app/preferences/private_mode.h"
 #include "app/preferences/save_folder.h"
 #include "app/preferences/settings.h"

@@ -1,6 +1,5 @@
 #include "app/files/open_controller.h"
 
-#include "app/files/open_notes.h"
 #include "app/files/recent_cases.h"
 #include "app/preferences/settings.h"
 #include "core/case/case_patients.h"

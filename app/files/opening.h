@@ -10,6 +10,9 @@
 
 namespace angiopose::app {
 
+/// Joins file names, e.g. "a.dcm, b.vtp".
+QString namesOf(const QStringList& paths);
+
 /// Files that have been read, and how they are added to the case.
 struct Opening {
     enum class Mode { Replace, Join, AddView };   ///< replaces the open case, adds inputs to it, or adds a view

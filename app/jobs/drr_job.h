@@ -2,6 +2,7 @@
 
 #include "app/jobs/job.h"
 #include "core/imaging/image2d.h"
+#include "core/registration/picture/drr.h"
 #include "core/registration/registration.h"
 #include "core/support/result.h"
 
@@ -12,7 +13,21 @@
 
 namespace angiopose::app {
 
-class DrrSource;
+/// Computes DRRs of the vessels of a case for any pose; the first call prepares the data. Not thread-safe: one worker
+/// at a time.
+class DrrSource {
+public:
+    DrrSource(core::RegistrationInput input, core::RegistrationOptions options);
+
+    /// DRR with vessels bright on 0, at half the image's resolution. Fails if the input cannot be registered.
+    core::Result<core::ImageF> from(const core::RigidTransform& cameraFromPatient);
+
+private:
+    core::RegistrationInput input_;
+    core::RegistrationOptions options_;
+    std::unique_ptr<core::RegistrationProblem> problem_;   ///< must outlive `drr_`, which refers to it
+    std::optional<core::Drr> drr_;
+};
 
 /// Computes DRRs of the vessels (from the CTA inside them, or from tubes) off the GUI thread, always for the newest
 /// pose: a request during a computation replaces the pending one.

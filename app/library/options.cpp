@@ -9,7 +9,6 @@
 #include "io/support/numbers.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace angiopose::library {
 namespace {

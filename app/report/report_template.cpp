@@ -3,7 +3,6 @@
 #include "app/messages/messages.h"
 
 #include <QBuffer>
-#include <QDir>
 #include <QFile>
 #include <QFileInfo>
 #include <QImageReader>

@@ -6,8 +6,6 @@
 
 #include <QObject>
 
-#include <memory>
-#include <optional>
 #include <vector>
 
 namespace angiopose::ui {

@@ -16,7 +16,6 @@
 #include "ui/words/retranslation.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace angiopose::app {

@@ -1,12 +1,17 @@
 #include "app/texts/dicom_objects.h"
 
 #include "app/messages/messages.h"
-#include "app/texts/dicom_contents.h"
+#include "app/texts/movie_steps.h"
 #include "core/imaging/mark_ball.h"
+#include "core/measuring/measure_image.h"
+#include "core/tracing/angiogram/frame/burned_in_text.h"
 #include "io/dicom/objects/case_measurements.h"
 #include "io/dicom/objects/encapsulated_pdf.h"
+#include "io/dicom/objects/presentation_state.h"
+#include "io/dicom/objects/secondary_capture.h"
 #include "io/dicom/objects/spatial_registration.h"
 #include "io/scan_reference.h"
+#include "ui/scenes/projected_tree.h"
 
 #include <algorithm>
 
@@ -77,6 +82,211 @@ core::Result<std::string> segmentationObject(const DicomExportInput& exportInput
         notes.push_back(messages::dicomNoScanStudy());
     }
     return made;
+}
+
+using Line = std::vector<Eigen::Vector2d>;
+
+io::RgbColor rgb(const ui::Color& color)
+{
+    return {color.red, color.green, color.blue};
+}
+
+bool passesImage(const Line& line, const core::ProjectionCamera& camera)
+{
+    return std::ranges::any_of(line, [&camera](const Eigen::Vector2d& point) {
+        return point.x() > -0.5 && point.y() > -0.5 && point.x() < camera.width - 0.5 &&
+               point.y() < camera.height - 0.5;
+    });
+}
+
+/// Returns the visible vessels, with the auxiliary branches in a separate layer.
+std::vector<io::GraphicLayer> vesselLayers(const DicomExportInput& exportInput, const core::ProjectionCamera& camera)
+{
+    const core::Case& session = exportInput.session;
+    const ui::BranchColors colors = ui::branchColors(ui::palette(ui::ThemeMode::Dark));
+    io::GraphicLayer plain{"VESSELS", "Vessels of the 3-D tree", rgb(colors.plain), {}, {}};
+    io::GraphicLayer auxiliary{"AUXILIARY", "Auxiliary vessels of the 3-D tree", rgb(colors.auxiliary), {}, {}};
+    const core::RigidTransform& pose = session.shown().cameraFromPatient;
+    const DrawnVessels drawn = drawnVessels(session.shown(), session.vessels, pose, exportInput.wanted.look.shape);
+    const core::VesselTree tree = core::without(drawn.tree, session.vessels.hiddenBranchIds);
+    for (const ui::ProjectedBranch& branch : ui::projectedTree(tree, camera, pose)) {
+        const std::vector<int>& ids = session.vessels.auxiliaryBranchIds;
+        io::GraphicLayer& layer = std::ranges::find(ids, branch.id) == ids.end() ? plain : auxiliary;
+        for (const auto& run : branch.runs) {
+            Line line;
+            std::ranges::transform(run, std::back_inserter(line), &ui::ProjectedPoint::px);
+            if (passesImage(line, camera)) {
+                layer.lines.push_back(std::move(line));
+            }
+        }
+    }
+    return {plain, auxiliary};
+}
+
+/// Returns the measurements of the frame, each labeled with its value.
+io::GraphicLayer measuredLayer(const core::Case& session)
+{
+    io::GraphicLayer layer{"MEASURED", "Measurements in the image", {255, 200, 87}, {}, {}};
+    const core::MeasuredView seen(session.shown(), session.vessels.tree.get());
+    for (const core::ImageMeasurement& measurement : session.shown().measurements) {
+        if (measurement.frame != session.shown().frame || measurement.pixels.empty()) {
+            continue;
+        }
+        Line line = measurement.pixels;
+        if (measurement.kind == core::MeasurementKind::Area) {
+            line.push_back(line.front());
+        }
+        layer.lines.push_back(line);
+        if (const auto measured = core::measureImage(measurement, seen)) {
+            layer.texts.push_back({core::labelOf(measured.value(), measurement.kind).text(), line.front()});
+        }
+    }
+    return layer;
+}
+
+/// Converts a display range to the gray values of the file; reverses it if the image was inverted on reading.
+core::DisplayRange storedRange(core::DisplayRange range, const core::Angiogram& run, const io::SourceImage& source)
+{
+    if (!source.isShownInverted) {
+        return range;
+    }
+    float low = run.frames.front().pixels.front();
+    float high = low;
+    for (const core::ImageF& frame : run.frames) {
+        const auto [least, most] = std::ranges::minmax_element(frame.pixels);
+        low = std::min(low, *least);
+        high = std::max(high, *most);
+    }
+    const double sum = static_cast<double>(low) + static_cast<double>(high);
+    return {sum - range.high, sum - range.low};
+}
+
+core::DisplayRange shownRange(const DicomExportInput& exportInput, int frame, core::Messages& notes)
+{
+    const core::View& view = exportInput.session.shown();
+    const core::Angiogram& run = *core::storedRunOf(view);
+    const bool isTreated = view.storedRun != nullptr;
+    if (isTreated) {
+        notes.push_back(messages::dicomTreated());
+    }
+    const auto& look = exportInput.wanted.look;
+    const core::DisplayRange range =
+        look.range && !isTreated ? *look.range : core::displayRange(run.frames[static_cast<std::size_t>(frame)]);
+    return storedRange(range, run, exportInput.angiogram);
+}
+
+/// Splits names and titles into words; names are separated by `^`, titles by blanks.
+std::vector<std::string> wordsOf(const std::string& text)
+{
+    std::vector<std::string> words;
+    std::string word;
+    for (const char letter : text + " ") {
+        if (letter == '^' || letter == ' ' || letter == '=' || letter == ',') {
+            if (word.size() > 2) {
+                words.push_back(word);
+            }
+            word.clear();
+        } else {
+            word += letter;
+        }
+    }
+    return words;
+}
+
+bool namesPatient(const std::string& title, const io::SourceImage& source)
+{
+    const std::vector<std::string> words =
+        wordsOf(source.patientText(0x00100010) + " " + source.patientText(0x00100020));
+    return std::ranges::any_of(words, [&](const std::string& word) { return title.find(word) != std::string::npos; });
+}
+
+/// Whether burned-in identity is possible. Text in the image is detected but not read, so any text may be a name.
+io::BurnedInIdentity identityIn(const DicomExportInput& exportInput)
+{
+    const core::View& view = exportInput.session.shown();
+    const core::Mask2d letters = core::burnedInTextMask(view.angiogram->frames[static_cast<std::size_t>(view.frame)],
+                                                        core::thoroughMaxLetterHeight);
+    const bool hasLetters = std::ranges::any_of(letters.pixels, [](std::uint8_t pixel) { return pixel != 0; });
+    const bool mayBeThere = exportInput.wanted.look.identity == Identity::Shown ||
+                            exportInput.angiogram.declaresBurnedInText || hasLetters ||
+                            namesPatient(exportInput.session.title, exportInput.angiogram);
+    return mayBeThere ? io::BurnedInIdentity::Possible : io::BurnedInIdentity::None;
+}
+
+/// Uses one size and one display range for all frames, and no residuals or DRR, which belong to a single frame.
+OverlayImageOptions cineOverlayOptions(const DicomExportInput& exportInput)
+{
+    OverlayImageOptions look = exportInput.wanted.look;
+    const core::View& view = exportInput.session.shown();
+    look.isInitialPoseShown = false;
+    look.coloring = OverlayColoring::Branches;
+    look.drr = nullptr;
+    look.widthPx = look.widthPx > 0 ? look.widthPx : view.angiogram->width();
+    if (!look.range) {
+        look.range = core::displayRange(view.angiogram->frames[static_cast<std::size_t>(view.frame)]);
+    }
+    return look;
+}
+
+/// Creates a presentation state with the overlay as vector graphics on the stored image: vessels, measurements of the
+/// frame, and the notice.
+core::Result<std::string> makePresentationState(const DicomExportInput& exportInput, core::Messages& notes)
+{
+    const core::View& view = exportInput.session.shown();
+    const auto camera = core::cameraOf(view);
+    if (!camera) {
+        return camera.error();
+    }
+    io::PresentationContent shown;
+    shown.layers = vesselLayers(exportInput, camera.value());
+    shown.layers.push_back(measuredLayer(exportInput.session));
+    shown.layers.push_back({"NOTICE", "What the overlay is", {200, 200, 200}, {}, {}});
+    shown.layers.back().texts.push_back({"AngioPose. " + messages::notForClinicalUse().text(), {8.0, 16.0}});
+    shown.frame = std::min(view.frame, core::storedRunOf(view)->frameCount() - 1);
+    shown.description = "Vessels of a registered 3-D tree as vectors";
+    if (exportInput.angiogram.isDicom) {
+        shown.range = shownRange(exportInput, shown.frame, notes);
+    }
+    return io::presentationState(shown, exportInput.angiogram, exportInput.origin);
+}
+
+/// Creates a secondary capture of the overlay on the shown frame.
+core::Result<std::string> makeSecondaryCapture(const DicomExportInput& exportInput)
+{
+    auto picture = drawOverlay(exportInput.session, exportInput.target, exportInput.wanted.look);
+    if (!picture) {
+        return picture.error();
+    }
+    return io::secondaryCapture(
+        {{std::move(picture).value()}, 0.0, identityIn(exportInput), messages::dicomDerivation().text()},
+        exportInput.angiogram, exportInput.origin);
+}
+
+/// Creates a multi-frame secondary capture of the overlay on all frames of the cine run, each at its tracked pose, with
+/// a constant display range.
+core::Result<std::string> makeCineCapture(const DicomExportInput& exportInput)
+{
+    const core::Angiogram& run = *exportInput.session.shown().angiogram;
+    MoviePlan plan;
+    plan.frames = {0, run.frameCount() - 1};
+    plan.followed = core::framesOf(exportInput.session.shown().followed);
+    OverlayImageOptions look = cineOverlayOptions(exportInput);
+    const MovieSteps steps(exportInput.session, plan, look.shape);
+    io::CapturedImages captured{{}, run.frameTimeMs, identityIn(exportInput), messages::dicomDerivation().text()};
+    for (std::size_t i = 0; i < steps.count(); ++i) {
+        if (exportInput.shouldContinue(static_cast<double>(i) / static_cast<double>(steps.count())) ==
+            core::ObserverDecision::Stop) {
+            return core::Error(core::Cancellation{messages::dicomStopped()});
+        }
+        const MovieStep step = steps.at(i);
+        look.words = step.words;
+        auto picture = drawOverlay(step.session, {}, look);
+        if (!picture) {
+            return picture.error();
+        }
+        captured.pictures.push_back(std::move(picture).value());
+    }
+    return io::multiframeSecondaryCapture(std::move(captured), exportInput.angiogram, exportInput.origin);
 }
 
 }   // namespace

@@ -4,8 +4,6 @@
 #include "app/texts/movie_steps.h"
 #include "io/movie/movie_writer.h"
 
-#include <cmath>
-
 namespace angiopose::app {
 namespace {
 

@@ -7,7 +7,6 @@
 #include "io/support/numbers.h"
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <set>
 

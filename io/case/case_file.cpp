@@ -20,7 +20,6 @@
 #include <algorithm>
 #include <exception>
 #include <filesystem>
-#include <memory>
 #include <utility>
 
 namespace angiopose::io {

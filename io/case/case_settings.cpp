@@ -9,7 +9,6 @@
 #include "io/support/numbers.h"
 
 #include <algorithm>
-#include <exception>
 #include <map>
 #include <optional>
 

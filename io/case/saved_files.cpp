@@ -7,7 +7,6 @@
 #include "io/vessel_input_file.h"
 
 #include <algorithm>
-#include <memory>
 #include <optional>
 #include <utility>
 

@@ -6,7 +6,6 @@
 #include "io/support/numbers.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <tuple>

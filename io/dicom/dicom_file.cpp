@@ -4,8 +4,6 @@
 #include "io/support/file_error.h"
 #include "io/support/inflate.h"
 
-#include <array>
-
 namespace angiopose::io {
 namespace {
 

@@ -3,7 +3,6 @@
 #include "io/dicom/siemens_tags.h"
 #include "io/messages/messages.h"
 
-#include <algorithm>
 #include <array>
 #include <cstdio>
 

@@ -9,7 +9,6 @@
 #include "io/support/file_error.h"
 #include "io/support/input_bytes.h"
 
-#include <algorithm>
 #include <exception>
 #include <filesystem>
 #include <utility>

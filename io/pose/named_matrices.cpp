@@ -4,7 +4,6 @@
 #include "io/messages/messages.h"
 
 #include <algorithm>
-#include <cmath>
 #include <initializer_list>
 #include <nlohmann/json.hpp>
 

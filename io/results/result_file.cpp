@@ -16,7 +16,6 @@
 #include "io/target_point_table.h"
 
 #include <algorithm>
-#include <exception>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 

@@ -7,7 +7,6 @@
 #include "io/support/file_error.h"
 #include "io/support/numbers.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace angiopose::io {

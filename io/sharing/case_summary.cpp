@@ -8,7 +8,6 @@
 #include <dcmtk/dcmdata/dcelem.h>
 #include <dcmtk/dcmdata/dcitem.h>
 #include <filesystem>
-#include <initializer_list>
 #include <iomanip>
 #include <sstream>
 #include <variant>

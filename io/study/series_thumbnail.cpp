@@ -9,7 +9,6 @@
 #include "io/support/file_error.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <optional>
 

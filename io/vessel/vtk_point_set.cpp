@@ -10,8 +10,6 @@
 #include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
 #include <vtkVariant.h>
-#include <algorithm>
-#include <limits>
 
 namespace angiopose::io {
 namespace {

@@ -8,8 +8,6 @@
 #include <QGridLayout>
 #include <QPushButton>
 
-#include <algorithm>
-
 namespace angiopose::ui {
 namespace {
 

@@ -1,7 +1,5 @@
 #include "ui/panels/geometry_values.h"
 
-#include <QCoreApplication>
-
 namespace angiopose::ui {
 namespace {
 

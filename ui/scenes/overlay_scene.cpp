@@ -1,7 +1,6 @@
 #include "ui/scenes/overlay_scene.h"
 
 #include <algorithm>
-#include <cstdint>
 #include <tuple>
 #include <utility>
 

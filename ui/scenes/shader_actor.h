@@ -1,8 +1,8 @@
 #pragma once
 
-#include "ui/scenes/image_placement.h"
 #include "ui/scenes/overlay_content.h"
 #include "ui/scenes/overlay_shaders.h"
+#include "ui/scenes/view_rect.h"
 
 #include <vtkActor.h>
 #include <vtkNew.h>
@@ -13,6 +13,22 @@
 class vtkUniforms;
 
 namespace angiopose::ui {
+
+/// Visible part of the image and size of the view. `isMirrored` swaps left and right, as viewed from the X-ray source.
+struct ImagePlacement {
+    ViewRect rect;
+    int width = 1;   ///< width of the view, device px
+    int height = 1;
+    bool isMirrored = false;
+
+    double scale() const { return width / rect.width(); }   ///< device px per image px
+
+    /// Returns the visible part with `left` and `right` at the left and right edges of the view.
+    ViewRect displayedRect() const
+    {
+        return isMirrored ? ViewRect{rect.right, rect.left, rect.top, rect.bottom} : rect;
+    }
+};
 
 /// VTK actor that draws poly data with custom GLSL shaders.
 class ShaderActor {

@@ -2,8 +2,6 @@
 
 #include "ui/slices/slice_tool.h"
 
-#include <QCoreApplication>
-
 #include <algorithm>
 #include <utility>
 

@@ -4,8 +4,6 @@
 
 #include <QPainter>
 
-#include <array>
-
 namespace angiopose::ui {
 namespace {
 

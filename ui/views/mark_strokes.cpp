@@ -2,8 +2,6 @@
 
 #include "ui/views/paint_marks.h"
 
-#include <algorithm>
-
 namespace angiopose::ui {
 namespace {
 

@@ -1,7 +1,6 @@
 #include "app/cli/batch/batch_pool.h"
 
 #include "app/cli/batch/batch_row.h"
-#include "app/cli/batch/batch_worker.h"
 #include "app/cli/console.h"
 #include "app/messages/messages.h"
 #include "io/support/system/current_process.h"
@@ -9,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
 
 namespace angiopose::app {
 namespace {
@@ -18,6 +16,19 @@ using Clock = std::chrono::steady_clock;
 
 constexpr int askedEveryMs = 200;   // polling interval for an interrupt by the user
 constexpr auto stopPatience = std::chrono::seconds(2);
+
+/// Returns the environment of a worker: the thread count for libraries that read it from a variable, and allocator
+/// settings that retain memory between cases instead of returning it to the system.
+std::vector<std::string> workerEnvironment(int threads)
+{
+    std::vector<std::string> environment{"MALLOC_MMAP_THRESHOLD_=67108864", "MALLOC_TRIM_THRESHOLD_=268435456",
+                                         "MALLOC_ARENA_MAX=2"};
+    for (const char* name :
+         {"OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "ITK_GLOBAL_DEFAULT_NUMBER_OF_THREADS", "VTK_SMP_MAX_THREADS"}) {
+        environment.push_back(std::string(name) + "=" + std::to_string(threads));
+    }
+    return environment;
+}
 
 std::unique_ptr<io::WorkerProcess> startWorker(int threads)
 {

@@ -1,19 +1,23 @@
 #include "app/cli/batch/batch_row.h"
 
 #include "app/cli/case_input.h"
+#include "app/cli/commands.h"
 #include "app/cli/console.h"
 #include "app/cli/open_pair.h"
 #include "app/cli/register_case.h"
 #include "app/cli/register_outputs.h"
 #include "app/messages/messages.h"
+#include "core/support/parallel_for.h"
 #include "core/support/stopwatch.h"
 #include "core/support/utc_time.h"
 #include "io/case/load_case_with_options.h"
 #include "io/opening/open_case_with_options.h"
 #include "io/support/system/lockable_file.h"
+#include "io/support/system/worker_process.h"
 
 #include <algorithm>
 #include <chrono>
+#include <exception>
 #include <filesystem>
 #include <new>
 #include <thread>
@@ -147,8 +151,9 @@ void waitForTurn(const io::LockableFile& folder)
     }
 }
 
-}   // namespace
-
+/// Registers one batch row, with all views of its case jointly, and writes the outputs of `register` into the folder of
+/// the row, the outcome last. Any failure becomes the outcome. Returns an empty value if stopped; the files written so
+/// far then count as no outcome.
 std::optional<BatchOutcome> processRow(const BatchJob& job)
 {
     BatchOutcome outcome = makeOutcome(job);
@@ -187,6 +192,8 @@ std::optional<BatchOutcome> processRow(const BatchJob& job)
     return outcome;
 }
 
+}   // namespace
+
 BatchOutcome makeAbandonedOutcome(const BatchJob& job, const std::string& status, const core::Message& why)
 {
     BatchOutcome outcome = makeOutcome(job);
@@ -199,6 +206,22 @@ BatchOutcome makeAbandonedOutcome(const BatchJob& job, const std::string& status
         printMessage(kept.error().message.text());
     }
     return outcome;
+}
+
+int runBatchWorker(int parent, int threads)
+{
+    if (!io::WorkerChannel::open(parent)) {
+        printMessage("batch-worker is internal and is started only by `batch`.");
+        return exitUsageError;
+    }
+    core::limitThreads(threads);
+    for (std::string line; io::WorkerChannel::receiveLine(line, isInterrupted);) {
+        const auto outcome = processRow(parseJob(line));
+        if (!outcome || !io::WorkerChannel::sendLine(toJsonLine(*outcome))) {
+            return exitInterrupted;
+        }
+    }
+    return exitSuccess;
 }
 
 }   // namespace angiopose::app

@@ -7,8 +7,6 @@
 #include "io/support/file_error.h"
 #include "io/support/pose_matrix.h"
 
-#include <array>
-
 namespace angiopose::io {
 namespace {
 

@@ -4,7 +4,6 @@
 #include "ui/views/angiogram_view.h"
 #include "ui/views/tools/edit_curves_tool.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>

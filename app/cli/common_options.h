@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <optional>
 #include <string>
 
 namespace angiopose::app {
@@ -13,5 +14,11 @@ void addCaseOrResult(CLI::App* command, std::string& casePath, ResultSource& fro
 
 /// Throws CLI::RequiredError if neither is given.
 void requireCaseOrResult(const std::string& casePath, const ResultSource& from);
+
+/// Adds `--frame`, which counts from 1 as in the window and in DICOM.
+CLI::Option* addFrameOption(CLI::App& command, std::optional<int>& frame, const std::string& help);
+
+/// Lists every method id with its summary, for the help texts of commands.
+std::string methodList();
 
 }   // namespace angiopose::app

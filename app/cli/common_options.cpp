@@ -1,4 +1,9 @@
-#include "app/cli/case_or_result.h"
+#include "app/cli/common_options.h"
+
+#include "core/registration/methods/method_info.h"
+#include "core/registration/options/registration_options.h"
+
+#include <algorithm>
 
 namespace angiopose::app {
 
@@ -22,6 +27,21 @@ void requireCaseOrResult(const std::string& casePath, const ResultSource& from)
     if (casePath.empty() && from.path.empty()) {
         throw CLI::RequiredError("CASE or --from");
     }
+}
+
+CLI::Option* addFrameOption(CLI::App& command, std::optional<int>& frame, const std::string& help)
+{
+    return command.add_option_function<int>(
+        "--frame", [&frame](int number) { frame = std::max(number, 0) - 1; }, help);
+}
+
+std::string methodList()
+{
+    std::string text = "Methods:";
+    for (const core::MethodInfo& method : core::methodInfos()) {
+        text += "\n  " + std::string(method.id) + "  " + std::string(method.summary);
+    }
+    return text;
 }
 
 }   // namespace angiopose::app
