@@ -40,7 +40,6 @@ private:
     QTimer beat_;
 };
 
-/// Writes an audit log for as long as this object lives.
 class AuditFile {
 public:
     explicit AuditFile(const TemporaryFolder& folder) : path_(QString::fromStdString(folder.file("audit.jsonl")))
@@ -86,21 +85,20 @@ protected:
         ASSERT_TRUE(io::writeArchiveSettings(settings, io::defaultArchiveSettingsFile()));
     }
 
-    /// The archive dialog once it has read the list.
     ui::ArchiveDialog* opened()
     {
         w.window.actions()[ui::Command::QueryPacs]->trigger();
         const auto shown = w.dialogs("archiveDialog");
         auto* dialog = shown.isEmpty() ? nullptr : qobject_cast<ui::ArchiveDialog*>(shown.front());
         const QLabel* size = dialog ? dialog->findChild<QLabel*>(QStringLiteral("cacheSize")) : nullptr;
-        EXPECT_TRUE(size && QTest::qWaitFor([size] { return !size->text().isEmpty(); }, patienceMs));
+        EXPECT_TRUE(size && test::waitFor([size] { return !size->text().isEmpty(); }));
         return dialog;
     }
 
     /// Waits until no transfer is running and returns the text that is shown then.
     static QString statusText(ui::TransferLine& line)
     {
-        EXPECT_TRUE(QTest::qWaitFor([&line] { return !line.isBusy(); }, patienceMs)) << "still busy";
+        EXPECT_TRUE(test::waitFor([&line] { return !line.isBusy(); })) << "still busy";
         return line.statusText();
     }
 

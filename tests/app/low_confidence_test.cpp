@@ -81,7 +81,6 @@ core::Case ofOnePath()
     return withTarget(test::caseOf(simulated), path);
 }
 
-/// Ribs: arcs across the image.
 core::Case ofOtherThings()
 {
     core::Case values = sampleCase(5);

@@ -3,7 +3,7 @@
 #include "app/case_controller.h"
 #include "app/files/sample_case.h"
 #include "app/preferences/settings.h"
-#include "tests/support/patience.h"
+#include "tests/app/wait_for.h"
 #include "ui/dialogs/message_dialog.h"
 #include "ui/main_window.h"
 #include "ui/theme/without_style_sheet.h"
@@ -39,7 +39,7 @@ public:
     ~OpenWindow()
     {
         controller.registration().stop();
-        EXPECT_TRUE(QTest::qWaitFor([this] { return !controller.registration().isRunning(); }, patienceMs));
+        EXPECT_TRUE(test::waitFor([this] { return !controller.registration().isRunning(); }));
     }
 
     /// Opens files by drag and drop and waits until they are loaded or rejected.
@@ -57,7 +57,7 @@ public:
         EXPECT_TRUE(enter.isAccepted());
         QDropEvent event(place, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
         QApplication::sendEvent(&window, &event);
-        EXPECT_TRUE(QTest::qWaitFor([this] { return !controller.isLoading(); }, patienceMs));
+        EXPECT_TRUE(test::waitFor([this] { return !controller.isLoading(); }));
     }
 
     /// Opens the simulated sample and waits until its initial pose has been assessed.
@@ -71,12 +71,18 @@ public:
 
     void waitForJudgement()
     {
-        EXPECT_TRUE(QTest::qWaitFor([this] { return controller.evaluation() != nullptr; }, patienceMs));
+        EXPECT_TRUE(test::waitFor([this] { return controller.evaluation() != nullptr; }));
     }
 
     void waitForRun()
     {
-        EXPECT_TRUE(QTest::qWaitFor([this] { return !controller.registration().isRunning(); }, patienceMs));
+        EXPECT_TRUE(test::waitFor([this] { return !controller.registration().isRunning(); }));
+    }
+
+    void registerVessels()
+    {
+        press(Qt::Key_R);
+        waitForRun();
     }
 
     void press(Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::NoModifier)
@@ -87,7 +93,6 @@ public:
     const core::Case& current() { return controller.document().current(); }
     QUndoStack& history() { return controller.document().undoStack(); }
 
-    /// Visible dialogs of one kind.
     QList<QDialog*> dialogs(const char* objectName)
     {
         QList<QDialog*> open;
@@ -104,10 +109,18 @@ public:
     {
         QFileDialog* files = nullptr;
         const auto isThere = [&] { return (files = window.findChild<QFileDialog*>()) && files->isVisible(); };
-        ASSERT_TRUE(QTest::qWaitFor(isThere, patienceMs));
+        ASSERT_TRUE(test::waitFor(isThere));
         files->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"))->setText(path);
         QTest::mouseClick(files->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Save), Qt::LeftButton);
-        EXPECT_TRUE(QTest::qWaitFor([&path] { return QFile::exists(path); }, patienceMs));
+        EXPECT_TRUE(test::waitFor([&path] { return QFile::exists(path); }));
+    }
+
+    /// Returns whether the case was saved in time.
+    bool saveCase(const QString& path)
+    {
+        bool isSaved = false;
+        controller.saving().saveTo(path, [&isSaved] { isSaved = true; });
+        return test::waitFor([&isSaved] { return isSaved; });
     }
 
     static void clickButton(const QDialog* dialog, const QString& text)
@@ -129,6 +142,11 @@ public:
         std::in_place};   ///< during construction of the window, as in the program
     ui::MainWindow window;
     app::CaseController controller{window};
+};
+
+/// A window in which the sample is open.
+struct SampleWindow : OpenWindow {
+    SampleWindow() { openSample(); }
 };
 
 inline double distance(const core::RigidTransform& a, const core::RigidTransform& b)

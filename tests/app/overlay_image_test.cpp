@@ -3,9 +3,9 @@
 #include "app/texts/deformed_vessels.h"
 #include "tests/app/sample_picture.h"
 #include "tests/support/deformed_case.h"
+#include "tests/support/for_each.h"
 
 #include <algorithm>
-#include <cstdlib>
 
 namespace angiopose::app {
 namespace {
@@ -25,17 +25,14 @@ protected:
 int differing(const core::ColorImage& a, const core::ColorImage& b, int from, int to)
 {
     int count = 0;
-    for (int y = a.height / 8; y < a.height * 7 / 8; ++y) {
-        for (int x = from; x < to; ++x) {
-            const auto at =
-                3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(a.width) + static_cast<std::size_t>(x));
-            count += a.rgb[at] != b.rgb[at] || a.rgb[at + 1] != b.rgb[at + 1] || a.rgb[at + 2] != b.rgb[at + 2] ? 1 : 0;
-        }
-    }
+    test::forEachPixel({from, a.height / 8}, {to, a.height * 7 / 8}, [&](int x, int y) {
+        const auto at =
+            3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(a.width) + static_cast<std::size_t>(x));
+        count += a.rgb[at] != b.rgb[at] || a.rgb[at + 1] != b.rgb[at + 1] || a.rgb[at + 2] != b.rgb[at + 2] ? 1 : 0;
+    });
     return count;
 }
 
-/// `width` columns of an image, starting at column `from`.
 core::ColorImage columns(const core::ColorImage& whole, int from, int width)
 {
     core::ColorImage part{width, whole.height, {}};
@@ -150,11 +147,8 @@ core::ImageF blockAt(const core::Case& shown, const core::RigidTransform& pose)
 {
     core::ImageF picture(shown.shown().angiogram->width() / 2, shown.shown().angiogram->height() / 2);
     const int middle = picture.width / 4 + static_cast<int>(pose.translation.x());
-    for (int y = picture.height / 3; y < picture.height / 2; ++y) {
-        for (int x = middle - 6; x < middle + 6; ++x) {
-            picture.at(x, y) = 1.0F;
-        }
-    }
+    test::forEachPixel({middle - 6, picture.height / 3}, {middle + 6, picture.height / 2},
+                       [&](int x, int y) { picture.at(x, y) = 1.0F; });
     return picture;
 }
 

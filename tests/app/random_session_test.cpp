@@ -16,7 +16,7 @@ TEST(RandomSession, EndsWithACaseThatReopensAsItWas)
     const auto sample = writeSampleCase();
     ASSERT_TRUE(sample) << sample.error().message;
     host.controller().open({sample.value()});
-    ASSERT_TRUE(QTest::qWaitFor([&] { return host.controller().evaluation() != nullptr; }, test::patienceMs));
+    ASSERT_TRUE(test::waitFor([&] { return host.controller().evaluation() != nullptr; }));
     test::RandomUser user(host, 5);
     for (int i = 0; i < 250; ++i) {
         user.act();

@@ -62,7 +62,7 @@ protected:
     }
     bool waitForTrace()
     {
-        return QTest::qWaitFor([this] { return !w.controller.tracing().isRunning(); }, test::patienceMs);
+        return test::waitFor([this] { return !w.controller.tracing().isRunning(); });
     }
 
     QTemporaryDir folder;

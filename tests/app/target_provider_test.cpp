@@ -1,7 +1,7 @@
 #include "app/registration/target_provider.h"
 
 #include "core/simulation/simulated_case.h"
-#include "tests/support/patience.h"
+#include "tests/app/wait_for.h"
 
 #include <gtest/gtest.h>
 #include <QTest>
@@ -24,7 +24,7 @@ std::shared_ptr<const core::Angiogram> simulatedRun()
 
 bool isReady(const TargetProvider& provider)
 {
-    return QTest::qWaitFor([&provider] { return provider.current() && !provider.isTracing(); }, test::patienceMs);
+    return test::waitFor([&provider] { return provider.current() && !provider.isTracing(); });
 }
 
 TEST(TargetProvider, RemembersTracesButKeepsNoRunAlive)

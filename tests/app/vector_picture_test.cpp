@@ -14,8 +14,6 @@
 namespace angiopose::app {
 namespace {
 
-using test::OpenWindow;
-
 constexpr int pictureWidth = 1024;
 
 /// Saturation of each pixel: lines are colored, the image is gray.
@@ -212,8 +210,7 @@ TEST_F(VectorPictures, GrayValuesOfSixteenBitAreTheStoredOnes)
 TEST(WindowVectors, TheDialogLeadsToAFileOfLines)
 {
     settings::exportFormat.write(0);
-    OpenWindow w;
-    w.openSample();
+    test::SampleWindow w;
     const test::TemporaryFolder folder;
     const QString path = QString::fromStdString(folder.file("lines.svg"));
     w.press(Qt::Key_E, Qt::ControlModifier);

@@ -19,7 +19,7 @@
 namespace angiopose::app {
 namespace {
 
-using test::OpenWindow;
+using test::SampleWindow;
 
 bool isControl(const QWidget& widget)
 {
@@ -56,8 +56,7 @@ void unfoldAll(QWidget& window)
 
 TEST(WindowAccess, EveryControlHasAName)
 {
-    OpenWindow w;
-    w.openSample();
+    SampleWindow w;
     unfoldAll(w.window);
     int controls = 0;
     for (QWidget* widget : w.window.findChildren<QWidget*>()) {
@@ -75,8 +74,7 @@ TEST(WindowAccess, EveryControlHasAName)
 
 TEST(WindowAccess, TabReachesEveryControl)
 {
-    OpenWindow w;
-    w.openSample();
+    SampleWindow w;
     unfoldAll(w.window);
     w.window.angiogramView().setFocus();
     std::set<QWidget*> reached;
@@ -101,8 +99,7 @@ TEST(WindowAccess, TabReachesEveryControl)
 /// A control with keyboard focus must look different from one without.
 TEST(WindowAccess, FocusIsSeenOnEveryKindOfControl)
 {
-    OpenWindow w;
-    w.openSample();
+    SampleWindow w;
     w.waitForJudgement();   // it creates new rows
     std::set<std::string> kinds;
     const QList<QWidget*> all = w.window.findChildren<QWidget*>();

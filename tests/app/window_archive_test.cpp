@@ -9,7 +9,6 @@ namespace {
 using test::Heartbeat;
 using test::OpenWindow;
 
-/// Archives in the window: their list, search, retrieval and the cache.
 class WindowArchive : public test::ArchiveWindow {};
 
 TEST_F(WindowArchive, FirstOneIsAddedByKeysEditedAndRemoved)
@@ -26,7 +25,7 @@ TEST_F(WindowArchive, FirstOneIsAddedByKeysEditedAndRemoved)
     EXPECT_TRUE(editors.front()->line().statusText().contains(QStringLiteral("name"))) << "which is said";
     QTest::keyClicks(editors.front()->findChild<QWidget*>(QStringLiteral("nodeName")), QStringLiteral("pacs"));
     QTest::keyClick(host, Qt::Key_Return);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return dialog->nodes().node() == QStringLiteral("pacs"); }, test::patienceMs));
+    ASSERT_TRUE(test::waitFor([&] { return dialog->nodes().node() == QStringLiteral("pacs"); }));
     const auto stored = io::readArchiveSettings(io::defaultArchiveSettingsFile());
     ASSERT_TRUE(stored) << "where the command line finds it";
     ASSERT_EQ(stored.value().nodes.size(), 1u);
@@ -36,7 +35,7 @@ TEST_F(WindowArchive, FirstOneIsAddedByKeysEditedAndRemoved)
     const auto questions = w.window.findChildren<QDialog*>(QStringLiteral("archiveRemoval"));
     ASSERT_EQ(questions.size(), 1);
     OpenWindow::clickButton(questions.front(), QStringLiteral("Remove"));
-    EXPECT_TRUE(QTest::qWaitFor([&] { return dialog->nodes().node().isEmpty(); }, test::patienceMs));
+    EXPECT_TRUE(test::waitFor([&] { return dialog->nodes().node().isEmpty(); }));
 }
 
 TEST_F(WindowArchive, DeadOneIsToldInTenSecondsWhileTheWindowLives)
@@ -80,7 +79,7 @@ TEST_F(WindowArchive, ClosedWindowDoesNotWaitForADeadOne)
     OpenWindow::clickButton(dialog, QStringLiteral("Test connection"));
     const test::Stopwatch watch;
     QTest::keyClick(dialog, Qt::Key_Escape);
-    EXPECT_TRUE(QTest::qWaitFor([this] { return w.dialogs("archiveDialog").isEmpty(); }, test::patienceMs));
+    EXPECT_TRUE(test::waitFor([this] { return w.dialogs("archiveDialog").isEmpty(); }));
     EXPECT_LT(watch.seconds(), 1.0);
 }
 
@@ -110,19 +109,17 @@ TEST_F(WindowArchive, WhatIsFoundIsRetrievedAndOffered)
     EXPECT_EQ(study->text(2), QStringLiteral("2024-03-05"));
     EXPECT_EQ(dialog->focusWidget(), &dialog->list());
     QTest::keyClick(&dialog->list(), Qt::Key_Right);
-    EXPECT_TRUE(QTest::qWaitFor([&] { return study->childCount() == 2; }, test::patienceMs)) << "its series";
+    EXPECT_TRUE(test::waitFor([&] { return study->childCount() == 2; })) << "its series";
 
     const Heartbeat beat;
     QTest::keyClick(&dialog->list(), Qt::Key_Return);
     ui::StudyBrowser* browser = nullptr;
-    ASSERT_TRUE(QTest::qWaitFor(
-        [&] {
-            const auto shown = w.dialogs("studyBrowser");
-            browser = shown.isEmpty() ? nullptr : qobject_cast<ui::StudyBrowser*>(shown.front());
-            return browser != nullptr;
-        },
-        test::patienceMs));
-    EXPECT_TRUE(QTest::qWaitFor([&] { return browser->list().seriesCount() == 2; }, test::patienceMs));
+    ASSERT_TRUE(test::waitFor([&] {
+        const auto shown = w.dialogs("studyBrowser");
+        browser = shown.isEmpty() ? nullptr : qobject_cast<ui::StudyBrowser*>(shown.front());
+        return browser != nullptr;
+    }));
+    EXPECT_TRUE(test::waitFor([&] { return browser->list().seriesCount() == 2; }));
     EXPECT_TRUE(w.dialogs("archiveDialog").isEmpty());
     RecordProperty("longestGapMs", static_cast<int>(beat.longestMs()));
     QTest::keyClick(browser, Qt::Key_Escape);
@@ -143,7 +140,7 @@ TEST_F(WindowArchive, WhatIsRetrievedIsInTheAuditFile)
     search(*dialog, QStringLiteral("M"));
     ASSERT_EQ(dialog->list().topLevelItemCount(), 1);
     OpenWindow::clickButton(dialog, QStringLiteral("Retrieve"));
-    ASSERT_TRUE(QTest::qWaitFor([&] { return audit.text().contains(QStringLiteral("retrieved")); }, test::patienceMs));
+    ASSERT_TRUE(test::waitFor([&] { return audit.text().contains(QStringLiteral("retrieved")); }));
     const QString line = audit.text();
     EXPECT_TRUE(line.contains(QStringLiteral("\"archive\":\"pacs\""))) << line.toStdString();
     for (const char* series : {"2.25.4711.61", "2.25.4711.62"}) {
@@ -166,7 +163,7 @@ TEST_F(WindowArchive, StoppedRetrievalKeepsWhatCameAndOffersIt)
     ASSERT_EQ(dialog->list().topLevelItemCount(), 1);
     OpenWindow::clickButton(dialog, QStringLiteral("Retrieve"));
     const auto progress = [&] { return dialog->line().statusText().startsWith(QStringLiteral("1 of 2 objects")); };
-    EXPECT_TRUE(QTest::qWaitFor(progress, test::patienceMs)) << dialog->line().statusText().toStdString();
+    EXPECT_TRUE(test::waitFor(progress)) << dialog->line().statusText().toStdString();
     OpenWindow::clickButton(dialog, QStringLiteral("Stop"));
     const QString said = statusText(dialog->line());
     EXPECT_TRUE(said.startsWith(QStringLiteral("Stopped. 1 of 2 objects were retrieved."))) << said.toStdString();
@@ -217,7 +214,7 @@ TEST_F(WindowArchive, CacheIsLimitedAndEmptied)
         const auto stored = io::readArchiveSettings(io::defaultArchiveSettingsFile());
         return stored && stored.value().cacheBytes == 5'000'000'000;
     };
-    EXPECT_TRUE(QTest::qWaitFor(isStored, test::patienceMs));
+    EXPECT_TRUE(test::waitFor(isStored));
     folder.write("cache/1.2/1.2.4/1.2.4.5.dcm", std::string(200'000'000, 'x'));
     dialog->reject();
     QTest::qWait(0);
@@ -229,10 +226,10 @@ TEST_F(WindowArchive, CacheIsLimitedAndEmptied)
     QTest::keyClick(limit, Qt::Key_Return);
     QDialog* dropping = nullptr;
     const auto isAsked = [&] { return (dropping = dialog->findChild<QDialog*>(QStringLiteral("cacheDropping"))); };
-    ASSERT_TRUE(QTest::qWaitFor([&] { return isAsked() != nullptr; }, test::patienceMs));
+    ASSERT_TRUE(test::waitFor([&] { return isAsked() != nullptr; }));
     EXPECT_TRUE(dropping->isVisible()) << "Return does not answer it at once";
     OpenWindow::clickButton(dropping, QStringLiteral("Cancel"));
-    EXPECT_TRUE(QTest::qWaitFor([&] { return limit->text().startsWith(u'5'); }, test::patienceMs));
+    EXPECT_TRUE(test::waitFor([&] { return limit->text().startsWith(u'5'); }));
     EXPECT_TRUE(isStored()) << test::readText(io::defaultArchiveSettingsFile());
     EXPECT_TRUE(std::filesystem::exists(folder.file("cache/1.2/1.2.4/1.2.4.5.dcm")));
     size = dialog->findChild<QLabel*>(QStringLiteral("cacheSize"));
@@ -240,7 +237,7 @@ TEST_F(WindowArchive, CacheIsLimitedAndEmptied)
     const auto questions = w.window.findChildren<QDialog*>(QStringLiteral("cacheEmptying"));
     ASSERT_EQ(questions.size(), 1);
     OpenWindow::clickButton(questions.front(), QStringLiteral("Empty"));
-    EXPECT_TRUE(QTest::qWaitFor([&] { return size->text().contains(QStringLiteral("empty")); }, test::patienceMs));
+    EXPECT_TRUE(test::waitFor([&] { return size->text().contains(QStringLiteral("empty")); }));
     EXPECT_FALSE(std::filesystem::exists(folder.file("cache/1.2/1.2.3/1.2.3.4.dcm")));
 }
 

@@ -8,6 +8,7 @@ namespace angiopose::app {
 namespace {
 
 using test::OpenWindow;
+using test::SampleWindow;
 
 /// Draws a rectangle with the mouse, in fractions of the view's size.
 void drawLasso(OpenWindow& w, const QRectF& shares, Qt::KeyboardModifiers modifiers = Qt::NoModifier)
@@ -28,8 +29,7 @@ void drawLasso(OpenWindow& w, const QRectF& shares, Qt::KeyboardModifiers modifi
 
 TEST(WindowAuxiliary, TakesTheBranchesInsideALasso)
 {
-    OpenWindow w;
-    w.openSample();
+    SampleWindow w;
     QAction* lasso = w.window.actions()[ui::Command::Lasso];
     w.press(Qt::Key_L, Qt::ControlModifier);
     ASSERT_TRUE(lasso->isChecked());
@@ -50,8 +50,7 @@ TEST(WindowAuxiliary, TakesTheBranchesInsideALasso)
 
 TEST(WindowAuxiliary, SaysWhenALassoHoldsNothing)
 {
-    OpenWindow w;
-    w.openSample();
+    SampleWindow w;
     w.press(Qt::Key_L, Qt::ControlModifier);
     drawLasso(w, {0.0, 0.0, 0.03, 0.03});
     EXPECT_TRUE(w.current().vessels.auxiliaryBranchIds.empty());
@@ -60,12 +59,11 @@ TEST(WindowAuxiliary, SaysWhenALassoHoldsNothing)
 
 TEST(WindowAuxiliary, AdvisesWhichBranchesPinThePose)
 {
-    OpenWindow w;
-    w.openSample();
+    SampleWindow w;
     w.press(Qt::Key_A, Qt::ShiftModifier);
     AuxiliaryController& auxiliary = w.controller.poses().auxiliary();
     ASSERT_TRUE(auxiliary.dialog());
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !auxiliary.suggestion().empty(); }, test::patienceMs));
+    ASSERT_TRUE(test::waitFor([&] { return !auxiliary.suggestion().empty(); }));
     EXPECT_LT(auxiliary.suggestion().size(), w.current().vessels.tree->branches.size());
 
     OpenWindow::clickButton(auxiliary.dialog(), QStringLiteral("Use these"));
@@ -82,8 +80,7 @@ TEST(WindowAuxiliary, AdvisesWhichBranchesPinThePose)
 
 TEST(WindowAuxiliary, OffersAMethodThatUsesTheChoiceAndSaysWhatTheDefaultDoes)
 {
-    OpenWindow w;
-    w.openSample();
+    SampleWindow w;
     w.press(Qt::Key_A, Qt::ShiftModifier);
     QDialog* dialog = w.controller.poses().auxiliary().dialog();
     ASSERT_TRUE(dialog);
@@ -94,15 +91,14 @@ TEST(WindowAuxiliary, OffersAMethodThatUsesTheChoiceAndSaysWhatTheDefaultDoes)
     EXPECT_TRUE(says(QStringLiteral("components they constrain")));
     OpenWindow::clickButton(dialog, QStringLiteral("Use DynaWeightPnP instead"));
     EXPECT_EQ(w.current().options.method, "dynaweight");
-    EXPECT_TRUE(QTest::qWaitFor([&] { return !says(QStringLiteral("components they constrain")); }, test::patienceMs));
+    EXPECT_TRUE(test::waitFor([&] { return !says(QStringLiteral("components they constrain")); }));
     w.press(Qt::Key_Z, Qt::ControlModifier);
     EXPECT_EQ(w.current().options.method, "angiopose");
 }
 
 TEST(WindowAuxiliary, ChoosesByGenerationAndRadius)
 {
-    OpenWindow w;
-    w.openSample();
+    SampleWindow w;
     AuxiliaryController& auxiliary = w.controller.poses().auxiliary();
     const auto& branches = w.current().vessels.tree->branches;
     auxiliary.selectByRadius(0.0);

@@ -42,8 +42,7 @@ protected:
         settings::playBackAndForth.write(false);
         w = std::make_unique<OpenWindow>();
         openRun(cineFrames);
-        ASSERT_TRUE(
-            QTest::qWaitFor([this] { return bars().cursor().shape() == Qt::PointingHandCursor; }, test::patienceMs));
+        ASSERT_TRUE(test::waitFor([this] { return bars().cursor().shape() == Qt::PointingHandCursor; }));
     }
     void openRun(int count)
     {
@@ -115,7 +114,7 @@ TEST_F(WindowCine, PauseKeepsTheFrameInOneStep)
     const int before = chosen();
     const int steps = w->history().index();
     w->press(Qt::Key_C);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return onScreen() == (before + 3) % cineFrames; }, test::patienceMs));
+    ASSERT_TRUE(test::waitFor([&] { return onScreen() == (before + 3) % cineFrames; }));
     QTest::mouseClick(&playButton(), Qt::LeftButton);
     EXPECT_FALSE(isPlaying());
     const int kept = onScreen();
@@ -150,12 +149,12 @@ TEST_F(WindowCine, TheEndsOfTheLaneAreTheLoop)
     dragGrip(false, 3);
     dragGrip(true, 5);
     w->press(Qt::Key_C);
-    ASSERT_TRUE(QTest::qWaitFor([this] { return onScreen() == 3; }, test::patienceMs));
+    ASSERT_TRUE(test::waitFor([this] { return onScreen() == 3; }));
     for (const int frame : seenFor(600)) {
         EXPECT_TRUE(frame >= 3 && frame <= 5) << frame;
     }
     QTest::mouseDClick(&bars(), Qt::LeftButton, {}, {middleOf(8), 4});
-    EXPECT_TRUE(QTest::qWaitFor([this] { return onScreen() == 8; }, test::patienceMs)) << "the whole run again";
+    EXPECT_TRUE(test::waitFor([this] { return onScreen() == 8; })) << "the whole run again";
 }
 
 TEST_F(WindowCine, KeysSetTheLoopAtTheFrameShown)
@@ -179,7 +178,7 @@ TEST_F(WindowCine, AFrameAloneCanBePulledWideAgain)
     QTest::mouseMove(&bars(), {middleOf(6), 4});
     QTest::mouseRelease(&bars(), Qt::LeftButton, {}, {middleOf(6), 4});
     w->press(Qt::Key_C);
-    EXPECT_TRUE(QTest::qWaitFor([this] { return onScreen() == 7; }, test::patienceMs));
+    EXPECT_TRUE(test::waitFor([this] { return onScreen() == 7; }));
 }
 
 TEST_F(WindowCine, GoesBackAndForthAndRemembersHow)

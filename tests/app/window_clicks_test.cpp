@@ -1,4 +1,3 @@
-#include "core/case/view.h"
 #include "core/simulation/simulate_cta.h"
 #include "tests/app/open_window.h"
 #include "tests/io/study/study_disc.h"
@@ -7,7 +6,6 @@
 #include "ui/dialogs/study_browser.h"
 #include "ui/dialogs/study_list.h"
 #include "ui/panels/registration_panel.h"
-#include "ui/panels/welcome_page.h"
 
 #include <QMenu>
 #include <QMenuBar>
@@ -51,7 +49,7 @@ public:
         for (QAction* title : bar->actions()) {
             if (title->menu() && title->menu()->actions().contains(wanted)) {
                 click(bar, bar->actionGeometry(title).center());
-                ASSERT_TRUE(QTest::qWaitFor([&] { return title->menu()->isVisible(); }, test::patienceMs));
+                ASSERT_TRUE(test::waitFor([&] { return title->menu()->isVisible(); }));
                 click(title->menu(), title->menu()->actionGeometry(wanted).center());
                 return;
             }
@@ -64,8 +62,7 @@ public:
     {
         Dialog* found = nullptr;
         EXPECT_TRUE(
-            QTest::qWaitFor([&] { return (found = w.window.findChild<Dialog*>()) != nullptr && found->isVisible(); },
-                            test::patienceMs));
+            test::waitFor([&] { return (found = w.window.findChild<Dialog*>()) != nullptr && found->isVisible(); }));
         return found;
     }
 
@@ -84,13 +81,13 @@ public:
         ASSERT_TRUE(choice);
         clickText(*choice, QStringLiteral("Export"));
         answerFiles(path, QDialogButtonBox::Save);
-        EXPECT_TRUE(QTest::qWaitFor([&path] { return QFile::exists(path); }, test::patienceMs));
+        EXPECT_TRUE(test::waitFor([&path] { return QFile::exists(path); }));
     }
 
     void registerNow()
     {
         QPushButton* button = w.window.registration().registerButton();
-        ASSERT_TRUE(QTest::qWaitFor([&] { return button->isEnabled(); }, test::patienceMs));
+        ASSERT_TRUE(test::waitFor([&] { return button->isEnabled(); }));
         click(button);
         w.waitForRun();
     }
@@ -106,7 +103,7 @@ TEST(WindowClicks, FromTheSampleToAnExportedOverlayInSix)
     Hand hand(w);
 
     hand.clickText(w.window.welcome(), QStringLiteral("Open the sample case"));
-    ASSERT_TRUE(QTest::qWaitFor([&] { return w.current().shown().angiogram != nullptr; }, test::patienceMs));
+    ASSERT_TRUE(test::waitFor([&] { return w.current().shown().angiogram != nullptr; }));
     hand.registerNow();
     ASSERT_TRUE(w.current().shown().result);
     hand.exportOverlay(QString::fromStdString(folder.file("overlay.png")));
@@ -174,7 +171,7 @@ TEST(WindowClicks, FromADiscToARegisteredCaseInTwelve)
     hand.answerFiles(QString::fromStdString(folder.file("")), QDialogButtonBox::Open);
     auto* browser = hand.dialog<ui::StudyBrowser>();
     ASSERT_TRUE(browser);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !w.controller.isLoading(); }, test::patienceMs));
+    ASSERT_TRUE(test::waitFor([&] { return !w.controller.isLoading(); }));
     ui::StudyList& list = browser->list();
     for (QTreeWidgetItemIterator at(&list, QTreeWidgetItemIterator::NoChildren); *at; ++at) {
         list.scrollToItem(*at);

@@ -74,7 +74,7 @@ TEST(WindowCrosshair, TheLineFollowsPosesAndGoesWithThePointerOrByKey)
     w.press(Qt::Key_N);
     w.press(Qt::Key_PageUp, Qt::ShiftModifier);
     w.press(Qt::Key_Up, Qt::ShiftModifier);
-    EXPECT_TRUE(QTest::qWaitFor([&] { return w.other().crosshair().linePx->beginPx != before; }, test::patienceMs));
+    EXPECT_TRUE(test::waitFor([&] { return w.other().crosshair().linePx->beginPx != before; }));
     const core::PosedCamera first{w.image().camera(), w.image().cameraFromPatient()};
     const core::PosedCamera second{w.other().camera(), w.other().cameraFromPatient()};
     const auto expected = core::epipolarLine(first, w.image().imageFromWidget(place.at), second);

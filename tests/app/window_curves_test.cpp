@@ -25,7 +25,7 @@ protected:
     void SetUp() override
     {
         w.openSample();
-        ASSERT_TRUE(QTest::qWaitFor([this] { return target() != nullptr; }, test::patienceMs));
+        ASSERT_TRUE(test::waitFor([this] { return target() != nullptr; }));
         traced = *target();
         ASSERT_FALSE(traced.curves.empty());
         w.press(Qt::Key_E);
@@ -83,8 +83,7 @@ TEST_F(WindowCurves, AClickLeavesACurveOutAsOneStep)
 TEST_F(WindowCurves, APoseOfARunIsNotCalledMovedByHandWhenTheTraceChanges)
 {
     w.press(Qt::Key_Escape);
-    w.press(Qt::Key_R);
-    w.waitForRun();
+    w.registerVessels();
     ASSERT_TRUE(w.current().shown().result);
     traced = *target();
     w.press(Qt::Key_E);
@@ -95,7 +94,7 @@ TEST_F(WindowCurves, APoseOfARunIsNotCalledMovedByHandWhenTheTraceChanges)
             return label->isVisible() && label->text().contains(words);
         });
     };
-    EXPECT_TRUE(QTest::qWaitFor([&] { return says(QStringLiteral("an earlier registration")); }, test::patienceMs));
+    EXPECT_TRUE(test::waitFor([&] { return says(QStringLiteral("an earlier registration")); }));
     EXPECT_FALSE(says(QStringLiteral("moved manually")));
 }
 
@@ -122,7 +121,7 @@ TEST_F(WindowCurves, DrawsBackWhatWasErased)
     const core::Curve2d curve = loneCurve();
     clickAt(middle(curve));
     ASSERT_EQ(w.history().count(), 1);
-    ASSERT_TRUE(QTest::qWaitFor([this] { return tool().hasGuide(); }, test::patienceMs));
+    ASSERT_TRUE(test::waitFor([this] { return tool().hasGuide(); }));
     w.press(Qt::Key_D);
     const auto count = curve.pointsPx.size();
     clickAt(curve.pointsPx[count / 4]);
@@ -195,7 +194,7 @@ TEST_F(WindowCurves, EditsHoldForTheirFrame)
     w.press(Qt::Key_Escape);
     w.press(Qt::Key_Up);
     ASSERT_NE(w.current().shown().frame, frame);
-    ASSERT_TRUE(QTest::qWaitFor([this] { return target() && w.controller.target().trace(); }, test::patienceMs));
+    ASSERT_TRUE(test::waitFor([this] { return target() && w.controller.target().trace(); }));
     EXPECT_NE(target(), edited);
     w.press(Qt::Key_Down);
     EXPECT_EQ(target(), edited);
@@ -206,9 +205,7 @@ TEST_F(WindowCurves, SurviveSavingAndReopening)
     clickAt(middle(loneCurve()));
     const test::TemporaryFolder folder;
     const std::string path = folder.file("case.angiopose");
-    bool isSaved = false;
-    w.controller.saving().saveTo(QString::fromStdString(path), [&isSaved] { isSaved = true; });
-    ASSERT_TRUE(QTest::qWaitFor([&isSaved] { return isSaved; }, test::patienceMs));
+    ASSERT_TRUE(w.saveCase(QString::fromStdString(path)));
 
     // The command line reads the same target from the file.
     core::Messages warnings;
@@ -231,9 +228,7 @@ TEST_F(WindowCurves, AreNamedAlikeBeforeAndAfterSaving)
     EXPECT_TRUE(unsaved.path.empty());
     const test::TemporaryFolder folder;
     const QString path = QString::fromStdString(folder.file("case.angiopose"));
-    bool isSaved = false;
-    w.controller.saving().saveTo(path, [&isSaved] { isSaved = true; });
-    ASSERT_TRUE(QTest::qWaitFor([&isSaved] { return isSaved; }, test::patienceMs));
+    ASSERT_TRUE(w.saveCase(path));
     w.drop({path});
     EXPECT_EQ(io::exportedFile(w.current().shown().target), unsaved);
     EXPECT_EQ(w.current().shown().target.file.sha256, unsaved.sha256);
@@ -253,9 +248,7 @@ TEST_F(WindowCurves, ACatheterIsKeptApartFollowedAndSaved)
 
     const test::TemporaryFolder folder;
     const QString path = QString::fromStdString(folder.file("case.angiopose"));
-    bool isSaved = false;
-    w.controller.saving().saveTo(path, [&isSaved] { isSaved = true; });
-    ASSERT_TRUE(QTest::qWaitFor([&isSaved] { return isSaved; }, test::patienceMs));
+    ASSERT_TRUE(w.saveCase(path));
     w.drop({path});
     ASSERT_TRUE(core::devicesOf(w.current().shown()));
     EXPECT_EQ(core::curveIds(*core::devicesOf(w.current().shown())), std::vector<int>{device.id});
@@ -301,7 +294,7 @@ TEST_F(WindowCurves, SayWhyThereAreNoneAsSoonAsThatIsKnown)
     options.minComponentLengthPx = 100000;
     w.controller.document().push(std::make_unique<ChangeTracing>(
         w.controller.document(), ChangeTracing::Values{options, std::nullopt, {}}, [] { return QString(); }));
-    ASSERT_TRUE(QTest::qWaitFor([this] { return w.controller.target().problem().has_value(); }, test::patienceMs));
+    ASSERT_TRUE(test::waitFor([this] { return w.controller.target().problem().has_value(); }));
     const QString why = ui::messageText(*w.controller.target().problem());
     EXPECT_TRUE(test::wordsOf(w.window.result()).join(QLatin1Char(' ')).contains(why));
 }

@@ -112,7 +112,7 @@ TEST(WindowDeformed, DrawsThemAtNoOtherPose)
     DeformedWindow w;
     w.press(Qt::Key_N);
     w.press(Qt::Key_Right);
-    ASSERT_TRUE(QTest::qWaitFor([&w] { return w.history().canUndo(); }, test::patienceMs));
+    ASSERT_TRUE(test::waitFor([&w] { return w.history().canUndo(); }));
     EXPECT_FALSE(w.current().shown().result);
     EXPECT_TRUE(w.isRigidDrawn());
     w.press(Qt::Key_N);
@@ -170,7 +170,7 @@ TEST(WindowDeformed, ExportsTreeAndMotion)
     for (const char* const name : {"bent.vtp", "motion.csv"}) {
         w.window.actions()[ui::Command::ExportDeformed]->trigger();
         w.saveAs(QString::fromStdString(folder.file(name)));
-        EXPECT_TRUE(QTest::qWaitFor([&w] { return !w.window.findChild<QFileDialog*>(); }, test::patienceMs));
+        EXPECT_TRUE(test::waitFor([&w] { return !w.window.findChild<QFileDialog*>(); }));
     }
     const auto deformed = io::readVesselTree(folder.file("bent.vtp"));
     const auto undeformed = io::readVesselTree(folder.file("motion.csv"));

@@ -3,7 +3,6 @@
 #include "ui/panels/bottom_strip.h"
 
 #include <QCheckBox>
-#include <QDir>
 #include <QLabel>
 
 namespace angiopose::app {
@@ -11,7 +10,6 @@ namespace {
 
 using test::OpenWindow;
 
-/// Fixture: exports DICOM objects through the menu, the dialog and the folder dialog.
 class WindowDicom : public ::testing::Test {
 protected:
     QDialog* asked()
@@ -25,7 +23,7 @@ protected:
     {
         QFileDialog* files = nullptr;
         const auto isThere = [&] { return (files = w.window.findChild<QFileDialog*>()) && files->isVisible(); };
-        ASSERT_TRUE(QTest::qWaitFor(isThere, test::patienceMs));
+        ASSERT_TRUE(test::waitFor(isThere));
         files->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"))->setText(QString::fromStdString(folder.file("")));
         QTest::mouseClick(files->findChild<QDialogButtonBox*>()->buttons().front(), Qt::LeftButton);
     }
@@ -33,7 +31,7 @@ protected:
     bool waitFor(const char* name)
     {
         const QString path = QString::fromStdString(folder.file(name));
-        return QTest::qWaitFor([&path] { return QFile::exists(path); }, test::patienceMs);
+        return test::waitFor([&path] { return QFile::exists(path); });
     }
 
     OpenWindow w;
@@ -66,7 +64,7 @@ TEST_F(WindowDicom, WritesWhatIsChosen)
         }
         return false;
     };
-    EXPECT_TRUE(QTest::qWaitFor(said, test::patienceMs));
+    EXPECT_TRUE(test::waitFor(said));
 }
 
 TEST_F(WindowDicom, ExportsNothingWithoutAChoiceOrACase)

@@ -11,6 +11,7 @@ namespace angiopose::app {
 namespace {
 
 using test::OpenWindow;
+using test::SampleWindow;
 
 /// An image that is no longer in the case but still visible would be mistaken for the image of the case.
 TEST(WindowEdit, UndoTakesAnImageFromTheScreenToo)
@@ -36,8 +37,7 @@ TEST(WindowEdit, UndoTakesAnImageFromTheScreenToo)
 
 TEST(WindowEdit, NudgesByKeysAsOneStepOfUndo)
 {
-    OpenWindow w;
-    w.openSample();
+    SampleWindow w;
     const core::RigidTransform start = w.current().shown().cameraFromPatient;
 
     w.press(Qt::Key_N);
@@ -56,8 +56,7 @@ TEST(WindowEdit, NudgesByKeysAsOneStepOfUndo)
 
 TEST(WindowEdit, NudgesEveryDegreeOfFreedomByItsKey)
 {
-    OpenWindow w;
-    w.openSample();
+    SampleWindow w;
     w.press(Qt::Key_N);
     struct Press {
         Qt::Key key;
@@ -80,8 +79,7 @@ TEST(WindowEdit, NudgesEveryDegreeOfFreedomByItsKey)
 
 TEST(WindowEdit, LeavesArrowsToTheFramesOutsideNudgeMode)
 {
-    OpenWindow w;
-    w.openSample();
+    SampleWindow w;
     const core::RigidTransform start = w.current().shown().cameraFromPatient;
     const int frame = w.current().shown().frame;
 
@@ -95,8 +93,7 @@ TEST(WindowEdit, LeavesArrowsToTheFramesOutsideNudgeMode)
 
 TEST(WindowEdit, KeepsLockedDegreesOfFreedom)
 {
-    OpenWindow w;
-    w.openSample();
+    SampleWindow w;
     ui::PoseLocks locks{};
     locks[static_cast<std::size_t>(ui::PoseAxis::Right)] = true;
     w.controller.pose().setLocks(locks);
@@ -111,8 +108,7 @@ TEST(WindowEdit, KeepsLockedDegreesOfFreedom)
 
 TEST(WindowEdit, LocksByItsDotAsOneStepOfUndo)
 {
-    OpenWindow w;
-    w.openSample();
+    SampleWindow w;
     auto* dot = w.window.pose().findChildren<ui::LockButton*>()[2];
 
     QTest::mouseClick(dot, Qt::LeftButton);
@@ -176,8 +172,7 @@ TEST_F(WindowDrag, IsTakenBackByEscape)
 
 TEST(WindowBranches, AreChosenByListAndKey)
 {
-    OpenWindow w;
-    w.openSample();
+    SampleWindow w;
     QListView* list = w.window.branches().list();
     const QRect row = list->visualRect(list->model()->index(2, 0));
     const int id = w.current().vessels.tree->branches[2].id;
@@ -195,8 +190,7 @@ TEST(WindowBranches, AreChosenByListAndKey)
 
 TEST(WindowBranches, AreToggledByTheirPill)
 {
-    OpenWindow w;
-    w.openSample();
+    SampleWindow w;
     QListView* list = w.window.branches().list();
     const QRect row = list->visualRect(list->model()->index(1, 0));
 
@@ -208,8 +202,7 @@ TEST(WindowBranches, AreToggledByTheirPill)
 
 TEST(WindowBranches, ArePickedInTheAngiogram)
 {
-    OpenWindow w;
-    w.openSample();
+    SampleWindow w;
     const auto camera = core::cameraOf(w.current().shown());
     ui::AngiogramView& view = w.window.angiogramView();
     for (const core::VesselBranch& branch : w.current().vessels.tree->branches) {

@@ -17,6 +17,7 @@ namespace angiopose::app {
 namespace {
 
 using test::OpenWindow;
+using test::SampleWindow;
 
 QString dataPath(const char* relative)
 {
@@ -60,8 +61,7 @@ TEST(WindowFiles, SaveAndReopenGiveTheSameCase)
     const QString path = folder.filePath(QStringLiteral("again.angiopose"));
     core::Case saved;
     {
-        OpenWindow w;
-        w.openSample();
+        SampleWindow w;
         w.controller.branches().setAuxiliary({w.current().vessels.tree->branches[1].id});
         w.controller.branches().toggleExcluded({w.current().vessels.tree->branches[3].id});
         w.press(Qt::Key_N);
@@ -72,7 +72,7 @@ TEST(WindowFiles, SaveAndReopenGiveTheSameCase)
         bool isSaved = false;
         w.controller.saving().saveTo(path, [&isSaved] { isSaved = true; });
         EXPECT_FALSE(isSaved);   // a worker saves
-        ASSERT_TRUE(QTest::qWaitFor([&isSaved] { return isSaved; }, test::patienceMs));
+        ASSERT_TRUE(test::waitFor([&isSaved] { return isSaved; }));
         EXPECT_FALSE(w.controller.document().isModified());
         EXPECT_FALSE(w.window.windowTitle().contains(QLatin1Char('*')));
         saved = w.current();
@@ -92,8 +92,7 @@ TEST(WindowFiles, SaveAndReopenGiveTheSameCase)
 
 TEST(WindowFiles, AskBeforeUnsavedChangesAreReplaced)
 {
-    OpenWindow w;
-    w.openSample();
+    SampleWindow w;
     w.press(Qt::Key_N);
     w.press(Qt::Key_Right);
     const core::RigidTransform edited = w.current().shown().cameraFromPatient;
@@ -110,8 +109,7 @@ TEST(WindowFiles, AskBeforeUnsavedChangesAreReplaced)
 
 TEST(WindowFiles, LeaveWhatCannotBeSavedWhereTheQuestionIsDismissed)
 {
-    OpenWindow w;
-    w.openSample();
+    SampleWindow w;
     core::Case image;
     image.shown().angiogram = w.current().shown().angiogram;
     w.controller.document().replace(image, {});
@@ -130,15 +128,14 @@ TEST(WindowFiles, LeaveWhatCannotBeSavedWhereTheQuestionIsDismissed)
 
 TEST(WindowFiles, CloseTheCaseAndKeepTheWindow)
 {
-    OpenWindow w;
-    w.openSample();
+    SampleWindow w;
     const QImage image = w.window.angiogramView().grab().toImage();
     w.press(Qt::Key_N);
     w.press(Qt::Key_Right);
     QTest::keyClick(&w.window, Qt::Key_W, Qt::ControlModifier);
     ASSERT_EQ(w.dialogs("closeQuestion").size(), 1);
     OpenWindow::clickButton(w.dialogs("closeQuestion").front(), QStringLiteral("Close without saving"));
-    EXPECT_TRUE(QTest::qWaitFor([&w] { return w.controller.document().isEmpty(); }, test::patienceMs));
+    EXPECT_TRUE(test::waitFor([&w] { return w.controller.document().isEmpty(); }));
 
     EXPECT_TRUE(w.window.isVisible());
     EXPECT_TRUE(w.window.welcome().isVisible());
@@ -151,20 +148,18 @@ TEST(WindowFiles, CloseTheCaseAndKeepTheWindow)
 
 TEST(WindowFiles, CloseWithoutAskingWhenNothingChanged)
 {
-    OpenWindow w;
-    w.openSample();
+    SampleWindow w;
 
     w.window.close();
 
     EXPECT_TRUE(w.dialogs("closeQuestion").isEmpty());
-    EXPECT_TRUE(QTest::qWaitFor([&w] { return !w.window.isVisible(); }, test::patienceMs));
+    EXPECT_TRUE(test::waitFor([&w] { return !w.window.isVisible(); }));
 }
 
 TEST(WindowFiles, WriteAnOverlayWithItsProvenance)
 {
     const QTemporaryDir folder;
-    OpenWindow w;
-    w.openSample();
+    SampleWindow w;
     const QString path = folder.filePath(QStringLiteral("overlay.png"));
 
     QSignalSpy exported(&w.controller.exporting(), &ExportController::exported);
@@ -187,22 +182,21 @@ void takeInsteadOfWhatIsOpen(OpenWindow& w)
             buttons, [](const QPushButton* button) { return button->text().startsWith(QLatin1String("mm: ")); });
         ASSERT_NE(millimeters, buttons.end());
         QTest::mouseClick(*millimeters, Qt::LeftButton);
-        EXPECT_TRUE(QTest::qWaitFor([&w] { return !w.controller.isLoading(); }, test::patienceMs));
+        EXPECT_TRUE(test::waitFor([&w] { return !w.controller.isLoading(); }));
     }
     for (const auto& [question, verb] : {std::pair{"scanQuestion", QStringLiteral("Trace its vessels")},
                                          std::pair{"viewQuestion", QStringLiteral("Replace the angiogram")},
                                          std::pair{"patientQuestion", QStringLiteral("Open anyway")}}) {
         for (QDialog* asked : w.dialogs(question)) {
             OpenWindow::clickButton(asked, verb);
-            EXPECT_TRUE(QTest::qWaitFor([&w] { return !w.controller.isLoading(); }, test::patienceMs));
+            EXPECT_TRUE(test::waitFor([&w] { return !w.controller.isLoading(); }));
         }
     }
 }
 
 TEST(WindowFiles, SpeakTheLanguageOfTheWindowInAnOverlay)
 {
-    OpenWindow w;
-    w.openSample();
+    SampleWindow w;
     const auto pictureIn = [&w](const char* windowLanguage, ui::CornerTexts (*texts)(const CornerLines&)) {
         ui::applyLanguage(QString::fromLatin1(windowLanguage));
         const auto picture = drawOverlay(w.current(), {}, {400, OverlayColoring::Branches, Identity::Hidden, texts});
@@ -216,7 +210,6 @@ TEST(WindowFiles, SpeakTheLanguageOfTheWindowInAnOverlay)
     EXPECT_EQ(pictureIn("de", englishTexts), english);
 }
 
-/// Names of the open dialogs.
 std::string openDialogs(OpenWindow& w)
 {
     std::string names;
@@ -254,7 +247,7 @@ TEST_P(WindowBadFiles, LoadOrAreRefusedByOneMessage)
             takeInsteadOfWhatIsOpen(w);   // a question may appear late on a busy machine
             return !w.controller.isBusy() && (!isUntouched() || !w.dialogs("messageDialog").empty());
         };
-        EXPECT_TRUE(QTest::qWaitFor(isSettled, test::patienceMs)) << path.toStdString() << openDialogs(w);
+        EXPECT_TRUE(test::waitFor(isSettled)) << path.toStdString() << openDialogs(w);
         const auto messages = w.dialogs("messageDialog");
         needsSample = !isUntouched();
         EXPECT_EQ(messages.size(), needsSample ? 0 : 1) << path.toStdString();

@@ -16,13 +16,11 @@ namespace {
 
 using test::OpenWindow;
 
-/// Opens the phantom's run of ten frames, registered.
 void openRegisteredRun(OpenWindow& w)
 {
     w.drop({QString::fromStdString(test::dataFile("coronary-phantom-xa/cases/IM4.angiopose").string())});
     w.waitForJudgement();
-    w.press(Qt::Key_R);
-    w.waitForRun();
+    w.registerVessels();
     ASSERT_TRUE(w.current().shown().result);
 }
 
@@ -30,7 +28,7 @@ void follow(OpenWindow& w)
 {
     w.press(Qt::Key_F, Qt::ShiftModifier);
     ASSERT_TRUE(w.controller.following().isRunning());
-    EXPECT_TRUE(QTest::qWaitFor([&] { return !w.controller.following().isRunning(); }, test::patienceMs));
+    EXPECT_TRUE(test::waitFor([&] { return !w.controller.following().isRunning(); }));
     QApplication::processEvents();
 }
 
@@ -62,7 +60,7 @@ TEST(WindowFollow, ShowsEachFrameWithItsOwnPose)
     const int next = w.current().shown().frame;
     ASSERT_EQ(next, first + 1);
     EXPECT_EQ(w.current().shown().cameraFromPatient.matrix(), followed(w, next).tracked.cameraFromPatient.matrix());
-    EXPECT_TRUE(QTest::qWaitFor([&] { return says(w, QStringLiteral("· tracked")); }, test::patienceMs));
+    EXPECT_TRUE(test::waitFor([&] { return says(w, QStringLiteral("· tracked")); }));
     w.press(Qt::Key_Up);
     EXPECT_EQ(w.current().shown().cameraFromPatient.matrix(), found);
     EXPECT_EQ(w.controller.following().frames().size(), 10U);   // they remain valid
@@ -101,12 +99,10 @@ TEST(WindowFollow, PosesAreForgottenWhenTheVesselsAreMoved)
     EXPECT_EQ(w.current().shown().cameraFromPatient.matrix(), nudged);   // all frames share one pose again
 }
 
-/// Opens the sample case, registers and tracks it.
 void followSample(OpenWindow& w)
 {
     w.openSample();
-    w.press(Qt::Key_R);
-    w.waitForRun();
+    w.registerVessels();
     ASSERT_TRUE(w.current().shown().result);
     follow(w);
     ASSERT_FALSE(w.controller.following().frames().empty());
@@ -175,7 +171,7 @@ TEST(WindowFollow, ReopensAsItWasLeft)
         w.controller.document().replace(w.current(), {});   // otherwise saving would overwrite the sample
         w.press(Qt::Key_S, Qt::ControlModifier);
         w.saveAs(path);
-        EXPECT_TRUE(QTest::qWaitFor([&w] { return !w.controller.document().isModified(); }, test::patienceMs));
+        EXPECT_TRUE(test::waitFor([&w] { return !w.controller.document().isModified(); }));
     }
     OpenWindow again;
     again.drop({path});
@@ -189,13 +185,12 @@ TEST(WindowFollow, ReopensAsItWasLeft)
     ASSERT_EQ(again.current().shown().frame, first + 1);
     EXPECT_EQ(again.current().shown().cameraFromPatient.matrix(),
               kept.at(static_cast<std::size_t>(first + 1)).tracked.cameraFromPatient.matrix());
-    EXPECT_TRUE(QTest::qWaitFor([&] { return says(again, QStringLiteral("· tracked")); }, test::patienceMs));
+    EXPECT_TRUE(test::waitFor([&] { return says(again, QStringLiteral("· tracked")); }));
     const auto* step = again.window.steps().findChildren<QAbstractButton*>().at(static_cast<int>(ui::Step::Register));
     EXPECT_TRUE(step->accessibleName().contains(QStringLiteral("followed"))) << qPrintable(step->accessibleName());
     again.press(Qt::Key_Up);
     again.window.actions()[ui::Command::Cine]->setChecked(true);
-    EXPECT_TRUE(
-        QTest::qWaitFor([&] { return again.controller.preview().shown() == PreviewSource::Frame; }, test::patienceMs));
+    EXPECT_TRUE(test::waitFor([&] { return again.controller.preview().shown() == PreviewSource::Frame; }));
 }
 
 TEST(WindowFollow, AForgottenPoseDoesNotStayOnScreen)
@@ -205,8 +200,7 @@ TEST(WindowFollow, AForgottenPoseDoesNotStayOnScreen)
     openRegisteredRun(w);
     follow(w);
     w.window.actions()[ui::Command::Cine]->setChecked(true);
-    ASSERT_TRUE(
-        QTest::qWaitFor([&] { return w.controller.preview().shown() == PreviewSource::Frame; }, test::patienceMs));
+    ASSERT_TRUE(test::waitFor([&] { return w.controller.preview().shown() == PreviewSource::Frame; }));
     w.controller.branches().toggleExcluded({w.current().vessels.tree->branches.back().id});   // invalidates the frames
     EXPECT_TRUE(w.controller.following().frames().empty());
     EXPECT_FALSE(w.controller.preview().shown());
@@ -220,7 +214,7 @@ TEST(WindowFollow, StopKeepsTheFramesItCameTo)
     w.press(Qt::Key_F, Qt::ShiftModifier);
     ASSERT_TRUE(w.controller.following().isRunning());
     emit w.window.strip().stopRequested();
-    EXPECT_TRUE(QTest::qWaitFor([&] { return !w.controller.following().isRunning(); }, test::patienceMs));
+    EXPECT_TRUE(test::waitFor([&] { return !w.controller.following().isRunning(); }));
     QApplication::processEvents();
     EXPECT_GE(w.controller.following().frames().size(), 1U);
     EXPECT_LT(w.controller.following().frames().size(), 10U);
@@ -228,15 +222,14 @@ TEST(WindowFollow, StopKeepsTheFramesItCameTo)
 
 TEST(WindowFollow, LetsGoOfACaseThatItCouldNotFollow)
 {
-    OpenWindow w;
-    w.openSample();
+    test::SampleWindow w;
     core::Case given = w.current();
     given.shown().target.centerline = std::make_shared<const core::Centerline2d>(
         core::Centerline2d{{{0, {{10.0, 10.0}, {90.0, 90.0}}, {}}}});   // not traced, so tracking cannot start
     w.controller.document().replace(std::move(given), {});
     const std::weak_ptr<const core::Angiogram> run = w.current().shown().angiogram;
     w.press(Qt::Key_F, Qt::ShiftModifier);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !w.controller.following().isRunning(); }, test::patienceMs));
+    ASSERT_TRUE(test::waitFor([&] { return !w.controller.following().isRunning(); }));
     QApplication::processEvents();
     EXPECT_TRUE(w.controller.following().frames().empty());
     for (QWidget* top : QApplication::topLevelWidgets()) {
@@ -245,7 +238,7 @@ TEST(WindowFollow, LetsGoOfACaseThatItCouldNotFollow)
         }
     }
     w.controller.document().replace({}, {});
-    EXPECT_TRUE(QTest::qWaitFor([&] { return run.expired(); }, test::patienceMs)) << run.use_count();
+    EXPECT_TRUE(test::waitFor([&] { return run.expired(); })) << run.use_count();
 }
 
 TEST(WindowFollow, OneFrameIsNothingToFollow)
@@ -258,7 +251,7 @@ TEST(WindowFollow, OneFrameIsNothingToFollow)
     ASSERT_TRUE(picture.save(path));
     OpenWindow w;
     w.drop({path});
-    ASSERT_TRUE(QTest::qWaitFor([&w] { return w.current().shown().angiogram != nullptr; }, test::patienceMs));
+    ASSERT_TRUE(test::waitFor([&w] { return w.current().shown().angiogram != nullptr; }));
     ASSERT_EQ(w.current().shown().angiogram->frameCount(), 1);
     EXPECT_FALSE(w.window.actions()[ui::Command::TrackVessels]->isEnabled());
 }

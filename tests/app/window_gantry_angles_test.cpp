@@ -10,7 +10,6 @@ namespace angiopose::app {
 namespace {
 
 using test::OpenWindow;
-using test::patienceMs;
 
 /// The sample with the gantry angles dialog open for one branch.
 struct AnglesWindow : OpenWindow {
@@ -19,7 +18,7 @@ struct AnglesWindow : OpenWindow {
         openSample();
         controller.branches().select({current().vessels.tree->branches[2].id});
         press(Qt::Key_U, Qt::ShiftModifier);
-        EXPECT_TRUE(QTest::qWaitFor([this] { return !dialogs("angleDialog").isEmpty(); }, patienceMs));
+        EXPECT_TRUE(test::waitFor([this] { return !dialogs("angleDialog").isEmpty(); }));
     }
     ui::AngleDialog& dialog() { return *qobject_cast<ui::AngleDialog*>(dialogs("angleDialog").front()); }
     ui::AngleMapPlot& plot() { return *dialog().findChild<ui::AngleMapPlot*>(); }
@@ -42,7 +41,7 @@ struct AnglesWindow : OpenWindow {
     }
     void waitForMap()
     {
-        EXPECT_TRUE(QTest::qWaitFor([this] { return button(QStringLiteral("1 ")) != nullptr; }, patienceMs));
+        EXPECT_TRUE(test::waitFor([this] { return button(QStringLiteral("1 ")) != nullptr; }));
     }
 };
 
@@ -95,7 +94,7 @@ TEST(WindowGantryAngles, KeepsToWhatTheGantryReachesAndRemembersIt)
             QTest::mouseClick(&w.plot(), Qt::LeftButton, {}, {w.plot().width() - 3, 3});
             return w.words().contains(QStringLiteral("LAO 10° · CRA 10°"));
         };
-        EXPECT_TRUE(QTest::qWaitFor(isWithin, patienceMs)) << w.words().toStdString();
+        EXPECT_TRUE(test::waitFor(isWithin)) << w.words().toStdString();
     }
     AnglesWindow again;
     EXPECT_DOUBLE_EQ(again.dialog().reach().secondary.fromDeg, -10.0);
@@ -113,7 +112,7 @@ TEST(WindowGantryAngles, LooksAtTheTakeOffAlone)
     auto* box = w.dialog().findChild<QCheckBox*>();
     QTest::mouseClick(box, Qt::LeftButton, {}, {8, box->height() / 2});
     w.waitForMap();
-    EXPECT_TRUE(QTest::qWaitFor([&] { return w.words() != whole; }, patienceMs));
+    EXPECT_TRUE(test::waitFor([&] { return w.words() != whole; }));
 }
 
 }   // namespace

@@ -11,6 +11,7 @@ namespace angiopose::app {
 namespace {
 
 using test::OpenWindow;
+using test::SampleWindow;
 
 ui::NumberField* fieldNamed(OpenWindow& w, const QString& help)
 {
@@ -22,7 +23,6 @@ ui::NumberField* fieldNamed(OpenWindow& w, const QString& help)
     return nullptr;
 }
 
-/// Position of a tree point in the 3-D view.
 QPoint inTreeView(OpenWindow& w, const Eigen::Vector3d& point)
 {
     ui::TreeView& view = w.window.treeView();
@@ -82,15 +82,14 @@ TEST(WindowGeometry, AsksForThePixelSpacingThatTheHeaderLacks)
 TEST(WindowGeometry, FieldsOfWhatIsMissingAreInSight)
 {
     const test::TemporaryFolder folder;
-    OpenWindow w;
-    w.openSample();
+    SampleWindow w;
     core::Mask2d picture(300, 200);
     picture.at(20, 30) = 1;
     ASSERT_TRUE(io::writePng(picture, folder.file("plain.png")));
     w.controller.document().replace({}, {});
     w.window.resize(1280, 760);
     w.drop({QString::fromStdString(folder.file("plain.png"))});
-    ASSERT_TRUE(QTest::qWaitFor([&] { return w.current().shown().angiogram != nullptr; }, test::patienceMs));
+    ASSERT_TRUE(test::waitFor([&] { return w.current().shown().angiogram != nullptr; }));
     QTest::qWait(50);
     EXPECT_FALSE(w.window.geometryPanel().isFolded());
     const QLineEdit* first = w.window.geometryPanel().findChild<ui::NumberField*>();
@@ -100,8 +99,7 @@ TEST(WindowGeometry, FieldsOfWhatIsMissingAreInSight)
 
 TEST(WindowGeometry, SaysWhatContradictsAndTakesItBack)
 {
-    OpenWindow w;
-    w.openSample();
+    SampleWindow w;
     w.window.geometryPanel().setFolded(false);
     ui::NumberField* sod = fieldNamed(w, QStringLiteral("Source-to-isocenter distance"));
     ASSERT_TRUE(sod);
@@ -120,8 +118,7 @@ TEST(WindowGeometry, SaysWhatContradictsAndTakesItBack)
 
 TEST(WindowLandmarks, PairsClickedInBothViewsGiveTheInitialPoseAsOneStep)
 {
-    OpenWindow w;
-    w.openSample();
+    SampleWindow w;
     const auto camera = core::cameraOf(w.current().shown()).value();
     const std::vector<Eigen::Vector3d> nodes = visibleNodes(w);
     ASSERT_GE(nodes.size(), 5U);
@@ -154,8 +151,7 @@ TEST(WindowLandmarks, PairsClickedInBothViewsGiveTheInitialPoseAsOneStep)
 
 TEST(WindowLandmarks, NodesAreDrawnToTheirPlaceMovedAndRemoved)
 {
-    OpenWindow w;
-    w.openSample();
+    SampleWindow w;
     const auto camera = core::cameraOf(w.current().shown()).value();
     const std::vector<Eigen::Vector3d> nodes = visibleNodes(w);
     ASSERT_FALSE(nodes.empty());
@@ -183,8 +179,7 @@ TEST(WindowLandmarks, NodesAreDrawnToTheirPlaceMovedAndRemoved)
 
 TEST(WindowInitialPose, ComesFromHandOrAnglesInOneStepEach)
 {
-    OpenWindow w;
-    w.openSample();
+    SampleWindow w;
     const core::RigidTransform start = w.current().shown().cameraFromPatient;
     w.press(Qt::Key_N);
     w.press(Qt::Key_Right, Qt::ShiftModifier);
@@ -203,8 +198,7 @@ TEST(WindowInitialPose, ComesFromHandOrAnglesInOneStepEach)
 TEST(WindowLandmarks, ComeBackWithTheCase)
 {
     test::TemporaryFolder folder;
-    OpenWindow w;
-    w.openSample();
+    SampleWindow w;
     const std::vector<Eigen::Vector3d> nodes = visibleNodes(w);
     ASSERT_FALSE(nodes.empty());
     w.press(Qt::Key_L);
@@ -216,15 +210,14 @@ TEST(WindowLandmarks, ComeBackWithTheCase)
     const std::vector<core::Landmark> made = w.current().shown().landmarks;
     const QString path = QString::fromStdString(folder.file("with-landmarks.angiopose"));
     w.controller.saving().saveTo(path);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !w.controller.document().isModified(); }, test::patienceMs));
+    ASSERT_TRUE(test::waitFor([&] { return !w.controller.document().isModified(); }));
     w.drop({path});
     EXPECT_EQ(w.current().shown().landmarks, made);
 }
 
 TEST(WindowSides, TheMirroredViewMovesWithTheHand)
 {
-    OpenWindow w;
-    w.openSample();
+    SampleWindow w;
     ui::AngiogramView& view = w.window.angiogramView();
     const Eigen::Vector2d spot(120.0, 200.0);
     const double before = view.widgetFromImage(spot).x();

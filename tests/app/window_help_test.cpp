@@ -20,8 +20,7 @@ using test::OpenWindow;
 
 TEST(WindowHelp, WhatWasToldCanBeReadAgain)
 {
-    OpenWindow w;
-    w.openSample();
+    test::SampleWindow w;
     w.press(Qt::Key_K);   // stores a snapshot and reports it
     w.drop({QStringLiteral("/nowhere/run.dcm")});
     for (QDialog* message : w.dialogs("messageDialog")) {
@@ -108,7 +107,7 @@ TEST(WindowHelp, TheTourOfAnEmptyWindowOpensTheSampleByEnter)
     ASSERT_TRUE(tour);
     QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
     EXPECT_EQ(tour->current(), 1);
-    EXPECT_TRUE(QTest::qWaitFor([&] { return w.current().shown().angiogram != nullptr; }, test::patienceMs));
+    EXPECT_TRUE(test::waitFor([&] { return w.current().shown().angiogram != nullptr; }));
     QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
     EXPECT_EQ(tour->current(), 2) << "Enter goes on";
     tour->close();

@@ -16,28 +16,20 @@ namespace angiopose::app {
 namespace {
 
 using test::OpenWindow;
-
-void save(OpenWindow& w, const QString& path)
-{
-    bool isSaved = false;
-    w.controller.saving().saveTo(path, [&isSaved] { isSaved = true; });
-    ASSERT_TRUE(QTest::qWaitFor([&isSaved] { return isSaved; }, test::patienceMs));
-}
+using test::SampleWindow;
 
 bool isKnown(OpenWindow& w, const QString& words)
 {
     const auto* strip = w.window.findChild<ui::BottomStrip*>();
-    return QTest::qWaitFor(
-        [strip, &words] {
-            const auto& reported = strip->reported().all();
-            return std::ranges::any_of(reported, [&words](const auto& each) { return each.text.contains(words); });
-        },
-        test::patienceMs);
+    return test::waitFor([strip, &words] {
+        const auto& reported = strip->reported().all();
+        return std::ranges::any_of(reported, [&words](const auto& each) { return each.text.contains(words); });
+    });
 }
 
 QDialog* questionOf(OpenWindow& w)
 {
-    const bool isAsked = QTest::qWaitFor([&w] { return !w.dialogs("changedElsewhere").isEmpty(); }, test::patienceMs);
+    const bool isAsked = test::waitFor([&w] { return !w.dialogs("changedElsewhere").isEmpty(); });
     return isAsked ? w.dialogs("changedElsewhere").front() : nullptr;
 }
 
@@ -48,11 +40,11 @@ public:
     {
         first.openSample();
         path = QString::fromStdString(folder.file("study.angiopose"));
-        save(first, path);
+        EXPECT_TRUE(first.saveCase(path));
         second.drop({path});
         EXPECT_TRUE(isKnown(second, QStringLiteral("open elsewhere")));
         move(first, Qt::Key_Left);
-        save(first, path);
+        EXPECT_TRUE(first.saveCase(path));
         hash = io::sha256OfFile(path.toStdString()).value();
         move(second, Qt::Key_Right);
         second.controller.saving().save();
@@ -93,11 +85,11 @@ TEST(WindowKeeping, NeverWritesOverWhatAnotherWindowSavedUnasked)
     question = questionOf(w.second);
     ASSERT_TRUE(question);
     OpenWindow::clickButton(question, QStringLiteral("Overwrite"));
-    ASSERT_TRUE(QTest::qWaitFor([&w] { return !w.second.controller.document().isModified(); }, test::patienceMs));
+    ASSERT_TRUE(test::waitFor([&w] { return !w.second.controller.document().isModified(); }));
     EXPECT_FALSE(w.isAsSavedFirst());
 
     TwoWindows::move(w.second, Qt::Key_Up);   // the file is now the one this window wrote
-    save(w.second, w.path);
+    ASSERT_TRUE(w.second.saveCase(w.path));
     EXPECT_TRUE(w.second.dialogs("changedElsewhere").isEmpty());
 }
 
@@ -107,16 +99,14 @@ TEST(WindowKeeping, ReloadsWhatAnotherWindowSaved)
     QDialog* question = questionOf(w.second);
     ASSERT_TRUE(question);
     OpenWindow::clickButton(question, QStringLiteral("Reload"));
-    ASSERT_TRUE(QTest::qWaitFor(
-        [&w] {
-            return test::distance(w.second.current().shown().cameraFromPatient,
-                                  w.first.current().shown().cameraFromPatient) < 1e-9;
-        },
-        test::patienceMs));
+    ASSERT_TRUE(test::waitFor([&w] {
+        return test::distance(w.second.current().shown().cameraFromPatient,
+                              w.first.current().shown().cameraFromPatient) < 1e-9;
+    }));
     EXPECT_TRUE(w.isAsSavedFirst());
     EXPECT_TRUE(w.second.dialogs("questionDialog").isEmpty());   // no second question
     TwoWindows::move(w.second, Qt::Key_Up);
-    save(w.second, w.path);   // the content of the file is known
+    ASSERT_TRUE(w.second.saveCase(w.path));   // the content of the file is known
 }
 
 TEST(WindowKeeping, FreesTheCaseWhenItIsClosed)
@@ -124,10 +114,9 @@ TEST(WindowKeeping, FreesTheCaseWhenItIsClosed)
     const test::TemporaryFolder folder;
     const std::string path = folder.file("study.angiopose");
     {
-        OpenWindow w;
-        w.openSample();
-        save(w, QString::fromStdString(path));
-        EXPECT_TRUE(QTest::qWaitFor([&path] { return io::lockHolderOf(path).has_value(); }, test::patienceMs));
+        SampleWindow w;
+        ASSERT_TRUE(w.saveCase(QString::fromStdString(path)));
+        EXPECT_TRUE(test::waitFor([&path] { return io::lockHolderOf(path).has_value(); }));
     }
     EXPECT_FALSE(io::lockHolderOf(path));
     EXPECT_FALSE(std::filesystem::exists(io::lockPathOf(path)));
@@ -151,8 +140,7 @@ private:
 
 TEST(WindowKeeping, SaysThatTheAutomaticCopyFailsAndTriesAgain)
 {
-    OpenWindow w;
-    w.openSample();
+    SampleWindow w;
     TwoWindows::move(w, Qt::Key_Left);
     const auto state = [&w] { return w.controller.saving().saveState(); };
     {
@@ -162,7 +150,7 @@ TEST(WindowKeeping, SaysThatTheAutomaticCopyFailsAndTriesAgain)
         EXPECT_EQ(state(), QStringLiteral("Not autosaved"));
     }
     w.controller.saving().autosaveSoon();   // as the autosave timer does, without another edit
-    EXPECT_TRUE(QTest::qWaitFor([&state] { return state().startsWith(QStringLiteral("Autosaved")); }, test::patienceMs))
+    EXPECT_TRUE(test::waitFor([&state] { return state().startsWith(QStringLiteral("Autosaved")); }))
         << state().toStdString();
 }
 
@@ -173,18 +161,17 @@ TEST(WindowKeeping, OffersRecoveryThoughAFileIsGiven)
     const QDir autosaves(QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) +
                          QStringLiteral("/autosave"));
     {
-        OpenWindow w;
-        w.openSample();
-        save(w, path);
+        SampleWindow w;
+        ASSERT_TRUE(w.saveCase(path));
         ASSERT_TRUE(autosaves.mkpath(QStringLiteral(".")));
-        save(w, autosaves.filePath(QStringLiteral("session-999997.angiopose")));
+        ASSERT_TRUE(w.saveCase(autosaves.filePath(QStringLiteral("session-999997.angiopose"))));
     }
     const bool wasAccepted = settings::noticeAccepted.read();
     settings::noticeAccepted.write(true);
     {
         OpenWindow w;
         w.controller.begin({path});
-        EXPECT_TRUE(QTest::qWaitFor([&w] { return w.dialogs("recoveryDialog").size() == 1; }, test::patienceMs));
+        EXPECT_TRUE(test::waitFor([&w] { return w.dialogs("recoveryDialog").size() == 1; }));
         EXPECT_EQ(w.controller.document().path(), path);
     }
     settings::noticeAccepted.write(wasAccepted);
@@ -202,19 +189,18 @@ TEST(WindowKeeping, AsksWhereTheCaseOfARecoveredCopyWasSavedSince)
     ASSERT_TRUE(autosaves.mkpath(QStringLiteral(".")));
     const QString copy = autosaves.filePath(QStringLiteral("session-999998.angiopose"));
     {
-        OpenWindow w;
-        w.openSample();
-        save(w, copy);
+        SampleWindow w;
+        ASSERT_TRUE(w.saveCase(copy));
         test::writeText((copy + QStringLiteral(".origin")).toStdString(), path.toStdString() + "\nSample");
         QTest::qWait(1100);   // file systems with time stamps in whole seconds
-        save(w, path);
+        ASSERT_TRUE(w.saveCase(path));
     }
     const std::string later = test::readText(path.toStdString());
     OpenWindow w;
     w.controller.saving().offerRecovery();
     ASSERT_EQ(w.dialogs("recoveryDialog").size(), 1);
     OpenWindow::clickButton(w.dialogs("recoveryDialog").front(), QStringLiteral("Recover"));
-    ASSERT_TRUE(QTest::qWaitFor([&] { return w.controller.document().path() == path; }, test::patienceMs));
+    ASSERT_TRUE(test::waitFor([&] { return w.controller.document().path() == path; }));
     w.controller.saving().save();
     ASSERT_TRUE(questionOf(w));
     EXPECT_EQ(test::readText(path.toStdString()), later);
@@ -231,7 +217,7 @@ TEST(WindowKeeping, CleansUpAfterSessionsThatWereKilled)
     const QString stale = autosaves.filePath(QStringLiteral("session-999996.angiopose.lock"));
     test::writeText(stale.toStdString(), "999996\nangiopose\n" + QSysInfo::machineHostName().toStdString() + "\n");
     const OpenWindow w;
-    EXPECT_TRUE(QTest::qWaitFor([&stale] { return !QFile::exists(stale); }, test::patienceMs));
+    EXPECT_TRUE(test::waitFor([&stale] { return !QFile::exists(stale); }));
 }
 
 }   // namespace

@@ -5,14 +5,10 @@
 #include "ui/slices/label_choice.h"
 #include "ui/slices/slices_page.h"
 
-#include <QLineEdit>
-#include <QTemporaryDir>
 #include <QTreeWidget>
 
 namespace angiopose::app {
 namespace {
-
-using core::BodyPlane;
 
 constexpr int artery = 2;
 constexpr int organ = 7;
@@ -38,7 +34,7 @@ protected:
         path = QString::fromStdString(files.write("organs.seg.nrrd", content));
         w.drop({path});
         ASSERT_TRUE(w.current().vessels.tree);
-        ASSERT_TRUE(QTest::qWaitFor([this] { return list().topLevelItemCount() == 3; }, test::patienceMs));
+        ASSERT_TRUE(test::waitFor([this] { return list().topLevelItemCount() == 3; }));
     }
 
     ui::LabelChoice& choice() { return w.window.tracing().labels(); }
@@ -61,7 +57,7 @@ protected:
     void trace()
     {
         pressButton(QStringLiteral("Trace"));
-        ASSERT_TRUE(QTest::qWaitFor([this] { return !w.controller.tracing().isRunning(); }, test::patienceMs));
+        ASSERT_TRUE(test::waitFor([this] { return !w.controller.tracing().isRunning(); }));
     }
     double highestPoint()
     {
@@ -140,7 +136,7 @@ TEST_F(WindowLabels, AllAreKeptAsAllThoughNamesSayOtherwise)
 
 TEST_F(WindowLabels, SlicesShowThemInTheirColors)
 {
-    ui::SliceView& view = w.window.slicesPage().view(BodyPlane::Axial);
+    ui::SliceView& view = w.window.slicesPage().view(core::BodyPlane::Axial);
     const auto colorAt = [&](const Eigen::Vector3d& place) {
         w.window.slices().setCrosshair({25, -14, place.z()});
         QApplication::processEvents();

@@ -19,7 +19,6 @@
 namespace angiopose::app {
 namespace {
 
-/// A window with the sample case; restores English after the test.
 class WindowLanguage : public ::testing::Test {
 protected:
     void SetUp() override
@@ -43,7 +42,7 @@ protected:
     CaseController& controller() { return host->controller(); }
     void waitForJudgement()
     {
-        ASSERT_TRUE(QTest::qWaitFor([&] { return controller().evaluation() != nullptr; }, test::patienceMs));
+        ASSERT_TRUE(test::waitFor([&] { return controller().evaluation() != nullptr; }));
     }
     void choose(ui::Command language)
     {
@@ -100,7 +99,7 @@ TEST_F(WindowLanguage, ChangesWhileARunGoesOn)
     ASSERT_TRUE(controller().registration().isRunning());
     choose(ui::Command::LanguageGerman);
     EXPECT_EQ(firstMenu(), QStringLiteral("&Datei"));
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !controller().registration().isRunning(); }, test::patienceMs));
+    ASSERT_TRUE(test::waitFor([&] { return !controller().registration().isRunning(); }));
     ASSERT_TRUE(controller().document().current().shown().result);
     EXPECT_FALSE(controller().document().current().shown().result->history.empty());
     EXPECT_EQ(host->window().registration().registerButton()->text(), QStringLiteral("Registrieren  R"));
@@ -114,7 +113,7 @@ TEST_F(WindowLanguage, FollowingGoesOn)
     ASSERT_TRUE(controller().following().isRunning());
     choose(ui::Command::LanguageGerman);
     EXPECT_EQ(firstMenu(), QStringLiteral("&Datei"));
-    EXPECT_TRUE(QTest::qWaitFor([&] { return !controller().following().isRunning(); }, test::patienceMs));
+    EXPECT_TRUE(test::waitFor([&] { return !controller().following().isRunning(); }));
 }
 
 /// Words of one list that the other lacks.
@@ -136,7 +135,7 @@ TEST_F(WindowLanguage, SaysEverythingInTheOtherWords)
         ASSERT_EQ(ui::currentLanguage(), QLatin1String(code));
         WindowHost fresh;
         fresh.controller().open({controller().document().path()});
-        ASSERT_TRUE(QTest::qWaitFor([&] { return fresh.controller().evaluation() != nullptr; }, test::patienceMs));
+        ASSERT_TRUE(test::waitFor([&] { return fresh.controller().evaluation() != nullptr; }));
         EXPECT_TRUE(
             QTest::qWaitFor([&] { return test::wordsOf(fresh.window()) == test::wordsOf(host->window()); }, 10000));
         const QStringList expected = test::wordsOf(fresh.window());
@@ -154,7 +153,7 @@ TEST_F(WindowLanguage, SaysEverythingInTheOtherWords)
 TEST_F(WindowLanguage, WritesNumbersAsTheLanguageDoes)
 {
     controller().registration().start();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !controller().registration().isRunning(); }, test::patienceMs));
+    ASSERT_TRUE(test::waitFor([&] { return !controller().registration().isRunning(); }));
     QTest::keyClick(&host->window().angiogramView(), Qt::Key_K);
     waitForJudgement();
     const auto numbersLike = [this](const char* pattern) {
@@ -223,7 +222,7 @@ TEST_F(WindowLanguage, ButtonsNameTheKeyThatTheUserChose)
     QSettings().setValue(QStringLiteral("keys/register"), QStringLiteral("Ctrl+Alt+R"));
     applyShortcutSettings();
     ui::retranslate();
-    EXPECT_TRUE(QTest::qWaitFor([&] { return words() == QStringLiteral("Register  Ctrl+Alt+R"); }, test::patienceMs));
+    EXPECT_TRUE(test::waitFor([&] { return words() == QStringLiteral("Register  Ctrl+Alt+R"); }));
     QSettings().remove(QStringLiteral("keys"));
     applyShortcutSettings();
 }

@@ -5,19 +5,17 @@
 #include "ui/places/folding_column.h"
 #include "ui/slices/corner_views.h"
 
-#include <QScreen>
 #include <QSettings>
-#include <QSplitter>
 
 namespace angiopose::app {
 namespace {
 
 using test::OpenWindow;
+using test::SampleWindow;
 
 TEST(WindowLayout, ShowsTheImageAloneAndTheColumnsAgain)
 {
-    OpenWindow w;
-    w.openSample();
+    SampleWindow w;
     const int before = w.window.angiogramView().width();
     w.press(Qt::Key_4);
     QApplication::processEvents();
@@ -73,8 +71,7 @@ TEST(WindowLayout, IsWholeOnASmallerScreenThanItWasLeftOn)
 
 TEST(WindowLayout, RemembersTheBrightnessOfASeries)
 {
-    OpenWindow w;
-    w.openSample();
+    SampleWindow w;
     QApplication::processEvents();
     const double automatic = w.window.angiogramView().shownRange().window();
     w.press(Qt::Key_8);
@@ -89,8 +86,7 @@ TEST(WindowLayout, RemembersTheBrightnessOfASeries)
 
 TEST(WindowLayout, StartsWithTheSameBrightnessWhicheverFrameACaseWasLeftAt)
 {
-    OpenWindow w;
-    w.openSample();
+    SampleWindow w;
     QApplication::processEvents();
     const core::DisplayRange automatic = w.window.angiogramView().shownRange();
     w.press(Qt::Key_Home);   // to a frame without contrast agent
@@ -133,8 +129,7 @@ struct FreshLayout {
 TEST(WindowLayout, FoldsAColumnToARailByKeyAndHandleAndBringsItBack)
 {
     const FreshLayout fresh;
-    OpenWindow w;
-    w.openSample();
+    SampleWindow w;
     const int leftBefore = w.window.branches().width();
     const int imageBefore = w.window.angiogramView().width();
     w.press(Qt::Key_F5);
@@ -169,8 +164,7 @@ TEST(WindowLayout, FoldsAColumnToARailByKeyAndHandleAndBringsItBack)
 TEST(WindowLayout, UnfoldsAColumnForWhatIsAskedOfIt)
 {
     const FreshLayout fresh;
-    OpenWindow w;
-    w.openSample();
+    SampleWindow w;
     w.press(Qt::Key_F5);
     w.press(Qt::Key_F6);
     w.press(Qt::Key_F, Qt::ControlModifier);   // find a branch
@@ -178,7 +172,7 @@ TEST(WindowLayout, UnfoldsAColumnForWhatIsAskedOfIt)
     EXPECT_TRUE(w.window.branches().isAncestorOf(QApplication::focusWidget()));
     EXPECT_TRUE(w.window.column(ColumnSide::Right).isFolded());
     w.press(Qt::Key_L);   // landmarks
-    EXPECT_TRUE(QTest::qWaitFor([&] { return w.window.landmarks().isVisible(); }, test::patienceMs));
+    EXPECT_TRUE(test::waitFor([&] { return w.window.landmarks().isVisible(); }));
 }
 
 TEST(WindowLayout, RemembersFoldedColumnsAndOpensLayoutsThatKnewNone)
@@ -188,16 +182,14 @@ TEST(WindowLayout, RemembersFoldedColumnsAndOpensLayoutsThatKnewNone)
     QByteArray older;
     int width = 0;
     {
-        OpenWindow w;
-        w.openSample();
+        SampleWindow w;
         width = w.window.branches().width();
         older = w.window.layoutState();
         older.chop(2 * 1 + 2 * 4);   // removes the last fields: collapsed state and width of two columns
         w.press(Qt::Key_F5);
         folded = w.window.layoutState();
     }
-    OpenWindow again;
-    again.openSample();
+    SampleWindow again;
     again.window.restoreLayout(folded);
     QApplication::processEvents();
     EXPECT_FALSE(again.window.branches().isVisible());
@@ -275,14 +267,13 @@ TEST_F(WindowStepLayout, WaitsForTheEndOfADrag)
     QTest::qWait(120);
     EXPECT_FALSE(w.window.column(ColumnSide::Left).isFolded());
     QTest::mouseRelease(&tree, Qt::LeftButton, {}, tree.rect().center() + QPoint(20, 4));
-    EXPECT_TRUE(QTest::qWaitFor([&] { return w.window.column(ColumnSide::Left).isFolded(); }, test::patienceMs));
+    EXPECT_TRUE(test::waitFor([&] { return w.window.column(ColumnSide::Left).isFolded(); }));
 }
 
 TEST(WindowLayout, WaitsForTheEndOfARun)
 {
     const FreshLayout fresh;
-    OpenWindow w;
-    w.openSample();
+    SampleWindow w;
     bool wasFoldedInRun = false;
     QObject::connect(&w.window.column(ColumnSide::Left), &ui::FoldingColumn::foldedChanged, &w.window,
                      [&] { wasFoldedInRun = wasFoldedInRun || w.controller.registration().isRunning(); });
@@ -291,7 +282,7 @@ TEST(WindowLayout, WaitsForTheEndOfARun)
     QTest::mouseClick(stepButton(w.window, Step::Review), Qt::LeftButton);
     EXPECT_FALSE(w.window.column(ColumnSide::Left).isFolded());
     w.waitForRun();
-    EXPECT_TRUE(QTest::qWaitFor([&] { return w.window.column(ColumnSide::Left).isFolded(); }, test::patienceMs));
+    EXPECT_TRUE(test::waitFor([&] { return w.window.column(ColumnSide::Left).isFolded(); }));
     EXPECT_FALSE(wasFoldedInRun);
 }
 

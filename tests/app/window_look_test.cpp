@@ -1,11 +1,13 @@
 #include "core/imaging/display_range.h"
 #include "tests/app/open_window.h"
+#include "tests/support/for_each.h"
 #include "ui/theme/theme.h"
 
 namespace angiopose::app {
 namespace {
 
 using test::OpenWindow;
+using test::SampleWindow;
 
 QImage grabbed(OpenWindow& w)
 {
@@ -16,25 +18,21 @@ QImage grabbed(OpenWindow& w)
 int differentPixels(const QImage& a, const QImage& b)
 {
     int count = 0;
-    for (int y = 0; y < std::min(a.height(), b.height()); ++y) {
-        for (int x = 0; x < std::min(a.width(), b.width()); ++x) {
-            count += a.pixel(x, y) != b.pixel(x, y) ? 1 : 0;
-        }
-    }
+    test::forEachPixel(std::min(a.width(), b.width()), std::min(a.height(), b.height()),
+                       [&](int x, int y) { count += a.pixel(x, y) != b.pixel(x, y) ? 1 : 0; });
     return count;
 }
 
 TEST(WindowLook, ShowsARadiographOfTheVesselsThatFollowsThePose)
 {
-    OpenWindow w;
-    w.openSample();
+    SampleWindow w;
     for (int press = 0; press < 3; ++press) {   // outline, tube, DRR
         w.press(Qt::Key_O);
     }
     QTest::keyPress(&w.window.angiogramView(), Qt::Key_H);
     const QImage bare = grabbed(w);
     QTest::keyRelease(&w.window.angiogramView(), Qt::Key_H);
-    EXPECT_TRUE(QTest::qWaitFor([&] { return differentPixels(grabbed(w), bare) > 1000; }, test::patienceMs));
+    EXPECT_TRUE(test::waitFor([&] { return differentPixels(grabbed(w), bare) > 1000; }));
     const QImage atStart = grabbed(w);
 
     w.press(Qt::Key_N);
@@ -42,18 +40,16 @@ TEST(WindowLook, ShowsARadiographOfTheVesselsThatFollowsThePose)
         w.press(Qt::Key_Right, Qt::ShiftModifier);   // 30 mm
     }
     w.press(Qt::Key_N);
-    EXPECT_TRUE(QTest::qWaitFor([&] { return differentPixels(grabbed(w), atStart) > 1000; }, test::patienceMs));
+    EXPECT_TRUE(test::waitFor([&] { return differentPixels(grabbed(w), atStart) > 1000; }));
 
     w.press(Qt::Key_O);   // back to centerlines
-    EXPECT_TRUE(QTest::qWaitFor(
-        [&] { return w.window.angiogramView().scene().treeIntersects(w.window.angiogramView().scene().viewRect()); },
-        test::patienceMs));
+    EXPECT_TRUE(test::waitFor(
+        [&] { return w.window.angiogramView().scene().treeIntersects(w.window.angiogramView().scene().viewRect()); }));
 }
 
 TEST(WindowLook, HasBrightnessPresets)
 {
-    OpenWindow w;
-    w.openSample();
+    SampleWindow w;
     ui::AngiogramView& view = w.window.angiogramView();
     w.press(Qt::Key_0, Qt::ControlModifier);
     const core::DisplayRange vessels = core::vesselRange(view.scene().frame(), w.current().shown().angiogram->polarity);
@@ -67,8 +63,7 @@ TEST(WindowLook, HasBrightnessPresets)
 
 TEST(WindowLook, TakesWindowAndLevelAsNumbers)
 {
-    OpenWindow w;
-    w.openSample();
+    SampleWindow w;
     ui::AngiogramView& view = w.window.angiogramView();
     w.window.angiogramPanel().setFolded(false);
     const auto fields = w.window.angiogramPanel().findChildren<ui::NumberField*>();
@@ -89,8 +84,7 @@ TEST(WindowLook, TakesWindowAndLevelAsNumbers)
 TEST(WindowLook, RemembersTheColorsOfVesselsAndResiduals)
 {
     {
-        OpenWindow w;
-        w.openSample();
+        SampleWindow w;
         const QImage before = grabbed(w);
         w.window.actions()[ui::Command::ColorsBrightness]->trigger();
         EXPECT_EQ(ui::colorScheme(), ui::ColorScheme::Brightness);

@@ -1,6 +1,5 @@
 #include "core/measuring/target_points.h"
 #include "core/vessel/tree_position.h"
-#include "io/case/case_file.h"
 #include "tests/app/open_window.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/test_data.h"
@@ -15,14 +14,8 @@
 namespace angiopose::app {
 namespace {
 
-using core::VesselMarkKind;
-using test::OpenWindow;
-
-/// Fixture: the window with the sample case, and helpers that mark its vessels and its image.
 class WindowMarks : public ::testing::Test {
 protected:
-    void SetUp() override { w.openSample(); }
-
     ui::AngiogramView& view() { return w.window.angiogramView(); }
     QPoint at(const Eigen::Vector2d& pixel) { return view().widgetFromImage(pixel).toPoint(); }
     void click(const QPoint& place)
@@ -38,7 +31,6 @@ protected:
         QTest::mouseRelease(&view(), Qt::LeftButton, Qt::NoModifier, to);
     }
     const core::VesselTree& tree() { return *w.current().vessels.tree; }
-    /// Midpoint of the longest branch.
     Eigen::Vector3d middle()
     {
         const auto& longest = *std::ranges::max_element(tree().branches, {}, &core::VesselBranch::lengthMm);
@@ -59,7 +51,7 @@ protected:
         });
     }
 
-    OpenWindow w;
+    test::SampleWindow w;
 };
 
 TEST_F(WindowMarks, ACheckPointIsSetOnTheVesselsListedAndUndone)
@@ -116,7 +108,7 @@ TEST_F(WindowMarks, RingsTakeTheirWidthFromTheBranch)
     w.press(Qt::Key_Q, Qt::ShiftModifier);
     click(onScreen(middle()));
     ASSERT_EQ(marks().size(), 1U);
-    EXPECT_EQ(marks()[0].kind, VesselMarkKind::OstiumRing);
+    EXPECT_EQ(marks()[0].kind, core::VesselMarkKind::OstiumRing);
     const auto place = *core::nearestPosition(tree(), marks()[0].pointInPatient);
     EXPECT_NEAR(marks()[0].radiusMm, *core::radiusAt(tree(), place), 1e-9);
     EXPECT_GT(std::abs(marks()[0].normal.dot(core::directionAt(tree(), place))), 0.999);
@@ -156,7 +148,7 @@ TEST_F(WindowMarks, MarksAreMovedRenamedAndRemovedInOneStep)
     editor->selectAll();
     QTest::keyClicks(editor, QStringLiteral("LAD fork"));
     QTest::keyClick(editor, Qt::Key_Return);
-    EXPECT_TRUE(QTest::qWaitFor([&] { return marks()[0].name == "LAD fork"; }, test::patienceMs));
+    EXPECT_TRUE(test::waitFor([&] { return marks()[0].name == "LAD fork"; }));
     EXPECT_TRUE(isDrawn("LAD fork"));
 
     QTest::keyClick(&list(), Qt::Key_Delete);
@@ -200,7 +192,7 @@ TEST_F(WindowMarks, PicturesTablesAndTheCaseHaveThem)
         ui::OverlayExportOptions choice{1024, ui::Toggle::Off, ui::Toggle::Off};
         choice.format = format;
         w.controller.exporting().exportOverlay(choice, QString::fromStdString(path));
-        EXPECT_TRUE(QTest::qWaitFor([&path] { return !test::readText(path).empty(); }, test::patienceMs));
+        EXPECT_TRUE(test::waitFor([&path] { return !test::readText(path).empty(); }));
         return path;
     };
     const QImage plain(QString::fromStdString(exported("plain.png")));
@@ -213,12 +205,12 @@ TEST_F(WindowMarks, PicturesTablesAndTheCaseHaveThem)
 
     w.window.actions()[ui::Command::ExportTargetPoints]->trigger();
     w.saveAs(QString::fromStdString(folder.file("c.csv")));
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !test::readText(folder.file("c.csv")).empty(); }, test::patienceMs));
+    ASSERT_TRUE(test::waitFor([&] { return !test::readText(folder.file("c.csv")).empty(); }));
     EXPECT_NE(test::readText(folder.file("c.csv")).find("Target point 1"), std::string::npos);
 
     const auto saved = marks();
     w.controller.saving().saveTo(QString::fromStdString(folder.file("marked.angiopose")));
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !w.controller.document().isModified(); }, test::patienceMs));
+    ASSERT_TRUE(test::waitFor([&] { return !w.controller.document().isModified(); }));
     w.controller.document().replace({}, {});
     EXPECT_TRUE(view().placedMarks().empty());
     w.drop({QString::fromStdString(folder.file("marked.angiopose"))});

@@ -1,14 +1,9 @@
-#include "app/files/sample_case.h"
-#include "io/case/case_file.h"
-#include "io/edited_mask.h"
 #include "tests/app/scan_window.h"
 #include "ui/slices/mask_panel.h"
 #include "ui/slices/slice_model.h"
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDir>
-#include <QFileInfo>
 #include <QSlider>
 
 #include <algorithm>
@@ -31,7 +26,6 @@ double reachOfTheCutArm(const core::VesselTree& tree)
     return highest;
 }
 
-/// Fixture: the window with a traced scan, and helpers that edit its mask.
 class WindowMask : public test::ScanWindow {
 protected:
     void SetUp() override
@@ -60,11 +54,17 @@ protected:
         const Eigen::Vector3i at = (shown.geometry.patientFromVoxel().inverse() * point).array().round().cast<int>();
         return shown.at(at.x(), at.y(), at.z()) != 0;
     }
+    double showAxialSlice()
+    {
+        model().setCrosshair({0, 0, 20});
+        QApplication::processEvents();
+        return view(BodyPlane::Axial).grid().firstInPatient.z();
+    }
     void begin(Qt::Key key)
     {
         QTest::keyClick(&view(BodyPlane::Axial), key, Qt::ControlModifier);
         ASSERT_TRUE(model().tool());
-        ASSERT_TRUE(QTest::qWaitFor([this] { return !mask().isPreparing(); }, test::patienceMs));
+        ASSERT_TRUE(test::waitFor([this] { return !mask().isPreparing(); }));
     }
     void dragAlong(BodyPlane plane, const std::vector<Eigen::Vector3d>& points,
                    Qt::KeyboardModifiers modifiers = Qt::NoModifier)
@@ -88,19 +88,17 @@ protected:
                   {corner(-1, -1), corner(0, -1), corner(1, -1), corner(1, 0), corner(1, 1), corner(0, 1),
                    corner(-1, 1), corner(-1, 0)},
                   modifiers);
-        ASSERT_TRUE(QTest::qWaitFor([this] { return !mask().isPreparing(); }, test::patienceMs));
+        ASSERT_TRUE(test::waitFor([this] { return !mask().isPreparing(); }));
     }
     bool waitForMask()
     {
-        return QTest::qWaitFor([this] { return !mask().isRunning(); }, test::patienceMs);
+        return test::waitFor([this] { return !mask().isRunning(); });
     }
 };
 
 TEST_F(WindowMask, AStrokeIsOneStepOfUndoInItsSliceAlone)
 {
-    model().setCrosshair({0, 0, 20});
-    QApplication::processEvents();
-    const double z = view(BodyPlane::Axial).grid().firstInPatient.z();
+    const double z = showAxialSlice();
     const std::size_t before = setVoxels();
     const int steps = w.history().count();
     begin(Qt::Key_D);
@@ -126,9 +124,7 @@ TEST_F(WindowMask, AStrokeIsOneStepOfUndoInItsSliceAlone)
 
 TEST_F(WindowMask, TheBrushGrowsAndPaintsBallsAboveTheThreshold)
 {
-    model().setCrosshair({0, 0, 20});
-    QApplication::processEvents();
-    const double z = view(BodyPlane::Axial).grid().firstInPatient.z();
+    const double z = showAxialSlice();
     begin(Qt::Key_D);
     for (int step = 0; step < 8; ++step) {
         wheel(BodyPlane::Axial, 1, Qt::ShiftModifier);
@@ -188,9 +184,7 @@ TEST_F(WindowMask, ScissorsCutAndTheVesselsAreTracedAgain)
 TEST_F(WindowMask, ShiftKeepsWhatLiesInside)
 {
     begin(Qt::Key_X);
-    model().setCrosshair({0, 0, 20});
-    QApplication::processEvents();
-    const double z = view(BodyPlane::Axial).grid().firstInPatient.z();
+    const double z = showAxialSlice();
     lasso(BodyPlane::Axial, {0, 0, z}, 2.0, Qt::ShiftModifier);
     EXPECT_TRUE(isSetAt({0, 0, z}));
     EXPECT_FALSE(isSetAt({3.4, 0, z}));
@@ -200,9 +194,7 @@ TEST_F(WindowMask, ShiftKeepsWhatLiesInside)
 TEST_F(WindowMask, TheScanCanBeTracedAgainAfterwards)
 {
     begin(Qt::Key_R);
-    model().setCrosshair({0, 0, 20});
-    QApplication::processEvents();
-    const double z = view(BodyPlane::Axial).grid().firstInPatient.z();
+    const double z = showAxialSlice();
     dragAlong(BodyPlane::Axial, {{-5, 0, z}, {5, 0, z}});
     QTest::keyClick(&view(BodyPlane::Axial), Qt::Key_U, Qt::ControlModifier);
     ASSERT_TRUE(waitForMask());
@@ -218,9 +210,7 @@ TEST_F(WindowMask, TheScanCanBeTracedAgainAfterwards)
 /// Undo while the mouse button is down concerns the current stroke only.
 TEST_F(WindowMask, UndoInTheMiddleOfAStrokeTakesItBackAndNothingElse)
 {
-    model().setCrosshair({0, 0, 20});
-    QApplication::processEvents();
-    const double z = view(BodyPlane::Axial).grid().firstInPatient.z();
+    const double z = showAxialSlice();
     begin(Qt::Key_D);
     dragAlong(BodyPlane::Axial, {{10, 8, z}, {14, 8, z}});
     const std::vector<std::uint8_t> before = model().mask()->voxels;
@@ -249,9 +239,7 @@ TEST_F(WindowMask, TheLumenMayGoWhileItIsPainted)
 {
     QTest::keyClick(&view(BodyPlane::Axial), Qt::Key_T, Qt::ControlModifier);
     ASSERT_TRUE(waitForTrace());
-    model().setCrosshair({0, 0, 20});
-    QApplication::processEvents();
-    const double z = view(BodyPlane::Axial).grid().firstInPatient.z();
+    const double z = showAxialSlice();
     begin(Qt::Key_D);
     ui::SliceView& axial = view(BodyPlane::Axial);
     QTest::mousePress(&axial, Qt::LeftButton, {}, placeOf(BodyPlane::Axial, {10, 0, z}));
@@ -262,9 +250,7 @@ TEST_F(WindowMask, TheLumenMayGoWhileItIsPainted)
 
 TEST_F(WindowMask, AnotherStrokeInItsPlaceIsAChange)
 {
-    model().setCrosshair({0, 0, 20});
-    QApplication::processEvents();
-    const double z = view(BodyPlane::Axial).grid().firstInPatient.z();
+    const double z = showAxialSlice();
     begin(Qt::Key_D);
     dragAlong(BodyPlane::Axial, {{10, 0, z}, {14, 0, z}});
     QTest::keyClick(&view(BodyPlane::Axial), Qt::Key_U, Qt::ControlModifier);
@@ -280,9 +266,7 @@ TEST_F(WindowMask, AnotherStrokeInItsPlaceIsAChange)
 
 TEST_F(WindowMask, AStrokeIsWorkThatClosingAsksAbout)
 {
-    model().setCrosshair({0, 0, 20});
-    QApplication::processEvents();
-    const double z = view(BodyPlane::Axial).grid().firstInPatient.z();
+    const double z = showAxialSlice();
     const auto revision = w.controller.document().state().revision;
     begin(Qt::Key_D);
     dragAlong(BodyPlane::Axial, {{10, 0, z}, {14, 0, z}});

@@ -1,6 +1,6 @@
 #include "core/measuring/measure_image.h"
-#include "io/case/case_file.h"
 #include "tests/app/open_window.h"
+#include "tests/support/for_each.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/test_data.h"
 #include "ui/places/side_by_side.h"
@@ -12,15 +12,10 @@
 namespace angiopose::app {
 namespace {
 
-using core::MeasurementKind;
 using core::MeasurementPlane;
-using test::OpenWindow;
 
-/// Fixture: the window with the sample case, and helpers that measure in its image.
 class WindowMeasure : public ::testing::Test {
 protected:
-    void SetUp() override { w.openSample(); }
-
     ui::AngiogramView& view() { return w.window.angiogramView(); }
     QPoint at(double u, double v) { return view().widgetFromImage({u, v}).toPoint(); }
     Eigen::Vector2d pixelAt(const QPoint& place) { return view().imageFromWidget(place); }
@@ -46,7 +41,7 @@ protected:
         return core::measureImage(measurements()[place], {w.current().shown(), w.current().vessels.tree.get()}).value();
     }
 
-    OpenWindow w;
+    test::SampleWindow w;
 };
 
 TEST_F(WindowMeasure, ALengthIsDrawnListedAndUndone)
@@ -91,7 +86,7 @@ TEST_F(WindowMeasure, AnglesAndAreasByClicks)
     EXPECT_TRUE(measurements().empty());
     click(200, 300);
     ASSERT_EQ(measurements().size(), 1U);
-    EXPECT_EQ(measurements()[0].kind, MeasurementKind::Angle);
+    EXPECT_EQ(measurements()[0].kind, core::MeasurementKind::Angle);
     EXPECT_NEAR(measured(0).value.value, 90.0, 1.0);
 
     w.press(Qt::Key_O, Qt::ShiftModifier);
@@ -154,7 +149,7 @@ TEST_F(WindowMeasure, PointsAreMovedAndMeasurementsRenamedAndRemoved)
     editor->selectAll();
     QTest::keyClicks(editor, QStringLiteral("neck"));
     QTest::keyClick(editor, Qt::Key_Return);
-    EXPECT_TRUE(QTest::qWaitFor([&] { return measurements()[0].name == "neck"; }, test::patienceMs));
+    EXPECT_TRUE(test::waitFor([&] { return measurements()[0].name == "neck"; }));
     EXPECT_EQ(view().marks()[0].label.rfind("neck ", 0), 0U);
     EXPECT_TRUE(view().marks()[0].isChosen);
 
@@ -202,7 +197,7 @@ TEST_F(WindowMeasure, IsSeenOnItsFrameAloneAndComesBackWithTheCase)
     const test::TemporaryFolder folder;
     const QString path = QString::fromStdString(folder.file("measured.angiopose"));
     w.controller.saving().saveTo(path);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !w.controller.document().isModified(); }, test::patienceMs));
+    ASSERT_TRUE(test::waitFor([&] { return !w.controller.document().isModified(); }));
     const auto saved = w.current().shown().measurements;
     w.controller.document().replace({}, {});
     EXPECT_TRUE(view().marks().empty());
@@ -217,7 +212,7 @@ TEST_F(WindowMeasure, TheExportedPictureAndTableShowIt)
     const auto exported = [&](const char* name) {
         const QString path = QString::fromStdString(folder.file(name));
         w.controller.exporting().exportOverlay({1024, ui::Toggle::Off, ui::Toggle::Off}, path);
-        EXPECT_TRUE(QTest::qWaitFor([&path] { return !QImage(path).isNull(); }, test::patienceMs));
+        EXPECT_TRUE(test::waitFor([&path] { return !QImage(path).isNull(); }));
         return QImage(path);
     };
     const QImage plain = exported("plain.png");
@@ -230,16 +225,13 @@ TEST_F(WindowMeasure, TheExportedPictureAndTableShowIt)
     EXPECT_GT(qGray(marked.pixel(middle)), 150) << "the line is bright";
     EXPECT_NE(plain.pixel(middle), marked.pixel(middle));
     int changed = 0;
-    for (int y = 0; y < plain.height(); ++y) {
-        for (int x = 0; x < plain.width(); ++x) {
-            changed += plain.pixel(x, y) != marked.pixel(x, y) ? 1 : 0;
-        }
-    }
+    test::forEachPixel(plain.width(), plain.height(),
+                       [&](int x, int y) { changed += plain.pixel(x, y) != marked.pixel(x, y) ? 1 : 0; });
     EXPECT_LT(changed, plain.width() * plain.height() / 20) << "nothing else is drawn over";
 
     w.window.actions()[ui::Command::ExportMeasurements]->trigger();
     w.saveAs(QString::fromStdString(folder.file("m.csv")));
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !test::readText(folder.file("m.csv")).empty(); }, test::patienceMs));
+    ASSERT_TRUE(test::waitFor([&] { return !test::readText(folder.file("m.csv")).empty(); }));
     EXPECT_NE(test::readText(folder.file("m.csv")).find("\n1,"), std::string::npos);
 }
 

@@ -1,4 +1,3 @@
-#include "io/movie/movie_writer.h"
 #include "tests/app/open_window.h"
 #include "tests/support/temporary_folder.h"
 #include "ui/panels/bottom_strip.h"
@@ -13,7 +12,6 @@ namespace {
 
 using test::OpenWindow;
 
-/// Fixture: exports movies through the keyboard, the dialog and the file dialog.
 class WindowMovie : public ::testing::Test {
 protected:
     WindowMovie()
@@ -47,7 +45,7 @@ protected:
     }
     bool waitForMovie()
     {
-        return QTest::qWaitFor([this] { return !w.controller.movies().isRunning(); }, test::patienceMs);
+        return test::waitFor([this] { return !w.controller.movies().isRunning(); });
     }
 
     OpenWindow w;
@@ -74,8 +72,7 @@ TEST_F(WindowMovie, OffersWhatThereIsAndTellsItsLength)
         << outcome(dialog).toStdString();
     OpenWindow::clickButton(dialog, QStringLiteral("Cancel"));
 
-    w.press(Qt::Key_R);
-    w.waitForRun();
+    w.registerVessels();
     ASSERT_TRUE(w.current().shown().result);
     dialog = asked();
     ASSERT_TRUE(dialog);
@@ -108,12 +105,11 @@ TEST_F(WindowMovie, StopsWithoutLeavingAFile)
     choose(parts(dialog), parts(dialog)->count() - 1);
     QTest::keyClick(dialog, Qt::Key_Return);
     QFileDialog* files = nullptr;
-    ASSERT_TRUE(QTest::qWaitFor([&] { return (files = w.window.findChild<QFileDialog*>()) && files->isVisible(); },
-                                test::patienceMs));
+    ASSERT_TRUE(test::waitFor([&] { return (files = w.window.findChild<QFileDialog*>()) && files->isVisible(); }));
     files->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"))
         ->setText(QString::fromStdString(folder.file("turn.mp4")));
     QTest::mouseClick(files->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Save), Qt::LeftButton);
-    ASSERT_TRUE(QTest::qWaitFor([this] { return w.controller.movies().isRunning(); }, test::patienceMs));
+    ASSERT_TRUE(test::waitFor([this] { return w.controller.movies().isRunning(); }));
     QPushButton* stop = nullptr;
     for (QPushButton* button : w.window.strip().findChildren<QPushButton*>()) {
         stop = button->isVisible() && button->text() == QStringLiteral("Stop") ? button : stop;

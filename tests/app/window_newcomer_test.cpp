@@ -13,8 +13,6 @@
 namespace angiopose::app {
 namespace {
 
-using test::OpenWindow;
-
 /// Fixture: a first-time user who only clicks; counts every click and every drop.
 class Newcomer : public ::testing::Test {
 protected:
@@ -63,7 +61,7 @@ protected:
 
     void openAllTheSame()
     {
-        ASSERT_TRUE(QTest::qWaitFor([this] { return w.dialogs("patientQuestion").size() == 1; }, test::patienceMs));
+        ASSERT_TRUE(test::waitFor([this] { return w.dialogs("patientQuestion").size() == 1; }));
         click(buttonCalled(w.dialogs("patientQuestion").front(), "Open anyway"));
     }
 
@@ -73,7 +71,6 @@ protected:
         ++clicks;
     }
 
-    /// Registers, then exports under the suggested name.
     void registerAndExport()
     {
         w.waitForJudgement();
@@ -81,20 +78,18 @@ protected:
         w.waitForRun();
         click(buttonCalled<ui::StepButton>(&w.window.steps(), "Export"));
         ui::ExportDialog* choice = nullptr;
-        ASSERT_TRUE(
-            QTest::qWaitFor([&] { return (choice = w.window.findChild<ui::ExportDialog*>()); }, test::patienceMs));
+        ASSERT_TRUE(test::waitFor([&] { return (choice = w.window.findChild<ui::ExportDialog*>()); }));
         click(buttonCalled(choice, "Export…"));
         QFileDialog* files = nullptr;
-        ASSERT_TRUE(QTest::qWaitFor([&] { return (files = w.window.findChild<QFileDialog*>()) && files->isVisible(); },
-                                    test::patienceMs));
+        ASSERT_TRUE(test::waitFor([&] { return (files = w.window.findChild<QFileDialog*>()) && files->isVisible(); }));
         click(files->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Save));
-        ASSERT_TRUE(QTest::qWaitFor([this] { return !pictures().isEmpty(); }, test::patienceMs));
+        ASSERT_TRUE(test::waitFor([this] { return !pictures().isEmpty(); }));
     }
 
     QStringList pictures() const { return QDir(folder.path()).entryList({QStringLiteral("*.png")}); }
 
     QTemporaryDir folder;
-    OpenWindow w;
+    test::OpenWindow w;
     int clicks = 0;
 };
 
@@ -102,7 +97,7 @@ TEST_F(Newcomer, ReachesAnOverlayOfTheSampleInSixClicks)
 {
     acceptNotice();
     click(buttonCalled(&w.window.welcome(), "Open the sample case"));
-    ASSERT_TRUE(QTest::qWaitFor([this] { return w.current().shown().angiogram != nullptr; }, test::patienceMs));
+    ASSERT_TRUE(test::waitFor([this] { return w.current().shown().angiogram != nullptr; }));
     registerAndExport();
     EXPECT_LE(clicks, 6);
 }
@@ -115,10 +110,10 @@ TEST_F(Newcomer, ReachesAnOverlayOfADicomFolderAndARunInTwelve)
     ASSERT_TRUE(sample);
     acceptNotice();
     drop(QString::fromStdString(study.file("")));
-    ASSERT_TRUE(QTest::qWaitFor([this] { return w.current().vessels.tree != nullptr; }, test::patienceMs));
+    ASSERT_TRUE(test::waitFor([this] { return w.current().vessels.tree != nullptr; }));
     drop(QFileInfo(sample.value()).dir().filePath(QStringLiteral("run.dcm")));
     openAllTheSame();   // the scan and the sample's run are of different patients
-    ASSERT_TRUE(QTest::qWaitFor([this] { return w.current().shown().angiogram != nullptr; }, test::patienceMs));
+    ASSERT_TRUE(test::waitFor([this] { return w.current().shown().angiogram != nullptr; }));
     registerAndExport();
     EXPECT_LE(clicks, 12);
 }

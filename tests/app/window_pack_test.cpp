@@ -11,7 +11,6 @@ namespace {
 
 using test::OpenWindow;
 
-/// Fixture: shares a case as a zip archive through the menu, the dialog and the file dialog.
 class WindowPack : public ::testing::Test {
 protected:
     QDialog* asked()
@@ -25,7 +24,7 @@ protected:
     {
         QFileDialog* files = nullptr;
         const auto isThere = [&] { return (files = w.window.findChild<QFileDialog*>()) && files->isVisible(); };
-        ASSERT_TRUE(QTest::qWaitFor(isThere, test::patienceMs));
+        ASSERT_TRUE(test::waitFor(isThere));
         files->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"))->setText(QString::fromStdString(path));
         QTest::mouseClick(files->findChild<QDialogButtonBox*>()->buttons().front(), Qt::LeftButton);
     }
@@ -49,7 +48,7 @@ TEST_F(WindowPack, SampleGoesWithoutIdentity)
     const std::string archive = folder.file("case.zip");
     chooseFile(archive);
     const auto isThere = [&archive] { return QFile::exists(QString::fromStdString(archive)); };
-    ASSERT_TRUE(QTest::qWaitFor(isThere, test::patienceMs));
+    ASSERT_TRUE(test::waitFor(isThere));
     QProcess unpack;
     unpack.setWorkingDirectory(QString::fromStdString(folder.file("")));
     unpack.start(QStringLiteral("cmake"),
@@ -68,9 +67,9 @@ TEST_F(WindowPack, StopLeavesNothing)
     ASSERT_NE(dialog, nullptr);
     OpenWindow::clickButton(dialog, QStringLiteral("Pack…"));
     chooseFile(folder.file("case.zip"));
-    ASSERT_TRUE(QTest::qWaitFor([this] { return w.controller.isBusy(); }, test::patienceMs));
+    ASSERT_TRUE(test::waitFor([this] { return w.controller.isBusy(); }));
     emit w.window.strip().stopRequested();
-    ASSERT_TRUE(QTest::qWaitFor([this] { return !w.controller.isBusy(); }, test::patienceMs));
+    ASSERT_TRUE(test::waitFor([this] { return !w.controller.isBusy(); }));
     EXPECT_TRUE(QDir(QString::fromStdString(folder.file(""))).isEmpty(QDir::Files | QDir::Hidden));
 }
 

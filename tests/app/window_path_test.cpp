@@ -34,7 +34,7 @@ protected:
     }
     bool waitForBranch()
     {
-        return QTest::qWaitFor([this] { return w.current().vessels.tree->branches.size() > count; }, test::patienceMs);
+        return test::waitFor([this] { return w.current().vessels.tree->branches.size() > count; });
     }
 
     core::VesselBranch missed;

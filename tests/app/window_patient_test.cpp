@@ -19,10 +19,8 @@ namespace {
 
 using test::OpenWindow;
 
-/// Attribute in which another patient differs.
 enum class Trait { Number, Name, BirthDate, Sex, Side };
 
-/// The ways of opening files in the window.
 enum class WayIn { AddedView, ReplacedRun, ScanAsVessels, ScanBeside, ScanAndRunTogether, CaseFile };
 
 core::StudyIdentity patient()
@@ -59,7 +57,6 @@ core::StudyIdentity anotherIn(Trait trait)
     return other;
 }
 
-/// Files of two patients on the disk.
 class Study {
 public:
     explicit Study(Trait trait)
@@ -129,7 +126,7 @@ void answer(OpenWindow& w, const char* question, const QString& verb)
     const auto questions = w.dialogs(question);
     ASSERT_EQ(questions.size(), 1) << question;
     OpenWindow::clickButton(questions.front(), verb);
-    EXPECT_TRUE(QTest::qWaitFor([&w] { return !w.controller.isLoading(); }, test::patienceMs));
+    EXPECT_TRUE(test::waitFor([&w] { return !w.controller.isLoading(); }));
     if (w.dialogs("patientQuestion").empty()) {
         w.window.activateWindow();   // no window manager does it here
         EXPECT_TRUE(QTest::qWaitForWindowActive(&w.window));

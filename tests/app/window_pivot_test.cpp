@@ -1,15 +1,13 @@
 #include "tests/app/open_window.h"
 
 #include "core/case/case.h"
-#include "core/geometry/projection_camera.h"
 #include "core/vessel/vessel_tree.h"
-
-#include <cmath>
 
 namespace angiopose::app {
 namespace {
 
 using test::OpenWindow;
+using test::SampleWindow;
 
 /// A point on the vessels far from their centroid, and its position in the angiogram.
 struct Place {
@@ -44,8 +42,7 @@ void pickAt(OpenWindow& w, const Place& place)
 
 TEST(WindowPivot, PickedByClickTheVesselsTurnAboutItAndNotTheCentroid)
 {
-    OpenWindow w;
-    w.openSample();
+    SampleWindow w;
     const Place place = farPlace(w);
     pickAt(w, place);
 
@@ -70,8 +67,7 @@ TEST(WindowPivot, PickedByClickTheVesselsTurnAboutItAndNotTheCentroid)
 
 TEST(WindowPivot, IsUndoneClearedAndPickedByKeys)
 {
-    OpenWindow w;
-    w.openSample();
+    SampleWindow w;
     pickAt(w, farPlace(w));
     ASSERT_TRUE(w.current().vessels.pickedPivotInPatient);
     w.press(Qt::Key_Z, Qt::ControlModifier);
@@ -93,8 +89,7 @@ TEST(WindowPivot, IsUndoneClearedAndPickedByKeys)
 
 TEST(WindowPivot, ALockedShiftIsThatOfThePivotInARunToo)
 {
-    OpenWindow w;
-    w.openSample();
+    SampleWindow w;
     const Place place = farPlace(w);
     pickAt(w, place);
     ui::PoseLocks locks{};
@@ -103,8 +98,7 @@ TEST(WindowPivot, ALockedShiftIsThatOfThePivotInARunToo)
     w.controller.pose().setLocks(locks);
     const core::RigidTransform before = w.current().shown().cameraFromPatient;
 
-    w.press(Qt::Key_R);
-    w.waitForRun();
+    w.registerVessels();
 
     ASSERT_TRUE(w.current().shown().result);
     const core::RigidTransform after = w.current().shown().cameraFromPatient;
@@ -114,8 +108,7 @@ TEST(WindowPivot, ALockedShiftIsThatOfThePivotInARunToo)
 
 TEST(WindowPivot, IsSeenInBothViewsAndNotOnlyByColor)
 {
-    OpenWindow w;
-    w.openSample();
+    SampleWindow w;
     const Place place = farPlace(w);
     const auto picture = [&w, &place] {
         return w.window.angiogramView().grab(QRect(place.at - QPoint(10, 20), QSize(60, 40))).toImage();

@@ -2,13 +2,10 @@
 #include "ui/places/view_frame.h"
 #include "ui/slices/corner_views.h"
 
-#include <QSplitter>
-
 namespace angiopose::app {
 namespace {
 
-using test::OpenWindow;
-using ui::MovableView;
+using test::SampleWindow;
 
 ui::ViewWindow* windowOf(QWidget& view)
 {
@@ -24,8 +21,7 @@ void waitForWindow(QWidget& view)
 
 TEST(WindowPlaces, DoubleClickOnTheImageTakesTheWindowAndGivesItBack)
 {
-    OpenWindow w;
-    w.openSample();
+    SampleWindow w;
     ui::AngiogramView& view = w.window.angiogramView();
     const QRect before(view.mapTo(&w.window, QPoint()), view.size());
     const QPoint corner(5, 5);
@@ -40,8 +36,7 @@ TEST(WindowPlaces, DoubleClickOnTheImageTakesTheWindowAndGivesItBack)
 
 TEST(WindowPlaces, TheThreeDViewTakesTheWindowByKeyAndByDoubleClick)
 {
-    OpenWindow w;
-    w.openSample();
+    SampleWindow w;
     ui::TreeView& tree = w.window.treeView();
     const QSize before = tree.size();
     const QSize imageBefore = w.window.angiogramView().size();
@@ -60,8 +55,7 @@ TEST(WindowPlaces, TheThreeDViewTakesTheWindowByKeyAndByDoubleClick)
 
 TEST(WindowPlaces, OneViewAloneReplacesTheOther)
 {
-    OpenWindow w;
-    w.openSample();
+    SampleWindow w;
     const QSize before = w.window.treeView().size();
     w.press(Qt::Key_5);
     QTest::keyClick(&w.window.treeView(), Qt::Key_4);
@@ -76,8 +70,7 @@ TEST(WindowPlaces, OneViewAloneReplacesTheOther)
 
 TEST(WindowPlaces, TheThreeDViewLeavesForAWindowAndComesBackWhenItIsClosed)
 {
-    OpenWindow w;
-    w.openSample();
+    SampleWindow w;
     ui::TreeView& tree = w.window.treeView();
     const QSize before = tree.size();
     w.press(Qt::Key_F8);
@@ -103,13 +96,12 @@ TEST(WindowPlaces, TheThreeDViewLeavesForAWindowAndComesBackWhenItIsClosed)
 
 TEST(WindowPlaces, TheAngiogramLeavesAPlaceFromWhichItIsBroughtBack)
 {
-    OpenWindow w;
-    w.openSample();
+    SampleWindow w;
     ui::AngiogramView& view = w.window.angiogramView();
     w.press(Qt::Key_F7);
     waitForWindow(view);
     EXPECT_TRUE(view.isVisible());
-    const QList<QPushButton*> buttons = w.window.frameOf(MovableView::Image).findChildren<QPushButton*>();
+    const QList<QPushButton*> buttons = w.window.frameOf(ui::MovableView::Image).findChildren<QPushButton*>();
     for (QPushButton* button : buttons) {
         if (button->isVisible()) {
             QTest::mouseClick(button, Qt::LeftButton);   // the only button: bring the view back
@@ -125,8 +117,7 @@ TEST(WindowPlaces, ALayoutRemembersWhatHasAWindowOfItsOwnAndWhere)
     QByteArray layout;
     QRect place;
     {
-        OpenWindow w;
-        w.openSample();
+        SampleWindow w;
         w.press(Qt::Key_F8);
         waitForWindow(w.window.treeView());
         windowOf(w.window.treeView())->setGeometry(300, 200, 640, 480);
@@ -134,7 +125,7 @@ TEST(WindowPlaces, ALayoutRemembersWhatHasAWindowOfItsOwnAndWhere)
         place = windowOf(w.window.treeView())->geometry();
         layout = w.window.layoutState();
     }
-    OpenWindow again;
+    test::OpenWindow again;
     again.window.restoreLayout(layout);
     waitForWindow(again.window.treeView());
     EXPECT_EQ(windowOf(again.window.treeView())->geometry().size(), place.size());
@@ -153,8 +144,7 @@ TEST(WindowPlaces, ALayoutRemembersWhatHasAWindowOfItsOwnAndWhere)
 
 TEST(WindowPlaces, AnEmptyWindowShowsWhereToStart)
 {
-    OpenWindow w;
-    w.openSample();
+    SampleWindow w;
     w.press(Qt::Key_5);
     const core::Case empty;
     w.controller.document().replace(empty, {});

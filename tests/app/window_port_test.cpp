@@ -52,14 +52,13 @@ protected:
         QTest::keyClicks(line, QString::fromStdString(text));
     }
 
-    /// Clicks the switch and waits until the receiver has started or stopped.
     void switchPort() const
     {
         auto* onOff = dialog->findChild<QCheckBox*>(QStringLiteral("receiveSwitch"));
         const bool wasOn = onOff->isChecked();
         QTest::mouseClick(onOff, Qt::LeftButton, {}, {8, onOff->height() / 2});
         const auto* field = dialog->findChild<QLineEdit*>(QStringLiteral("receivePort"));
-        EXPECT_TRUE(QTest::qWaitFor([&] { return field->isEnabled() == wasOn; }, test::patienceMs));
+        EXPECT_TRUE(test::waitFor([&] { return field->isEnabled() == wasOn; }));
         QTest::qWait(300);   // until the receiver listens
     }
 
@@ -72,7 +71,6 @@ protected:
         return node;
     }
 
-    /// Sends two objects from another thread while the window keeps running.
     io::TransferReport sendTo(const io::ArchiveNode& node, const std::string& series) const
     {
         io::TransferReport report;
@@ -82,7 +80,7 @@ protected:
             report = io::sendToArchive(node, io::ArchiveProtocol::Dimse, files);
             isOver = true;
         });
-        EXPECT_TRUE(QTest::qWaitFor([&] { return isOver.load(); }, test::patienceMs));
+        EXPECT_TRUE(test::waitFor([&] { return isOver.load(); }));
         peer.join();
         return report;
     }
@@ -91,7 +89,7 @@ protected:
     {
         const auto* said = dialog->findChild<QLabel*>(QStringLiteral("receiveWords"));
         const auto isSaid = [&] { return said->text().contains(QLatin1String(statusText)); };
-        const bool found = QTest::qWaitFor(isSaid, test::patienceMs);
+        const bool found = test::waitFor(isSaid);
         EXPECT_TRUE(found) << said->text().toStdString();
         return found;
     }
@@ -120,7 +118,7 @@ TEST_F(WindowPort, OnlyListedCallersAreTakenAndStrangersAreReported)
     EXPECT_TRUE(sendTo(us("CT 7"), "2.25.4711.82").isComplete());
     says("Objects received: 2");
     switchPort();
-    EXPECT_TRUE(QTest::qWaitFor([&] { return audit.text().count(QStringLiteral("sha256")) == 2; }, test::patienceMs))
+    EXPECT_TRUE(test::waitFor([&] { return audit.text().count(QStringLiteral("sha256")) == 2; }))
         << audit.text().toStdString();
     EXPECT_TRUE(audit.text().contains(QStringLiteral("\"received\"")));
 
@@ -196,7 +194,7 @@ TEST_F(WindowPort, UselessCertificateIsNamed)
     auto* onOff = dialog->findChild<QCheckBox*>(QStringLiteral("receiveSwitch"));
     QTest::mouseClick(onOff, Qt::LeftButton, {}, {8, onOff->height() / 2});
     const auto isKnown = [&] { return dialog->line().statusText().contains(QStringLiteral("no.pem")); };
-    EXPECT_TRUE(QTest::qWaitFor(isKnown, test::patienceMs)) << dialog->line().statusText().toStdString();
+    EXPECT_TRUE(test::waitFor(isKnown)) << dialog->line().statusText().toStdString();
     EXPECT_FALSE(onOff->isChecked());
 }
 

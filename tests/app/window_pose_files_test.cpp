@@ -16,7 +16,6 @@ namespace {
 
 using test::OpenWindow;
 
-/// Fixture: the sample with pose files next to it.
 class WindowPoseFiles : public ::testing::Test {
 protected:
     void SetUp() override
@@ -39,14 +38,11 @@ protected:
     bool isKnown(const QString& words)
     {
         const auto* strip = w.window.findChild<ui::BottomStrip*>();
-        return QTest::qWaitFor(
-            [strip, &words] {
-                const auto& reported = strip->reported().all();
-                return std::ranges::any_of(reported, [&words](const auto& each) { return each.text.contains(words); });
-            },
-            test::patienceMs);
+        return test::waitFor([strip, &words] {
+            const auto& reported = strip->reported().all();
+            return std::ranges::any_of(reported, [&words](const auto& each) { return each.text.contains(words); });
+        });
     }
-    /// Text of the only dialog, which is then closed.
     QString refusal()
     {
         QString words;

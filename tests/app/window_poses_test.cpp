@@ -6,19 +6,15 @@
 #include <QCheckBox>
 #include <QTreeWidget>
 
-#include <algorithm>
-
 namespace angiopose::app {
 namespace {
 
-using test::OpenWindow;
+using test::SampleWindow;
 
 TEST(WindowPoses, KeepsThePoseWithItsNumbersAndUndoesThat)
 {
-    OpenWindow w;
-    w.openSample();
-    w.press(Qt::Key_R);
-    w.waitForRun();
+    SampleWindow w;
+    w.registerVessels();
     ASSERT_TRUE(w.current().shown().result);
     ASSERT_EQ(w.current().shown().snapshots.size(), 1u);   // stored by the registration
     EXPECT_EQ(w.current().shown().snapshots[0].kind, core::SnapshotKind::Run);
@@ -41,13 +37,11 @@ TEST(WindowPoses, KeepsThePoseWithItsNumbersAndUndoesThat)
 
 TEST(WindowPoses, GoesBetweenTwoPosesWithOneKeyAndChangesNothing)
 {
-    OpenWindow w;
-    w.openSample();
+    SampleWindow w;
     w.press(Qt::Key_Y);   // no snapshot to switch to
     EXPECT_FALSE(w.controller.poses().snapshots().marks().shown);
     w.press(Qt::Key_K);
-    w.press(Qt::Key_R);
-    w.waitForRun();
+    w.registerVessels();
     const core::RigidTransform found = w.current().shown().cameraFromPatient;
     const int steps = w.history().count();
     const int kept = w.current().shown().snapshots.front().id;
@@ -66,12 +60,10 @@ TEST(WindowPoses, GoesBetweenTwoPosesWithOneKeyAndChangesNothing)
 
 TEST(WindowPoses, ComparesARunWithTheLastKeptPoseAndNotWithItself)
 {
-    OpenWindow w;
-    w.openSample();
+    SampleWindow w;
     w.press(Qt::Key_K);
     const core::PoseSnapshot start = w.current().shown().snapshots.back();
-    w.press(Qt::Key_R);
-    w.waitForRun();
+    w.registerVessels();
     ASSERT_GT(test::distance(w.current().shown().cameraFromPatient, start.cameraFromPatient), 1e-3);
     w.press(Qt::Key_Y);
     EXPECT_EQ(w.controller.poses().snapshots().marks().shown, start.id);
@@ -82,18 +74,15 @@ TEST(WindowPoses, ComparesARunWithTheLastKeptPoseAndNotWithItself)
     w.press(Qt::Key_N);
     w.press(Qt::Key_K);   // the newest snapshot becomes the one to compare with
     const int newest = w.current().shown().snapshots.back().id;
-    w.press(Qt::Key_R);
-    w.waitForRun();
+    w.registerVessels();
     w.press(Qt::Key_Y);
     EXPECT_EQ(w.controller.poses().snapshots().marks().shown, newest);
 }
 
 TEST(WindowPoses, LeaveNothingToCompareWhereTheOnlyOneIsTheShownPose)
 {
-    OpenWindow w;
-    w.openSample();
-    w.press(Qt::Key_R);
-    w.waitForRun();
+    SampleWindow w;
+    w.registerVessels();
     ASSERT_EQ(w.current().shown().snapshots.size(), 1u);
     w.press(Qt::Key_Y);
     EXPECT_FALSE(w.controller.poses().snapshots().marks().shown);
@@ -107,12 +96,10 @@ QTreeWidgetItem* itemNamed(QTreeWidget& list, const QString& name)
 
 TEST(WindowPoses, RestoresRenamesAndDeletesFromTheList)
 {
-    OpenWindow w;
-    w.openSample();
+    SampleWindow w;
     const core::RigidTransform start = w.current().shown().cameraFromPatient;
     w.press(Qt::Key_K);
-    w.press(Qt::Key_R);
-    w.waitForRun();
+    w.registerVessels();
     ASSERT_GT(test::distance(w.current().shown().cameraFromPatient, start), 1e-3);
     QTreeWidget& list = *w.window.snapshots().list();
     list.setFocus();
@@ -142,8 +129,7 @@ TEST(WindowPoses, RestoresRenamesAndDeletesFromTheList)
 
 TEST(WindowPoses, RunsSeveralMethodsIntoTheTable)
 {
-    OpenWindow w;
-    w.openSample();
+    SampleWindow w;
     const core::RigidTransform before = w.current().shown().cameraFromPatient;
     w.press(Qt::Key_K, Qt::ShiftModifier);
     ui::PoseTable* table = w.controller.poses().table().table();
@@ -158,7 +144,7 @@ TEST(WindowPoses, RunsSeveralMethodsIntoTheTable)
         }
     }
     ASSERT_TRUE(w.controller.poses().table().isRunning());
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !w.controller.poses().table().isRunning(); }, test::patienceMs));
+    ASSERT_TRUE(test::waitFor([&] { return !w.controller.poses().table().isRunning(); }));
 
     ASSERT_EQ(w.current().shown().snapshots.size(), 2u);
     EXPECT_EQ(w.current().shown().snapshots[0].method, "angiopose");
@@ -171,18 +157,14 @@ TEST(WindowPoses, RunsSeveralMethodsIntoTheTable)
 
 TEST(WindowPoses, SurviveSavingAndReopening)
 {
-    OpenWindow w;
-    w.openSample();
-    w.press(Qt::Key_R);
-    w.waitForRun();
+    SampleWindow w;
+    w.registerVessels();
     w.press(Qt::Key_K);
     const test::TemporaryFolder folder;
     const QString path = QString::fromStdString(folder.file("poses.angiopose"));
-    bool isSaved = false;
-    w.controller.saving().saveTo(path, [&isSaved] { isSaved = true; });
-    ASSERT_TRUE(QTest::qWaitFor([&] { return isSaved; }, test::patienceMs));
+    ASSERT_TRUE(w.saveCase(path));
 
-    OpenWindow again;
+    test::OpenWindow again;
     again.drop({path});
     ASSERT_EQ(again.current().shown().snapshots.size(), 2u);
     EXPECT_EQ(again.current().shown().snapshots[1].name, w.current().shown().snapshots[1].name);
@@ -194,8 +176,7 @@ TEST(WindowPoses, SurviveSavingAndReopening)
 
 TEST(WindowPoses, AreWrittenInTheTonesOfTheThemeAfterItChanged)
 {
-    OpenWindow w;
-    w.openSample();
+    SampleWindow w;
     w.window.actions()[ui::Command::TakeSnapshot]->trigger();
     QTreeWidget* list = w.window.findChild<ui::SnapshotPanel*>()->list();
     ASSERT_GE(list->topLevelItemCount(), 1);

@@ -5,7 +5,6 @@
 
 #include <QClipboard>
 #include <QLabel>
-#include <QLineEdit>
 #include <QMenu>
 #include <QTreeWidget>
 
@@ -13,6 +12,7 @@ namespace angiopose::app {
 namespace {
 
 using test::OpenWindow;
+using test::SampleWindow;
 
 /// The list of keyboard shortcuts with the row of a command selected.
 struct OpenSheet {
@@ -135,8 +135,7 @@ void dragDown(QWidget& view, Qt::MouseButton button, Qt::KeyboardModifiers modif
 
 TEST_F(WindowPreferences, TheMouseFollowsThePreset)
 {
-    OpenWindow w;
-    w.openSample();
+    SampleWindow w;
     ui::AngiogramView& view = w.window.angiogramView();
     const auto level = [&view] { return view.shownRange().level(); };
 
@@ -164,8 +163,7 @@ TEST_F(WindowPreferences, TheMouseFollowsThePreset)
 
 TEST_F(WindowPreferences, ARightClickOpensAMenuARightDragDoesNot)
 {
-    OpenWindow w;
-    w.openSample();
+    SampleWindow w;
     ui::AngiogramView& view = w.window.angiogramView();
     dragDown(view, Qt::RightButton);
     EXPECT_FALSE(w.window.findChild<QMenu*>(QStringLiteral("contextMenu")));

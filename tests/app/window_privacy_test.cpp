@@ -9,7 +9,6 @@
 #include <QDirIterator>
 #include <QListWidget>
 #include <QPlainTextEdit>
-#include <QStandardPaths>
 
 #include <filesystem>
 
@@ -17,6 +16,7 @@ namespace angiopose::app {
 namespace {
 
 using test::OpenWindow;
+using test::SampleWindow;
 namespace fs = std::filesystem;
 
 QString ofTest(const std::string& path)
@@ -31,8 +31,7 @@ protected:
     {
         fs::create_directories(folder.file("PLANTED folder"));
         casePath = ofTest(folder.file("PLANTED folder/PLANTEDcase.angiopose"));
-        OpenWindow w;
-        w.openSample();
+        SampleWindow w;
         auto planted = w.current();
         planted.title = "PLANTED title";
         w.controller.document().replace(planted, {});
@@ -41,12 +40,7 @@ protected:
     }
     ~WindowPrivacy() override { settings::privateMode.write(false); }
 
-    void save(OpenWindow& w) const
-    {
-        bool isSaved = false;
-        w.controller.saving().saveTo(casePath, [&isSaved] { isSaved = true; });
-        EXPECT_TRUE(QTest::qWaitFor([&] { return isSaved; }, test::patienceMs));
-    }
+    void save(OpenWindow& w) const { EXPECT_TRUE(w.saveCase(casePath)); }
 
     /// Files in this user's settings, cache, data and state folders that contain the word in their content or name.
     static QStringList traces(const QByteArray& word)
@@ -65,7 +59,6 @@ protected:
         return found;
     }
 
-    /// A typical session: opens, edits, autosaves, exports, saves and closes a case.
     void session() const
     {
         OpenWindow w;
@@ -142,7 +135,7 @@ TEST_F(WindowPrivacy, SupportBundleIsShownAndNamesNobody)
     w.waitForJudgement();
     w.window.strip().remember(QStringLiteral("Written: %1, Opened of Dr Unheardof").arg(casePath));
     w.window.actions()[ui::Command::SupportBundle]->trigger();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return w.dialogs("supportDialog").size() == 1; }, test::patienceMs));
+    ASSERT_TRUE(test::waitFor([&] { return w.dialogs("supportDialog").size() == 1; }));
     QDialog* dialog = w.dialogs("supportDialog").front();
     auto* names = dialog->findChild<QListWidget*>();
     QString all;
@@ -171,7 +164,7 @@ TEST_F(WindowPrivacy, AuditFileSaysWhatWasOpenedAndWritten)
         return lines.find("\"opened\"") != std::string::npos && lines.find("\"exported\"") != std::string::npos &&
                lines.find("\"saved\"") != std::string::npos;
     };
-    EXPECT_TRUE(QTest::qWaitFor(hasAll, test::patienceMs)) << text();
+    EXPECT_TRUE(test::waitFor(hasAll)) << text();
     EXPECT_NE(text().find("exported.tfm\",\"sha256\""), std::string::npos) << text();
 }
 
@@ -188,7 +181,7 @@ TEST(WindowFaults, AreToldOnceWithThePlaceOfTheDump)
         EXPECT_TRUE(w.window.faultBar().isVisible());
         EXPECT_TRUE(w.window.faultBar().findChild<QLabel*>()->text().contains(dump));
         emit w.window.faultBar().bundleRequested();
-        EXPECT_TRUE(QTest::qWaitFor([&] { return w.dialogs("supportDialog").size() == 1; }, test::patienceMs));
+        EXPECT_TRUE(test::waitFor([&] { return w.dialogs("supportDialog").size() == 1; }));
     }
     OpenWindow again;
     again.controller.begin({});
@@ -200,15 +193,14 @@ TEST(WindowDeidentify, WritesFilesAndListsWhatItRefused)
 {
     const test::TemporaryFolder folder;
     test::writeText(folder.file("letter.txt"), "Dear Jane Doe");
-    OpenWindow w;
-    w.openSample();
+    SampleWindow w;
     w.window.actions()[ui::Command::DeidentifyFiles]->trigger();
     ASSERT_EQ(w.dialogs("deidentifyDialog").size(), 1);
     auto* dialog = static_cast<ui::DeidentifyDialog*>(w.dialogs("deidentifyDialog").front());
     dialog->addPaths({ofTest(w.current().shown().imageFile.path), ofTest(folder.file("letter.txt"))});
     dialog->setOutputFolder(ofTest(folder.file("out")));
     OpenWindow::clickButton(dialog, QStringLiteral("Write"));
-    ASSERT_TRUE(QTest::qWaitFor([&] { return w.dialogs("messageDialog").size() == 1; }, test::patienceMs));
+    ASSERT_TRUE(test::waitFor([&] { return w.dialogs("messageDialog").size() == 1; }));
     EXPECT_TRUE(fs::exists(folder.file("out/series-1/00001.dcm")));
     EXPECT_FALSE(w.controller.isBusy());
 }

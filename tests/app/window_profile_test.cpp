@@ -11,8 +11,6 @@
 namespace angiopose::app {
 namespace {
 
-using test::OpenWindow;
-
 class WindowProfile : public ::testing::Test {
 protected:
     void SetUp() override
@@ -32,7 +30,7 @@ protected:
         return *std::ranges::max_element(w.current().vessels.tree->branches, {}, &core::VesselBranch::lengthMm);
     }
 
-    OpenWindow w;
+    test::OpenWindow w;
 };
 
 TEST_F(WindowProfile, MeasuresTheBranchThatIsChosen)
@@ -96,8 +94,7 @@ TEST_F(WindowProfile, TablesAreWritten)
         const std::string text = test::readText(folder.file("branches.csv"));
         return static_cast<std::size_t>(std::ranges::count(text, '\n'));
     };
-    EXPECT_TRUE(
-        QTest::qWaitFor([&] { return lines() == w.current().vessels.tree->branches.size() + 1; }, test::patienceMs));
+    EXPECT_TRUE(test::waitFor([&] { return lines() == w.current().vessels.tree->branches.size() + 1; }));
 }
 
 }   // namespace

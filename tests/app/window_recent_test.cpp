@@ -1,6 +1,7 @@
 #include "app/files/recent_cases.h"
 #include "app/files/recent_controller.h"
 #include "tests/app/open_window.h"
+#include "tests/support/for_each.h"
 
 #include <QCheckBox>
 #include <QDir>
@@ -15,6 +16,7 @@ namespace angiopose::app {
 namespace {
 
 using test::OpenWindow;
+using test::SampleWindow;
 
 qsizetype picturesStored()
 {
@@ -36,7 +38,7 @@ QList<QPushButton*> recentButtons(const OpenWindow& w)
 void save(OpenWindow& w, const QString& path)
 {
     w.controller.saving().saveTo(path);
-    ASSERT_TRUE(QTest::qWaitFor([&w] { return !w.controller.saving().isSaving(); }, test::patienceMs));
+    ASSERT_TRUE(test::waitFor([&w] { return !w.controller.saving().isSaving(); }));
 }
 
 TEST(WindowRecent, ASavedCaseShowsItsPictureOnTheFirstPage)
@@ -45,8 +47,7 @@ TEST(WindowRecent, ASavedCaseShowsItsPictureOnTheFirstPage)
     const QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("seen.angiopose"));
     {
-        OpenWindow w;
-        w.openSample();
+        SampleWindow w;
         save(w, path);
     }
     const QImage picture = caseThumbnail(path);
@@ -58,14 +59,10 @@ TEST(WindowRecent, ASavedCaseShowsItsPictureOnTheFirstPage)
         const QList<QPushButton*> buttons = recentButtons(w);
         const QImage tile = buttons.isEmpty() ? QImage() : buttons.front()->icon().pixmap(44, 44).toImage();
         QSet<QRgb> colors;
-        for (int y = 0; y < tile.height(); ++y) {
-            for (int x = 0; x < tile.width(); ++x) {
-                colors.insert(tile.pixel(x, y));
-            }
-        }
+        test::forEachPixel(tile.width(), tile.height(), [&](int x, int y) { colors.insert(tile.pixel(x, y)); });
         return colors.size();
     };
-    EXPECT_TRUE(QTest::qWaitFor([&] { return colorsOfTile() > 100; }, test::patienceMs)) << "a picture, not a tile";
+    EXPECT_TRUE(test::waitFor([&] { return colorsOfTile() > 100; })) << "a picture, not a tile";
     ASSERT_FALSE(recentButtons(w).isEmpty());
     EXPECT_EQ(recentButtons(w).front()->text(), QStringLiteral("seen.angiopose"));
 }
@@ -75,8 +72,7 @@ TEST(WindowRecent, ClearingTheListRemovesThePicturesAndKeepsTheCase)
     forgetRecentCases();
     const QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("kept.angiopose"));
-    OpenWindow w;
-    w.openSample();
+    SampleWindow w;
     save(w, path);
     EXPECT_GT(picturesStored(), 0);
     QMenu* menu = w.window.actions().recentMenu();
@@ -94,8 +90,7 @@ TEST(WindowRecent, APictureGoesWhenItsCaseLeavesTheList)
 {
     forgetRecentCases();
     const QTemporaryDir folder;
-    OpenWindow w;
-    w.openSample();
+    SampleWindow w;
     const QString first = folder.filePath(QStringLiteral("first.angiopose"));
     save(w, first);
     ASSERT_FALSE(caseThumbnail(first).isNull());
@@ -122,8 +117,7 @@ TEST(WindowRecent, WhatIsMissingIsToldAndTheRestOpens)
     const QString gone = folder.filePath(QStringLiteral("gone.angiopose"));
     const QString torn = folder.filePath(QStringLiteral("torn.angiopose"));
     {
-        OpenWindow w;
-        w.openSample();
+        SampleWindow w;
         save(w, torn);
     }
     QFile saved(torn);
@@ -145,13 +139,10 @@ TEST(WindowRecent, WhatIsMissingIsToldAndTheRestOpens)
         }
         return texts;
     };
-    EXPECT_TRUE(QTest::qWaitFor(
-        [&] {
-            return labels().mid(0, 2) == QStringList{QStringLiteral("gone.angiopose (missing) -"),
-                                                     QStringLiteral("torn.angiopose (inputs missing)")};
-        },
-        test::patienceMs))
-        << labels().join(u'|').toStdString();
+    EXPECT_TRUE(test::waitFor([&] {
+        return labels().mid(0, 2) == QStringList{QStringLiteral("gone.angiopose (missing) -"),
+                                                 QStringLiteral("torn.angiopose (inputs missing)")};
+    })) << labels().join(u'|').toStdString();
 }
 
 TEST(WindowRecent, CasesArePinnedRemovedAndSearched)
@@ -162,12 +153,10 @@ TEST(WindowRecent, CasesArePinnedRemovedAndSearched)
     }
     OpenWindow w;
     QWidget* pin = nullptr;
-    ASSERT_TRUE(QTest::qWaitFor(
-        [&] { return (pin = childNamed(w, QStringLiteral("Pin case6.angiopose (missing)"))) != nullptr; },
-        test::patienceMs));
+    ASSERT_TRUE(test::waitFor(
+        [&] { return (pin = childNamed(w, QStringLiteral("Pin case6.angiopose (missing)"))) != nullptr; }));
     QTest::mouseClick(pin, Qt::LeftButton);
-    EXPECT_TRUE(QTest::qWaitFor([] { return recentCases().front().endsWith(QStringLiteral("case6.angiopose")); },
-                                test::patienceMs));
+    EXPECT_TRUE(test::waitFor([] { return recentCases().front().endsWith(QStringLiteral("case6.angiopose")); }));
     for (int i = 10; i < 60; ++i) {
         rememberCase(QStringLiteral("/nowhere/other%1.angiopose").arg(i));
     }
@@ -176,9 +165,8 @@ TEST(WindowRecent, CasesArePinnedRemovedAndSearched)
     QWidget* remove = childNamed(w, QStringLiteral("Remove case7.angiopose (missing) from the list"));
     ASSERT_TRUE(remove);
     QTest::mouseClick(remove, Qt::LeftButton);
-    EXPECT_TRUE(QTest::qWaitFor(
-        [&] { return !childNamed(w, QStringLiteral("Remove case7.angiopose (missing) from the list")); },
-        test::patienceMs));
+    EXPECT_TRUE(test::waitFor(
+        [&] { return !childNamed(w, QStringLiteral("Remove case7.angiopose (missing) from the list")); }));
 
     QWidget* search = childNamed(w, QStringLiteral("Search recent cases"));
     ASSERT_TRUE(search);
@@ -198,8 +186,7 @@ TEST(WindowRecent, PicturesAreSwitchedOff)
     forgetRecentCases();
     const QTemporaryDir folder;
     {
-        OpenWindow w;
-        w.openSample();
+        SampleWindow w;
         save(w, folder.filePath(QStringLiteral("seen.angiopose")));
         EXPECT_GT(picturesStored(), 0);
     }
@@ -209,7 +196,7 @@ TEST(WindowRecent, PicturesAreSwitchedOff)
             QTest::mouseClick(box, Qt::LeftButton, {}, {8, box->height() / 2});
         }
     }
-    EXPECT_TRUE(QTest::qWaitFor([] { return picturesStored() == 0; }, test::patienceMs));
+    EXPECT_TRUE(test::waitFor([] { return picturesStored() == 0; }));
     w.openSample();
     save(w, folder.filePath(QStringLiteral("unseen.angiopose")));
     EXPECT_EQ(picturesStored(), 0);
@@ -238,21 +225,18 @@ TEST(WindowRecent, ADriveThatDoesNotAnswerKeepsNobodyWaiting)
     const auto isKnown = [&w](const QString& label) {
         return std::ranges::any_of(recentButtons(w), [&](QPushButton* button) { return button->text() == label; });
     };
-    EXPECT_TRUE(
-        QTest::qWaitFor([&] { return isKnown(QStringLiteral("there.angiopose (missing)")); }, test::patienceMs));
+    EXPECT_TRUE(test::waitFor([&] { return isKnown(QStringLiteral("there.angiopose (missing)")); }));
     EXPECT_TRUE(isKnown(QStringLiteral("drive.angiopose"))) << "not known yet: it can be tried";
 
     answer.set_value();
-    EXPECT_TRUE(
-        QTest::qWaitFor([&] { return isKnown(QStringLiteral("drive.angiopose (missing)")); }, test::patienceMs));
+    EXPECT_TRUE(test::waitFor([&] { return isKnown(QStringLiteral("drive.angiopose (missing)")); }));
     forgetRecentCases();
 }
 
 /// Compares gray values along a row near the top of the thumbnail, where burned-in names are.
 TEST(WindowRecent, LettersInTheImageAreNotInThePicture)
 {
-    OpenWindow w;
-    w.openSample();
+    SampleWindow w;
     const core::Angiogram& run = *w.current().shown().angiogram;
     const QTemporaryDir folder;
     const auto store = [&](const QString& name, const QString& letters) {
@@ -270,13 +254,11 @@ TEST(WindowRecent, LettersInTheImageAreNotInThePicture)
         painter.setPen(Qt::white);
         painter.drawText(frame.width / 20, frame.height / 8, letters);
         painter.end();
-        for (int y = 0; y < frame.height; ++y) {
-            for (int x = 0; x < frame.width; ++x) {
-                if (qGray(text.pixel(x, y)) > 127) {
-                    frame.at(x, y) = white;
-                }
+        test::forEachPixel(frame.width, frame.height, [&](int x, int y) {
+            if (qGray(text.pixel(x, y)) > 127) {
+                frame.at(x, y) = white;
             }
-        }
+        });
         core::Case pictured = w.current();
         pictured.shown().angiogram = std::make_shared<const core::Angiogram>(std::move(written));
         const QString path = folder.filePath(name);
@@ -286,11 +268,9 @@ TEST(WindowRecent, LettersInTheImageAreNotInThePicture)
     const QImage named = store(QStringLiteral("named"), QStringLiteral("DOE JOHN 1950"));
     const QImage nameless = store(QStringLiteral("nameless"), {});
     int brighter = 0;
-    for (int y = 0; y < named.height() / 6; ++y) {
-        for (int x = 0; x < named.width(); ++x) {
-            brighter += qGray(named.pixel(x, y)) > qGray(nameless.pixel(x, y)) + 60 ? 1 : 0;
-        }
-    }
+    test::forEachPixel(named.width(), named.height() / 6, [&](int x, int y) {
+        brighter += qGray(named.pixel(x, y)) > qGray(nameless.pixel(x, y)) + 60 ? 1 : 0;
+    });
     EXPECT_LT(brighter, 20) << "the name would cover some hundred pixels";
     forgetRecentCases();
 }

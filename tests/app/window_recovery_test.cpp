@@ -21,8 +21,7 @@ class CrashedSessions {
 public:
     CrashedSessions()
     {
-        OpenWindow w;
-        w.openSample();
+        test::SampleWindow w;
         saved_ = QString::fromStdString(folder_.file("study.angiopose"));
         save(w, saved_);
         w.press(Qt::Key_N);
@@ -59,12 +58,7 @@ private:
         origin.write(text);
     }
 
-    static void save(OpenWindow& w, const QString& path)
-    {
-        bool isSaved = false;
-        w.controller.saving().saveTo(path, [&isSaved] { isSaved = true; });
-        EXPECT_TRUE(QTest::qWaitFor([&] { return isSaved; }, test::patienceMs));
-    }
+    static void save(OpenWindow& w, const QString& path) { EXPECT_TRUE(w.saveCase(path)); }
 
     test::TemporaryFolder folder_;
     QString saved_;
@@ -91,12 +85,11 @@ TEST(WindowRecovery, OpensTheChosenCopyUnderTheNameOfItsCase)
 
     OpenWindow::clickButton(dialog, QStringLiteral("Recover"));
 
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !w.controller.isLoading() && !w.controller.document().isEmpty(); },
-                                test::patienceMs));
+    ASSERT_TRUE(test::waitFor([&] { return !w.controller.isLoading() && !w.controller.document().isEmpty(); }));
     EXPECT_LT(test::distance(w.current().shown().cameraFromPatient, crashed.pose()), 1e-9);
     EXPECT_EQ(w.controller.document().path(), crashed.saved());   // Save writes to the original file
     EXPECT_TRUE(w.controller.document().isModified());
-    ASSERT_TRUE(QTest::qWaitFor([] { return !QFile::exists(CrashedSessions::copyOf(1)); }, test::patienceMs));
+    ASSERT_TRUE(test::waitFor([] { return !QFile::exists(CrashedSessions::copyOf(1)); }));
     EXPECT_TRUE(QFile::exists(CrashedSessions::copyOf(2)));   // no decision was made about the other copy
 }
 
@@ -130,10 +123,8 @@ TEST(WindowRecovery, OpensACaseWhoseInputsHaveMoved)
     wanted.vessels.file.path = tree.string();
     wanted.shown().imageFile.path = image.string();
     w.controller.document().push(addInputs(w.controller.document(), wanted, [] { return QStringLiteral("move"); }));
-    bool isSaved = false;
     const QString path = QString::fromStdString((home / "moved.angiopose").string());
-    w.controller.saving().saveTo(path, [&isSaved] { isSaved = true; });
-    ASSERT_TRUE(QTest::qWaitFor([&] { return isSaved; }, test::patienceMs));
+    ASSERT_TRUE(w.saveCase(path));
     fs::create_directories(home / "below");
     fs::rename(tree, home / "below" / ("another-name" + tree.extension().string()));
     fs::rename(image, home / "below" / image.filename());

@@ -18,7 +18,6 @@ namespace {
 
 using test::OpenWindow;
 
-/// Fixture: writes reports through the menu and the file dialog.
 class WindowReport : public ::testing::Test {
 protected:
     ui::ReportDialog* asked()
@@ -52,8 +51,7 @@ protected:
 TEST_F(WindowReport, HoldsPictureResultGeometryAndInputs)
 {
     w.openSample();
-    w.press(Qt::Key_R);
-    w.waitForRun();
+    w.registerVessels();
     w.waitForJudgement();
     ASSERT_TRUE(w.current().shown().result);
     const QByteArray text = written("report.html");
@@ -75,8 +73,7 @@ TEST_F(WindowReport, HoldsPictureResultGeometryAndInputs)
 TEST_F(WindowReport, TellsTheFiguresOfTheFrameItShows)
 {
     w.openSample();
-    w.press(Qt::Key_R);
-    w.waitForRun();
+    w.registerVessels();
     w.waitForJudgement();
     const int foundIn = w.current().shown().frame;
     const double thereMm = w.current().shown().result->metrics.medianMm;
@@ -133,7 +130,7 @@ TEST_F(WindowReport, HasAPartForEveryViewInTheTypefaceOfTheWindow)
     w.waitForJudgement();
     w.drop({QString::fromStdString(test::dataFile("coronary-phantom-xa/views-A/IM3.dcm").string())});
     OpenWindow::clickButton(w.dialogs("viewQuestion").front(), QStringLiteral("Add as a view"));
-    ASSERT_TRUE(QTest::qWaitFor([this] { return w.current().views.size() == 2; }, test::patienceMs));
+    ASSERT_TRUE(test::waitFor([this] { return w.current().views.size() == 2; }));
     const QByteArray page = written("two.html");
     EXPECT_EQ(page.count("base64,"), 3) << "an overlay each, and the mark";
     EXPECT_TRUE(page.contains("1 · ")) << "numbered as the strip numbers them";
@@ -154,7 +151,6 @@ TEST_F(WindowReport, NamesThePatientOnlyWhereThatIsWanted)
     EXPECT_TRUE(written("named.html", ui::Toggle::On).contains("fantom as"));
 }
 
-/// Fixture: reports from a user's own template, with a logo next to it.
 class WindowReportTemplate : public WindowReport {
 protected:
     void SetUp() override
@@ -268,11 +264,10 @@ TEST_F(WindowReportTemplate, AReportWithoutItsTemplateIsNotWrittenAndSaysWhy)
     OpenWindow::clickButton(asked(), QStringLiteral("Export…"));
     const QString path = folder.filePath(QStringLiteral("report.html"));
     QFileDialog* files = nullptr;
-    ASSERT_TRUE(
-        QTest::qWaitFor([&] { return (files = w.window.findChild<QFileDialog*>()) != nullptr; }, test::patienceMs));
+    ASSERT_TRUE(test::waitFor([&] { return (files = w.window.findChild<QFileDialog*>()) != nullptr; }));
     files->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"))->setText(path);
     QTest::mouseClick(files->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Save), Qt::LeftButton);
-    ASSERT_TRUE(QTest::qWaitFor([this] { return !w.dialogs("messageDialog").isEmpty(); }, test::patienceMs));
+    ASSERT_TRUE(test::waitFor([this] { return !w.dialogs("messageDialog").isEmpty(); }));
     bool isNamed = false;
     for (const QLabel* label : w.dialogs("messageDialog").front()->findChildren<QLabel*>()) {
         isNamed |= label->text().contains(QStringLiteral("gone.html"));

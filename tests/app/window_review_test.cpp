@@ -10,12 +10,11 @@
 namespace angiopose::app {
 namespace {
 
-using test::OpenWindow;
+using test::SampleWindow;
 
 TEST(WindowReview, ZoomsToTheWorstBranchAndSelectsIt)
 {
-    OpenWindow w;
-    w.openSample();
+    SampleWindow w;
     const double fitted = w.window.angiogramView().zoom();
     const auto& branches = w.controller.evaluation()->result.branches;
     const auto worst = std::ranges::max_element(branches, {}, &core::BranchResidual::medianPx);
@@ -32,12 +31,10 @@ TEST(WindowReview, ZoomsToTheWorstBranchAndSelectsIt)
 
 TEST(WindowReview, ReplaysARunWithoutTouchingTheCase)
 {
-    OpenWindow w;
-    w.openSample();
+    SampleWindow w;
     w.press(Qt::Key_P);   // no registration yet
     EXPECT_FALSE(w.window.actions()[ui::Command::Replay]->isChecked());
-    w.press(Qt::Key_R);
-    w.waitForRun();
+    w.registerVessels();
     ASSERT_TRUE(w.current().shown().result);
     const core::RigidTransform found = w.current().shown().cameraFromPatient;
     const int history = w.history().count();
@@ -46,15 +43,14 @@ TEST(WindowReview, ReplaysARunWithoutTouchingTheCase)
 
     EXPECT_TRUE(w.window.actions()[ui::Command::Replay]->isChecked());
     QAction* replay = w.window.actions()[ui::Command::Replay];
-    EXPECT_TRUE(QTest::qWaitFor([replay] { return !replay->isChecked(); }, test::patienceMs));
+    EXPECT_TRUE(test::waitFor([replay] { return !replay->isChecked(); }));
     EXPECT_EQ(test::distance(w.current().shown().cameraFromPatient, found), 0.0);
     EXPECT_EQ(w.history().count(), history);
 }
 
 TEST(WindowReview, SwingsUntilEscapeAndEndsOtherMotions)
 {
-    OpenWindow w;
-    w.openSample();
+    SampleWindow w;
     w.press(Qt::Key_F);
     w.press(Qt::Key_U);
     EXPECT_TRUE(w.window.actions()[ui::Command::Swing]->isChecked());
@@ -67,30 +63,25 @@ TEST(WindowReview, SwingsUntilEscapeAndEndsOtherMotions)
 
 TEST(WindowReview, AReplayThatEndsASwingGoesOn)
 {
-    OpenWindow w;
-    w.openSample();
-    w.press(Qt::Key_R);
-    w.waitForRun();
+    SampleWindow w;
+    w.registerVessels();
     QAction* swing = w.window.actions()[ui::Command::Swing];
     QAction* replay = w.window.actions()[ui::Command::Replay];
-    ASSERT_TRUE(QTest::qWaitFor(
-        [&] {
-            w.press(Qt::Key_U);
-            return swing->isChecked();   // works once the uncertainty is known
-        },
-        test::patienceMs));
+    ASSERT_TRUE(test::waitFor([&] {
+        w.press(Qt::Key_U);
+        return swing->isChecked();   // works once the uncertainty is known
+    }));
     w.press(Qt::Key_P);
     EXPECT_FALSE(swing->isChecked());
     EXPECT_TRUE(replay->isChecked());
     EXPECT_EQ(w.controller.preview().shown(), PreviewSource::Replay);
-    EXPECT_TRUE(QTest::qWaitFor([replay] { return !replay->isChecked(); }, test::patienceMs));   // the replay ended
+    EXPECT_TRUE(test::waitFor([replay] { return !replay->isChecked(); }));   // the replay ended
     EXPECT_FALSE(w.controller.preview().shown());
 }
 
 TEST(WindowReview, GoesFromSwipeToLensToNothing)
 {
-    OpenWindow w;
-    w.openSample();
+    SampleWindow w;
     const std::array order{ui::Cutout::Shape::RightOf, ui::Cutout::Shape::Disc, ui::Cutout::Shape::None};
     for (const ui::Cutout::Shape shape : order) {
         w.press(Qt::Key_S);
@@ -100,8 +91,7 @@ TEST(WindowReview, GoesFromSwipeToLensToNothing)
 
 TEST(WindowReview, ChangesContrastAroundTheSameLevel)
 {
-    OpenWindow w;
-    w.openSample();
+    SampleWindow w;
     ui::AngiogramView& view = w.window.angiogramView();
     const core::DisplayRange before = view.shownRange();
     w.press(Qt::Key_8);
@@ -117,8 +107,7 @@ TEST(WindowReview, ChangesContrastAroundTheSameLevel)
 
 TEST(WindowReview, CopiesThePoseAsAMatrix)
 {
-    OpenWindow w;
-    w.openSample();
+    SampleWindow w;
     w.press(Qt::Key_C, Qt::ControlModifier);
     const QStringList rows = QGuiApplication::clipboard()->text().split(QLatin1Char('\n'), Qt::SkipEmptyParts);
     ASSERT_EQ(rows.size(), 4);
@@ -134,8 +123,7 @@ TEST(WindowReview, CopiesThePoseAsAMatrix)
 
 TEST(WindowReview, SaysThatRegisterKeepsWhatIsLocked)
 {
-    OpenWindow w;
-    w.openSample();
+    SampleWindow w;
     const auto says = [&w] {
         const auto labels = w.window.registration().findChildren<QLabel*>();
         return std::ranges::any_of(labels, [](const QLabel* label) {
@@ -153,7 +141,7 @@ TEST(WindowReview, SaysThatRegisterKeepsWhatIsLocked)
 
 TEST(WindowReview, FindsKeysByTyping)
 {
-    OpenWindow w;
+    test::OpenWindow w;
     w.press(Qt::Key_F1, Qt::ControlModifier);
     ASSERT_EQ(w.dialogs("keySheet").size(), 1);
     const QDialog* sheet = w.dialogs("keySheet").front();
@@ -173,8 +161,7 @@ TEST(WindowReview, FindsKeysByTyping)
 
 TEST(WindowReview, ChoosesAuxiliaryBranchesByViewAndWidth)
 {
-    OpenWindow w;
-    w.openSample();
+    SampleWindow w;
     w.press(Qt::Key_V, Qt::ShiftModifier);
     const std::size_t half = (w.current().vessels.tree->branches.size() + 1) / 2;
     EXPECT_EQ(w.current().vessels.auxiliaryBranchIds.size(), half);

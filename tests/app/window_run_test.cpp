@@ -6,8 +6,8 @@ namespace angiopose::app {
 namespace {
 
 using test::OpenWindow;
+using test::SampleWindow;
 
-/// Makes the next registration so long that only a stop request ends it.
 void makeRunLong(OpenWindow& w)
 {
     core::RegistrationOptions options = w.current().options;
@@ -19,8 +19,7 @@ void makeRunLong(OpenWindow& w)
 
 TEST(WindowRun, RegistersByKeyAsOneStepOfUndo)
 {
-    OpenWindow w;
-    w.openSample();
+    SampleWindow w;
     const core::RigidTransform start = w.current().shown().cameraFromPatient;
 
     w.press(Qt::Key_R);
@@ -37,8 +36,7 @@ TEST(WindowRun, RegistersByKeyAsOneStepOfUndo)
 
 TEST(WindowRun, KeepsWhatIsLocked)
 {
-    OpenWindow w;
-    w.openSample();
+    SampleWindow w;
     w.press(Qt::Key_N);
     w.press(Qt::Key_PageUp);
     w.press(Qt::Key_Left, Qt::AltModifier);
@@ -49,8 +47,7 @@ TEST(WindowRun, KeepsWhatIsLocked)
     locks[static_cast<std::size_t>(ui::PoseAxis::LaoRao)] = true;
     w.controller.pose().setLocks(locks);
 
-    w.press(Qt::Key_R);
-    w.waitForRun();
+    w.registerVessels();
 
     ASSERT_TRUE(w.current().shown().result);
     const core::PoseOffset after = *w.controller.pose().currentOffset();
@@ -61,8 +58,7 @@ TEST(WindowRun, KeepsWhatIsLocked)
 
 TEST(WindowRun, StopsAndKeepsAPoseThatCanBeUndone)
 {
-    OpenWindow w;
-    w.openSample();
+    SampleWindow w;
     makeRunLong(w);
     const int steps = w.history().count();
     w.press(Qt::Key_R);
@@ -79,8 +75,7 @@ TEST(WindowRun, StopsAndKeepsAPoseThatCanBeUndone)
 
 TEST(WindowRun, RefusesEditsMeanwhile)
 {
-    OpenWindow w;
-    w.openSample();
+    SampleWindow w;
     makeRunLong(w);
     const int frame = w.current().shown().frame;
     w.press(Qt::Key_R);
@@ -97,8 +92,7 @@ TEST(WindowRun, RefusesEditsMeanwhile)
 
 TEST(WindowRun, AsksOnceWhenClosedAndStopsSafely)
 {
-    OpenWindow w;
-    w.openSample();
+    SampleWindow w;
     makeRunLong(w);
     w.press(Qt::Key_R);
     ASSERT_TRUE(w.controller.registration().isRunning());
@@ -109,7 +103,7 @@ TEST(WindowRun, AsksOnceWhenClosedAndStopsSafely)
     EXPECT_TRUE(w.window.isVisible());
     OpenWindow::clickButton(w.dialogs("closeQuestion").front(), QStringLiteral("Stop and close"));
 
-    EXPECT_TRUE(QTest::qWaitFor([&w] { return !w.window.isVisible(); }, test::patienceMs));
+    EXPECT_TRUE(test::waitFor([&w] { return !w.window.isVisible(); }));
     EXPECT_FALSE(w.controller.registration().isRunning());
     EXPECT_TRUE(w.dialogs("closeQuestion").isEmpty());
 }

@@ -2,6 +2,7 @@
 #include "io/vessel_tree_file.h"
 #include "io/volume_file.h"
 #include "tests/app/open_window.h"
+#include "tests/support/for_each.h"
 #include "tests/support/forked_vessel.h"
 
 #include <QCheckBox>
@@ -39,7 +40,7 @@ protected:
     void answer(const QString& verb)
     {
         OpenWindow::clickButton(w.dialogs("scanQuestion").front(), verb);
-        EXPECT_TRUE(QTest::qWaitFor([this] { return !w.controller.isLoading(); }, test::patienceMs));
+        EXPECT_TRUE(test::waitFor([this] { return !w.controller.isLoading(); }));
         w.window.activateWindow();   // there is no window manager to do it
         EXPECT_TRUE(QTest::qWaitForWindowActive(&w.window));
     }
@@ -74,14 +75,10 @@ TEST_F(WindowScanBeside, OrItsVesselsAreTraced)
 core::Volume faintScan()
 {
     core::Volume scan = test::forkScan();
-    for (int k = 0; k < scan.geometry.size.z(); ++k) {
-        for (int j = 0; j < scan.geometry.size.y(); ++j) {
-            for (int i = 0; i < scan.geometry.size.x(); ++i) {
-                const std::int16_t value = scan.at(i, j, k);
-                scan.at(i, j, k) = value > 60 ? static_cast<std::int16_t>(60 + (value - 60) / 10) : value;
-            }
-        }
-    }
+    test::forEachVoxel(scan.geometry.size, [&](int i, int j, int k) {
+        const std::int16_t value = scan.at(i, j, k);
+        scan.at(i, j, k) = value > 60 ? static_cast<std::int16_t>(60 + (value - 60) / 10) : value;
+    });
     return scan;
 }
 
@@ -103,7 +100,7 @@ TEST(WindowScanWithoutVessels, IsShownAndTracedByHand)
     ASSERT_TRUE(threshold->isVisible());
     threshold->setValue(70);
     w.window.actions()[ui::Command::TraceScan]->trigger();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return w.current().vessels.tree != nullptr; }, test::patienceMs));
+    ASSERT_TRUE(test::waitFor([&] { return w.current().vessels.tree != nullptr; }));
     EXPECT_EQ(test::endsOf(*w.current().vessels.tree), 3);
     EXPECT_EQ(w.current().vessels.input.kind, core::VesselInputKind::Volume);
     EXPECT_TRUE(w.current().vessels.file.path.ends_with("faint.nrrd"));

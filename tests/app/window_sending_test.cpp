@@ -8,10 +8,8 @@
 namespace angiopose::app {
 namespace {
 
-using test::Heartbeat;
 using test::OpenWindow;
 
-/// Fixture: sends the sample as DICOM objects to an archive.
 class WindowSending : public test::ArchiveWindow {
 protected:
     ui::SendDialog* asked()
@@ -28,7 +26,7 @@ protected:
             dialog = shown.isEmpty() ? nullptr : qobject_cast<ui::SendDialog*>(shown.front());
             return dialog && !dialog->nodes().node().isEmpty();
         };
-        EXPECT_TRUE(QTest::qWaitFor(isThere, test::patienceMs));
+        EXPECT_TRUE(test::waitFor(isThere));
         return dialog;
     }
 };
@@ -46,7 +44,7 @@ TEST_F(WindowSending, WhatIsPushedIsCountedAndOffered)
     auto* onOff = dialog->findChild<QCheckBox*>(QStringLiteral("receiveSwitch"));
     QTest::mouseClick(onOff, Qt::LeftButton, {}, {8, onOff->height() / 2});
     EXPECT_TRUE(onOff->isChecked());
-    EXPECT_TRUE(QTest::qWaitFor([&] { return !field->isEnabled(); }, test::patienceMs));
+    EXPECT_TRUE(test::waitFor([&] { return !field->isEnabled(); }));
     QTest::qWait(200);   // until the receiver listens
     io::ArchiveNode us = nodeAt(port);
     us.title = "ANGIOPOSE";
@@ -55,13 +53,12 @@ TEST_F(WindowSending, WhatIsPushedIsCountedAndOffered)
         report = io::sendToArchive(us, io::ArchiveProtocol::Dimse, test::writeObjects(folder, "2.25.4711.71", 3));
     });
     const auto* said = dialog->findChild<QLabel*>(QStringLiteral("receiveWords"));
-    EXPECT_TRUE(
-        QTest::qWaitFor([&] { return said->text() == QStringLiteral("Objects received: 3"); }, test::patienceMs));
+    EXPECT_TRUE(test::waitFor([&] { return said->text() == QStringLiteral("Objects received: 3"); }));
     peer.join();
     EXPECT_TRUE(report.isComplete()) << (report.end ? report.end->message.text() : std::string())
                                      << dialog->line().statusText().toStdString();
     QTest::mouseClick(onOff, Qt::LeftButton, {}, {8, onOff->height() / 2});
-    EXPECT_TRUE(QTest::qWaitFor([&] { return field->isEnabled(); }, test::patienceMs)) << "it is off";
+    EXPECT_TRUE(test::waitFor([&] { return field->isEnabled(); })) << "it is off";
 }
 
 TEST_F(WindowSending, ObjectsArriveAndAfterAFaultTheSameOnesGoAgain)
@@ -72,7 +69,7 @@ TEST_F(WindowSending, ObjectsArriveAndAfterAFaultTheSameOnesGoAgain)
     ui::SendDialog* dialog = asked();
     ASSERT_TRUE(dialog);
     EXPECT_TRUE(dialog->line().statusText().contains(QStringLiteral("sent to pacs")));
-    const Heartbeat beat;
+    const test::Heartbeat beat;
     OpenWindow::clickButton(dialog, QStringLiteral("Send"));
     const QString fault = statusText(dialog->line());
     EXPECT_TRUE(fault.contains(QStringLiteral("objects were delivered."))) << fault.toStdString();

@@ -44,7 +44,7 @@ TEST(WindowSeries, AFolderWithSeveralBesideAFileAsksAndTheChosenOneIsTraced)
     EXPECT_EQ(list->topLevelItem(0)->text(3), QStringLiteral("64 × 40 × 96"));
     EXPECT_FALSE(w.current().vessels.tree);
     OpenWindow::clickButton(asked.front(), QStringLiteral("Open"));
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !w.controller.isLoading(); }, test::patienceMs));
+    ASSERT_TRUE(test::waitFor([&] { return !w.controller.isLoading(); }));
 
     ASSERT_TRUE(w.current().vessels.tree);
     EXPECT_EQ(test::endsOf(*w.current().vessels.tree), 3);

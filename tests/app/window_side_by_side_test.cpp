@@ -15,7 +15,6 @@ namespace angiopose::app {
 namespace {
 
 using test::BesideWindow;
-using test::OpenWindow;
 using test::simulatedViews;
 
 TEST(WindowSideBySide, ShowsTheOtherViewWithItsOwnFrameGeometryAndPose)
@@ -47,7 +46,7 @@ TEST(WindowSideBySide, IsRememberedAndHasAButtonBesideTheSmallPictures)
     {
         BesideWindow w;
     }
-    OpenWindow again;
+    test::OpenWindow again;
     again.controller.document().replace(simulatedViews(), {});
     QApplication::processEvents();
     EXPECT_EQ(again.window.sideBySide().paneCount(), 1U);
@@ -63,8 +62,7 @@ TEST(WindowSideBySide, IsRememberedAndHasAButtonBesideTheSmallPictures)
 
 TEST(WindowSideBySide, OneViewSaysWhyNothingStandsBesideIt)
 {
-    OpenWindow w;
-    w.openSample();
+    test::SampleWindow w;
     w.press(Qt::Key_6);
     EXPECT_EQ(w.window.sideBySide().paneCount(), 0U);
     ASSERT_FALSE(w.window.strip().reported().all().empty());
@@ -159,7 +157,7 @@ TEST(WindowSideBySide, ColorsTellHowEachPoseAgreesWithItsOwnImage)
     const auto residuals = [&]() -> const std::map<int, std::vector<double>>& {
         return w.other().scene().content().residualPx;
     };
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !residuals().empty(); }, test::patienceMs));
+    ASSERT_TRUE(test::waitFor([&] { return !residuals().empty(); }));
     const core::View& second = w.current().views[1];
     const auto expectedAt = [&](const core::RigidTransform& pose) {
         const auto input = core::registrationInputOf(second, w.current().vessels, *second.target.centerline);
@@ -170,7 +168,7 @@ TEST(WindowSideBySide, ColorsTellHowEachPoseAgreesWithItsOwnImage)
 
     w.press(Qt::Key_N);
     w.press(Qt::Key_Right, Qt::ShiftModifier);
-    EXPECT_TRUE(QTest::qWaitFor([&] { return residuals() == expectedAt(w.poseOf(1)); }, test::patienceMs));
+    EXPECT_TRUE(test::waitFor([&] { return residuals() == expectedAt(w.poseOf(1)); }));
 }
 
 TEST(WindowSideBySide, EachHasItsOwnFrame)
@@ -255,12 +253,12 @@ TEST(WindowSideBySide, ViewsComeAndGoWithTheCase)
 TEST(WindowSideBySide, NothingOfAClosedCaseIsKept)
 {
     BesideWindow w;
-    ASSERT_TRUE(QTest::qWaitFor([&w] { return !w.other().scene().content().residualPx.empty(); }, test::patienceMs));
+    ASSERT_TRUE(test::waitFor([&w] { return !w.other().scene().content().residualPx.empty(); }));
     const std::weak_ptr<const core::VesselTree> tree = w.current().vessels.tree;
     const std::weak_ptr<const core::Angiogram> other = w.current().views[1].angiogram;
     w.controller.document().replace({}, {});
     EXPECT_EQ(w.images().paneCount(), 0U);
-    EXPECT_TRUE(QTest::qWaitFor([&] { return tree.expired() && other.expired(); }, test::patienceMs))
+    EXPECT_TRUE(test::waitFor([&] { return tree.expired() && other.expired(); }))
         << tree.use_count() << " " << other.use_count();
 }
 

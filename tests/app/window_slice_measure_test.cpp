@@ -4,7 +4,6 @@
 #include "io/measurement_table.h"
 #include "tests/app/scan_window.h"
 #include "ui/panels/measure_panel.h"
-#include "ui/slices/corner_views.h"
 
 #include <QTreeWidget>
 
@@ -13,7 +12,6 @@ namespace {
 
 using core::BodyPlane;
 
-/// Fixture: the window with a scan, and helpers that measure in its slices.
 class WindowSliceMeasure : public test::ScanWindow {
 protected:
     const std::vector<core::SliceMeasurement>& measurements() { return w.current().vessels.measurements; }

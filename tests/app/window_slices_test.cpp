@@ -1,13 +1,12 @@
 #include "app/document/edit_case.h"
 #include "app/files/sample_case.h"
 #include "tests/app/scan_window.h"
+#include "tests/support/for_each.h"
 #include "ui/slices/corner_views.h"
 #include "ui/views/scan_bar.h"
 
-#include <QCheckBox>
 #include <QDir>
 #include <QFileInfo>
-#include <QListWidget>
 #include <QSignalSpy>
 #include <QSlider>
 #include <QToolButton>
@@ -20,7 +19,6 @@ namespace {
 using core::BodyPlane;
 using WindowSlices = test::ScanWindow;
 
-/// Fixture: the 3-D view of a traced scan.
 class WindowScanIn3d : public test::ScanWindow {
 protected:
     WindowScanIn3d() { forget(); }
@@ -34,7 +32,6 @@ protected:
 
     ui::TreeView& tree() { return w.window.treeView(); }
     ui::ScanBar& bar() { return w.window.corner().scanBar(); }
-    /// Waits until drawing has finished and returns the image.
     QImage settled()
     {
         for (int seen = -1; seen != tree().renderCount();) {
@@ -46,11 +43,8 @@ protected:
     static int differentPixels(const QImage& a, const QImage& b)
     {
         int count = 0;
-        for (int y = 0; y < a.height(); ++y) {
-            for (int x = 0; x < a.width(); ++x) {
-                count += std::abs(qGray(a.pixel(x, y)) - qGray(b.pixel(x, y))) > 12;
-            }
-        }
+        test::forEachPixel(a.width(), a.height(),
+                           [&](int x, int y) { count += std::abs(qGray(a.pixel(x, y)) - qGray(b.pixel(x, y))) > 12; });
         return count;
     }
 };
@@ -77,12 +71,11 @@ TEST_F(WindowSlices, MakeRoomForAnAngiogramThatIsOpened)
     ASSERT_TRUE(sample);
     w.drop({QFileInfo(sample.value()).dir().filePath(QStringLiteral("run.dcm"))});
     EXPECT_TRUE(
-        QTest::qWaitFor([this] { return w.current().shown().angiogram || w.dialogs("patientQuestion").size() == 1; },
-                        test::patienceMs));
+        test::waitFor([this] { return w.current().shown().angiogram || w.dialogs("patientQuestion").size() == 1; }));
     for (QDialog* question : w.dialogs("patientQuestion")) {   // the scan is of another patient
         test::OpenWindow::clickButton(question, QStringLiteral("Open anyway"));
     }
-    ASSERT_TRUE(QTest::qWaitFor([this] { return w.current().shown().angiogram != nullptr; }, test::patienceMs));
+    ASSERT_TRUE(test::waitFor([this] { return w.current().shown().angiogram != nullptr; }));
     QApplication::processEvents();
     EXPECT_FALSE(w.window.slicesPage().isVisible());
     EXPECT_TRUE(w.window.angiogramView().isVisible());
@@ -217,7 +210,7 @@ TEST_F(WindowScanIn3d, ShowsTheScanBehindTheVesselsAndLetsGoOfIt)
     EXPECT_FALSE(bar().findChild<QSlider*>()->isVisible());
     w.press(Qt::Key_3, Qt::ControlModifier);
     ASSERT_TRUE(w.window.actions()[ui::Command::ScanIn3d]->isChecked());
-    ASSERT_TRUE(QTest::qWaitFor([this] { return w.controller.scan().isShown(); }, test::patienceMs));
+    ASSERT_TRUE(test::waitFor([this] { return w.controller.scan().isShown(); }));
     const QImage vessels = settled();
     EXPECT_GT(differentPixels(without, vessels), 100);
     EXPECT_TRUE(bar().findChild<QSlider*>()->isVisible());

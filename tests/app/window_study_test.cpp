@@ -18,13 +18,11 @@ using test::OpenWindow;
 ui::StudyBrowser* browserOf(OpenWindow& w)
 {
     ui::StudyBrowser* browser = nullptr;
-    EXPECT_TRUE(QTest::qWaitFor(
-        [&] {
-            const auto shown = w.dialogs("studyBrowser");
-            browser = shown.isEmpty() ? nullptr : qobject_cast<ui::StudyBrowser*>(shown.front());
-            return browser != nullptr;
-        },
-        test::patienceMs));
+    EXPECT_TRUE(test::waitFor([&] {
+        const auto shown = w.dialogs("studyBrowser");
+        browser = shown.isEmpty() ? nullptr : qobject_cast<ui::StudyBrowser*>(shown.front());
+        return browser != nullptr;
+    }));
     if (browser) {
         browser->activateWindow();
         EXPECT_TRUE(QTest::qWaitForWindowActive(browser, test::patienceMs));
@@ -52,8 +50,7 @@ void clickTick(ui::StudyList& list, QTreeWidgetItem* item)
 
 bool isOpened(OpenWindow& w)
 {
-    return QTest::qWaitFor([&] { return !w.controller.isLoading() && w.current().shown().angiogram; },
-                           test::patienceMs);
+    return test::waitFor([&] { return !w.controller.isLoading() && w.current().shown().angiogram; });
 }
 
 TEST(WindowStudy, ADiscIsListedWithPicturesAndReasons)
@@ -85,8 +82,7 @@ TEST(WindowStudy, ADiscIsListedWithPicturesAndReasons)
         }
         return tones.size() > 3;
     };
-    EXPECT_TRUE(QTest::qWaitFor([&] { return isDrawn(itemOf(list, QStringLiteral("CTA 0.75"))); }, test::patienceMs))
-        << "its middle slice";
+    EXPECT_TRUE(test::waitFor([&] { return isDrawn(itemOf(list, QStringLiteral("CTA 0.75"))); })) << "its middle slice";
     QTreeWidgetItem* report = nullptr;
     for (QTreeWidgetItemIterator at(&list); *at; ++at) {
         report = (*at)->text(2) == QStringLiteral("SR") ? *at : report;
@@ -126,7 +122,7 @@ TEST(WindowStudy, TheKeyboardAloneOpensACase)
     ui::StudyBrowser* browser = browserOf(w);
     ASSERT_TRUE(browser);
     ui::StudyList& list = browser->list();
-    EXPECT_TRUE(QTest::qWaitFor([&list] { return list.hasFocus(); }, test::patienceMs));
+    EXPECT_TRUE(test::waitFor([&list] { return list.hasFocus(); }));
 
     list.setCurrentItem(itemOf(list, QStringLiteral("CTA 0.75")));
     QTest::keyClick(&list, Qt::Key_Space);
@@ -164,8 +160,7 @@ TEST(WindowStudy, FurtherRunsBecomeViews)
 
     OpenWindow::clickButton(browser, QStringLiteral("Open"));
 
-    EXPECT_TRUE(
-        QTest::qWaitFor([&] { return w.current().views.size() == 2 && !w.controller.isLoading(); }, test::patienceMs));
+    EXPECT_TRUE(test::waitFor([&] { return w.current().views.size() == 2 && !w.controller.isLoading(); }));
     EXPECT_TRUE(w.current().vessels.tree);
 }
 
@@ -247,7 +242,7 @@ TEST(WindowStudy, SearchAndHiddenIdentity)
 
     QTest::keyClick(browser, Qt::Key_F, Qt::ControlModifier);
     auto* search = browser->findChild<QLineEdit*>();
-    ASSERT_TRUE(QTest::qWaitFor([search] { return search->hasFocus(); }, test::patienceMs));
+    ASSERT_TRUE(test::waitFor([search] { return search->hasFocus(); }));
     QTest::keyClicks(search, QStringLiteral("4711"));
     EXPECT_TRUE(itemOf(list, QStringLiteral("Roe Richard")));
     EXPECT_FALSE(itemOf(list, QStringLiteral("Phantom CT")));
@@ -291,8 +286,8 @@ TEST(WindowStudy, WhatLiesBesideADicomdirIsOfferedAndDamagedFilesAreNamed)
 
     OpenWindow::clickButton(browser, QStringLiteral("Also read them"));
 
-    EXPECT_TRUE(QTest::qWaitFor([&] { return browser->list().seriesCount() == 4; }, test::patienceMs));
-    EXPECT_TRUE(QTest::qWaitFor([&] { return !w.controller.isLoading(); }, test::patienceMs));
+    EXPECT_TRUE(test::waitFor([&] { return browser->list().seriesCount() == 4; }));
+    EXPECT_TRUE(test::waitFor([&] { return !w.controller.isLoading(); }));
     OpenWindow::clickButton(browser, QStringLiteral("Damaged files: 1"));
     const auto* damaged = browser->findChild<QPlainTextEdit*>();
     EXPECT_TRUE(damaged->isVisible());
@@ -325,7 +320,7 @@ TEST(WindowStudy, ThousandsOfFilesLeaveTheWindowFreeAndStopKeepsWhatWasFound)
             QTest::mouseClick(button, Qt::LeftButton);
         }
     }
-    EXPECT_TRUE(QTest::qWaitFor([&] { return !w.controller.isLoading(); }, test::patienceMs));
+    EXPECT_TRUE(test::waitFor([&] { return !w.controller.isLoading(); }));
 
     EXPECT_GT(browser->list().seriesCount(), 0);
     EXPECT_LT(longestMs, 1500) << "showing the window itself takes a while under a software renderer";

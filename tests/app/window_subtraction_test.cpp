@@ -1,17 +1,13 @@
-#include "io/case/case_file.h"
 #include "tests/app/open_window.h"
 #include "tests/support/temporary_folder.h"
 #include "ui/plots/frame_bars.h"
 #include "ui/plots/opacification_plot.h"
 
-#include <QCheckBox>
 #include <QComboBox>
 #include <QWheelEvent>
 
 namespace angiopose::app {
 namespace {
-
-using test::OpenWindow;
 
 class WindowSubtraction : public ::testing::Test {
 protected:
@@ -22,14 +18,12 @@ protected:
         stored = w.current().shown().angiogram;
         w.window.angiogramPanel().setFolded(false);
         // The strip accepts clicks once the run has been measured.
-        ASSERT_TRUE(
-            QTest::qWaitFor([this] { return bars().cursor().shape() == Qt::PointingHandCursor; }, test::patienceMs));
+        ASSERT_TRUE(test::waitFor([this] { return bars().cursor().shape() == Qt::PointingHandCursor; }));
     }
 
     bool waitForRun()
     {
-        return QTest::qWaitFor([this] { return !w.controller.angiogram().subtraction().isComputing(); },
-                               test::patienceMs);
+        return test::waitFor([this] { return !w.controller.angiogram().subtraction().isComputing(); });
     }
     ui::FrameBars& bars() { return *w.window.findChild<ui::FrameBars*>(); }
     QPoint onBar(int frame)
@@ -50,7 +44,7 @@ protected:
         ASSERT_TRUE(waitForRun());
     }
 
-    OpenWindow w;
+    test::OpenWindow w;
     std::shared_ptr<const core::Angiogram> stored;
 };
 
@@ -90,8 +84,7 @@ TEST_F(WindowSubtraction, OneKeySwitchesToAndFro)
 TEST_F(WindowSubtraction, TheShownPictureIsTheOneTraced)
 {
     markFirstFrames();
-    ASSERT_TRUE(QTest::qWaitFor([this] { return w.controller.target().current() || w.controller.target().problem(); },
-                                test::patienceMs));
+    ASSERT_TRUE(test::waitFor([this] { return w.controller.target().current() || w.controller.target().problem(); }));
     const auto expected = core::targetOf(w.current().shown());
     ASSERT_EQ(expected ? true : false, w.controller.target().current() != nullptr);
     if (expected) {
@@ -105,14 +98,12 @@ TEST_F(WindowSubtraction, ArrowsMoveTheMaskAndRestingTakesIt)
     const auto steps = w.history().count();
     w.press(Qt::Key_B, Qt::ShiftModifier);
     EXPECT_TRUE(w.window.actions()[ui::Command::ShiftMask]->isChecked());
-    ASSERT_TRUE(
-        QTest::qWaitFor([this] { return !w.controller.angiogram().subtraction().isFindingShift(); }, test::patienceMs));
+    ASSERT_TRUE(test::waitFor([this] { return !w.controller.angiogram().subtraction().isFindingShift(); }));
     const core::RigidTransform pose = w.current().shown().cameraFromPatient;
     w.press(Qt::Key_Right);
     w.press(Qt::Key_Right);
     w.press(Qt::Key_Down, Qt::ShiftModifier);
-    ASSERT_TRUE(QTest::qWaitFor([this] { return w.current().shown().treatment.plan.maskShiftPx.has_value(); },
-                                test::patienceMs));
+    ASSERT_TRUE(test::waitFor([this] { return w.current().shown().treatment.plan.maskShiftPx.has_value(); }));
     EXPECT_EQ(w.history().count(), steps + 1) << "a burst of keys is one step";
     EXPECT_LT(test::distance(w.current().shown().cameraFromPatient, pose), 1e-12) << "the arrows were not nudges";
     core::SubtractionPlan byItself = w.current().shown().treatment.plan;
@@ -169,9 +160,7 @@ TEST_F(WindowSubtraction, SurvivesSavingAndReopening)
     markFirstFrames();
     const test::TemporaryFolder folder;
     const std::string path = folder.file("case.angiopose");
-    bool isSaved = false;
-    w.controller.saving().saveTo(QString::fromStdString(path), [&isSaved] { isSaved = true; });
-    ASSERT_TRUE(QTest::qWaitFor([&isSaved] { return isSaved; }, test::patienceMs));
+    ASSERT_TRUE(w.saveCase(QString::fromStdString(path)));
     const auto picture = shownPicture().pixels;
     w.drop({QString::fromStdString(path)});
     EXPECT_TRUE(w.current().shown().treatment.isSubtracted);
@@ -181,7 +170,7 @@ TEST_F(WindowSubtraction, SurvivesSavingAndReopening)
 
 TEST_F(WindowSubtraction, TracingFollowsItsNumbers)
 {
-    ASSERT_TRUE(QTest::qWaitFor([this] { return w.controller.target().current() != nullptr; }, test::patienceMs));
+    ASSERT_TRUE(test::waitFor([this] { return w.controller.target().current() != nullptr; }));
     const auto before = w.controller.target().current();
     ui::NumberField* sensitivity = nullptr;
     for (auto* field : w.window.angiogramPanel().findChildren<ui::NumberField*>()) {
@@ -194,8 +183,7 @@ TEST_F(WindowSubtraction, TracingFollowsItsNumbers)
     QTest::keyClick(sensitivity, Qt::Key_Return);
     EXPECT_DOUBLE_EQ(w.current().shown().traceOptions.sensitivity, 2.5);
     ASSERT_TRUE(
-        QTest::qWaitFor([&] { return w.controller.target().current() && w.controller.target().current() != before; },
-                        test::patienceMs));
+        test::waitFor([&] { return w.controller.target().current() && w.controller.target().current() != before; }));
     w.press(Qt::Key_Z, Qt::ControlModifier);
     EXPECT_EQ(w.controller.target().current(), before) << "remembered";
 }
@@ -222,7 +210,7 @@ TEST_F(WindowSubtraction, ARunThatIsLeftWhileItIsSubtractedIsLetGo)
     ASSERT_TRUE(w.controller.angiogram().subtraction().isComputing());
     const std::weak_ptr<const core::Angiogram> run = std::exchange(stored, nullptr);
     w.controller.document().replace({}, {});
-    EXPECT_TRUE(QTest::qWaitFor([&] { return run.expired(); }, test::patienceMs)) << run.use_count();
+    EXPECT_TRUE(test::waitFor([&] { return run.expired(); })) << run.use_count();
     EXPECT_FALSE(w.controller.angiogram().subtraction().isComputing());
 }
 

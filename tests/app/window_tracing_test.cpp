@@ -5,7 +5,6 @@
 
 #include <QCheckBox>
 #include <QListWidget>
-#include <QSignalSpy>
 #include <QSlider>
 #include <QToolButton>
 

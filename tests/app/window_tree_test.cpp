@@ -17,11 +17,8 @@ namespace {
 
 using test::OpenWindow;
 
-/// Fixture: the sample case and its branch list.
 class WindowTree : public ::testing::Test {
 protected:
-    void SetUp() override { w.openSample(); }
-
     QListView& list() { return *w.window.branches().list(); }
     const core::VesselTree& tree() { return *w.current().vessels.tree; }
     int idAt(std::size_t index) { return tree().branches[index].id; }
@@ -32,7 +29,7 @@ protected:
     }
     QString rowText(int row) { return list().model()->index(row, 0).data().toString(); }
 
-    OpenWindow w;
+    test::SampleWindow w;
 };
 
 TEST_F(WindowTree, DeletesBranchesWithTheirMarksAndBringsThemBack)
@@ -68,8 +65,7 @@ TEST_F(WindowTree, NeverDeletesEverything)
 
 TEST_F(WindowTree, DropsTheResultButKeepsAMovedPose)
 {
-    w.press(Qt::Key_R);
-    w.waitForRun();
+    w.registerVessels();
     ASSERT_TRUE(w.current().shown().result);
     const core::RigidTransform pose = w.current().shown().cameraFromPatient;
     select({idAt(tree().branches.size() - 1)});
@@ -108,8 +104,7 @@ TEST_F(WindowTree, CutsJoinsAndSmooths)
 
 TEST_F(WindowTree, RenamesInTheListAndKeepsTheResult)
 {
-    w.press(Qt::Key_R);
-    w.waitForRun();
+    w.registerVessels();
     const int id = idAt(2);
     select({id});
     press(Qt::Key_F2);
@@ -197,7 +192,7 @@ TEST_F(WindowTree, AdvisesHowToMendABrokenTree)
     select({middle});
     press(Qt::Key_Delete);
     ASSERT_EQ(tree().branches.size(), keptAlive->branches.size() + 1);
-    ASSERT_TRUE(QTest::qWaitFor(isBroken, test::patienceMs));
+    ASSERT_TRUE(test::waitFor(isBroken));
 
     press(Qt::Key_G, Qt::ControlModifier);
     EXPECT_TRUE(w.history().undoText().startsWith(QStringLiteral("Join")));
@@ -244,7 +239,7 @@ TEST_F(WindowTree, EditsSurviveSavingAndReopening)
     const core::VesselTree edited = tree();
     const QString path = folder.filePath(QStringLiteral("edited.angiopose"));
     w.controller.saving().saveTo(path);
-    ASSERT_TRUE(QTest::qWaitFor([this] { return !w.controller.document().isModified(); }, test::patienceMs));
+    ASSERT_TRUE(test::waitFor([this] { return !w.controller.document().isModified(); }));
     w.press(Qt::Key_Z, Qt::ControlModifier);
     w.history().setClean();
 

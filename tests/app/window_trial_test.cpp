@@ -3,7 +3,6 @@
 #include "tests/support/temporary_folder.h"
 
 #include <QFile>
-#include <QLabel>
 
 namespace angiopose::app {
 namespace {
@@ -25,8 +24,7 @@ QByteArrayList linesOf(const QString& path)
 void prepare(OpenWindow& w)
 {
     w.openSample();
-    w.press(Qt::Key_R);
-    w.waitForRun();
+    w.registerVessels();
     w.press(Qt::Key_K);
 }
 
@@ -84,14 +82,14 @@ TEST(WindowTrial, LogsTheTrialAndGivesTheCaseBack)
     EXPECT_EQ(test::distance(w.current().shown().cameraFromPatient, before), 0.0);
     EXPECT_EQ(test::distance(core::initialPoseOf(w.current()).value(), start), 0.0);
     EXPECT_TRUE(w.current().shown().result);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return w.current().shown().snapshots.size() == known + 1; }, test::patienceMs));
+    ASSERT_TRUE(test::waitFor([&] { return w.current().shown().snapshots.size() == known + 1; }));
     const core::PoseSnapshot& observed = w.current().shown().snapshots.back();
     EXPECT_EQ(observed.author, "Ada");
     EXPECT_TRUE(observed.metrics);
     EXPECT_EQ(test::distance(observed.cameraFromPatient, final), 0.0);
     EXPECT_EQ(w.history().index(), step + 1);
     EXPECT_FALSE(w.history().canRedo());
-    ASSERT_TRUE(QTest::qWaitFor([&] { return linesOf(setup.logPath).size() == 2; }, test::patienceMs));
+    ASSERT_TRUE(test::waitFor([&] { return linesOf(setup.logPath).size() == 2; }));
     EXPECT_TRUE(linesOf(setup.logPath)[1].contains(",Ada,"));
     EXPECT_TRUE(linesOf(setup.logPath)[1].contains(",2,done,"));   // two edits
     EXPECT_TRUE(w.window.result().isVisible());
@@ -113,7 +111,7 @@ TEST(WindowTrial, StartsAlikeForTheSameSeedAndLeavesNothingWhenAbandoned)
     EXPECT_EQ(test::distance(w.current().shown().cameraFromPatient, first), 0.0);
     w.controller.poses().blindTrial().abandon();
     EXPECT_EQ(w.current().shown().snapshots.size(), known);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return linesOf(setupIn(folder).logPath).size() == 3; }, test::patienceMs));
+    ASSERT_TRUE(test::waitFor([&] { return linesOf(setupIn(folder).logPath).size() == 3; }));
     EXPECT_TRUE(linesOf(setupIn(folder).logPath)[2].contains(",abandoned,"));
 }
 

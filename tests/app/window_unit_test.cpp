@@ -52,7 +52,7 @@ TEST(WindowUnit, IsAskedWhereASurfaceIsTooSmallForMillimeters)
     const QList<QDialog*> asked = w.dialogs("unitQuestion");
     ASSERT_EQ(asked.size(), 1);
     OpenWindow::clickButton(asked.front(), QStringLiteral("m: 240 mm across"));
-    ASSERT_TRUE(QTest::qWaitFor([&w] { return w.current().vessels.tree != nullptr; }, test::patienceMs));
+    ASSERT_TRUE(test::waitFor([&w] { return w.current().vessels.tree != nullptr; }));
     double lengthMm = 0.0;
     for (const core::VesselBranch& branch : w.current().vessels.tree->branches) {
         lengthMm += branch.lengthMm();
@@ -83,7 +83,6 @@ TEST(WindowUnit, NothingOpensWhereNobodyKnowsIt)
     EXPECT_FALSE(w.controller.isLoading());
 }
 
-/// Writes a centerline of 20 points along x as a plain table.
 QString writeLine(const QTemporaryDir& folder, double length)
 {
     QByteArray text;
@@ -106,7 +105,7 @@ TEST(WindowUnit, IsAskedForCenterlinesTooAndEnterTakesTheLikeliest)
     ASSERT_EQ(w.dialogs("unitQuestion").size(), 1);
     ASSERT_TRUE(w.dialogs("unitQuestion").front()->focusWidget());
     QTest::keyClick(w.dialogs("unitQuestion").front()->focusWidget(), Qt::Key_Return);
-    ASSERT_TRUE(QTest::qWaitFor([&w] { return w.current().vessels.tree != nullptr; }, test::patienceMs));
+    ASSERT_TRUE(test::waitFor([&w] { return w.current().vessels.tree != nullptr; }));
     EXPECT_NEAR(w.current().vessels.tree->branches.front().lengthMm(), 180.0, 1e-6);
     EXPECT_EQ(w.current().vessels.input.unitMm, 1000.0);
 }

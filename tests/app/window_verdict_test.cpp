@@ -1,6 +1,7 @@
 #include "app/document/edit_case.h"
 #include "core/messages/messages.h"
 #include "tests/app/open_window.h"
+#include "tests/support/for_each.h"
 #include "tests/support/temporary_folder.h"
 #include "ui/views/verdict_chip.h"
 
@@ -10,6 +11,7 @@ namespace angiopose::app {
 namespace {
 
 using test::OpenWindow;
+using test::SampleWindow;
 using ui::VerdictTone;
 
 ui::VerdictChip& chipOf(OpenWindow& w)
@@ -17,7 +19,6 @@ ui::VerdictChip& chipOf(OpenWindow& w)
     return *w.window.angiogramView().findChild<ui::VerdictChip*>();
 }
 
-/// Marks the result as unreliable and adds two warnings.
 void distrust(OpenWindow& w)
 {
     std::vector<core::View> views = w.current().views;
@@ -30,28 +31,24 @@ void distrust(OpenWindow& w)
     QApplication::processEvents();
 }
 
-/// True if the widget is completely visible on the screen.
 bool isInSight(OpenWindow& w, const QWidget& widget)
 {
     return widget.isVisible() && widget.visibleRegion().boundingRect().size() == widget.size() &&
            w.window.rect().contains(QRect(widget.mapTo(&w.window, QPoint(0, 0)), widget.size()));
 }
 
-/// Number of pixels of about that color on the image.
 int countOf(OpenWindow& w, const ui::Color& color)
 {
     const QImage shot = w.window.angiogramView().grab().toImage();
     int count = 0;
-    for (int y = 0; y < shot.height(); ++y) {
-        for (int x = 0; x < shot.width(); ++x) {
-            const QRgb pixel = shot.pixel(x, y);
-            count += std::abs(qRed(pixel) - color.red) + std::abs(qGreen(pixel) - color.green) +
-                                 std::abs(qBlue(pixel) - color.blue) <
-                             40
-                         ? 1
-                         : 0;
-        }
-    }
+    test::forEachPixel(shot.width(), shot.height(), [&](int x, int y) {
+        const QRgb pixel = shot.pixel(x, y);
+        count += std::abs(qRed(pixel) - color.red) + std::abs(qGreen(pixel) - color.green) +
+                             std::abs(qBlue(pixel) - color.blue) <
+                         40
+                     ? 1
+                     : 0;
+    });
     return count;
 }
 
@@ -64,24 +61,21 @@ double shareOfTone(OpenWindow& w, const ui::Color& tone)
     const QPoint at = chip.mapTo(&w.window, QPoint(0, 0));
     const QRect place(QPoint(qRound(at.x() * ratio), qRound(at.y() * ratio)), chip.size() * ratio);
     int count = 0;
-    for (int y = place.top(); y <= place.bottom(); ++y) {
-        for (int x = place.left(); x <= place.right(); ++x) {
-            const QColor pixel = shot.pixelColor(x, y);
-            count += std::abs(pixel.red() - tone.red) + std::abs(pixel.green() - tone.green) +
-                                 std::abs(pixel.blue() - tone.blue) <
-                             40
-                         ? 1
-                         : 0;
-        }
-    }
+    test::forEachPixel({place.left(), place.top()}, {place.right() + 1, place.bottom() + 1}, [&](int x, int y) {
+        const QColor pixel = shot.pixelColor(x, y);
+        count += std::abs(pixel.red() - tone.red) + std::abs(pixel.green() - tone.green) +
+                             std::abs(pixel.blue() - tone.blue) <
+                         40
+                     ? 1
+                     : 0;
+    });
     return static_cast<double>(count) / (1.0 * place.width() * place.height());
 }
 
 TEST(WindowVerdict, IsOnTheImageAtEverySizeOfTheWindowAfterGoodDoubtfulAndFailedFits)
 {
     const ui::Palette& tones = ui::palette(ui::ThemeMode::Dark);
-    OpenWindow w;
-    w.openSample();
+    SampleWindow w;
     const auto expectInSight = [&](VerdictTone tone, const ui::Color& color) {
         for (const QSize& size : {QSize(900, 560), QSize(1280, 720), QSize(1920, 1080)}) {
             w.window.resize(size / w.window.devicePixelRatio());
@@ -93,8 +87,7 @@ TEST(WindowVerdict, IsOnTheImageAtEverySizeOfTheWindowAfterGoodDoubtfulAndFailed
         }
     };
     expectInSight(VerdictTone::Doubtful, tones.attention);   // initial pose
-    w.press(Qt::Key_R);
-    w.waitForRun();
+    w.registerVessels();
     w.waitForJudgement();
     ASSERT_TRUE(w.current().shown().result->trustworthy);
     expectInSight(VerdictTone::Good, tones.fine);
@@ -105,11 +98,9 @@ TEST(WindowVerdict, IsOnTheImageAtEverySizeOfTheWindowAfterGoodDoubtfulAndFailed
 
 TEST(WindowVerdict, IsInSightInThePanelAfterARunWithoutScrolling)
 {
-    OpenWindow w;
-    w.openSample();
+    SampleWindow w;
     w.window.resize(QSize(1280, 720) / w.window.devicePixelRatio());
-    w.press(Qt::Key_R);
-    w.waitForRun();
+    w.registerVessels();
     w.waitForJudgement();
     QTest::qWait(50);   // the column scrolls after its layout
     const auto number = [&]() -> QLabel* {
@@ -134,11 +125,9 @@ TEST(WindowVerdict, IsInSightInThePanelAfterARunWithoutScrolling)
 
 TEST(WindowVerdict, OfAPoseThatIsLookedAtIsNotThatOfTheResult)
 {
-    OpenWindow w;
-    w.openSample();
+    SampleWindow w;
     w.press(Qt::Key_K);
-    w.press(Qt::Key_R);
-    w.waitForRun();
+    w.registerVessels();
     w.waitForJudgement();
     QApplication::processEvents();
     QTest::qWait(1000);   // residuals and texts of the whole tree arrive later
@@ -166,8 +155,7 @@ TEST(WindowVerdict, OfAPoseThatIsLookedAtIsNotThatOfTheResult)
 
 TEST(WindowVerdict, StaysOutOfSightInABlindTrial)
 {
-    OpenWindow w;
-    w.openSample();
+    SampleWindow w;
     ASSERT_TRUE(chipOf(w).isVisible());
     const test::TemporaryFolder folder;
     w.controller.poses().blindTrial().start({.observer = QStringLiteral("A"),

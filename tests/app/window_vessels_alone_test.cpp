@@ -1,6 +1,7 @@
 #include "app/files/autosave.h"
 #include "io/vessel_tree_file.h"
 #include "tests/app/open_window.h"
+#include "tests/support/for_each.h"
 
 #include <QDir>
 #include <QFile>
@@ -64,18 +65,15 @@ TEST_F(WindowVesselsAlone, AreOfferedAsCenterlinesWhereACaseCannotBeSaved)
     ASSERT_TRUE(kept) << kept.error().message;
     EXPECT_EQ(kept.value().branches.size(), 2U);
     EXPECT_EQ(kept.value().pointCount(), w.current().vessels.tree->pointCount());
-    EXPECT_TRUE(QTest::qWaitFor([this] { return !w.controller.saving().hasUnsavedWork(); }, test::patienceMs));
+    EXPECT_TRUE(test::waitFor([this] { return !w.controller.saving().hasUnsavedWork(); }));
 }
 
 TEST_F(WindowVesselsAlone, LeaveWordsWhereTheAngiogramWillBe)
 {
     const QImage seen = w.window.angiogramView().grab().toImage();
     int bright = 0;
-    for (int y = 0; y < seen.height(); ++y) {
-        for (int x = 0; x < seen.width(); ++x) {
-            bright += qGray(seen.pixel(x, y)) > 80 ? 1 : 0;
-        }
-    }
+    test::forEachPixel(seen.width(), seen.height(),
+                       [&](int x, int y) { bright += qGray(seen.pixel(x, y)) > 80 ? 1 : 0; });
     EXPECT_GT(bright, 200);
 }
 
@@ -95,14 +93,14 @@ TEST_F(WindowVesselsAlone, AreSavedWhenTheWindowIsClosed)
     ASSERT_EQ(w.dialogs("closeQuestion").size(), 1);
     OpenWindow::clickButton(w.dialogs("closeQuestion").front(), QStringLiteral("Save vessels and close"));
     nameThem();
-    EXPECT_TRUE(QTest::qWaitFor([this] { return !w.window.isVisible(); }, test::patienceMs));
+    EXPECT_TRUE(test::waitFor([this] { return !w.window.isVisible(); }));
 }
 
 TEST_F(WindowVesselsAlone, CloseWithoutAskingWhenTheyWereOnlyOpened)
 {
     w.window.close();
     EXPECT_TRUE(w.dialogs("closeQuestion").isEmpty());
-    EXPECT_TRUE(QTest::qWaitFor([this] { return !w.window.isVisible(); }, test::patienceMs));
+    EXPECT_TRUE(test::waitFor([this] { return !w.window.isVisible(); }));
 }
 
 TEST_F(WindowVesselsAlone, AreRecoveredAfterACrash)
@@ -113,7 +111,7 @@ TEST_F(WindowVesselsAlone, AreRecoveredAfterACrash)
     const QDir copies(QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) +
                       QStringLiteral("/autosave"));
     const QString own = copies.filePath(QStringLiteral("session-%1.vtp").arg(QCoreApplication::applicationPid()));
-    ASSERT_TRUE(QTest::qWaitFor([&own] { return QFile::exists(own); }, test::patienceMs));
+    ASSERT_TRUE(test::waitFor([&own] { return QFile::exists(own); }));
     const QString left = copies.filePath(QStringLiteral("session-999993.vtp"));   // as left by a crash
     ASSERT_TRUE(QFile::copy(own, left));
 
@@ -127,7 +125,7 @@ TEST_F(WindowVesselsAlone, AreRecoveredAfterACrash)
     list->setCurrentItem(rows.front());
     OpenWindow::clickButton(dialog, QStringLiteral("Recover"));
 
-    ASSERT_TRUE(QTest::qWaitFor([&again] { return again.current().vessels.tree != nullptr; }, test::patienceMs));
+    ASSERT_TRUE(test::waitFor([&again] { return again.current().vessels.tree != nullptr; }));
     EXPECT_EQ(again.current().vessels.tree->pointCount(), before.pointCount());
     EXPECT_FALSE(QFile::exists(left));
     EXPECT_TRUE(QFile::exists(QString::fromStdString(again.current().vessels.file.path)));

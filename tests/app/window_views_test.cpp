@@ -30,7 +30,6 @@ QListWidget& strip(OpenWindow& w)
     return *w.window.views().findChild<QListWidget*>();
 }
 
-/// Answers the question that appears when a second angiogram is dropped.
 void answer(OpenWindow& w, const QString& verb)
 {
     const auto questions = w.dialogs("viewQuestion");
@@ -69,8 +68,8 @@ TEST(WindowViews, ASecondAngiogramStandsBesideTheFirst)
     EXPECT_TRUE(w.window.views().isVisible());
     EXPECT_EQ(w.window.views().count(), 2);
     // The agreement of each view is computed automatically.
-    EXPECT_TRUE(QTest::qWaitFor(
-        [&] { return wordsOfLine(w, 0).contains("mm ·") && wordsOfLine(w, 1).contains("mm ·"); }, test::patienceMs));
+    EXPECT_TRUE(
+        test::waitFor([&] { return wordsOfLine(w, 0).contains("mm ·") && wordsOfLine(w, 1).contains("mm ·"); }));
     w.press(Qt::Key_Z, Qt::ControlModifier);
     EXPECT_EQ(w.current().views.size(), 1U);
     EXPECT_FALSE(w.window.views().isVisible());
@@ -81,15 +80,15 @@ TEST(WindowViews, NothingOfAClosedCaseIsKept)
     ANGIOPOSE_NEEDS_DATA("coronary-phantom-xa/cases");
     OpenWindow w;
     openBothViews(w);
-    ASSERT_TRUE(QTest::qWaitFor(
-        [&] { return wordsOfLine(w, 0).contains("mm ·") && wordsOfLine(w, 1).contains("mm ·"); }, test::patienceMs));
+    ASSERT_TRUE(
+        test::waitFor([&] { return wordsOfLine(w, 0).contains("mm ·") && wordsOfLine(w, 1).contains("mm ·"); }));
     const std::weak_ptr<const core::VesselTree> tree = w.current().vessels.tree;
     const std::weak_ptr<const core::Angiogram> own = w.current().shown().angiogram;
     const std::weak_ptr<const core::Angiogram> other = w.current().views[1].angiogram;
     ASSERT_FALSE(tree.expired() || own.expired() || other.expired());
     const core::Case nothing;
     w.controller.document().replace(nothing, {});
-    EXPECT_TRUE(QTest::qWaitFor([&] { return tree.expired() && own.expired() && other.expired(); }, test::patienceMs))
+    EXPECT_TRUE(test::waitFor([&] { return tree.expired() && own.expired() && other.expired(); }))
         << tree.use_count() << " " << own.use_count() << " " << other.use_count();
 }
 
@@ -138,8 +137,7 @@ TEST(WindowViews, RegisterFindsOnePoseForAllAndIsOneStep)
     OpenWindow w;
     openBothViews(w);
     const core::RigidTransform before = w.current().shown().cameraFromPatient;
-    w.press(Qt::Key_R);
-    w.waitForRun();
+    w.registerVessels();
     ASSERT_TRUE(w.current().shown().result);
     EXPECT_LT(w.current().shown().result->metrics.medianPx, 3.0);
     ASSERT_TRUE(w.current().views[1].result);
@@ -157,8 +155,7 @@ TEST(WindowViews, RegisterFindsOnePoseForAllAndIsOneStep)
     ASSERT_TRUE(together->isVisible());
     QTest::mouseClick(together, Qt::LeftButton, {}, {8, together->height() / 2});
     ASSERT_FALSE(together->isChecked());
-    w.press(Qt::Key_R);
-    w.waitForRun();
+    w.registerVessels();
     ASSERT_TRUE(w.current().shown().result);
     EXPECT_FALSE(w.current().views[1].result);
 }
@@ -195,7 +192,7 @@ TEST(WindowViews, ASavedCaseShowsThemAgain)
         openBothViews(w);
         otherPose = w.current().views[1].cameraFromPatient.matrix();
         w.controller.saving().saveTo(path);
-        EXPECT_TRUE(QTest::qWaitFor([&] { return !w.controller.document().isModified(); }, test::patienceMs));
+        EXPECT_TRUE(test::waitFor([&] { return !w.controller.document().isModified(); }));
     }
     OpenWindow again;
     again.drop({path});
@@ -221,7 +218,7 @@ TEST(WindowViews, KeepTheirNumbersWhereverTheyAreShownAndWhenReopened)
         EXPECT_EQ(w.current().shownView, 1U);
         EXPECT_EQ(wordsOfLine(w, 1).section(u'\n', 0, 0), names[1]);
         w.controller.saving().saveTo(path);
-        EXPECT_TRUE(QTest::qWaitFor([&] { return !w.controller.document().isModified(); }, test::patienceMs));
+        EXPECT_TRUE(test::waitFor([&] { return !w.controller.document().isModified(); }));
     }
     OpenWindow again;
     again.drop({path});
@@ -232,7 +229,6 @@ TEST(WindowViews, KeepTheirNumbersWhereverTheyAreShownAndWhenReopened)
     }
 }
 
-/// Texts of the result panel for the shown pose.
 QStringList wordsOfResult(OpenWindow& w)
 {
     QStringList words;
@@ -271,18 +267,17 @@ TEST(WindowViews, AReopenedCaseSaysOfItsFitWhatItSaidBefore)
     {
         OpenWindow w;
         openBothViews(w);
-        w.press(Qt::Key_R);
-        w.waitForRun();
-        EXPECT_TRUE(QTest::qWaitFor(isJudged(w), test::patienceMs));
+        w.registerVessels();
+        EXPECT_TRUE(test::waitFor(isJudged(w)));
         words = wordsOfResult(w);
         steps = stepsOf(w);
         results = {*w.current().views[0].result, *w.current().views[1].result};
         w.controller.saving().saveTo(path);
-        EXPECT_TRUE(QTest::qWaitFor([&] { return !w.controller.document().isModified(); }, test::patienceMs));
+        EXPECT_TRUE(test::waitFor([&] { return !w.controller.document().isModified(); }));
     }
     OpenWindow again;
     again.drop({path});
-    EXPECT_TRUE(QTest::qWaitFor(isJudged(again), test::patienceMs));
+    EXPECT_TRUE(test::waitFor(isJudged(again)));
     EXPECT_EQ(wordsOfResult(again).join(u'\n').toStdString(), words.join(u'\n').toStdString());
     EXPECT_EQ(stepsOf(again).join(u'\n').toStdString(), steps.join(u'\n').toStdString());
     for (std::size_t k = 0; k < 2; ++k) {
@@ -321,7 +316,7 @@ TEST(WindowViews, AViewKeepsTheNameThatTheUserGivesIt)
     EXPECT_EQ(w.current().views[1].name, "");
     w.press(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
     w.controller.saving().saveTo(path);
-    EXPECT_TRUE(QTest::qWaitFor([&] { return !w.controller.document().isModified(); }, test::patienceMs));
+    EXPECT_TRUE(test::waitFor([&] { return !w.controller.document().isModified(); }));
     OpenWindow again;
     again.drop({path});
     ASSERT_EQ(again.current().views.size(), 2U);
@@ -342,7 +337,7 @@ TEST(WindowViews, AViewThatHasMovedIsLookedForAndTheCaseOpensWithout)
         w.drop({image});
         answer(w, QStringLiteral("Add as a view"));
         w.controller.saving().saveTo(path);
-        EXPECT_TRUE(QTest::qWaitFor([&] { return !w.controller.document().isModified(); }, test::patienceMs));
+        EXPECT_TRUE(test::waitFor([&] { return !w.controller.document().isModified(); }));
     }
     ASSERT_TRUE(QFile::rename(image, elsewhere.filePath(QStringLiteral("renamed.dat"))));
     OpenWindow again;
@@ -350,7 +345,7 @@ TEST(WindowViews, AViewThatHasMovedIsLookedForAndTheCaseOpensWithout)
     const auto dialogs = again.dialogs("missingInputs");
     ASSERT_EQ(dialogs.size(), 1);
     OpenWindow::clickButton(dialogs.front(), QStringLiteral("Open anyway"));
-    EXPECT_TRUE(QTest::qWaitFor([&] { return again.current().shown().angiogram != nullptr; }, test::patienceMs));
+    EXPECT_TRUE(test::waitFor([&] { return again.current().shown().angiogram != nullptr; }));
     ASSERT_EQ(again.current().views.size(), 2U);   // stays in the case without its image
     EXPECT_FALSE(again.current().views[1].angiogram);
     EXPECT_TRUE(wordsOfLine(again, 1 - strip(again).currentRow()).contains("not found"));

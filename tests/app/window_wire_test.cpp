@@ -1,6 +1,5 @@
 #include "app/texts/pose_origin.h"
 #include "tests/app/open_window.h"
-#include "ui/actions/window_actions.h"
 #include "ui/panels/result_sentences.h"
 
 #include <QListWidget>
@@ -100,16 +99,14 @@ TEST(WindowWire, JudgesTheFollowedBranchesByTheWireThatIsKeptApart)
         w.controller.document().replace(wire, {});
     };
     show("angiopose");
-    EXPECT_TRUE(QTest::qWaitFor([&] { return residualPx() > 20.0; }, test::patienceMs)) << "a wire is no vessel";
+    EXPECT_TRUE(test::waitFor([&] { return residualPx() > 20.0; })) << "a wire is no vessel";
     show("wire");
-    EXPECT_TRUE(QTest::qWaitFor([&] { return residualPx() >= 0.0 && residualPx() < 2.0; }, test::patienceMs))
-        << residualPx();
+    EXPECT_TRUE(test::waitFor([&] { return residualPx() >= 0.0 && residualPx() < 2.0; })) << residualPx();
 }
 
 TEST(WindowWire, FollowsAWireOnRequest)
 {
-    OpenWindow w;
-    w.openSample();
+    test::SampleWindow w;
     core::Case wire = w.current();
     const core::ProjectionCamera camera = core::cameraOf(wire.shown()).value();
     const auto longest = std::ranges::max_element(wire.vessels.tree->branches, {}, &core::VesselBranch::lengthMm);
@@ -124,8 +121,7 @@ TEST(WindowWire, FollowsAWireOnRequest)
     wire.options.method = "wire";
     w.controller.document().replace(std::move(wire), {});
     w.waitForJudgement();
-    w.press(Qt::Key_R);
-    w.waitForRun();
+    w.registerVessels();
     ASSERT_TRUE(w.current().shown().result);
     EXPECT_EQ(w.current().shown().result->method, "wire");
     EXPECT_FALSE(w.current().shown().result->wirePaths.empty());

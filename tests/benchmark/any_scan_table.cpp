@@ -14,7 +14,6 @@
 #include "tests/support/tree_agreement.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <optional>
 
@@ -39,7 +38,6 @@ constexpr double besideMm = 1.5;   // distance of the root outside the artery
 
 enum class ObserverDecision { Right, Asked, Wrong };
 
-/// Outcome of tracing one scan.
 struct Outcome {
     ObserverDecision verdict = ObserverDecision::Wrong;
     double falseShare = 0.0;

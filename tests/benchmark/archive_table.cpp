@@ -5,6 +5,7 @@
 #include "tests/benchmark/arguments.h"
 #include "tests/benchmark/timing.h"
 #include "tests/io/archive/orthanc.h"
+#include "tests/support/for_each.h"
 #include "tests/support/temporary_folder.h"
 
 #include <cstdint>
@@ -12,7 +13,6 @@
 #include <filesystem>
 #include <functional>
 #include <string>
-#include <utility>
 #include <vector>
 
 // archive_table [--megabytes N] [--seed N] Sends simulated CT slices (2000 MB of them) to an Orthanc that it starts,
@@ -23,7 +23,6 @@
 
 using namespace angiopose;
 using namespace std::string_literals;
-using benchmarks::Timing;
 
 namespace {
 
@@ -37,17 +36,15 @@ std::vector<std::uint16_t> slicePixels(int index, std::uint64_t& state)
 {
     std::vector<std::uint16_t> pixels;
     pixels.reserve(std::size_t{side} * side);
-    for (int y = 0; y < side; ++y) {
-        for (int x = 0; x < side; ++x) {
-            state ^= state << 13U;
-            state ^= state >> 7U;
-            state ^= state << 17U;
-            const int dx = x - side / 2, dy = y - side / 2;
-            const bool isBody = dx * dx + 2 * dy * dy < 200 * 200;
-            const auto grain = static_cast<int>(state % 64U);
-            pixels.push_back(static_cast<std::uint16_t>((isBody ? 1060 + index % 40 : 24) + grain));
-        }
-    }
+    test::forEachPixel(side, side, [&](int x, int y) {
+        state ^= state << 13U;
+        state ^= state >> 7U;
+        state ^= state << 17U;
+        const int dx = x - side / 2, dy = y - side / 2;
+        const bool isBody = dx * dx + 2 * dy * dy < 200 * 200;
+        const auto grain = static_cast<int>(state % 64U);
+        pixels.push_back(static_cast<std::uint16_t>((isBody ? 1060 + index % 40 : 24) + grain));
+    });
     return pixels;
 }
 
@@ -123,7 +120,7 @@ struct Row {
     std::size_t objects = 0;
     std::uint64_t bytes = 0;
     int faults = 0;
-    Timing time{};
+    benchmarks::Timing time{};
     std::string problem{};
 };
 

@@ -18,14 +18,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <functional>
 #include <optional>
 
 using namespace angiopose;
 
 namespace {
-
-using core::fixedText;
 
 const char* const usage =
     "body_table [--seeds <n>] [--first <seed>] [--body <list>] [--asked <list>] [--save <folder>]\n"
@@ -38,7 +35,6 @@ const char* const usage =
 constexpr double widestCoronaryMm = 3.5;
 constexpr std::size_t clickedAfterMm = 10;   // distance along a coronary artery at which a user recognizes it
 
-/// One configuration of the tracing.
 struct Asking {
     const char* option;
     const char* name;
@@ -66,7 +62,7 @@ core::ResultTable tableOf()
 void addScores(core::ResultTable& table, const std::string& body, const Asking& asking, const Scores& scores)
 {
     const auto medianText = [](const std::vector<double>& values, int places) {
-        return values.empty() ? std::string("-") : fixedText(core::medianOf(values), places);
+        return values.empty() ? std::string("-") : core::fixedText(core::medianOf(values), places);
     };
     const auto scans = scores.overlap.size() + static_cast<std::size_t>(scores.refused);
     table.rows.push_back(

@@ -28,7 +28,6 @@ const char* const usage =
     "  --points <list>   points of the tree (500,2000,20000,200000)\n"
     "  --trials <n>      registrations for each (100)\n";
 
-/// Figures of one registration.
 struct Outcome {
     double errorMm = 0.0;   ///< mean reprojection distance over the tree
     double depthStdMm = 0.0;

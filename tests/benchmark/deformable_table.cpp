@@ -43,13 +43,11 @@ const std::vector<TrueMotion> motions{
     {Form::Field, 20, 2}, {Form::Field, 20, 3}, {Form::Field, 20, 5}, {Form::Breathing, 0, 10},
     {Form::Wire, 0, 6},   {Form::Waves, 40, 3}, {Form::Waves, 20, 2}, {Form::Half, 0, 8}};
 
-/// Errors of one answer.
 struct Errors {
     double mean = 0.0;
     double missing = 0.0;   ///< of branches that are unopacified in the images
 };
 
-/// Figures of one case.
 struct Outcome {
     Errors best, rigid, deformed;
     double coverage = 0.0;

@@ -9,7 +9,6 @@
 
 namespace angiopose::benchmarks {
 
-/// One view of a deformed tree.
 struct DeformedView {
     core::ProjectionCamera camera;
     core::RigidTransform truth;   ///< cameraFromPatient

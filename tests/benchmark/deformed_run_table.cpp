@@ -43,7 +43,6 @@ const std::vector<TrueMotion> motions{{Form::None, 0, 0},   {Form::Field, 40, 2}
                                       {Form::Field, 80, 3}, {Form::Waves, 40, 3}, {Form::Half, 0, 6},
                                       {Form::Wire, 0, 4}};
 
-/// Figures of one run.
 struct Outcome {
     double rigidMm = 0.0;
     double coldMm = 0.0;
@@ -58,7 +57,6 @@ struct Outcome {
     double periodOffS = -1.0;   ///< −1: none found
 };
 
-/// A tree and its pose as found in a frame.
 struct Found {
     core::VesselTree tree;
     core::RigidTransform pose;
@@ -141,13 +139,11 @@ void judgePeriod(const std::vector<core::TimedPose>& poses, const core::VesselTr
     }
 }
 
-/// The tracked vessels of a run, frame by frame.
 struct TrackedRun {
     std::vector<Found> frames;
     std::vector<core::TimedDeformation> deformations;   ///< of the frames that have one
 };
 
-/// Registers the rigid pose and deformation of the first frame.
 core::DeformableView registeredFirst(const DeformedCase& first, const DeformedFrame& frame)
 {
     core::RegistrationInput input = inputOf(first.tree, frame, first.views.front().nominal);

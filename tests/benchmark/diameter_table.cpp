@@ -3,7 +3,6 @@
 // the test set.
 
 #include "core/registration/matching/target_lines.h"
-#include "core/registration/registration.h"
 #include "core/simulation/form_dsa_frames.h"
 #include "core/support/format_number.h"
 #include "core/support/quantile.h"
@@ -22,7 +21,6 @@ using namespace angiopose;
 namespace {
 
 using namespace benchmarks;
-using core::fixedText;
 
 constexpr double goodMm = 2.0;
 constexpr double onVesselPx = 4.0;
@@ -37,7 +35,6 @@ const char* const usage =
     "  --trials <n>      for each tree (2)\n"
     "  --each            one line for each registration, too\n";
 
-/// One traced frame.
 struct TracedCase {
     ForeignCase asked;
     bool isTraced = false;
@@ -96,7 +93,6 @@ TracedCase tracedCase(ForeignCase asked, std::uint64_t seed)
     return result;
 }
 
-/// Diameters at the true pose.
 struct WidthsAtTruth {
     double scale = 0.0;   ///< median of the log of traced over expected diameter
     std::vector<double> off;   ///< deviation of each point from `scale`
@@ -153,7 +149,7 @@ void printWidths(const std::vector<WidthsAtTruth>& all)
     const auto five = [](const std::vector<double>& values) {
         std::string text;
         for (const double fraction : {0.05, 0.25, 0.5, 0.75, 0.95}) {
-            text += "  " + fixedText(core::quantile(values, fraction), 3);
+            text += "  " + core::fixedText(core::quantile(values, fraction), 3);
         }
         return text;
     };

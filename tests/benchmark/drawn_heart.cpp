@@ -2,6 +2,7 @@
 
 #include "core/support/random.h"
 #include "io/vessel_tree_file.h"
+#include "tests/support/for_each.h"
 #include "tests/support/test_data.h"
 
 #include <Eigen/Geometry>
@@ -27,16 +28,11 @@ std::vector<float> wallDistances(const core::VolumeGeometry& grid, const core::V
             const Eigen::Vector3d half = (radiusMm + reachMm) * grid.spacingMm.cwiseInverse();
             const Eigen::Vector3i low = (voxel - half).array().floor().cast<int>().max(0);
             const Eigen::Vector3i high = (voxel + half).array().ceil().cast<int>().min(grid.size.array() - 1);
-            for (int k = low.z(); k <= high.z(); ++k) {
-                for (int j = low.y(); j <= high.y(); ++j) {
-                    for (int i = low.x(); i <= high.x(); ++i) {
-                        const double away =
-                            (Eigen::Vector3d(i, j, k) - voxel).cwiseProduct(grid.spacingMm).norm() - radiusMm;
-                        float& kept = distances[grid.index(i, j, k)];
-                        kept = std::min(kept, static_cast<float>(away));
-                    }
-                }
-            }
+            test::forEachVoxel(low, high + Eigen::Vector3i::Ones(), [&](int i, int j, int k) {
+                const double away = (Eigen::Vector3d(i, j, k) - voxel).cwiseProduct(grid.spacingMm).norm() - radiusMm;
+                float& kept = distances[grid.index(i, j, k)];
+                kept = std::min(kept, static_cast<float>(away));
+            });
         }
     }
     return distances;

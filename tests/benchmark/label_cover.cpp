@@ -4,9 +4,9 @@
 #include "core/tracing/volume/voxels/distance_map.h"
 #include "core/tracing/volume/voxels/thin_volume.h"
 #include "core/tracing/volume/voxels/voxel_components.h"
+#include "tests/support/for_each.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace angiopose::benchmarks {
 namespace {
@@ -26,15 +26,11 @@ core::VoxelMask nearTree(const core::VolumeGeometry& grid, const core::VesselTre
             const Eigen::Vector3i low = (at.array() - reachVoxels).ceil().max(0.0).cast<int>();
             const Eigen::Vector3i high =
                 (at.array() + reachVoxels).floor().min(grid.size.cast<double>().array() - 1.0).cast<int>();
-            for (int k = low.z(); k <= high.z(); ++k) {
-                for (int j = low.y(); j <= high.y(); ++j) {
-                    for (int i = low.x(); i <= high.x(); ++i) {
-                        if ((Eigen::Vector3d(i, j, k) - at).norm() <= reachVoxels) {
-                            near.at(i, j, k) = 1;
-                        }
-                    }
+            test::forEachVoxel(low, high + Eigen::Vector3i::Ones(), [&](int i, int j, int k) {
+                if ((Eigen::Vector3d(i, j, k) - at).norm() <= reachVoxels) {
+                    near.at(i, j, k) = 1;
                 }
-            }
+            });
         }
     }
     return near;

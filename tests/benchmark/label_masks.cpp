@@ -7,11 +7,10 @@
 #include "io/vessel_tree_file.h"
 #include "io/volume_file.h"
 #include "tests/benchmark/artery_graph.h"
+#include "tests/support/for_each.h"
 #include "tests/support/test_data.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <map>
 
@@ -180,13 +179,8 @@ core::VoxelMask croppedMiddle(const core::VoxelMask& mask)
     grid.size[axis] = size[axis] / 3;
     grid.originInPatient = mask.geometry.patientFromVoxel() * low.cast<double>();
     core::VoxelMask part(grid);
-    for (int k = 0; k < grid.size.z(); ++k) {
-        for (int j = 0; j < grid.size.y(); ++j) {
-            for (int i = 0; i < grid.size.x(); ++i) {
-                part.at(i, j, k) = mask.at(i + low.x(), j + low.y(), k + low.z());
-            }
-        }
-    }
+    test::forEachVoxel(grid.size,
+                       [&](int i, int j, int k) { part.at(i, j, k) = mask.at(i + low.x(), j + low.y(), k + low.z()); });
     return part;
 }
 
@@ -216,15 +210,11 @@ core::VoxelMask drawnVessels(const core::VesselTree& tree, double voxelMm)
             const double radius = (branch.radiusMm.empty() ? 1.0 : branch.radiusMm[n]) / voxelMm;
             const Eigen::Vector3i low = (center.array() - radius).ceil().cast<int>();
             const Eigen::Vector3i high = (center.array() + radius).floor().cast<int>();
-            for (int k = low.z(); k <= high.z(); ++k) {
-                for (int j = low.y(); j <= high.y(); ++j) {
-                    for (int i = low.x(); i <= high.x(); ++i) {
-                        if ((Eigen::Vector3d(i, j, k) - center).norm() <= radius) {
-                            mask.at(i, j, k) = 1;
-                        }
-                    }
+            test::forEachVoxel(low, high + Eigen::Vector3i::Ones(), [&](int i, int j, int k) {
+                if ((Eigen::Vector3d(i, j, k) - center).norm() <= radius) {
+                    mask.at(i, j, k) = 1;
                 }
-            }
+            });
         }
     }
     return mask;

@@ -8,7 +8,6 @@
 
 namespace angiopose::benchmarks {
 
-/// A named vessel mask to trace.
 struct NamedMask {
     std::string name;
     core::VoxelMask mask;

@@ -35,7 +35,6 @@ void forgetPeak()
     std::ofstream("/proc/self/clear_refs") << "5";
 }
 
-/// Wall time of each stage.
 class StageClock {
 public:
     void enter(std::string_view stage)

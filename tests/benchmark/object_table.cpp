@@ -171,7 +171,6 @@ bool isChosen(int number, const std::string& which)
     return which == "all" || (number % 2 == 1) == (which == "odd");
 }
 
-/// Prints what is traced where the vessels were painted over.
 void printWithoutVessels(const std::string& which, bool isEachRequested)
 {
     int frames = 0;

@@ -33,7 +33,6 @@ const char* const usage =
 constexpr double wholeVessel = 0.9;   // minimum overlap
 constexpr double shortestMm = 15.0;   // shorter branches need no tracing by clicks
 
-/// Outcomes for the vessels of one kind.
 struct PathScores {
     std::vector<double> overlaps;
     std::vector<double> distancesMm;

@@ -66,7 +66,6 @@ std::vector<core::RegistrationInput> simulatedViews(const std::vector<PhantomVie
     return inputs;
 }
 
-/// Results of the simulated phantoms with one size of shape error.
 struct Simulated {
     std::vector<std::vector<Eigen::Matrix3d>> rotations;   ///< by trial and view
     std::vector<double> medianPx;

@@ -10,7 +10,6 @@
 #include "tests/benchmark/phantom_views.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 
 using namespace angiopose;

@@ -32,7 +32,6 @@ struct PhantomPair {
 
 double inDegrees(double radians);
 
-/// Folder of the four cases in the test data.
 std::filesystem::path phantomFolder();
 
 /// Registers IM1 to IM4 of `folder`.

@@ -116,7 +116,6 @@ bool openAfresh(app::CaseController& controller, const QStringList& paths)
     return isOpen && QTest::qWaitFor([] { return QThreadPool::globalInstance()->activeThreadCount() == 0; }, 60000);
 }
 
-/// The named files, or a newly written sample case.
 QStringList filesOrSample(const QStringList& named)
 {
     if (!named.isEmpty()) {

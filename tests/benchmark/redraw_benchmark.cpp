@@ -40,7 +40,6 @@ namespace {
 constexpr int editCount = 100;
 constexpr double sourceToDetectorMm = 1000.0;
 
-/// The two views, arranged as in the main window.
 struct Window {
     QWidget widget;
     ui::TreeView* tree = new ui::TreeView;

@@ -104,7 +104,6 @@ void solveKnown(benchmark::State& state, FoundPose (*solve)(const KnownPartners&
     state.counters["worst_px"] = worstPx;
 }
 
-/// Tracks frame by frame through a run, including the target maps.
 void trackFrames(benchmark::State& state)
 {
     const BreathingRun run = breathingRun(trialsOf(targets.front().condition).front(), trialCount);

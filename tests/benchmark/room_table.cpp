@@ -13,12 +13,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdio>
 #include <mutex>
 
 using namespace angiopose;
-using benchmarks::Arguments;
 
 namespace {
 
@@ -134,7 +132,7 @@ void print(const Room& room, const std::vector<Outcome>& outcomes)
 
 int main(int argc, char** argv)
 {
-    const Arguments arguments(argc, argv, usage);
+    const benchmarks::Arguments arguments(argc, argv, usage);
     const auto count = static_cast<std::size_t>(arguments.number("studies", 20.0));
     const auto first = static_cast<std::uint64_t>(arguments.number("seed", 1.0));
     const auto wanted = arguments.list("rooms", "siemens,standard,moving,mirrored,without-table,object-plane");

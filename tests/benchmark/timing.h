@@ -5,7 +5,6 @@
 
 namespace angiopose::benchmarks {
 
-/// Wall and processor time of one operation, s.
 struct Timing {
     double wall = 0.0;
     double processor = 0.0;

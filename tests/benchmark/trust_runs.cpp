@@ -6,7 +6,6 @@
 #include "core/support/format_number.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <map>
 #include <set>

@@ -2,9 +2,6 @@
 // artificial cases are for training (--dump, then fit_within_2mm.py); trees of patients and independent generators are
 // the test set.
 
-#include "core/registration/registration.h"
-#include "core/support/format_number.h"
-#include "core/support/quantile.h"
 #include "io/evaluation/table_text.h"
 #include "tests/benchmark/arguments.h"
 #include "tests/benchmark/judging_cases.h"

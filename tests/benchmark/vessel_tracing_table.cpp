@@ -78,7 +78,6 @@ void printSimulated(int seeds)
     print(table);
 }
 
-/// Traces simulated scans whose first branch contains a stent.
 void printStented()
 {
     core::ResultTable table =

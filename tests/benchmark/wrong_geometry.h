@@ -4,7 +4,6 @@
 
 namespace angiopose::benchmarks {
 
-/// Kinds of errors in the geometry of an image.
 enum class GeometryError {
     None,
     Distance,

@@ -20,7 +20,6 @@ using namespace angiopose;
 namespace {
 
 using namespace benchmarks;
-using core::fixedText;
 
 constexpr double inside95 = 12.592;   // 95 % quantile of χ² with six degrees of freedom
 constexpr double sigmas95 = 1.96;
@@ -108,7 +107,6 @@ std::vector<core::RegistrationInput> reportedInputs(const std::vector<ForeignCas
     return inputs;
 }
 
-/// Records the result for the first view.
 void hearRun(Answer& answer, const core::RegistrationResult& result, const ForeignCase& asked,
              const NamedError& reported)
 {
@@ -189,7 +187,7 @@ std::string medianText(const std::vector<Answer>& answers, double Answer::*value
     for (const Answer& answer : answers) {
         values.push_back(answer.*value);
     }
-    return fixedText(core::quantile(std::move(values), 0.5), decimals);
+    return core::fixedText(core::quantile(std::move(values), 0.5), decimals);
 }
 
 core::ResultTable::Row rowOf(const NamedError& reported, const std::string& views, const std::vector<Answer>& answers)
@@ -221,7 +219,6 @@ void printAnswer(const NamedError& reported, const std::string& views, const Roo
     std::fflush(stdout);
 }
 
-/// Registers every tree and trial of one row.
 std::vector<Answer> askAll(const std::vector<RootedTree>& trees, const NamedError& reported, const std::string& views,
                            const core::RegistrationOptions& options, const Arguments& arguments)
 {

@@ -4,7 +4,6 @@
 
 #include <unistd.h>
 #include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -14,7 +13,6 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-/// Removes the keys that hold durations or points in time.
 void dropTimes(json& value)
 {
     if (value.is_object()) {

@@ -15,7 +15,6 @@ std::map<std::string, std::string> lastingContentOf(const std::string& folder);
 /// Worker processes of a batch whose parent is this process.
 std::vector<pid_t> batchWorkers();
 
-/// The parent of a process.
 pid_t parentOf(pid_t process);
 
 }   // namespace angiopose::test

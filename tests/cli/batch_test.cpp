@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
-#include <fstream>
 #include <future>
 #include <nlohmann/json.hpp>
 #include <thread>
@@ -250,7 +249,6 @@ TEST_F(CliBatch, ResumingLeavesWhatIsDoneAndUpToDate)
     EXPECT_NE(other.messages.find("0 cases are already done, 3 remain"), std::string::npos) << other.messages;
 }
 
-/// Waits for a worker of a batch that this test has started.
 pid_t waitForWorker()
 {
     for (int i = 0; i < 20000; ++i) {

@@ -2,7 +2,7 @@
 #include "io/case/case_file.h"
 #include "io/centerline2d_file.h"
 #include "io/pose_file.h"
-#include "tests/cli/run_program.h"
+#include "tests/cli/simulated_case.h"
 #include "tests/support/matchers.h"
 #include "tests/support/temporary_folder.h"
 
@@ -21,26 +21,8 @@ namespace {
 
 namespace fs = std::filesystem;
 using test::runCli;
-using test::TemporaryFolder;
 
-std::string bytesOf(const std::string& path)
-{
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
-
-class CliOnSimulatedCase : public ::testing::Test {
-protected:
-    void SetUp() override
-    {
-        const auto simulated = runCli({"simulate", "--seed", "3", "--output", folder_.file("demo")});
-        ASSERT_EQ(simulated.exitCode, 0) << simulated.messages;
-        casePath_ = folder_.file("demo/case.angiopose");
-    }
-
-    TemporaryFolder folder_;
-    std::string casePath_;
-};
+class CliOnSimulatedCase : public test::SimulatedCaseTest {};
 
 TEST_F(CliOnSimulatedCase, IsValidAndDescribed)
 {
@@ -124,14 +106,14 @@ TEST_F(CliOnSimulatedCase, ProjectWritesLinesAndGrayValues)
 {
     const std::string drawing = folder_.file("lines.svg");
     ASSERT_EQ(runCli({"project", casePath_, "--output", drawing, "--dpi", "300"}).exitCode, 0);
-    const std::string text = bytesOf(drawing);
+    const std::string text = test::readText(drawing);
     EXPECT_NE(text.find("<path "), std::string::npos);
     EXPECT_NE(text.find("mm\" height"), std::string::npos);
     EXPECT_NE(text.find("Not for clinical use"), std::string::npos);
 
     const std::string gray = folder_.file("grey.png");
     ASSERT_EQ(runCli({"project", casePath_, "--output", gray, "--16-bit"}).exitCode, 0);
-    EXPECT_EQ(bytesOf(gray)[24], 16);   // bit depth, PNG 11.2.2
+    EXPECT_EQ(test::readText(gray)[24], 16);   // bit depth, PNG 11.2.2
 
     const auto refused = runCli({"project", casePath_, "--output", folder_.file("x.pdf")});
     EXPECT_NE(refused.exitCode, 0);
@@ -212,7 +194,7 @@ TEST_F(CliOnSimulatedCase, FramesCountFromOne)
     }
     const auto registered = runCli({"register", casePath_, "--frame", "5", "--output", folder_.file("out")});
     ASSERT_TRUE(registered.exitCode == 0 || registered.exitCode == 4) << registered.messages;
-    EXPECT_EQ(nlohmann::json::parse(bytesOf(folder_.file("out/result.json")))["inputs"]["frame"], 4);
+    EXPECT_EQ(nlohmann::json::parse(test::readText(folder_.file("out/result.json")))["inputs"]["frame"], 4);
 }
 
 TEST_F(CliOnSimulatedCase, TraceAngiogramWritesWhatMayBeADeviceApart)

@@ -8,8 +8,6 @@ using namespace angiopose;
 namespace {
 
 using test::runCli;
-using test::TemporaryFolder;
-using test::writeText;
 
 TEST(Cli, HelpAndVersionSucceed)
 {
@@ -59,12 +57,12 @@ TEST(Cli, AMissingInputIsNamed)
 
 TEST(Cli, BrokenCasesAreRefusedWithTheReason)
 {
-    const TemporaryFolder folder;
+    const test::TemporaryFolder folder;
     const std::string path = folder.file("case.angiopose");
     for (const std::string text :
          {"", "{", "[]", "{\"format\": \"something\"}", "{\"format\": \"angiopose-case\", \"version\": 99}",
           "{\"format\": \"angiopose-case\", \"version\": 1, \"vessel\": 3}"}) {
-        writeText(path, text);
+        test::writeText(path, text);
         EXPECT_EQ(runCli({"validate", path}).exitCode, 3) << text;
         const auto outcome = runCli({"register", path, "--output", folder.file("result")});
         EXPECT_EQ(outcome.exitCode, 3) << text;

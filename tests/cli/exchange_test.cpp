@@ -1,14 +1,12 @@
-#include "io/case/case_file.h"
 #include "io/fiducial_file.h"
 #include "io/opening/read_case_inputs.h"
 #include "io/pose_camera_file.h"
 #include "io/pose_convention_file.h"
 #include "io/pose_file.h"
-#include "tests/cli/run_program.h"
+#include "tests/cli/simulated_case.h"
 #include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
-#include <filesystem>
 #include <nlohmann/json.hpp>
 
 using namespace angiopose;
@@ -16,15 +14,12 @@ using namespace angiopose;
 namespace {
 
 using test::runCli;
-using test::TemporaryFolder;
 
-class ExchangeOnSimulatedCase : public ::testing::Test {
+class ExchangeOnSimulatedCase : public test::SimulatedCaseTest {
 protected:
     void SetUp() override
     {
-        const auto simulated = runCli({"simulate", "--seed", "3", "--output", folder_.file("demo")});
-        ASSERT_EQ(simulated.exitCode, 0) << simulated.messages;
-        casePath_ = folder_.file("demo/case.angiopose");
+        SimulatedCaseTest::SetUp();
         core::Messages warnings;
         const auto opened = io::openCase(casePath_, warnings);
         ASSERT_TRUE(opened);
@@ -55,8 +50,6 @@ protected:
         return apart;
     }
 
-    TemporaryFolder folder_;
-    std::string casePath_;
     core::View view_;
     core::ProjectionCamera camera_;
 };

@@ -3,7 +3,7 @@
 #include "io/file_hash.h"
 #include "io/pose_file.h"
 #include "io/volume_file.h"
-#include "tests/cli/run_program.h"
+#include "tests/cli/simulated_case.h"
 #include "tests/io/series/dicom_slices.h"
 #include "tests/support/temporary_folder.h"
 
@@ -22,15 +22,8 @@ namespace {
 namespace fs = std::filesystem;
 using test::runCli;
 
-class CliExportDicom : public ::testing::Test {
+class CliExportDicom : public test::SimulatedCaseTest {
 protected:
-    void SetUp() override
-    {
-        const auto simulated = runCli({"simulate", "--seed", "3", "--output", folder_.file("demo")});
-        ASSERT_EQ(simulated.exitCode, 0) << simulated.messages;
-        casePath_ = folder_.file("demo/case.angiopose");
-    }
-
     test::ProgramOutcome exported(std::vector<std::string> more)
     {
         std::vector<std::string> arguments{"export-dicom", casePath_, "--output",    folder_.file("out"),
@@ -38,7 +31,6 @@ protected:
         arguments.insert(arguments.end(), more.begin(), more.end());
         return runCli(arguments);
     }
-    /// Modifies the case file.
     template <class Change>
     void change(const Change& change) const
     {
@@ -62,8 +54,6 @@ protected:
     }
     std::string out(const std::string& name) const { return folder_.file("out/" + name); }
 
-    test::TemporaryFolder folder_;
-    std::string casePath_;
     std::string content_;
 };
 

@@ -5,6 +5,7 @@
 #include "tests/cli/run_program.h"
 #include "tests/io/series/dicom_slices.h"
 #include "tests/support/drawn_tubes.h"
+#include "tests/support/for_each.h"
 #include "tests/support/forked_vessel.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/test_data.h"
@@ -244,7 +245,6 @@ TEST(Cli, WarningsOfLibrariesAreNotPrinted)
     EXPECT_EQ(outcome.messages, "") << "libpng has its doubts about a chunk that is not the picture";
 }
 
-/// A white cross on black.
 core::Mask2d cross()
 {
     core::Mask2d mask(200, 200);
@@ -308,13 +308,9 @@ TEST(Cli, DoubtsThatABallIsAVessel)
     core::VolumeGeometry geometry;
     geometry.size = {40, 40, 40};
     core::LabelVolume ball(geometry);
-    for (int k = 0; k < 40; ++k) {
-        for (int j = 0; j < 40; ++j) {
-            for (int i = 0; i < 40; ++i) {
-                ball.at(i, j, k) = Eigen::Vector3d(i - 19.5, j - 19.5, k - 19.5).norm() < 15.0 ? 1 : 0;
-            }
-        }
-    }
+    test::forEachVoxel({40, 40, 40}, [&](int i, int j, int k) {
+        ball.at(i, j, k) = Eigen::Vector3d(i - 19.5, j - 19.5, k - 19.5).norm() < 15.0 ? 1 : 0;
+    });
     ASSERT_TRUE(io::writeLabels(ball, folder.file("ball.nrrd")));
     const auto outcome = runCli({"trace-vessel", folder.file("ball.nrrd"), "--output", folder.file("tree.csv")});
     EXPECT_TRUE(outcome.exitCode == 3 || outcome.messages.find("hardly longer than wide") != std::string::npos)

@@ -1,4 +1,4 @@
-#include "tests/cli/run_program.h"
+#include "tests/cli/simulated_case.h"
 #include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
@@ -11,19 +11,7 @@ namespace {
 
 using test::runCli;
 
-/// Fixture: saves a registration result in a case.
-class CliFoundCase : public ::testing::Test {
-protected:
-    void SetUp() override
-    {
-        const auto simulated = runCli({"simulate", "--seed", "3", "--output", folder_.file("demo")});
-        ASSERT_EQ(simulated.exitCode, 0) << simulated.messages;
-        casePath_ = folder_.file("demo/case.angiopose");
-    }
-
-    test::TemporaryFolder folder_;
-    std::string casePath_;
-};
+class CliFoundCase : public test::SimulatedCaseTest {};
 
 TEST_F(CliFoundCase, WhatWasFoundIsSavedInTheCase)
 {

@@ -1,11 +1,9 @@
 #include "io/case/case_file.h"
-#include "tests/cli/run_program.h"
+#include "tests/cli/simulated_case.h"
 #include "tests/support/temporary_folder.h"
 
 #include <gif_lib.h>
 #include <gtest/gtest.h>
-#include <algorithm>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -52,15 +50,8 @@ GifReport knownFrom(const std::string& path)
     return reported;
 }
 
-class CliMovie : public ::testing::Test {
+class CliMovie : public test::SimulatedCaseTest {
 protected:
-    void SetUp() override
-    {
-        const auto simulated = runCli({"simulate", "--seed", "3", "--output", folder_.file("demo")});
-        ASSERT_EQ(simulated.exitCode, 0) << simulated.messages;
-        casePath_ = folder_.file("demo/case.angiopose");
-    }
-
     test::ProgramOutcome movie(const std::string& name, std::vector<std::string> more)
     {
         std::vector<std::string> arguments{"movie", casePath_, "--output", folder_.file(name), "--width", "160"};
@@ -72,9 +63,6 @@ protected:
         return std::distance(fs::directory_iterator(fs::path(folder_.file("x")).parent_path()),
                              fs::directory_iterator());
     }
-
-    test::TemporaryFolder folder_;
-    std::string casePath_;
 };
 
 TEST_F(CliMovie, TurnsTheVesselsOnceInSixSeconds)

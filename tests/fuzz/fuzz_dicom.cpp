@@ -1,5 +1,4 @@
 #include "io/angiogram_file.h"
-#include "io/dicom_series.h"
 #include "io/series/dicom_segmentation.h"
 #include "io/series/slice_record.h"
 #include "io/study/dicom_directory.h"

@@ -1,6 +1,4 @@
-#include "io/case/case_file.h"
-#include "tests/support/temporary_folder.h"
-#include "tests/support/test_data.h"
+#include "tests/io/case/small_case.h"
 
 #include <gtest/gtest.h>
 #include <fstream>
@@ -10,11 +8,6 @@
 using namespace angiopose;
 
 namespace {
-
-std::string phantomCasePath()
-{
-    return test::dataFile("coronary-phantom-xa/cases/IM2.angiopose").string();
-}
 
 core::PoseSnapshot sampleSnapshot()
 {
@@ -50,9 +43,7 @@ TEST(CaseSnapshots, AreRestoredToTheLastBit)
     ANGIOPOSE_NEEDS_DATA("coronary-phantom-xa/cases");
     const test::TemporaryFolder folder;
     core::Messages warnings;
-    auto loaded = io::loadCase(phantomCasePath(), warnings);
-    ASSERT_TRUE(loaded);
-    core::Case original = std::move(loaded).value();
+    core::Case original = test::phantomCase(2);
     const core::PoseSnapshot expected = sampleSnapshot();
     core::PoseSnapshot bare;
     bare.id = 2;
@@ -86,11 +77,9 @@ TEST(CaseSnapshots, WithNumbersThatAreNoneAreStillReadable)
     ANGIOPOSE_NEEDS_DATA("coronary-phantom-xa/cases");
     const test::TemporaryFolder folder;
     core::Messages warnings;
-    auto loaded = io::loadCase(phantomCasePath(), warnings);
-    ASSERT_TRUE(loaded);
+    core::Case values = test::phantomCase(2);
     core::PoseSnapshot unseen = sampleSnapshot();
     unseen.metrics->medianMm = std::numeric_limits<double>::quiet_NaN();   // none of the tree is in the image
-    core::Case values = std::move(loaded).value();
     values.shown().snapshots = {unseen};
     ASSERT_TRUE(io::saveCase(values, folder.file("nan.angiopose")));
     const auto again = io::loadCase(folder.file("nan.angiopose"), warnings);
@@ -103,13 +92,12 @@ TEST(CaseSnapshots, ThatMakeNoSenseAreRefusedInWords)
     ANGIOPOSE_NEEDS_DATA("coronary-phantom-xa/cases");
     const test::TemporaryFolder folder;
     core::Messages warnings;
-    auto loaded = io::loadCase(phantomCasePath(), warnings);
-    ASSERT_TRUE(loaded);
+    const core::Case values = test::phantomCase(2);
     const nlohmann::json zero =
         nlohmann::json::parse(R"({"snapshots": [{"cameraFromPatient": [[0,0,0,0],[0,0,0,0],[0,0,0,0],[0,0,0,1]]}]})");
     const nlohmann::json missing = nlohmann::json::parse(R"({"snapshots": [{"name": "no pose"}]})");
     for (const nlohmann::json& patch : {zero, missing}) {
-        const auto broken = io::loadCase(savedWith(folder, loaded.value(), patch), warnings);
+        const auto broken = io::loadCase(savedWith(folder, values, patch), warnings);
         ASSERT_FALSE(broken);
         EXPECT_NE(broken.error().message.text().find("snapshots"), std::string::npos) << broken.error().message;
     }

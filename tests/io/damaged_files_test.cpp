@@ -87,7 +87,6 @@ std::string corrupted(const std::string& content, core::CounterRandom& random)
     return damaged;
 }
 
-/// Paths of the valid files.
 std::vector<std::string> writeGoodFiles(const test::TemporaryFolder& folder)
 {
     EXPECT_TRUE(io::writeVesselTree(twoBranches(), folder.file("tree.vtp")));

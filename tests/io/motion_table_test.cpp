@@ -11,7 +11,6 @@
 namespace angiopose::io {
 namespace {
 
-/// A branch of two points with displacements and their covariances.
 struct MovedBranch {
     MovedBranch()
     {

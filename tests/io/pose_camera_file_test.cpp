@@ -12,12 +12,8 @@ using namespace angiopose;
 
 namespace {
 
-using core::PosedCamera;
-using core::ProjectionCamera;
-using core::RigidTransform;
-
-const PosedCamera oddSight{{-2281.123456789, 2279.5, 250.5, 1.0 / 3.0, 512, 480},
-                           {core::expSo3({0.3, -1.1, 2.0 / 3.0}), {1.0 / 3.0, -1e-9, 742.123456789012345}}};
+const core::PosedCamera oddSight{{-2281.123456789, 2279.5, 250.5, 1.0 / 3.0, 512, 480},
+                                 {core::expSo3({0.3, -1.1, 2.0 / 3.0}), {1.0 / 3.0, -1e-9, 742.123456789012345}}};
 
 /// As written by OpenCV 4.6, for the matrices of a camera with a 3:4:5 rotation.
 const std::string openCvYaml = R"(%YAML:1.0
@@ -93,11 +89,11 @@ tvec: [12.5, -7.25, 741.0625]
 void expectTurned(const core::Result<io::PoseWithCamera>& read)
 {
     ASSERT_TRUE(read) << read.error().message.text();
-    const RigidTransform& pose = read.value().cameraFromPatient;
+    const core::RigidTransform& pose = read.value().cameraFromPatient;
     EXPECT_NEAR(pose.rotation(0, 1), -0.8, 1e-15);
     EXPECT_EQ(pose.translation, Eigen::Vector3d(12.5, -7.25, 741.0625));
     ASSERT_TRUE(read.value().camera);
-    EXPECT_EQ(*read.value().camera, (ProjectionCamera{-2281.25, 2279.5, 250.5, 261.25, 512, 480}));
+    EXPECT_EQ(*read.value().camera, (core::ProjectionCamera{-2281.25, 2279.5, 250.5, 261.25, 512, 480}));
 }
 
 TEST(ReadPoseWithCamera, TakesWhatOpenCvWrites)

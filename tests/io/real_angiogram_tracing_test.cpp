@@ -11,7 +11,6 @@ using namespace angiopose;
 
 namespace {
 
-using core::AngiogramTrace;
 using core::Curve2d;
 
 core::Angiogram read(const std::string& relative)

@@ -5,7 +5,6 @@
 
 namespace angiopose::test {
 
-/// Outcome of a program run under limits.
 struct LimitedRun {
     int exitCode = -1;   ///< -1: it did not exit normally
     int signal = 0;   ///< signal that killed it; 0 if it exited

@@ -7,7 +7,6 @@
 
 namespace angiopose::test {
 
-/// A small valid file of one format.
 struct SmallFile {
     std::string name;   ///< with the extension expected by its reader
     std::string content;

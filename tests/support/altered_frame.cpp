@@ -2,6 +2,7 @@
 
 #include "core/imaging/image_filters.h"
 #include "tests/support/drawn_vessels.h"
+#include "tests/support/for_each.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -31,14 +32,12 @@ template <class From>
 ImageF resampled(const ImageF& image, int width, int height, const From& from)
 {
     ImageF result(width, height);
-    for (int y = 0; y < height; ++y) {
-        for (int x = 0; x < width; ++x) {
-            const Eigen::Vector2d at = from(Eigen::Vector2d(x, y));
-            const bool isInside =
-                at.x() >= -0.5 && at.y() >= -0.5 && at.x() <= image.width - 0.5 && at.y() <= image.height - 0.5;
-            result.at(x, y) = isInside ? core::sampleBilinear(image, at.x(), at.y()) : 0.0F;
-        }
-    }
+    test::forEachPixel(width, height, [&](int x, int y) {
+        const Eigen::Vector2d at = from(Eigen::Vector2d(x, y));
+        const bool isInside =
+            at.x() >= -0.5 && at.y() >= -0.5 && at.x() <= image.width - 0.5 && at.y() <= image.height - 0.5;
+        result.at(x, y) = isInside ? core::sampleBilinear(image, at.x(), at.y()) : 0.0F;
+    });
     return result;
 }
 
@@ -127,12 +126,10 @@ DrawnFrame compressed(DrawnFrame drawn, float step)
             Eigen::Map<Eigen::Matrix<float, 8, 8, Eigen::RowMajor>, 0, Eigen::OuterStride<>> pixels(
                 &image.at(left, top), Eigen::OuterStride<>(image.width));
             Block block = basis * pixels * basis.transpose();
-            for (int v = 0; v < 8; ++v) {
-                for (int u = 0; u < 8; ++u) {
-                    const float size = step * (1.0F + 0.5F * static_cast<float>(u + v));
-                    block(v, u) = size * std::round(block(v, u) / size);
-                }
-            }
+            test::forEachPixel(8, 8, [&](int u, int v) {
+                const float size = step * (1.0F + 0.5F * static_cast<float>(u + v));
+                block(v, u) = size * std::round(block(v, u) / size);
+            });
             pixels = basis.transpose() * block * basis;
         }
     }

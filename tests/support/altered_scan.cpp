@@ -2,6 +2,7 @@
 
 #include "core/support/random.h"
 #include "tests/support/axis_orders.h"
+#include "tests/support/for_each.h"
 
 #include <algorithm>
 #include <cmath>
@@ -54,20 +55,15 @@ Volume withSpacing(const Volume& scan, const Eigen::Vector3d& spacingMm)
     geometry.originInPatient = scan.geometry.patientFromVoxel() * (0.5 * (ratio.array() - 1.0)).matrix();
     Volume result(geometry);
     const Eigen::Array3i samples = ratio.array().ceil().cast<int>();
-    for (int k = 0; k < geometry.size.z(); ++k) {
-        for (int j = 0; j < geometry.size.y(); ++j) {
-            for (int i = 0; i < geometry.size.x(); ++i) {
-                double sum = 0.0;
-                for (int n = 0; n < samples.prod(); ++n) {
-                    const Eigen::Array3d part(n % samples.x(), n / samples.x() % samples.y(),
-                                              n / (samples.x() * samples.y()));
-                    const Eigen::Array3d in = Eigen::Array3d(i, j, k) + (part + 0.5) / samples.cast<double>();
-                    sum += valueAt(scan, (in * ratio.array() - 0.5).matrix());
-                }
-                result.at(i, j, k) = stored(sum / samples.prod());
-            }
+    test::forEachVoxel(geometry.size, [&](int i, int j, int k) {
+        double sum = 0.0;
+        for (int n = 0; n < samples.prod(); ++n) {
+            const Eigen::Array3d part(n % samples.x(), n / samples.x() % samples.y(), n / (samples.x() * samples.y()));
+            const Eigen::Array3d in = Eigen::Array3d(i, j, k) + (part + 0.5) / samples.cast<double>();
+            sum += valueAt(scan, (in * ratio.array() - 0.5).matrix());
         }
-    }
+        result.at(i, j, k) = stored(sum / samples.prod());
+    });
     return result;
 }
 
@@ -80,13 +76,9 @@ Volume croppedScan(const Volume& scan, const Eigen::Array3d& low, const Eigen::A
     geometry.size = (high * size).round().cast<int>().matrix() - first;
     geometry.originInPatient = scan.geometry.patientFromVoxel() * first.cast<double>();
     Volume part(geometry);
-    for (int k = 0; k < geometry.size.z(); ++k) {
-        for (int j = 0; j < geometry.size.y(); ++j) {
-            for (int i = 0; i < geometry.size.x(); ++i) {
-                part.at(i, j, k) = scan.at(i + first.x(), j + first.y(), k + first.z());
-            }
-        }
-    }
+    test::forEachVoxel(geometry.size, [&](int i, int j, int k) {
+        part.at(i, j, k) = scan.at(i + first.x(), j + first.y(), k + first.z());
+    });
     return part;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/imaging/volume.h"
+#include "tests/support/for_each.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -57,14 +58,10 @@ Grid stored(const Grid& original, const AxisOrder& order)
     geometry.originInPatient = from.patientFromVoxel() * first.cast<double>();
     Grid result = original;
     result.geometry = geometry;
-    for (int k = 0; k < geometry.size.z(); ++k) {
-        for (int j = 0; j < geometry.size.y(); ++j) {
-            for (int i = 0; i < geometry.size.x(); ++i) {
-                const Eigen::Vector3i at = originalVoxel(order, from.size, {i, j, k});
-                result.at(i, j, k) = original.at(at.x(), at.y(), at.z());
-            }
-        }
-    }
+    test::forEachVoxel(geometry.size, [&](int i, int j, int k) {
+        const Eigen::Vector3i at = originalVoxel(order, from.size, {i, j, k});
+        result.at(i, j, k) = original.at(at.x(), at.y(), at.z());
+    });
     return result;
 }
 
@@ -94,14 +91,10 @@ inline double largestDisplacement(const core::Volume& a, const core::Volume& b)
     }
     const auto places = [](const core::Volume& volume) {
         std::vector<std::pair<double, Eigen::Vector3d>> result;
-        for (int k = 0; k < volume.geometry.size.z(); ++k) {
-            for (int j = 0; j < volume.geometry.size.y(); ++j) {
-                for (int i = 0; i < volume.geometry.size.x(); ++i) {
-                    result.emplace_back(volume.value(volume.geometry.index(i, j, k)),
-                                        volume.geometry.patientFromVoxel() * Eigen::Vector3d(i, j, k));
-                }
-            }
-        }
+        test::forEachVoxel(volume.geometry.size, [&](int i, int j, int k) {
+            result.emplace_back(volume.value(volume.geometry.index(i, j, k)),
+                                volume.geometry.patientFromVoxel() * Eigen::Vector3d(i, j, k));
+        });
         std::sort(result.begin(), result.end(), [](const auto& p, const auto& q) { return p.first < q.first; });
         return result;
     };

@@ -3,6 +3,7 @@
 #include "core/evaluation/trial/projection_error.h"
 #include "core/registration/problem/registration_problem.h"
 #include "core/simulation/simulated_case.h"
+#include "core/support/random.h"
 
 #include <cmath>
 
@@ -30,11 +31,28 @@ struct CleanCase {
         return {tree, target, camera, start, {}, {}};
     }
 
+    core::RegistrationInput fromNearby(std::uint64_t seed) const
+    {
+        core::CounterRandom random(seed);
+        return from(nearbyStart(random));
+    }
+
     core::ProjectionCamera camera{-1877.0, 1877.0, 511.5, 511.5, 1024, 1024};
     core::VesselTree tree;
     core::RigidTransform truth;
     core::Centerline2d target;
 };
+
+inline core::Centerline2d jittered(core::Centerline2d target, core::CounterRandom& random)
+{
+    for (core::Curve2d& curve : target.curves) {
+        for (Eigen::Vector2d& point : curve.pointsPx) {
+            point.x() += 0.5 * random.normal();
+            point.y() += 0.5 * random.normal();
+        }
+    }
+    return target;
+}
 
 /// Mean distance of the tree's projection at a pose from its true projection, px.
 inline double meanErrorPx(const CleanCase& clean, const core::RigidTransform& pose)

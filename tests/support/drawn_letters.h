@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/imaging/image2d.h"
+#include "tests/support/for_each.h"
 
 #include <Eigen/Core>
 #include <array>
@@ -20,13 +21,11 @@ inline void writeLetters(core::ImageF& frame, const Eigen::Vector2i& at, int cou
 {
     for (int k = 0; k < count; ++k) {
         const auto& letter = drawnLetters[static_cast<std::size_t>(k) % drawnLetters.size()];
-        for (int row = 0; row < 7 * scale; ++row) {
-            for (int column = 0; column < 5 * scale; ++column) {
-                if (letter[static_cast<std::size_t>(row / scale)][static_cast<std::size_t>(column / scale)] == '#') {
-                    frame.at(at.x() + 7 * scale * k + column, at.y() + row) = value;
-                }
+        test::forEachPixel(5 * scale, 7 * scale, [&](int column, int row) {
+            if (letter[static_cast<std::size_t>(row / scale)][static_cast<std::size_t>(column / scale)] == '#') {
+                frame.at(at.x() + 7 * scale * k + column, at.y() + row) = value;
             }
-        }
+        });
     }
 }
 

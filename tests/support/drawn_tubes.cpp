@@ -1,4 +1,5 @@
 #include "tests/support/drawn_tubes.h"
+#include "tests/support/for_each.h"
 
 #include <algorithm>
 #include <cmath>
@@ -50,14 +51,10 @@ core::VoxelMask drawnMask(const core::VolumeGeometry& grid, const std::vector<Tu
 {
     core::VoxelMask mask(grid);
     const Eigen::Affine3d patientFromVoxel = grid.patientFromVoxel();
-    for (int k = 0; k < grid.size.z(); ++k) {
-        for (int j = 0; j < grid.size.y(); ++j) {
-            for (int i = 0; i < grid.size.x(); ++i) {
-                const Eigen::Vector3d point = patientFromVoxel * Eigen::Vector3d(i, j, k);
-                mask.at(i, j, k) = distanceToWall(tubes, point) <= 0.0 ? 1 : 0;
-            }
-        }
-    }
+    test::forEachVoxel(grid.size, [&](int i, int j, int k) {
+        const Eigen::Vector3d point = patientFromVoxel * Eigen::Vector3d(i, j, k);
+        mask.at(i, j, k) = distanceToWall(tubes, point) <= 0.0 ? 1 : 0;
+    });
     return mask;
 }
 

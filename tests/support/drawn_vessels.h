@@ -8,7 +8,6 @@
 
 namespace angiopose::test {
 
-/// Gray values of a drawn frame.
 struct FrameLook {
     float background = 120.0F;
     float depth = 60.0F;   ///< darkening at the axis of a vessel

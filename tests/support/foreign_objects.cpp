@@ -5,6 +5,7 @@
 #include "core/simulation/splat_disc.h"
 #include "core/support/random.h"
 #include "tests/support/drawn_letters.h"
+#include "tests/support/for_each.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -166,13 +167,11 @@ ImageF bordered(const ImageF& frame, CounterRandom& random, double softPx, const
     const double outside = random.uniform() < 0.5 ? ends[0] : random.uniform() < 0.7 ? ends[1] : ends[2];
     const double noise = random.uniform() < 0.5 ? 0.01 * (ends[2] - ends[0]) : 0.0;
     ImageF result = frame;
-    for (int y = 0; y < frame.height; ++y) {
-        for (int x = 0; x < frame.width; ++x) {
-            const double share = 1.0 / (1.0 + std::exp(-std::clamp(inside(Vector2d(x, y)) / softPx, -30.0, 30.0)));
-            result.at(x, y) =
-                static_cast<float>(share * result.at(x, y) + (1.0 - share) * (outside + noise * random.normal()));
-        }
-    }
+    test::forEachPixel(frame.width, frame.height, [&](int x, int y) {
+        const double share = 1.0 / (1.0 + std::exp(-std::clamp(inside(Vector2d(x, y)) / softPx, -30.0, 30.0)));
+        result.at(x, y) =
+            static_cast<float>(share * result.at(x, y) + (1.0 - share) * (outside + noise * random.normal()));
+    });
     return result;
 }
 
@@ -214,14 +213,12 @@ ImageF filledIn(ImageF image, const core::Mask2d& marked)
         return image.at(std::clamp(x, 0, image.width - 1), std::clamp(y, 0, image.height - 1));
     };
     for (int round = 0; round < rounds; ++round) {
-        for (int y = 0; y < image.height; ++y) {
-            for (int x = 0; x < image.width; ++x) {
-                if (marked.at(x, y) != 0) {
-                    const float mean = 0.25F * (at(x - 1, y) + at(x + 1, y) + at(x, y - 1) + at(x, y + 1));
-                    image.at(x, y) += 1.7F * (mean - image.at(x, y));
-                }
+        test::forEachPixel(image.width, image.height, [&](int x, int y) {
+            if (marked.at(x, y) != 0) {
+                const float mean = 0.25F * (at(x - 1, y) + at(x + 1, y) + at(x, y - 1) + at(x, y + 1));
+                image.at(x, y) += 1.7F * (mean - image.at(x, y));
             }
-        }
+        });
     }
     return image;
 }

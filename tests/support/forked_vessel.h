@@ -2,6 +2,7 @@
 
 #include "core/imaging/volume.h"
 #include "core/vessel/vessel_tree.h"
+#include "tests/support/for_each.h"
 
 #include <algorithm>
 #include <cmath>
@@ -31,14 +32,10 @@ inline core::VolumeGeometry forkGeometry()
 inline core::LabelVolume forkLabels()
 {
     core::LabelVolume labels(forkGeometry());
-    for (int k = 0; k < labels.geometry.size.z(); ++k) {
-        for (int j = 0; j < labels.geometry.size.y(); ++j) {
-            for (int i = 0; i < labels.geometry.size.x(); ++i) {
-                const Eigen::Vector3d point = labels.geometry.patientFromVoxel() * Eigen::Vector3d(i, j, k);
-                labels.at(i, j, k) = distanceToFork(point) < 4.0 ? 2 : (j > 34 ? 7 : 0);
-            }
-        }
-    }
+    test::forEachVoxel(labels.geometry.size, [&](int i, int j, int k) {
+        const Eigen::Vector3d point = labels.geometry.patientFromVoxel() * Eigen::Vector3d(i, j, k);
+        labels.at(i, j, k) = distanceToFork(point) < 4.0 ? 2 : (j > 34 ? 7 : 0);
+    });
     return labels;
 }
 
@@ -47,18 +44,14 @@ inline core::Volume forkScan()
 {
     core::Volume scan(forkGeometry());
     unsigned state = 1;
-    for (int k = 0; k < scan.geometry.size.z(); ++k) {
-        for (int j = 0; j < scan.geometry.size.y(); ++j) {
-            for (int i = 0; i < scan.geometry.size.x(); ++i) {
-                state = state * 1664525U + 1013904223U;
-                const double noise = static_cast<double>(state >> 16 & 31U) - 15.0;
-                const Eigen::Vector3d point = scan.geometry.patientFromVoxel() * Eigen::Vector3d(i, j, k);
-                const double inside = std::clamp(4.5 - distanceToFork(point), 0.0, 1.0);
-                const bool isAir = j < 3 || j > 36;
-                scan.at(i, j, k) = static_cast<std::int16_t>(isAir ? -1000 : 40 + 310 * inside + noise);
-            }
-        }
-    }
+    test::forEachVoxel(scan.geometry.size, [&](int i, int j, int k) {
+        state = state * 1664525U + 1013904223U;
+        const double noise = static_cast<double>(state >> 16 & 31U) - 15.0;
+        const Eigen::Vector3d point = scan.geometry.patientFromVoxel() * Eigen::Vector3d(i, j, k);
+        const double inside = std::clamp(4.5 - distanceToFork(point), 0.0, 1.0);
+        const bool isAir = j < 3 || j > 36;
+        scan.at(i, j, k) = static_cast<std::int16_t>(isAir ? -1000 : 40 + 310 * inside + noise);
+    });
     return scan;
 }
 

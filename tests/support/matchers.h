@@ -4,8 +4,14 @@
 
 #include <gtest/gtest.h>
 #include <numbers>
+#include <string>
 
 namespace angiopose::test {
+
+inline bool contains(const std::string& text, const std::string& part)
+{
+    return text.find(part) != std::string::npos;
+}
 
 /// Whether two poses agree within an angle and, at the given pivot (patient frame), within a distance.
 inline ::testing::AssertionResult nearPose(const core::RigidTransform& actual, const core::RigidTransform& expected,

@@ -4,6 +4,7 @@
 #include "core/imaging/mask_morphology.h"
 #include "core/imaging/wide_gaussian_blur.h"
 #include "core/support/quantile.h"
+#include "tests/support/for_each.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,18 +29,11 @@ constexpr double shortestForBiasPx = 20.0;
 Mask2d exposedInside(const ImageF& frame)
 {
     Mask2d exposed(frame.width + 2, frame.height + 2);   // with the image edge as a border
-    for (int y = 0; y < frame.height; ++y) {
-        for (int x = 0; x < frame.width; ++x) {
-            exposed.at(x + 1, y + 1) = frame.at(x, y) > 0.0F ? 255 : 0;
-        }
-    }
+    test::forEachPixel(frame.width, frame.height,
+                       [&](int x, int y) { exposed.at(x + 1, y + 1) = frame.at(x, y) > 0.0F ? 255 : 0; });
     exposed = core::erode(exposed, rimPx);
     Mask2d inside(frame.width, frame.height);
-    for (int y = 0; y < frame.height; ++y) {
-        for (int x = 0; x < frame.width; ++x) {
-            inside.at(x, y) = exposed.at(x + 1, y + 1);
-        }
-    }
+    test::forEachPixel(frame.width, frame.height, [&](int x, int y) { inside.at(x, y) = exposed.at(x + 1, y + 1); });
     return inside;
 }
 

@@ -6,7 +6,6 @@
 
 namespace angiopose::test {
 
-/// Agreement of a traced tree with the true one.
 struct TreeAgreement {
     double found = 0.0;   ///< share of the true length within the vessel's radius of the traced curve
     double right = 0.0;   ///< share of the traced length within the vessel's radius of a true curve

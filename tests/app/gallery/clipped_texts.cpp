@@ -10,7 +10,6 @@
 #include <QFontMetrics>
 #include <QLabel>
 #include <QLineEdit>
-#include <QMenuBar>
 #include <QStyle>
 #include <QStyleOptionComboBox>
 #include <QToolButton>

@@ -5,7 +5,7 @@
 #include "app/files/sample_case.h"
 #include "core/vessel/tree_position.h"
 #include "tests/app/gallery/clipped_texts.h"
-#include "tests/support/patience.h"
+#include "tests/app/wait_for.h"
 #include "tests/support/simulated_views.h"
 #include "ui/dialogs/missing_inputs.h"
 #include "ui/dialogs/recovery_dialog.h"
@@ -48,8 +48,7 @@ void openSample(app::CaseController& controller)
     if (sample) {
         controller.open({sample.value()});
     }
-    if (!QTest::qWaitFor([&controller] { return !controller.isLoading() && controller.evaluation() != nullptr; },
-                         patienceMs)) {
+    if (!test::waitFor([&controller] { return !controller.isLoading() && controller.evaluation() != nullptr; })) {
         qFatal("The sample case did not open.");
     }
 }
@@ -57,7 +56,7 @@ void openSample(app::CaseController& controller)
 void runRegistration(app::CaseController& controller)
 {
     controller.registration().start();
-    if (!QTest::qWaitFor([&controller] { return !controller.registration().isRunning(); }, patienceMs)) {
+    if (!test::waitFor([&controller] { return !controller.registration().isRunning(); })) {
         qFatal("The registration did not end.");
     }
     QTest::qWait(300);
@@ -113,7 +112,6 @@ void Gallery::run()
     showScan(window, controller);
 }
 
-/// Measures a length, an angle and an area in the image, and along a branch.
 void Gallery::measure(app::CaseController& controller)
 {
     using enum core::MeasurementKind;
@@ -148,7 +146,6 @@ void Gallery::measure(app::CaseController& controller)
     controller.branches().select({std::ranges::max_element(branches, {}, &core::VesselBranch::lengthMm)->id});
 }
 
-/// Shows the dialogs that commands open.
 void Gallery::showDialogs(ui::MainWindow& window)
 {
     using enum ui::Command;
@@ -275,7 +272,6 @@ void Gallery::showTrial(ui::MainWindow& window, app::CaseController& controller)
     controller.poses().blindTrial().abandon();
 }
 
-/// Shows several views side by side.
 void Gallery::showViews(ui::MainWindow& window, app::CaseController& controller)
 {
     core::Case views = twoViewCase();

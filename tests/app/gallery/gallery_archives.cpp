@@ -34,7 +34,6 @@ std::vector<ui::MatchRow> studies()
 
 }   // namespace
 
-/// Asking an archive, from the first one on, and sending to it.
 void Gallery::showArchives(ui::MainWindow& window)
 {
     auto* dialog = new ui::ArchiveDialog(&window);

@@ -3,6 +3,7 @@
 #include "app/document/edit_case.h"
 #include "io/volume_file.h"
 #include "tests/app/gallery/gallery.h"
+#include "tests/app/wait_for.h"
 #include "tests/support/forked_vessel.h"
 #include "tests/support/patience.h"
 #include "ui/slices/slices_page.h"
@@ -17,7 +18,6 @@
 
 namespace angiopose::test {
 
-/// Shows each mode alone, on the registered case.
 void Gallery::showModes(ui::MainWindow& window)
 {
     using enum ui::Command;
@@ -43,11 +43,10 @@ void Gallery::showModes(ui::MainWindow& window)
     }
 }
 
-/// Shows messages and questions: a missing file, unsaved changes, the message log.
 void Gallery::showQuestions(ui::MainWindow& window, app::CaseController& controller)
 {
     controller.open({QStringLiteral("/studies/2026-03/run-12.dcm")});
-    if (!QTest::qWaitFor([&controller] { return !controller.isLoading(); }, patienceMs)) {
+    if (!test::waitFor([&controller] { return !controller.isLoading(); })) {
         qFatal("The opening did not end.");
     }
     QTest::qWait(300);
@@ -86,7 +85,6 @@ void Gallery::openScan(app::CaseController& controller, const QString& path)
     QTest::qWait(500);
 }
 
-/// Measures a length, an angle and an area in the slices at the crosshair.
 void Gallery::measureSlices(app::CaseController& controller, const ui::SliceModel& slices)
 {
     using enum core::MeasurementKind;
@@ -122,7 +120,7 @@ void Gallery::showScan(ui::MainWindow& window, app::CaseController& controller)
     measureSlices(controller, window.slices());
     showWindow(window, QStringLiteral("slices_measured"));
     window.actions()[ui::Command::PaintMask]->setChecked(true);
-    if (!QTest::qWaitFor([&] { return !controller.mask().isPreparing(); }, patienceMs)) {
+    if (!test::waitFor([&] { return !controller.mask().isPreparing(); })) {
         qFatal("The mask was not copied.");
     }
     ui::SliceView& axial = window.slicesPage().view(core::BodyPlane::Axial);
@@ -159,7 +157,6 @@ void Gallery::goToStep(ui::MainWindow& window, ui::Step step)
     QTest::qWait(100);
 }
 
-/// Shows the window in each step of a registered case, and with both columns collapsed.
 void Gallery::showSteps(ui::MainWindow& window)
 {
     goToStep(window, ui::Step::Review);

@@ -9,7 +9,6 @@
 namespace angiopose::app {
 namespace {
 
-/// Records the thread on which it is destroyed.
 struct Witness {
     explicit Witness(std::atomic<QThread*>& goneOn) : goneOn_(goneOn) {}
     ~Witness() { goneOn_ = QThread::currentThread(); }

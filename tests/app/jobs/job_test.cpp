@@ -1,6 +1,5 @@
 #include "app/jobs/job.h"
-
-#include "tests/support/patience.h"
+#include "tests/app/wait_for.h"
 
 #include <gtest/gtest.h>
 #include <QCoreApplication>
@@ -18,7 +17,6 @@ namespace {
 
 using Link = JobLink<int>;
 
-/// A job that records its reports, results and errors.
 struct HeardJob {
     std::vector<int> reports;
     std::vector<std::string> found;
@@ -29,7 +27,7 @@ struct HeardJob {
 
     bool waits()
     {
-        return QTest::qWaitFor([this] { return !job.isRunning(); }, test::patienceMs);
+        return test::waitFor([this] { return !job.isRunning(); });
     }
 };
 
@@ -104,7 +102,7 @@ TEST(Job, CanBeStartedAgainByWhoHearsItsEnd)
     });
     again = [&] { job.start([next = runs + 1](JobLink<double>&) -> core::Result<int> { return next; }); };
     again();
-    EXPECT_TRUE(QTest::qWaitFor([&] { return runs == 3; }, test::patienceMs));
+    EXPECT_TRUE(test::waitFor([&] { return runs == 3; }));
 }
 
 TEST(Job, IsDestroyedWithoutWaiting)
@@ -123,7 +121,7 @@ TEST(Job, IsDestroyedWithoutWaiting)
     }
     EXPECT_FALSE(hasEnded);
     isReleased = true;
-    EXPECT_TRUE(QTest::qWaitFor([&] { return hasEnded.load(); }, test::patienceMs));
+    EXPECT_TRUE(test::waitFor([&] { return hasEnded.load(); }));
 }
 
 }   // namespace

@@ -13,11 +13,6 @@
 namespace angiopose::app {
 namespace {
 
-QString dataPath(const char* relative)
-{
-    return QString::fromStdString(test::dataFile(relative).string());
-}
-
 QString written(const QTemporaryDir& folder, const char* name, const QByteArray& content)
 {
     const QString path = folder.filePath(QString::fromLatin1(name));
@@ -37,7 +32,7 @@ TEST(LoadJob, DeliversACaseOnTheThreadOfItsOwner)
     QObject::connect(&job, &LoadJob::finished, [&](const io::LoadedInputs& i) { inputs = i; });
     QSignalSpy finished(&job, &LoadJob::finished);
 
-    job.start({dataPath("coronary-phantom-xa/cases/IM4.angiopose")});
+    job.start({QString::fromStdString(test::dataFile("coronary-phantom-xa/cases/IM4.angiopose").string())});
 
     ASSERT_TRUE(finished.wait(test::patienceMs));
     ASSERT_TRUE(inputs && inputs->loadedCase);

@@ -1,7 +1,7 @@
 #include "app/jobs/method_series_job.h"
 
 #include "tests/app/jobs/small_case.h"
-#include "tests/support/patience.h"
+#include "tests/app/wait_for.h"
 
 #include <gtest/gtest.h>
 #include <QSignalSpy>
@@ -40,7 +40,7 @@ TEST(MethodSeriesJob, RunsEachMethodFromTheSameStartAndGoesOnAfterAFailure)
     HeardSeries heard(job);
     job.start(test::inputOf(test::smallCase()), {}, {"angiopose", "no-such-method", "dt-icp"});
     EXPECT_TRUE(job.isRunning());
-    ASSERT_TRUE(QTest::qWaitFor([&] { return heard.ended; }, test::patienceMs));
+    ASSERT_TRUE(test::waitFor([&] { return heard.ended; }));
 
     EXPECT_EQ(heard.methods, (std::vector<std::string>{"angiopose", "dt-icp"}));
     EXPECT_EQ(heard.failed, std::vector<std::string>{"no-such-method"});
@@ -55,7 +55,7 @@ TEST(MethodSeriesJob, StopKeepsWhatIsFinishedAndSkipsTheRest)
     HeardSeries heard(job);
     QObject::connect(&job, &MethodSeriesJob::solved, &job, [&job] { job.requestStop(); });
     job.start(test::inputOf(test::smallCase()), {}, {"angiopose", "particle", "evolution", "rgbr", "automask"});
-    ASSERT_TRUE(QTest::qWaitFor([&] { return heard.ended; }, test::patienceMs));
+    ASSERT_TRUE(test::waitFor([&] { return heard.ended; }));
 
     EXPECT_TRUE(heard.wasStopped);
     EXPECT_LT(heard.methods.size(), 5u);

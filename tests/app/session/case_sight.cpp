@@ -4,7 +4,7 @@
 #include "io/case/case_file.h"
 #include "io/results/result_file.h"
 #include "tests/app/session/words_of_window.h"
-#include "tests/support/patience.h"
+#include "tests/app/wait_for.h"
 #include "ui/views/angiogram_view.h"
 
 #include <QAbstractItemView>
@@ -40,7 +40,6 @@ QString digestOf(const QByteArray& bytes)
     return QString::fromLatin1(QCryptographicHash::hash(bytes, QCryptographicHash::Sha1).toHex());
 }
 
-/// The panels with the names used in reports of differences.
 std::vector<std::pair<QString, QWidget*>> panelsOf(ui::MainWindow& window)
 {
     return {
@@ -75,7 +74,6 @@ QStringList reportOf(app::CaseController& controller)
     return parts;
 }
 
-/// The exported PNG, byte for byte.
 QString overlayOf(app::CaseController& controller, const QString& folder)
 {
     const QString path = folder + QStringLiteral("/overlay.png");
@@ -84,7 +82,7 @@ QString overlayOf(app::CaseController& controller, const QString& folder)
     const auto hearing = QObject::connect(&controller.exporting(), &app::ExportController::failed, &controller,
                                           [&refusal](const QString& why) { refusal = why; });
     controller.exporting().exportOverlay({600, ui::Toggle::On, ui::Toggle::Off}, path);
-    const bool hasEnded = QTest::qWaitFor([&] { return QFile::exists(path) || !refusal.isEmpty(); }, patienceMs);
+    const bool hasEnded = test::waitFor([&] { return QFile::exists(path) || !refusal.isEmpty(); });
     QObject::disconnect(hearing);
     return hasEnded && refusal.isEmpty() ? digestOf(contentOf(path))
                                          : QStringLiteral("could not be exported: ") + refusal;

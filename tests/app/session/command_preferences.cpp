@@ -4,7 +4,6 @@
 #include "ui/views/angiogram_view.h"
 
 #include <QDir>
-#include <QTest>
 
 #include <algorithm>
 #include <array>
@@ -23,7 +22,6 @@ bool commandLeadsAway(const QAction& action)
                                [&](const char* name) { return action.objectName() == QLatin1String(name); });
 }
 
-/// Triggers any command of the shortcut list, by its shortcut if it has one, otherwise from the menu.
 QString command(Desk& desk)
 {
     const QList<QAction*> all = desk.window.QWidget::actions();
@@ -42,7 +40,6 @@ QString command(Desk& desk)
     return name;
 }
 
-/// Saves, switches and compares the snapshots of the case.
 QString handlePoses(Desk& desk)
 {
     static constexpr std::array commands{ui::Command::TakeSnapshot, ui::Command::ToggleSnapshots,

@@ -64,7 +64,6 @@ QString askForMenu(Desk& desk)
     return QStringLiteral("menu of image");
 }
 
-/// Draws a few strokes with the curve editor, which stays open.
 QString drawCurves(Desk& desk)
 {
     ui::AngiogramView& view = desk.window.angiogramView();
@@ -83,7 +82,6 @@ QString drawCurves(Desk& desk)
     return QStringLiteral("edit curves");
 }
 
-/// Subtracts the mask and shifts it with the mouse or the keyboard.
 QString shiftMask(Desk& desk)
 {
     ui::AngiogramView& view = desk.window.angiogramView();
@@ -97,7 +95,6 @@ QString shiftMask(Desk& desk)
     return QStringLiteral("move the mask");
 }
 
-/// Uses an image next to the shown one, if there is any.
 QString useOtherView(Desk& desk)
 {
     ui::SideBySide& images = desk.window.sideBySide();

@@ -85,7 +85,6 @@ QString clickButton(Desk& desk)
     return name;
 }
 
-/// Uses the rows of snapshots, solutions, landmarks, geometry values and branches.
 QString workInList(Desk& desk)
 {
     static constexpr std::array keys{Qt::Key_Down, Qt::Key_Up, Qt::Key_Home, Qt::Key_F2, Qt::Key_Space, Qt::Key_Delete};

@@ -2,7 +2,7 @@
 
 #include "app/files/autosave.h"
 #include "app/preferences/settings.h"
-#include "tests/support/patience.h"
+#include "tests/app/wait_for.h"
 #include "ui/views/angiogram_view.h"
 
 #include <QApplication>
@@ -16,7 +16,6 @@ namespace {
 
 constexpr int maxDialogs = 5;   // one dialog may open another
 
-/// The frontmost dialog or menu, if any.
 QWidget* openDialog(const QWidget& window)
 {
     if (QWidget* popup = QApplication::activePopupWidget()) {
@@ -123,7 +122,7 @@ bool RandomUser::comeToRest()
         app::Autosave::forget(copy);   // recoveries that were postponed
     }
     putWindowBack();
-    const bool hasEnded = QTest::qWaitFor(isAtRest, patienceMs);
+    const bool hasEnded = test::waitFor(isAtRest);
     QTest::qWait(1000);   // assessments, subtractions and snapshots in progress
     return hasEnded;
 }

@@ -3,7 +3,7 @@
 #include "tests/app/session/case_sight.h"
 #include "tests/app/session/random_user.h"
 #include "tests/app/session/words_of_window.h"
-#include "tests/support/patience.h"
+#include "tests/app/wait_for.h"
 #include "ui/views/angiogram_view.h"
 
 #include <QDir>
@@ -20,7 +20,7 @@ namespace {
 template <class Condition>
 void waitUntil(const char* what, const Condition& condition)
 {
-    if (!QTest::qWaitFor(condition, patienceMs)) {
+    if (!test::waitFor(condition)) {
         throw std::runtime_error(std::string("does not happen: ") + what);
     }
 }
@@ -76,7 +76,6 @@ void repeat(app::WindowHost& host, ui::Command command, int place)
     settle(host.controller());
 }
 
-/// One walk in its own window.
 class Walk {
 public:
     explicit Walk(const RandomWalk& plan) : plan_(plan)
@@ -87,7 +86,6 @@ public:
         layout_ = host_.window().layoutState();
     }
 
-    /// Reports the time that the stage took.
     void tell(const char* stage)
     {
         if (plan_.reported) {

@@ -1,6 +1,5 @@
 #include "tests/app/session/session_check.h"
-
-#include "tests/support/patience.h"
+#include "tests/app/wait_for.h"
 
 #include <QDir>
 #include <QFile>
@@ -13,7 +12,7 @@ bool save(app::CaseController& controller, const QString& path)
 {
     bool isSaved = false;
     controller.saving().saveTo(path, [&isSaved] { isSaved = true; });
-    return QTest::qWaitFor([&isSaved] { return isSaved; }, patienceMs);
+    return test::waitFor([&isSaved] { return isSaved; });
 }
 
 QByteArrayList linesOf(const QString& path)
@@ -39,7 +38,7 @@ QString differenceAfterReopening(app::CaseController& controller, const QString&
     app::CaseController reopened(window);
     window.show();
     reopened.open({first});
-    if (!QTest::qWaitFor([&reopened] { return !reopened.isLoading() && !reopened.document().isEmpty(); }, patienceMs)) {
+    if (!test::waitFor([&reopened] { return !reopened.isLoading() && !reopened.document().isEmpty(); })) {
         return QStringLiteral("could not reopen");
     }
     if (!save(reopened, second)) {

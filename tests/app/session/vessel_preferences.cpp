@@ -53,7 +53,6 @@ QString workInSlices(Desk& desk)
     return QStringLiteral("slices");
 }
 
-/// Shows slices beside the vessels or large in the middle, and cuts or joins branches at the crosshair.
 QString editTree(Desk& desk)
 {
     static constexpr std::array edits{

@@ -15,7 +15,6 @@ inline constexpr int imagePx = 960;
 /// projection is under test.
 Eigen::Vector2d pixelOf(const Eigen::Vector3d& inCamera);
 
-/// The same detector in the project's representation.
 core::ProjectionCamera detectorCamera();
 
 bool isOnDetector(const Eigen::Vector2d& pixel);

@@ -8,7 +8,6 @@
 
 namespace angiopose::benchmarks {
 
-/// Indices of all branches of a tree.
 std::vector<std::size_t> allOf(const RootedTree& tree);
 
 /// Indices of the opacified branches in a scene, drawn at random where the scene leaves a choice.

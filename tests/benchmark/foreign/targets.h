@@ -26,7 +26,6 @@ ForeignCase makeForeignCase(const std::vector<RootedTree>& trees, std::size_t tr
 /// views, off by 0.25° and 0.75 mm (1-σ per axis) from the true one.
 std::array<ForeignCase, 2> makeForeignPair(const std::vector<RootedTree>& trees, std::size_t tree, std::uint64_t trial);
 
-/// Distance of an answer from the truth.
 struct ForeignError {
     double inPlaneMm = 0.0;   ///< mean over the opacified branches, perpendicular to the rays
     double spaceMm = 0.0;   ///< mean distance in 3-D

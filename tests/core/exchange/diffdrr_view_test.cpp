@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>
 #include <Eigen/LU>
-#include <cmath>
 #include <random>
 
 using namespace angiopose;

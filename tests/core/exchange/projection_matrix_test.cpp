@@ -1,7 +1,6 @@
 #include "core/exchange/projection_matrix.h"
 
 #include "core/messages/messages.h"
-#include "core/support/random.h"
 
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>
@@ -15,11 +14,6 @@ using namespace core;
 
 const RigidTransform somePose{expSo3({0.4, -1.1, 2.0}), {12.5, -7.25, 741.0}};
 const ProjectionCamera standard{-2281.3, 2279.9, 250.5, 261.25, 512, 512};
-
-double poseDifference(const RigidTransform& a, const RigidTransform& b)
-{
-    return (a.matrix() - b.matrix()).cwiseAbs().maxCoeff();
-}
 
 void expectCamera(const ProjectionCamera& found, const ProjectionCamera& wanted)
 {
@@ -47,7 +41,7 @@ TEST(ProjectionMatrix, IsTakenApartWithAndWithoutMirror)
             const auto found = posedCameraFromMatrix(factor * projectionMatrix({camera, somePose}));
             ASSERT_TRUE(found);
             expectCamera(found.value().camera, camera);
-            EXPECT_LT(poseDifference(found.value().cameraFromPatient, somePose), 1e-9);
+            EXPECT_LT((found.value().cameraFromPatient.matrix() - somePose.matrix()).cwiseAbs().maxCoeff(), 1e-9);
             EXPECT_NEAR(found.value().cameraFromPatient.rotation.determinant(), 1.0, 1e-12);
         }
     }

@@ -1,4 +1,5 @@
 #include "core/imaging/display_range.h"
+#include "tests/support/for_each.h"
 
 #include <gtest/gtest.h>
 #include <limits>
@@ -13,11 +14,8 @@ using namespace core;
 ImageF borderedRamp()
 {
     ImageF image(120, 100, 0.0F);
-    for (int y = 20; y < 80; ++y) {
-        for (int x = 20; x < 120; ++x) {
-            image.at(x, y) = 100.0F + static_cast<float>(x - 20);
-        }
-    }
+    test::forEachPixel({20, 20}, {120, 80},
+                       [&](int x, int y) { image.at(x, y) = 100.0F + static_cast<float>(x - 20); });
     return image;
 }
 

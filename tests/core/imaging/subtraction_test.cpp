@@ -3,6 +3,7 @@
 #include "core/imaging/image_filters.h"
 #include "core/support/random.h"
 #include "tests/support/drawn_vessels.h"
+#include "tests/support/for_each.h"
 
 #include <gtest/gtest.h>
 #include <cmath>
@@ -24,12 +25,10 @@ ImageF body(const Eigen::Vector2d& shift, double noise, std::uint64_t seed)
     }
     field = core::gaussianBlur(field, 3.0);
     ImageF counts(160, 120);
-    for (int y = 0; y < counts.height; ++y) {
-        for (int x = 0; x < counts.width; ++x) {
-            const double attenuation = core::sampleBilinear(field, x + 20 - shift.x(), y + 20 - shift.y());
-            counts.at(x, y) = static_cast<float>(1000.0 * std::exp(-2.0 * attenuation));
-        }
-    }
+    test::forEachPixel(counts.width, counts.height, [&](int x, int y) {
+        const double attenuation = core::sampleBilinear(field, x + 20 - shift.x(), y + 20 - shift.y());
+        counts.at(x, y) = static_cast<float>(1000.0 * std::exp(-2.0 * attenuation));
+    });
     test::addNoise(counts, noise, seed);
     return counts;
 }
@@ -50,13 +49,11 @@ double deviation(const ImageF& image, int margin)
     double sum = 0.0;
     double squares = 0.0;
     double count = 0.0;
-    for (int y = margin; y < image.height - margin; ++y) {
-        for (int x = margin; x < image.width - margin; ++x) {
-            sum += image.at(x, y);
-            squares += std::pow(image.at(x, y), 2);
-            count += 1.0;
-        }
-    }
+    test::forEachPixel({margin, margin}, {image.width - margin, image.height - margin}, [&](int x, int y) {
+        sum += image.at(x, y);
+        squares += std::pow(image.at(x, y), 2);
+        count += 1.0;
+    });
     return std::sqrt(squares / count - std::pow(sum / count, 2));
 }
 

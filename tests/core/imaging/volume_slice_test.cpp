@@ -1,6 +1,7 @@
 #include "core/imaging/volume_slice.h"
 
 #include "tests/support/axis_orders.h"
+#include "tests/support/for_each.h"
 
 #include <gtest/gtest.h>
 #include <cmath>
@@ -16,13 +17,8 @@ Volume placedVolume()
     geometry.spacingMm = {1.0, 2.0, 3.0};
     geometry.originInPatient = {-10.0, 20.0, 500.0};
     Volume volume(geometry);
-    for (int k = 0; k < 3; ++k) {
-        for (int j = 0; j < 4; ++j) {
-            for (int i = 0; i < 5; ++i) {
-                volume.at(i, j, k) = static_cast<std::int16_t>(100 * k + 10 * j + i);
-            }
-        }
-    }
+    test::forEachVoxel(
+        {5, 4, 3}, [&](int i, int j, int k) { volume.at(i, j, k) = static_cast<std::int16_t>(100 * k + 10 * j + i); });
     return volume;
 }
 
@@ -92,14 +88,10 @@ TEST(VolumeSlice, CutsAnObliqueVolumeAlongThePatient)
 {
     Volume volume = test::countedVolume({12, 12, 12});
     const auto ramp = [](const Eigen::Vector3d& point) { return 3.0 * point.x() - 2.0 * point.y() + point.z(); };
-    for (int k = 0; k < 12; ++k) {
-        for (int j = 0; j < 12; ++j) {
-            for (int i = 0; i < 12; ++i) {
-                volume.at(i, j, k) = static_cast<std::int16_t>(
-                    std::lround(10.0 * ramp(volume.geometry.patientFromVoxel() * Eigen::Vector3d(i, j, k))));
-            }
-        }
-    }
+    test::forEachVoxel({12, 12, 12}, [&](int i, int j, int k) {
+        volume.at(i, j, k) = static_cast<std::int16_t>(
+            std::lround(10.0 * ramp(volume.geometry.patientFromVoxel() * Eigen::Vector3d(i, j, k))));
+    });
     volume.slope = 0.1;
     for (const BodyPlane plane : bodyPlanes) {
         const SliceGrid grid = sliceThrough(volume.geometry, plane, centerOf(volume.geometry));

@@ -1,4 +1,5 @@
 #include "core/imaging/wide_gaussian_blur.h"
+#include "tests/support/for_each.h"
 
 #include <gtest/gtest.h>
 #include <numeric>
@@ -13,13 +14,11 @@ double variancePx(const ImageF& image, int center)
 {
     double sum = 0.0;
     double squares = 0.0;
-    for (int y = 0; y < image.height; ++y) {
-        for (int x = 0; x < image.width; ++x) {
-            const double value = image.at(x, y);
-            sum += value;
-            squares += value * (x - center) * (x - center);
-        }
-    }
+    test::forEachPixel(image.width, image.height, [&](int x, int y) {
+        const double value = image.at(x, y);
+        sum += value;
+        squares += value * (x - center) * (x - center);
+    });
     return squares / sum;
 }
 

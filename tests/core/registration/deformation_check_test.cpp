@@ -1,7 +1,6 @@
 #include "core/registration/deformation_check.h"
 
 #include "core/messages/messages.h"
-#include "core/registration/register_views.h"
 #include "core/registration/registration.h"
 #include "tests/support/clean_case.h"
 
@@ -23,8 +22,7 @@ RegistrationInput halfMoved(const test::CleanCase& clean, double byMm)
             point += byMm / (1.0 + std::exp((point.z() - middle) / 2.0)) * aside;
         }
     }
-    CounterRandom random(4);
-    RegistrationInput input = clean.from(clean.nearbyStart(random));
+    RegistrationInput input = clean.fromNearby(4);
     input.target = projectTree(moved, clean.camera, clean.truth);
     return input;
 }
@@ -38,8 +36,7 @@ const Message* find(const Messages& messages, const MessageEntry& entry)
 TEST(DeformationDoubt, ARigidTreeIsNotAsked)
 {
     const test::CleanCase clean(3);
-    CounterRandom random(4);
-    const RegistrationInput input = clean.from(clean.nearbyStart(random));
+    const RegistrationInput input = clean.fromNearby(4);
     RegistrationOptions off;
     off.deformation = Deformation::Off;
     const RegistrationResult asUsual = registerVessels(input).value();

@@ -17,15 +17,13 @@ constexpr double lastPixel = 1023.0;   // last column and row of the clean case'
 RegistrationInput inputOf(const Move& stored)
 {
     const test::CleanCase clean(3);
-    CounterRandom random(4);
-    RegistrationInput input = clean.from(clean.nearbyStart(random));
+    RegistrationInput input = clean.fromNearby(4);
     for (Curve2d& curve : input.target.curves) {
         std::ranges::transform(curve.pointsPx, curve.pointsPx.begin(), stored);
     }
     return input;
 }
 
-/// Result of registering to the image stored in that orientation.
 RegistrationResult resultOf(const Move& stored)
 {
     return registerVessels(inputOf(stored)).value();

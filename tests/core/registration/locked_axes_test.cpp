@@ -1,6 +1,7 @@
 #include "core/geometry/pose_offset.h"
 #include "core/registration/register_views.h"
 #include "core/registration/registration.h"
+#include "tests/core/registration/methods/tested_methods.h"
 #include "tests/support/clean_case.h"
 
 #include <gtest/gtest.h>
@@ -43,10 +44,7 @@ struct LockedCase {
 
 RegistrationOptions methodLocking(std::string_view method, std::initializer_list<PoseAxis> axes)
 {
-    RegistrationOptions options;
-    options.method = method;
-    options.resample = false;
-    options.seed.preset = PriorPreset::NoPrior;
+    RegistrationOptions options = test::exactSamplesBy(method);
     options.evolution.evaluations = 600;
     options.particle.count = 60;
     options.rgbr.hypotheses = 60;
@@ -121,25 +119,7 @@ TEST_P(LockedAxes, LeaveOneFree)
     EXPECT_NEAR(locked.fromTruth(result.value().cameraFromPatient).upMm, 0.0, 0.5);
 }
 
-std::vector<std::string_view> allMethodIds()
-{
-    std::vector<std::string_view> ids;
-    for (const MethodInfo& method : methodInfos()) {
-        if (method.id != "wire") {   // requires one line, not a tree: see wire_test.cpp
-            ids.push_back(method.id);
-        }
-    }
-    return ids;
-}
-
-std::string testName(const testing::TestParamInfo<std::string_view>& parameter)
-{
-    std::string name(parameter.param);
-    std::replace(name.begin(), name.end(), '-', '_');
-    return name;
-}
-
-INSTANTIATE_TEST_SUITE_P(Methods, LockedAxes, testing::ValuesIn(allMethodIds()), testName);
+INSTANTIATE_TEST_SUITE_P(Methods, LockedAxes, testing::ValuesIn(test::treeMethodIds()), test::methodTestName);
 
 TEST(LockedAxesOfAngioPose, AreExactAndTheRestIsFoundWithTrueLocks)
 {

@@ -45,8 +45,7 @@ TEST(RegisterVessels, RecoversKnownPoseFromNearbyStart)
 {
     for (const std::uint64_t seed : {1, 2, 3, 4}) {
         const test::CleanCase clean(seed);
-        CounterRandom random(seed);
-        const auto result = registerVessels(clean.from(clean.nearbyStart(random)));
+        const auto result = registerVessels(clean.fromNearby(seed));
         ASSERT_TRUE(result);
         EXPECT_LT(meanErrorPx(clean, result.value().cameraFromPatient), idealErrorPx) << "tree " << seed;
         EXPECT_TRUE(result.value().trustworthy) << "tree " << seed;
@@ -245,8 +244,7 @@ TEST(RegisterVessels, UncertaintyMatchesTheErrors)
 TEST(RegisterVessels, SameInputGivesSameBits)
 {
     const test::CleanCase clean(4);
-    CounterRandom random(1);
-    const RegistrationInput input = clean.from(clean.nearbyStart(random));
+    const RegistrationInput input = clean.fromNearby(1);
     RegistrationOptions options;
     const auto once = registerVessels(input, options);
     const auto again = registerVessels(input, options);
@@ -355,8 +353,7 @@ TEST(RegisterVessels, ChosenBranchesOfDeformedVesselsFitBetterAndItIsSaid)
     for (Eigen::Vector2d& point : curve.pointsPx) {
         point += 6.0 * Eigen::Vector2d(-along.y(), along.x());
     }
-    CounterRandom random(5);
-    RegistrationInput input = clean.from(clean.nearbyStart(random));
+    RegistrationInput input = clean.fromNearby(5);
     const auto plain = registerVessels(input);
     input.auxiliaryBranchIds = {moved};
     const auto chosen = registerVessels(input);
@@ -384,8 +381,7 @@ TEST(RegisterVessels, ChosenBranchesOfDeformedVesselsFitBetterAndItIsSaid)
 TEST(RegisterVessels, ChosenBranchesOfRigidVesselsChangeNothing)
 {
     const test::CleanCase clean(2);
-    CounterRandom random(6);
-    RegistrationInput input = clean.from(clean.nearbyStart(random));
+    RegistrationInput input = clean.fromNearby(6);
     input.auxiliaryBranchIds = {clean.tree.branches[1].id, clean.tree.branches[3].id};
     const auto result = registerVessels(input);
     ASSERT_TRUE(result);
@@ -460,8 +456,7 @@ TEST(RegisterVessels, PutsPointsInOrderThatCameInNone)
 TEST(RegisterVessels, ExcludedBranchesAreNotUsed)
 {
     const test::CleanCase clean(6);
-    CounterRandom random(4);
-    RegistrationInput input = clean.from(clean.nearbyStart(random));
+    RegistrationInput input = clean.fromNearby(4);
     input.excludedBranchIds = {clean.tree.branches.back().id};
     const auto result = registerVessels(input);
     ASSERT_TRUE(result);

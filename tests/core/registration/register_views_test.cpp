@@ -23,7 +23,7 @@ struct TwoViews {
         truth[1].translation = Eigen::Vector3d(-3.0, 5.0, 780.0) - truth[1].rotation * centroid;
         for (std::size_t k = 0; k < 2; ++k) {
             inputs[k] = clean.from(truth[k]);
-            inputs[k].target = noisy(projectTree(clean.tree, clean.camera, truth[k]));
+            inputs[k].target = test::jittered(projectTree(clean.tree, clean.camera, truth[k]), random);
         }
     }
 
@@ -40,17 +40,6 @@ struct TwoViews {
     PoseError error(const RigidTransform& pose, std::size_t view) const
     {
         return poseError(centroidInPatient(clean.tree), {pose, truth[view]});
-    }
-
-    Centerline2d noisy(Centerline2d target)
-    {
-        for (Curve2d& curve : target.curves) {
-            for (Eigen::Vector2d& point : curve.pointsPx) {
-                point.x() += 0.5 * random.normal();
-                point.y() += 0.5 * random.normal();
-            }
-        }
-        return target;
     }
 
     CounterRandom random{5};

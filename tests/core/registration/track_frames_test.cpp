@@ -25,14 +25,7 @@ struct BreathingRun {
 
     Centerline2d targetAt(int frame)
     {
-        Centerline2d target = projectTree(clean.tree, clean.camera, truthAt(frame));
-        for (Curve2d& curve : target.curves) {
-            for (Eigen::Vector2d& point : curve.pointsPx) {
-                point.x() += 0.5 * random.normal();
-                point.y() += 0.5 * random.normal();
-            }
-        }
-        return target;
+        return test::jittered(projectTree(clean.tree, clean.camera, truthAt(frame)), random);
     }
 
     FrameTracker tracker() const { return {makeProblem(clean.from(clean.truth), options).value(), options}; }

@@ -1,4 +1,3 @@
-#include "core/messages/messages.h"
 #include "core/registration/pose/centroid_pose.h"
 #include "core/registration/register_views.h"
 #include "core/simulation/degrade_target.h"

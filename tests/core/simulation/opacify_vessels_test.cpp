@@ -1,7 +1,6 @@
 #include "core/simulation/opacify_vessels.h"
 
 #include <gtest/gtest.h>
-#include <algorithm>
 #include <set>
 
 using namespace angiopose;

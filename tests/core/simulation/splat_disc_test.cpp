@@ -1,4 +1,5 @@
 #include "core/simulation/splat_disc.h"
+#include "tests/support/for_each.h"
 
 #include <gtest/gtest.h>
 #include <numbers>
@@ -18,12 +19,10 @@ TEST(SplatDisc, HasTheVolumeAndTheCenterOfTheDisc)
             splatDisc(image, {15.0 + fraction, 16.0 - fraction}, radius, 2.0);
             double volume = 0.0;
             Eigen::Vector2d center = Eigen::Vector2d::Zero();
-            for (int y = 0; y < 32; ++y) {
-                for (int x = 0; x < 32; ++x) {
-                    volume += image.at(x, y);
-                    center += image.at(x, y) * Eigen::Vector2d(x, y);
-                }
-            }
+            test::forEachPixel(32, 32, [&](int x, int y) {
+                volume += image.at(x, y);
+                center += image.at(x, y) * Eigen::Vector2d(x, y);
+            });
             EXPECT_NEAR(volume, 2.0 * std::numbers::pi * radius * radius, 1e-4 * volume);
             EXPECT_LT((center / volume - Eigen::Vector2d(15.0 + fraction, 16.0 - fraction)).norm(), 0.15) << radius;
         }

@@ -1,13 +1,9 @@
 #include "core/support/message.h"
 
-#include "core/messages/catalog.h"
 #include "core/messages/messages.h"
 #include "core/support/result.h"
 
 #include <gtest/gtest.h>
-
-#include <algorithm>
-#include <set>
 
 namespace angiopose::core {
 namespace {

@@ -4,7 +4,6 @@
 #include <atomic>
 #include <chrono>
 #include <stdexcept>
-#include <string>
 #include <thread>
 
 using namespace angiopose;

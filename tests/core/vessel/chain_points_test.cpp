@@ -16,7 +16,6 @@ Points shuffled(Points points)
     return points;
 }
 
-/// Largest step between consecutive points of a curve.
 double longestStep(const Centerline2d& centerline)
 {
     double longest = 0.0;

@@ -61,7 +61,6 @@ inline std::string objectText(int index, const std::string& seriesUid, int side 
     return text ? text.value() : std::string();
 }
 
-/// Writes `count` objects as files.
 inline std::vector<std::string> writeObjects(const TemporaryFolder& folder, const std::string& seriesUid, int count,
                                              int side = 64)
 {

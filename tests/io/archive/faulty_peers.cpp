@@ -1,8 +1,8 @@
 #include "tests/io/archive/faulty_peers.h"
 
-#include <arpa/inet.h>
+#include "tests/io/archive/loopback.h"
+
 #include <fcntl.h>
-#include <poll.h>
 #include <sys/socket.h>
 #include <unistd.h>
 #include <algorithm>
@@ -11,31 +11,16 @@
 namespace angiopose::test {
 namespace {
 
-sockaddr_in loopbackAt(int port)
-{
-    sockaddr_in address{};
-    address.sin_family = AF_INET;
-    address.sin_port = htons(static_cast<std::uint16_t>(port));
-    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    return address;
-}
-
 int listeningSocket(int queue, int& port)
 {
     const int handle = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
-    sockaddr_in address = loopbackAt(0);
+    sockaddr_in address = loopback(0);
     ::bind(handle, reinterpret_cast<const sockaddr*>(&address), sizeof address);
     ::listen(handle, queue);
     socklen_t size = sizeof address;
     ::getsockname(handle, reinterpret_cast<sockaddr*>(&address), &size);
     port = ntohs(address.sin_port);
     return handle;
-}
-
-bool isReadable(int handle, int milliseconds)
-{
-    pollfd waited{handle, POLLIN, 0};
-    return ::poll(&waited, 1, milliseconds) > 0;
 }
 
 /// Passes one block on, at most `room` bytes, and subtracts its size; returns false when there is nothing more to pass.
@@ -65,7 +50,7 @@ SilentPeer::~SilentPeer()
 SwallowingPeer::SwallowingPeer() : handle_(-1), port_(0)
 {
     handle_ = listeningSocket(0, port_);
-    const sockaddr_in address = loopbackAt(port_);
+    const sockaddr_in address = loopback(port_);
     for (int i = 0; i < 4; ++i) {
         const int waiting = ::socket(AF_INET, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
         ::connect(waiting, reinterpret_cast<const sockaddr*>(&address), sizeof address);
@@ -109,7 +94,7 @@ void CuttingProxy::run()
 void CuttingProxy::passOn(int client) const
 {
     const int server = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
-    const sockaddr_in address = loopbackAt(target_);
+    const sockaddr_in address = loopback(target_);
     ::connect(server, reinterpret_cast<const sockaddr*>(&address), sizeof address);
     std::size_t back = isHealed_ ? std::size_t{1} << 40 : bytes_;
     std::size_t there = std::size_t{1} << 40;

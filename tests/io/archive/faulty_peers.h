@@ -46,7 +46,6 @@ public:
     CuttingProxy& operator=(const CuttingProxy&) = delete;
     int port() const { return port_; }
 
-    /// Stops cutting connections from now on.
     void heal() { isHealed_ = true; }
 
 private:

@@ -1,6 +1,7 @@
 #include "tests/io/archive/orthanc.h"
 
-#include <arpa/inet.h>
+#include "tests/io/archive/loopback.h"
+
 #include <fcntl.h>
 #include <signal.h>
 #include <sys/prctl.h>
@@ -17,15 +18,6 @@ namespace {
 
 constexpr const char* program = "/usr/sbin/Orthanc";
 constexpr const char* plugin = "/usr/share/orthanc/plugins/libOrthancDicomWeb.so";
-
-sockaddr_in loopback(int port)
-{
-    sockaddr_in address{};
-    address.sin_family = AF_INET;
-    address.sin_port = htons(static_cast<std::uint16_t>(port));
-    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    return address;
-}
 
 bool isListening(int port)
 {

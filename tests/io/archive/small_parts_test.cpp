@@ -59,7 +59,6 @@ TEST(ArchiveQuery, UidsAreFitForFileNames)
     }
 }
 
-/// Parts of a body that arrives in pieces of the given size.
 std::vector<std::string> partsOf(const std::string& body, std::size_t pieceSize, bool& isClosed)
 {
     std::vector<std::string> parts;

@@ -1,8 +1,8 @@
 #include "tests/io/archive/tls_proxy.h"
 
-#include <arpa/inet.h>
+#include "tests/io/archive/loopback.h"
+
 #include <openssl/ssl.h>
-#include <poll.h>
 #include <signal.h>
 #include <sys/socket.h>
 #include <unistd.h>
@@ -10,21 +10,6 @@
 
 namespace angiopose::test {
 namespace {
-
-sockaddr_in proxyAddress(int port)
-{
-    sockaddr_in address{};
-    address.sin_family = AF_INET;
-    address.sin_port = htons(static_cast<std::uint16_t>(port));
-    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    return address;
-}
-
-bool comes(int handle, int milliseconds)
-{
-    pollfd waited{handle, POLLIN, 0};
-    return ::poll(&waited, 1, milliseconds) > 0;
-}
 
 bool toServer(SSL* from, int to)
 {
@@ -50,7 +35,7 @@ TlsProxy::TlsProxy(int target, const std::string& certificateFile, const std::st
     SSL_CTX_use_certificate_file(context, certificateFile.c_str(), SSL_FILETYPE_PEM);
     SSL_CTX_use_PrivateKey_file(context, keyFile.c_str(), SSL_FILETYPE_PEM);
     handle_ = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
-    sockaddr_in address = proxyAddress(0);
+    sockaddr_in address = loopback(0);
     ::bind(handle_, reinterpret_cast<const sockaddr*>(&address), sizeof address);
     ::listen(handle_, 16);
     socklen_t size = sizeof address;
@@ -73,7 +58,7 @@ TlsProxy::~TlsProxy()
 void TlsProxy::run()
 {
     while (!isOver_) {
-        if (comes(handle_, 50)) {
+        if (isReadable(handle_, 50)) {
             const int client = ::accept(handle_, nullptr, nullptr);
             served_.emplace_back([this, client] { serve(client); });
         }
@@ -83,16 +68,16 @@ void TlsProxy::run()
 void TlsProxy::serve(int client) const
 {
     const int server = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
-    const sockaddr_in address = proxyAddress(target_);
+    const sockaddr_in address = loopback(target_);
     SSL* secure = SSL_new(static_cast<SSL_CTX*>(context_));
     SSL_set_fd(secure, client);
     const bool isReady =
         SSL_accept(secure) == 1 && ::connect(server, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0;
     for (bool isOpen = isReady; isOpen && !isOver_;) {
-        if (SSL_pending(secure) > 0 || comes(client, 5)) {
+        if (SSL_pending(secure) > 0 || isReadable(client, 5)) {
             isOpen = toServer(secure, server);
         }
-        if (isOpen && comes(server, 5)) {
+        if (isOpen && isReadable(server, 5)) {
             isOpen = toClient(server, secure);
         }
     }

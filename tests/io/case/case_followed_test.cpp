@@ -3,7 +3,6 @@
 #include "core/simulation/simulated_case.h"
 #include "io/angiogram_file.h"
 #include "io/case/tracked_deformations_file.h"
-#include "io/vessel_tree_file.h"
 #include "tests/io/case/small_case.h"
 
 #include <cmath>
@@ -17,7 +16,6 @@ namespace {
 using core::TrackedRun;
 using core::TrackedRunFrame;
 using test::anyContains;
-using test::SmallCase;
 using Edit = std::function<void(nlohmann::json&)>;
 
 core::RigidTransform moved(core::RigidTransform pose, double mm)
@@ -106,9 +104,7 @@ protected:
     core::Case load(const std::string& from)
     {
         small.warnings.clear();
-        auto loaded = io::loadCase(from, small.warnings);
-        EXPECT_TRUE(loaded) << loaded.error().message;
-        return loaded ? std::move(loaded).value() : core::Case{};
+        return test::loadedFrom(from, small.warnings);
     }
     core::Case afterReplacingDeformation(const std::string& content)
     {
@@ -130,7 +126,7 @@ protected:
         EXPECT_TRUE(anyContains(small.warnings, why)) << small.warnings.front().text();
     }
 
-    SmallCase small;
+    test::SmallCase small;
     core::Case session;
 };
 

@@ -1,5 +1,4 @@
 #include "core/tracing/volume/trace_vessels.h"
-#include "io/edited_mask.h"
 #include "io/volume_file.h"
 #include "tests/io/case/small_case.h"
 #include "tests/support/forked_vessel.h"
@@ -10,7 +9,6 @@ using namespace angiopose;
 
 namespace {
 
-using test::contains;
 using test::SmallCase;
 
 std::shared_ptr<const core::VoxelMask> forkMask()

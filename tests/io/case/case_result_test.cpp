@@ -1,6 +1,5 @@
 #include "core/messages/messages.h"
 #include "core/registration/deformable/deformed_tree.h"
-#include "core/registration/registration.h"
 #include "io/messages/messages.h"
 #include "io/motion_table.h"
 #include "io/results/result_file.h"
@@ -11,8 +10,6 @@
 using namespace angiopose;
 
 namespace {
-
-using test::SmallCase;
 
 /// A deformation result in which every point of a tree moved by a different displacement.
 core::DeformableResult richDeformation(const core::Case& session)
@@ -108,7 +105,7 @@ protected:
 
     nlohmann::json saved() const { return nlohmann::json::parse(test::readText(small.path("saved.angiopose"))); }
 
-    SmallCase small;
+    test::SmallCase small;
     core::Case session;
 };
 

@@ -1,6 +1,4 @@
-#include "io/case/case_file.h"
-#include "tests/support/temporary_folder.h"
-#include "tests/support/test_data.h"
+#include "tests/io/case/small_case.h"
 
 #include <gtest/gtest.h>
 #include <algorithm>
@@ -11,17 +9,11 @@ using namespace angiopose;
 namespace {
 
 namespace fs = std::filesystem;
+using test::loadedFrom;
 
 std::string phantomPath(int view)
 {
     return test::dataFile("coronary-phantom-xa/cases/IM" + std::to_string(view) + ".angiopose").string();
-}
-
-core::Case loadedFrom(const std::string& path, core::Messages& warnings)
-{
-    auto loaded = io::loadCase(path, warnings);
-    EXPECT_TRUE(loaded) << loaded.error().message;
-    return loaded ? std::move(loaded).value() : core::Case{};
 }
 
 core::Case loadedFrom(const std::string& path)
@@ -33,8 +25,8 @@ core::Case loadedFrom(const std::string& path)
 /// IM4 with IM3 as a second view stored in the case.
 core::Case twoViews()
 {
-    core::Case values = loadedFrom(phantomPath(4));
-    core::View other = loadedFrom(phantomPath(3)).shown();
+    core::Case values = test::phantomCase(4);
+    core::View other = test::phantomCase(3).shown();
     other.frame = 2;
     other.cameraFromPatient.translation.x() = 1.0 / 3.0;
     other.traceOptions.sensitivity = 1.1;
@@ -67,7 +59,7 @@ TEST(CaseViews, KeepTheirOrderWhicheverIsShown)
             EXPECT_EQ(copy.views[k].frame, values.views[k + 1].frame);
         }
     }
-    core::Case alone = loadedFrom(phantomPath(4));
+    core::Case alone = test::phantomCase(4);
     ASSERT_TRUE(io::saveCase(alone, folder.file("one.angiopose")));
     EXPECT_EQ(test::readText(folder.file("one.angiopose")).find("shownPlace"), std::string::npos);
     std::string far = test::readText(folder.file("both.angiopose"));
@@ -104,7 +96,7 @@ TEST(CaseViews, OfACaseFileAreReadWithItsGeometryButWithTheCasesVessels)
 {
     ANGIOPOSE_NEEDS_DATA("coronary-phantom-xa/cases");
     const test::TemporaryFolder folder;
-    core::Case values = loadedFrom(phantomPath(4));
+    core::Case values = test::phantomCase(4);
     values.views.emplace_back().caseFile.path = phantomPath(3);
     ASSERT_TRUE(io::saveCase(values, folder.file("both.angiopose")));
     const core::Case copy = loadedFrom(folder.file("both.angiopose"));
@@ -113,7 +105,7 @@ TEST(CaseViews, OfACaseFileAreReadWithItsGeometryButWithTheCasesVessels)
     EXPECT_TRUE(fs::equivalent(view.caseFile.path, phantomPath(3)));
     ASSERT_TRUE(view.angiogram);
     EXPECT_EQ(view.caseFile.sha256.size(), 64U);   // identifies the file after it was moved
-    EXPECT_EQ(view.geometry.cameraOverride, loadedFrom(phantomPath(3)).shown().geometry.cameraOverride);
+    EXPECT_EQ(view.geometry.cameraOverride, test::phantomCase(3).shown().geometry.cameraOverride);
     EXPECT_EQ(copy.vessels.file, values.vessels.file);
 }
 
@@ -177,8 +169,8 @@ TEST(CaseViews, AreCheckedBeforeTheCaseIsWrittenOverThem)
     ANGIOPOSE_NEEDS_DATA("coronary-phantom-xa/cases");
     const test::TemporaryFolder folder;
     const std::string other = folder.file("other.angiopose");
-    ASSERT_TRUE(io::saveCase(loadedFrom(phantomPath(3)), other));
-    core::Case values = loadedFrom(phantomPath(4));
+    ASSERT_TRUE(io::saveCase(test::phantomCase(3), other));
+    core::Case values = test::phantomCase(4);
     values.views.emplace_back().caseFile.path = other;
     const auto written = io::saveCase(values, other);
     ASSERT_FALSE(written);

@@ -11,14 +11,13 @@ namespace {
 
 using test::anyContains;
 using test::contains;
-using test::phantomCase;
 using test::SmallCase;
 
 TEST(LoadCase, OpensEveryPhantomCase)
 {
     ANGIOPOSE_NEEDS_DATA("coronary-phantom-xa/cases");
     for (int view = 1; view <= 4; ++view) {
-        const core::Case loaded = phantomCase(view);
+        const core::Case loaded = test::phantomCase(view);
         ASSERT_TRUE(loaded.vessels.tree);
         EXPECT_EQ(loaded.vessels.tree->branches.size(), 11u);
         ASSERT_TRUE(loaded.shown().angiogram);

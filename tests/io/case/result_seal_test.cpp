@@ -1,4 +1,3 @@
-#include "core/registration/registration.h"
 #include "tests/io/case/small_case.h"
 
 #include <functional>
@@ -7,7 +6,6 @@ using namespace angiopose;
 
 namespace {
 
-using test::SmallCase;
 using Edit = std::function<void(nlohmann::json&)>;
 
 core::RegistrationResult resultAt(const core::View& view)
@@ -39,9 +37,7 @@ protected:
         edit(json);
         small.folder().write("edited.angiopose", json.dump(1));
         small.warnings.clear();
-        auto loaded = io::loadCase(small.path("edited.angiopose"), small.warnings);
-        EXPECT_TRUE(loaded) << loaded.error().message;
-        return loaded ? std::move(loaded).value() : core::Case{};
+        return test::loadedFrom(small.path("edited.angiopose"), small.warnings);
     }
 
     bool saysChanged(const std::string& what) const
@@ -49,7 +45,7 @@ protected:
         return test::anyContains(small.warnings, "has changed since: " + what + ". Register again.");
     }
 
-    SmallCase small;
+    test::SmallCase small;
     core::Case session;
 };
 

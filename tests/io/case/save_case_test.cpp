@@ -11,15 +11,13 @@ using namespace angiopose;
 
 namespace {
 
-using test::contains;
-using test::phantomCase;
 using test::SmallCase;
 
 TEST(SaveCase, RestoresEveryBit)
 {
     ANGIOPOSE_NEEDS_DATA("coronary-phantom-xa/cases");
     const test::TemporaryFolder folder;
-    core::Case original = phantomCase(3);
+    core::Case original = test::phantomCase(3);
     original.title = "Größe \"π\"";
     original.vessels.auxiliaryBranchIds = {4, 5};
     original.vessels.excludedBranchIds = {11};
@@ -168,7 +166,7 @@ TEST(SaveCase, WritesDecimalPointsInAnyLocale)
     ASSERT_TRUE(saved);
     ASSERT_TRUE(again) << again.error().message;
     EXPECT_EQ(again.value().shown().geometry.cArm.rollDeg.value, 1.0 / 3.0);
-    EXPECT_TRUE(contains(test::readText(small.path("saved.angiopose")), "0.3333333333333333"));
+    EXPECT_TRUE(test::contains(test::readText(small.path("saved.angiopose")), "0.3333333333333333"));
 }
 
 }   // namespace

@@ -1,6 +1,5 @@
 #include "io/case/overwrite_case.h"
 
-#include "io/messages/messages.h"
 #include "tests/io/case/small_case.h"
 
 #include <gtest/gtest.h>

@@ -2,6 +2,7 @@
 
 #include "io/case/case_file.h"
 #include "io/image_file.h"
+#include "tests/support/matchers.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/test_data.h"
 
@@ -56,15 +57,17 @@ private:
     TemporaryFolder folder_;
 };
 
-inline bool contains(const std::string& text, const std::string& part)
-{
-    return text.find(part) != std::string::npos;
-}
-
 inline bool anyContains(const core::Messages& messages, const std::string& part)
 {
     return std::any_of(messages.begin(), messages.end(),
                        [&](const core::Message& message) { return contains(message.text(), part); });
+}
+
+inline core::Case loadedFrom(const std::string& path, core::Messages& warnings)
+{
+    auto loaded = io::loadCase(path, warnings);
+    EXPECT_TRUE(loaded) << loaded.error().message;
+    return loaded ? std::move(loaded).value() : core::Case{};
 }
 
 /// The case of a phantom view; requires the test data.
@@ -72,9 +75,7 @@ inline core::Case phantomCase(int view)
 {
     core::Messages warnings;
     const auto path = dataFile("coronary-phantom-xa/cases/IM" + std::to_string(view) + ".angiopose");
-    auto loaded = io::loadCase(path.string(), warnings);
-    EXPECT_TRUE(loaded) << loaded.error().message;
-    return loaded ? std::move(loaded).value() : core::Case{};
+    return loadedFrom(path.string(), warnings);
 }
 
 }   // namespace angiopose::test

@@ -10,11 +10,10 @@ using namespace angiopose;
 namespace {
 
 using test::anyContains;
-using test::SmallCase;
 
 TEST(ValidateCase, ListsEveryProblem)
 {
-    SmallCase small;
+    test::SmallCase small;
     nlohmann::json json = small.json();
     EXPECT_TRUE(io::validateCase(small.write(json)).value().empty());
     json["vessel"]["centerline"]["path"] = "gone.vtp";

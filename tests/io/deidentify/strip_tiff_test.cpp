@@ -7,7 +7,6 @@
 #include <gtest/gtest.h>
 #include <tiffio.h>
 #include <cstdint>
-#include <filesystem>
 #include <vector>
 
 using namespace angiopose;

@@ -1,6 +1,5 @@
 #include "io/angiogram_file.h"
 #include "io/dicom/frame_time.h"
-#include "io/messages/messages.h"
 #include "tests/io/series/ct_phantom.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,3 @@
-#include "io/dicom/element_filter.h"
-
 #include "io/dicom/dicom_file.h"
 #include "io/messages/messages.h"
 
@@ -38,7 +36,6 @@ std::string gateItem(const std::string& elements)
     return tagBytes(0xfffee000) + number(elements.size(), 4) + elements;
 }
 
-/// The data set accepted by the gate.
 io::DicomFile parsed(const std::string& bytes)
 {
     const std::string name = shortElement(0x00080060, "CS", "XA");

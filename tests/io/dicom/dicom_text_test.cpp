@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 #include <string>
-#include <vector>
 
 using namespace angiopose;
 
@@ -21,7 +20,6 @@ void add(std::string& bytes, io::DicomTag tag, const char* vr, std::string value
     bytes += value;
 }
 
-/// The patient's name read from the given bytes.
 std::string nameOf(const std::string& characterSets, const std::string& bytes)
 {
     std::string elements;

@@ -1,7 +1,6 @@
 #include "io/dicom/shutter_tags.h"
 
 #include <gtest/gtest.h>
-#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -36,7 +35,6 @@ std::string bytesOf(Elements elements)
     return bytes;
 }
 
-/// Encodes a sequence of these items.
 std::string sequence(io::DicomTag tag, const std::vector<std::string>& items)
 {
     std::string content;

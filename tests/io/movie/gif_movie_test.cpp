@@ -1,6 +1,7 @@
 #include "io/movie/gif_palette.h"
 #include "io/movie/movie_writer.h"
 #include "tests/io/movie/movie_pictures.h"
+#include "tests/support/for_each.h"
 
 #include <gif_lib.h>
 #include <gtest/gtest.h>
@@ -8,7 +9,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <set>
 
 namespace angiopose::io {
@@ -144,11 +144,8 @@ TEST_F(GifMovie, LeavesOutPicturesThatComeTooFast)
 TEST_F(GifMovie, WritesOnlyWhatChanges)
 {
     core::ColorImage first = moviePicture(100, 80, 0), second = first;
-    for (int y = 10; y < 15; ++y) {
-        for (int x = 20; x < 40; ++x) {
-            second.rgb[static_cast<std::size_t>(3 * (y * 100 + x))] ^= 0x80;
-        }
-    }
+    test::forEachPixel({20, 10}, {40, 15},
+                       [&](int x, int y) { second.rgb[static_cast<std::size_t>(3 * (y * 100 + x))] ^= 0x80; });
     const Shown shown = written({first, second, second, first}, 100.0);
     EXPECT_EQ(shown.areas, (std::vector<int>{8000, 100, 100}));
     EXPECT_EQ(shown.delays, (std::vector<int>{10, 20, 10}));
@@ -170,15 +167,13 @@ TEST_F(GifMovie, LeavesNothingWithoutAnEnd)
 TEST(GifPalette, KeepsGraysAndColorsApart)
 {
     core::ColorImage picture{256, 64, {}};
-    for (int y = 0; y < 64; ++y) {
-        for (int x = 0; x < 256; ++x) {
-            const auto gray = static_cast<std::uint8_t>(x);
-            const std::uint8_t mixed[3]{static_cast<std::uint8_t>(x / 2 + 2 * y), static_cast<std::uint8_t>(x), 250};
-            const std::uint8_t plain[3]{gray, gray, gray};
-            const std::uint8_t* color = y % 4 == 0 && mixed[2] - std::min(mixed[0], mixed[1]) > 20 ? mixed : plain;
-            picture.rgb.insert(picture.rgb.end(), color, color + 3);
-        }
-    }
+    test::forEachPixel(256, 64, [&](int x, int y) {
+        const auto gray = static_cast<std::uint8_t>(x);
+        const std::uint8_t mixed[3]{static_cast<std::uint8_t>(x / 2 + 2 * y), static_cast<std::uint8_t>(x), 250};
+        const std::uint8_t plain[3]{gray, gray, gray};
+        const std::uint8_t* color = y % 4 == 0 && mixed[2] - std::min(mixed[0], mixed[1]) > 20 ? mixed : plain;
+        picture.rgb.insert(picture.rgb.end(), color, color + 3);
+    });
     GifPalette palette(picture);
     EXPECT_LE(palette.colors().size(), 255U);
     for (int gray = 0; gray < 256; ++gray) {

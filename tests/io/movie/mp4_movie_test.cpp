@@ -1,6 +1,8 @@
 #include "io/movie/movie_writer.h"
 #include "io/movie/yuv_image.h"
 #include "tests/io/movie/movie_pictures.h"
+#include "tests/support/for_each.h"
+#include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -9,21 +11,12 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <map>
 #include <optional>
 
 namespace angiopose::io {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string movieBytes(const std::string& path)
-{
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
 
 std::uint32_t numberAt(const std::string& bytes, std::size_t at, int length = 4)
 {
@@ -153,18 +146,15 @@ private:
     static core::ColorImage colored(unsigned char* const planes[3], const SSysMEMBuffer& buffer)
     {
         core::ColorImage picture{buffer.iWidth, buffer.iHeight, {}};
-        for (int y = 0; y < buffer.iHeight; ++y) {
-            for (int x = 0; x < buffer.iWidth; ++x) {
-                const double light = 255.0 / 219.0 * (planes[0][y * buffer.iStride[0] + x] - 16);
-                const int half = y / 2 * buffer.iStride[1] + x / 2;
-                const double blue = 255.0 / 224.0 * (planes[1][half] - 128),
-                             red = 255.0 / 224.0 * (planes[2][half] - 128);
-                for (const double value :
-                     {light + 1.5748 * red, light - 0.1873 * blue - 0.4681 * red, light + 1.8556 * blue}) {
-                    picture.rgb.push_back(static_cast<std::uint8_t>(std::clamp(std::lround(value), 0L, 255L)));
-                }
+        test::forEachPixel(buffer.iWidth, buffer.iHeight, [&](int x, int y) {
+            const double light = 255.0 / 219.0 * (planes[0][y * buffer.iStride[0] + x] - 16);
+            const int half = y / 2 * buffer.iStride[1] + x / 2;
+            const double blue = 255.0 / 224.0 * (planes[1][half] - 128), red = 255.0 / 224.0 * (planes[2][half] - 128);
+            for (const double value :
+                 {light + 1.5748 * red, light - 0.1873 * blue - 0.4681 * red, light + 1.8556 * blue}) {
+                picture.rgb.push_back(static_cast<std::uint8_t>(std::clamp(std::lround(value), 0L, 255L)));
             }
-        }
+        });
         return picture;
     }
 
@@ -174,12 +164,10 @@ private:
 double meanError(const core::ColorImage& a, const core::ColorImage& b)
 {
     double sum = 0.0;
-    for (int y = 0; y < a.height; ++y) {
-        for (int x = 0; x < 3 * a.width; ++x) {
-            sum += std::abs(a.rgb[static_cast<std::size_t>(3 * y * a.width + x)] -
-                            b.rgb[static_cast<std::size_t>(3 * y * b.width + x)]);
-        }
-    }
+    test::forEachPixel(3 * a.width, a.height, [&](int x, int y) {
+        sum += std::abs(a.rgb[static_cast<std::size_t>(3 * y * a.width + x)] -
+                        b.rgb[static_cast<std::size_t>(3 * y * b.width + x)]);
+    });
     return sum / (3.0 * a.width * a.height);
 }
 
@@ -196,7 +184,7 @@ protected:
             EXPECT_TRUE(movie.value()->add(moviePicture(width, height, i), ms));
         }
         EXPECT_TRUE(movie.value()->finish());
-        return takeApart(movieBytes(path_));
+        return takeApart(test::readText(path_));
     }
 
     fs::path folder_ = fs::temp_directory_path() / ("mp4-" + std::to_string(::getpid()));
@@ -252,7 +240,7 @@ TEST_F(Mp4Movie, HoldsOnePictureAlone)
 TEST_F(Mp4Movie, TellsTitleColorsAndSize)
 {
     written(64, 64, 1, 40.0);
-    const std::string bytes = movieBytes(path_);
+    const std::string bytes = test::readText(path_);
     EXPECT_EQ(bytes.substr(4, 8), "ftypisom");
     EXPECT_LT(bytes.find("moov"), bytes.find("mdat")) << "plays while it is read";
     EXPECT_NE(bytes.find(std::string("colrnclx\0\1\0\1\0\1\0", 15)), std::string::npos);
@@ -265,9 +253,9 @@ TEST_F(Mp4Movie, TellsTitleColorsAndSize)
 TEST_F(Mp4Movie, EncodesTheSameTwice)
 {
     written(96, 96, 5, 40.0);
-    const std::string first = movieBytes(path_);
+    const std::string first = test::readText(path_);
     written(96, 96, 5, 40.0);
-    EXPECT_EQ(movieBytes(path_), first);
+    EXPECT_EQ(test::readText(path_), first);
 }
 
 TEST_F(Mp4Movie, LeavesNothingWithoutAnEnd)

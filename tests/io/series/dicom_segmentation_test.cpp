@@ -3,6 +3,7 @@
 #include "io/vessel_input_file.h"
 #include "io/volume_file.h"
 #include "tests/io/series/dicom_slices.h"
+#include "tests/support/for_each.h"
 #include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +21,6 @@ constexpr int columns = 9;   // 9 × 7 pixels, so that frames do not end on whol
 constexpr int segmentRows = 7;
 constexpr double layerMm = 1.25;
 
-/// A frame with one segment in one layer.
 struct Frame {
     int segment = 1;
     int layer = 0;
@@ -128,19 +128,15 @@ void expectPhantom(const core::LabelVolume& labels)
 {
     ASSERT_EQ(labels.geometry.size, Eigen::Vector3i(columns, segmentRows, 3));   // layers 2 to 4
     EXPECT_TRUE(labels.geometry.spacingMm.isApprox(Eigen::Vector3d(0.5, 0.8, layerMm)));
-    for (int k = 0; k < 3; ++k) {
-        for (int y = 0; y < segmentRows; ++y) {
-            for (int x = 0; x < columns; ++x) {
-                // The layers run along −x of the patient, as does the normal of the frames.
-                const Eigen::Vector3d place = labels.geometry.patientFromVoxel() * Eigen::Vector3d(x, y, k);
-                const int layer = static_cast<int>(std::lround((-30.0 - place.x()) / layerMm));
-                const bool isSecond = layer != 3 && isIn(2, layer, x, y);
-                EXPECT_EQ(labels.at(x, y, k), isIn(1, layer, x, y) ? 1 : isSecond ? 2 : 0) << x << " " << y << " " << k;
-                EXPECT_NEAR(place.y(), 12.0 - 0.5 * x, 1e-9);
-                EXPECT_NEAR(place.z(), 5.0 + 0.8 * y, 1e-9);
-            }
-        }
-    }
+    test::forEachVoxel({columns, segmentRows, 3}, [&](int x, int y, int k) {
+        // The layers run along −x of the patient, as does the normal of the frames.
+        const Eigen::Vector3d place = labels.geometry.patientFromVoxel() * Eigen::Vector3d(x, y, k);
+        const int layer = static_cast<int>(std::lround((-30.0 - place.x()) / layerMm));
+        const bool isSecond = layer != 3 && isIn(2, layer, x, y);
+        EXPECT_EQ(labels.at(x, y, k), isIn(1, layer, x, y) ? 1 : isSecond ? 2 : 0) << x << " " << y << " " << k;
+        EXPECT_NEAR(place.y(), 12.0 - 0.5 * x, 1e-9);
+        EXPECT_NEAR(place.z(), 5.0 + 0.8 * y, 1e-9);
+    });
 }
 
 core::LabelVolume readLabelsOrFail(const std::string& path)

@@ -75,7 +75,6 @@ private:
     std::string bytes_;
 };
 
-/// One CT slice to write.
 struct CtSlice {
     std::string seriesUid = "1.2.3";
     std::string sopInstanceUid;

@@ -1,5 +1,4 @@
 #include "io/angiogram_file.h"
-#include "io/messages/messages.h"
 #include "io/opening/input_kind.h"
 #include "tests/io/series/ct_phantom.h"
 

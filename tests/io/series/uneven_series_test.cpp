@@ -1,10 +1,7 @@
-#include "io/dicom_series.h"
-
 #include "tests/io/series/ct_phantom.h"
 
 #include <gtest/gtest.h>
 #include <algorithm>
-#include <numeric>
 
 using namespace angiopose;
 

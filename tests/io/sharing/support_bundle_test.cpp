@@ -6,6 +6,7 @@
 #include "io/support/system/machine_info.h"
 #include "tests/io/case/small_case.h"
 #include "tests/io/deidentify/planted_run.h"
+#include "tests/support/matchers.h"
 #include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
@@ -17,11 +18,6 @@ using namespace angiopose;
 namespace {
 
 namespace fs = std::filesystem;
-
-bool holdsText(const std::string& text, const std::string& part)
-{
-    return text.find(part) != std::string::npos;
-}
 
 TEST(Redaction, TakesWhatIsKnownWhateverItsLetters)
 {
@@ -59,9 +55,9 @@ TEST(Redaction, TakesHomeAccountAndMachine)
     const std::string host = io::hostName();
     const std::string clean =
         redaction.redact("user " + account + " on " + host + " in " + io::homeFolder() + "/images");
-    EXPECT_FALSE(account.size() > 2 && holdsText(clean, account)) << clean;
-    EXPECT_FALSE(host != "localhost" && holdsText(clean, host)) << clean;
-    EXPECT_FALSE(io::homeFolder().size() > 1 && holdsText(clean, io::homeFolder())) << clean;
+    EXPECT_FALSE(account.size() > 2 && test::contains(clean, account)) << clean;
+    EXPECT_FALSE(host != "localhost" && test::contains(clean, host)) << clean;
+    EXPECT_FALSE(io::homeFolder().size() > 1 && test::contains(clean, io::homeFolder())) << clean;
 }
 
 TEST(Vocabulary, LetOwnWordsThroughAlone)
@@ -121,11 +117,11 @@ TEST_F(SupportBundle, HoldsNothingOfWhatWasPlanted)
     own.add("Opened of and");
     const std::string logged = own.only(clean.back().text);
     for (const char* secret : {"PLANTED_Doe", "PLANTED title", "PLANTED view", "777.18", "20250314", "Doe"}) {
-        EXPECT_FALSE(holdsText(all, secret)) << secret << " in " << all;
+        EXPECT_FALSE(test::contains(all, secret)) << secret << " in " << all;
     }
-    EXPECT_FALSE(holdsText(logged, "PLANTED")) << logged;
-    EXPECT_TRUE(holdsText(all, "ITK: 5")) << all;
-    EXPECT_TRUE(holdsText(all, "views: 1")) << all;
+    EXPECT_FALSE(test::contains(logged, "PLANTED")) << logged;
+    EXPECT_TRUE(test::contains(all, "ITK: 5")) << all;
+    EXPECT_TRUE(test::contains(all, "views: 1")) << all;
 }
 
 TEST_F(SupportBundle, IsAnArchiveOfTheseTexts)

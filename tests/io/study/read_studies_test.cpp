@@ -1,5 +1,4 @@
 #include "io/study/read_studies.h"
-#include "io/angiogram_file.h"
 #include "io/study/dicom_directory.h"
 #include "io/study/series_thumbnail.h"
 #include "io/study/study_file.h"
@@ -8,7 +7,6 @@
 #include "tests/support/test_data.h"
 
 #include <gtest/gtest.h>
-#include <atomic>
 #include <filesystem>
 
 namespace angiopose::io {

@@ -21,7 +21,6 @@ std::size_t filesIn(const test::TemporaryFolder& folder)
     return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(place), {}));
 }
 
-/// Process id of a process that has ended.
 pid_t deadProcess()
 {
     const pid_t child = ::fork();
@@ -32,7 +31,6 @@ pid_t deadProcess()
     return child;
 }
 
-/// Name that process `maker` would have given to its temporary file.
 std::string temporaryOf(const std::string& target, pid_t maker)
 {
     std::string name = io::temporaryPatternFor(target);

@@ -1,5 +1,6 @@
 #include "io/support/crash_dumps.h"
 
+#include "tests/support/matchers.h"
 #include "tests/support/patience.h"
 #include "tests/support/temporary_folder.h"
 
@@ -42,11 +43,6 @@ protected:
     test::TemporaryFolder folder_;
 };
 
-bool holds(const std::string& text, const std::string& part)
-{
-    return text.find(part) != std::string::npos;
-}
-
 TEST_F(CrashDumps, NameSignalAndFunctionAndEndByTheSameSignal)
 {
     const std::vector<std::tuple<std::string, int, std::string>> ways{{"segv", SIGSEGV, "SIGSEGV"},
@@ -59,27 +55,27 @@ TEST_F(CrashDumps, NameSignalAndFunctionAndEndByTheSameSignal)
         fs::remove_all(folder_.file("state"), ignored);
         EXPECT_EQ(crash(way), signal) << way;
         const std::string dump = lastDump();
-        EXPECT_TRUE(holds(dump, "signal: " + name)) << way << ": " << dump;
-        EXPECT_TRUE(holds(dump, "crashOnPurpose(")) << way << ": " << dump;
-        EXPECT_TRUE(holds(dump, "crash_on_purpose+0x")) << way << ": " << dump;
-        EXPECT_TRUE(holds(dump, "program: angiopose-test " ANGIOPOSE_VERSION)) << dump;
-        EXPECT_TRUE(holds(dump, "time: 20") && holds(dump, "thread: main")) << dump;
+        EXPECT_TRUE(test::contains(dump, "signal: " + name)) << way << ": " << dump;
+        EXPECT_TRUE(test::contains(dump, "crashOnPurpose(")) << way << ": " << dump;
+        EXPECT_TRUE(test::contains(dump, "crash_on_purpose+0x")) << way << ": " << dump;
+        EXPECT_TRUE(test::contains(dump, "program: angiopose-test " ANGIOPOSE_VERSION)) << dump;
+        EXPECT_TRUE(test::contains(dump, "time: 20") && test::contains(dump, "thread: main")) << dump;
         EXPECT_TRUE(dump.ends_with("end\n")) << dump;
-        EXPECT_FALSE(holds(dump, "/")) << "paths tell whose machine it is: " << dump;
+        EXPECT_FALSE(test::contains(dump, "/")) << "paths tell whose machine it is: " << dump;
     }
 }
 
 TEST_F(CrashDumps, AnExceptionNobodyCaughtIsNamedByItsTypeAlone)
 {
     EXPECT_EQ(crash("terminate"), SIGABRT);
-    EXPECT_TRUE(holds(lastDump(), "std::terminate: St13runtime_error")) << lastDump();
-    EXPECT_FALSE(holds(lastDump(), "Jane"));
+    EXPECT_TRUE(test::contains(lastDump(), "std::terminate: St13runtime_error")) << lastDump();
+    EXPECT_FALSE(test::contains(lastDump(), "Jane"));
 }
 
 TEST_F(CrashDumps, AFullStackAndOtherThreadsLeaveOneToo)
 {
     EXPECT_EQ(crash("stack"), SIGSEGV);
-    EXPECT_TRUE(holds(lastDump(), "fillStack(")) << lastDump();
+    EXPECT_TRUE(test::contains(lastDump(), "fillStack(")) << lastDump();
     EXPECT_EQ(crash("thread"), SIGSEGV);
     EXPECT_EQ(io::crashDumps("angiopose-test").size(), 2U);
 }

@@ -12,7 +12,6 @@ using namespace angiopose;
 namespace {
 
 using test::bytesOf;
-using test::expectRefused;
 using test::metaImage;
 using test::readBack;
 using test::TemporaryFolder;
@@ -148,8 +147,8 @@ TEST(ReadVolume, NotANumberBecomesTheLowestValue)
     EXPECT_EQ(some.value().volume.value(3), 5.0);
     EXPECT_NE(some.value().warnings.front().text().find("2 voxels are not numbers"), std::string::npos);
 
-    expectRefused(folder.write("b.mha", metaImage("MET_FLOAT", bytesOf(std::vector<float>(8, none)))),
-                  "no voxel contains a valid number");
+    test::expectRefused(folder.write("b.mha", metaImage("MET_FLOAT", bytesOf(std::vector<float>(8, none)))),
+                        "no voxel contains a valid number");
 }
 
 TEST(ReadVolume, StopEndsTheReadingWithinAChunk)

@@ -14,7 +14,6 @@ using namespace angiopose;
 
 namespace {
 
-using test::bytesOf;
 using test::expectRefused;
 using test::metaImage;
 using test::readBack;
@@ -41,7 +40,7 @@ std::string withVoxels(std::string header, std::size_t count)
 {
     std::vector<std::int16_t> voxels(count);
     std::iota(voxels.begin(), voxels.end(), std::int16_t{0});
-    return header + bytesOf(voxels);
+    return header + test::bytesOf(voxels);
 }
 
 template <class T>

@@ -5,12 +5,9 @@
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
-#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <cstdio>
-#include <cstdlib>
-#include <cstring>
 #include <filesystem>
 #include <map>
 #include <thread>
@@ -184,7 +181,6 @@ void killAndResume(const Settings& settings, double quietSeconds)
                 finished.size(), left);
 }
 
-/// Number of table rows per case name.
 std::map<std::string, int> rowsOf(const std::string& table)
 {
     std::map<std::string, int> rows;

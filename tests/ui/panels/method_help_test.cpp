@@ -5,8 +5,6 @@
 #include "ui/panels/registration_panel.h"
 
 #include <gtest/gtest.h>
-#include <QApplication>
-#include <QTest>
 #include <QTextBrowser>
 #include <QToolButton>
 

@@ -8,7 +8,6 @@
 #include "ui/plots/histogram_plot.h"
 
 #include <gtest/gtest.h>
-#include <QComboBox>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>

@@ -1,4 +1,5 @@
 #include "ui/scenes/fill_strokes.h"
+#include "tests/support/for_each.h"
 
 #include <gtest/gtest.h>
 
@@ -49,11 +50,7 @@ TEST(FillStrokes, CoversAFanOfTrianglesOnceAndWithoutGaps)
     }
     Sheet sheet(64, 64);
     ui::fillStrokes(mesh, 64.0, sheet.canvas());
-    for (int y = 0; y < 64; ++y) {
-        for (int x = 0; x < 64; ++x) {
-            EXPECT_NEAR(sheet.redAt(x, y), 128, 1) << x << ' ' << y;
-        }
-    }
+    test::forEachPixel(64, 64, [&](int x, int y) { EXPECT_NEAR(sheet.redAt(x, y), 128, 1) << x << ' ' << y; });
 }
 
 TEST(FillStrokes, PaintsExactlyThePixelsWhoseCentersAreInside)
@@ -66,12 +63,10 @@ TEST(FillStrokes, PaintsExactlyThePixelsWhoseCentersAreInside)
     mesh.triangles = {0, 1, 2, 0, 2, 3};
     Sheet sheet(8, 6);
     ui::fillStrokes(mesh, 6.0, sheet.canvas());
-    for (int y = 0; y < 6; ++y) {
-        for (int x = 0; x < 8; ++x) {
-            const bool isInside = x >= 2 && x < 5 && y >= 2 && y < 5;
-            EXPECT_EQ(sheet.redAt(x, y), isInside ? 255 : 0) << x << ' ' << y;
-        }
-    }
+    test::forEachPixel(8, 6, [&](int x, int y) {
+        const bool isInside = x >= 2 && x < 5 && y >= 2 && y < 5;
+        EXPECT_EQ(sheet.redAt(x, y), isInside ? 255 : 0) << x << ' ' << y;
+    });
 }
 
 TEST(FillStrokes, ShadesLinearlyBetweenTheCorners)
@@ -98,11 +93,7 @@ TEST(FillStrokes, DrawsThePartsOfAPictureLikeTheWhole)
     ui::fillStrokes(mesh, 60.0, whole.canvas());
     Sheet lower(64, 25);
     ui::fillStrokes(mesh, 25.0, lower.canvas());   // rows 35 … 59 of the whole image
-    for (int y = 0; y < 25; ++y) {
-        for (int x = 0; x < 64; ++x) {
-            EXPECT_NEAR(lower.redAt(x, y), whole.redAt(x, y + 35), 1);
-        }
-    }
+    test::forEachPixel(64, 25, [&](int x, int y) { EXPECT_NEAR(lower.redAt(x, y), whole.redAt(x, y + 35), 1); });
 }
 
 TEST(FillStrokes, LeavesOutWhatLiesFarOffTheCanvas)

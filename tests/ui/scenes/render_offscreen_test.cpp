@@ -1,5 +1,6 @@
 #include "ui/scenes/render_offscreen.h"
 
+#include "tests/support/for_each.h"
 #include "tests/ui/overlay_fixture.h"
 
 #include <gtest/gtest.h>
@@ -120,12 +121,10 @@ TEST(RenderOffscreen, BurnsTextsIntoTheirCorners)
     ASSERT_TRUE(picture) << picture.error().message;
     double topLeft = 0.0;
     double bottomRight = 0.0;
-    for (int y = 0; y < 300; ++y) {
-        for (int x = 0; x < 300; ++x) {
-            topLeft += brightnessAt(picture.value(), x, y);
-            bottomRight += brightnessAt(picture.value(), 599 - x, 599 - y);
-        }
-    }
+    test::forEachPixel(300, 300, [&](int x, int y) {
+        topLeft += brightnessAt(picture.value(), x, y);
+        bottomRight += brightnessAt(picture.value(), 599 - x, 599 - y);
+    });
     EXPECT_EQ(topLeft, 0.0);
     EXPECT_GT(bottomRight, 10000.0);
 }

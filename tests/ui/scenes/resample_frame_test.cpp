@@ -1,4 +1,5 @@
 #include "ui/scenes/resample_frame.h"
+#include "tests/support/for_each.h"
 
 #include <gtest/gtest.h>
 
@@ -26,11 +27,7 @@ std::vector<int> resampled(const Gray& gray, const ui::ViewRect& rect, ui::Inter
 Gray rampFrame(int width, int height)
 {
     Gray gray(width, height);
-    for (int y = 0; y < height; ++y) {
-        for (int x = 0; x < width; ++x) {
-            gray.at(x, y) = static_cast<std::uint8_t>(2 * x + 3 * y);
-        }
-    }
+    test::forEachPixel(width, height, [&](int x, int y) { gray.at(x, y) = static_cast<std::uint8_t>(2 * x + 3 * y); });
     return gray;
 }
 
@@ -53,24 +50,18 @@ TEST(ResampleFrame, PutsAPlaneWhereItBelongsAtAnyZoom)
         const int width = static_cast<int>(rect.width() * zoom);
         const int height = static_cast<int>(rect.height() * zoom);
         const auto values = resampled(gray, rect, ui::Interpolation::Smooth, width, height);
-        for (int y = 0; y < height; ++y) {
-            for (int x = 0; x < width; ++x) {
-                const double u = rect.left + (x + 0.5) * rect.width() / width;
-                const double v = rect.top + (y + 0.5) * rect.height() / height;
-                EXPECT_NEAR(values[static_cast<std::size_t>(y * width + x)], 2.0 * u + 3.0 * v, 1.0) << zoom;
-            }
-        }
+        test::forEachPixel(width, height, [&](int x, int y) {
+            const double u = rect.left + (x + 0.5) * rect.width() / width;
+            const double v = rect.top + (y + 0.5) * rect.height() / height;
+            EXPECT_NEAR(values[static_cast<std::size_t>(y * width + x)], 2.0 * u + 3.0 * v, 1.0) << zoom;
+        });
     }
 }
 
 TEST(ResampleFrame, CountsEveryPixelWhenItShrinks)
 {
     Gray stripes(240, 240);
-    for (int y = 0; y < 240; ++y) {
-        for (int x = 0; x < 240; ++x) {
-            stripes.at(x, y) = x % 2 == 0 ? 0 : 200;
-        }
-    }
+    test::forEachPixel(240, 240, [&](int x, int y) { stripes.at(x, y) = x % 2 == 0 ? 0 : 200; });
     for (const int value : resampled(stripes, {19.5, 219.5, 19.5, 219.5}, ui::Interpolation::Smooth, 40, 40)) {
         EXPECT_NEAR(value, 100, 5);
     }
@@ -80,12 +71,10 @@ TEST(ResampleFrame, EndsAtThePicturesEdge)
 {
     const Gray gray(4, 4, 90);
     const auto values = resampled(gray, {-4.5, 7.5, -4.5, 7.5}, ui::Interpolation::Smooth, 12, 12);
-    for (int y = 0; y < 12; ++y) {
-        for (int x = 0; x < 12; ++x) {
-            const bool isInside = x >= 4 && x < 8 && y >= 4 && y < 8;
-            EXPECT_EQ(values[static_cast<std::size_t>(y * 12 + x)], isInside ? 90 : 0);
-        }
-    }
+    test::forEachPixel(12, 12, [&](int x, int y) {
+        const bool isInside = x >= 4 && x < 8 && y >= 4 && y < 8;
+        EXPECT_EQ(values[static_cast<std::size_t>(y * 12 + x)], isInside ? 90 : 0);
+    });
 }
 
 }   // namespace

@@ -1,5 +1,6 @@
 #include "ui/views/angiogram_view.h"
 
+#include "tests/support/for_each.h"
 #include "tests/ui/overlay_fixture.h"
 
 #include <gtest/gtest.h>
@@ -26,11 +27,7 @@ std::ostream& operator<<(std::ostream& out, const Change& change)
 core::ImageF slope(float offset)
 {
     core::ImageF frame(512, 512);
-    for (int y = 0; y < 512; ++y) {
-        for (int x = 0; x < 512; ++x) {
-            frame.at(x, y) = offset + static_cast<float>(x) / 600.0F;
-        }
-    }
+    test::forEachPixel(512, 512, [&](int x, int y) { frame.at(x, y) = offset + static_cast<float>(x) / 600.0F; });
     return frame;
 }
 

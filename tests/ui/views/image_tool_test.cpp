@@ -13,7 +13,6 @@ using namespace angiopose;
 
 namespace {
 
-/// Records the calls it receives.
 class RecordingTool : public ui::ImageTool {
 public:
     using ImageTool::ImageTool;

@@ -1,12 +1,12 @@
 #include "ui/places/side_by_side.h"
 
+#include "tests/support/for_each.h"
 #include "tests/ui/overlay_fixture.h"
 #include "ui/views/angiogram_view.h"
 
 #include <gtest/gtest.h>
 #include <QSignalSpy>
 #include <QTest>
-#include <QWheelEvent>
 
 namespace angiopose::ui {
 namespace {
@@ -83,15 +83,11 @@ TEST(ViewPane, IsChosenByItsNameOrADoubleClick)
     EXPECT_EQ(chosen.count(), 2);
 }
 
-/// Number of pixels that differ between two images.
 int differing(const QImage& a, const QImage& b, const QRect& part)
 {
     int count = 0;
-    for (int y = part.top(); y <= part.bottom(); ++y) {
-        for (int x = part.left(); x <= part.right(); ++x) {
-            count += a.pixel(x, y) != b.pixel(x, y) ? 1 : 0;
-        }
-    }
+    test::forEachPixel({part.left(), part.top()}, {part.right() + 1, part.bottom() + 1},
+                       [&](int x, int y) { count += a.pixel(x, y) != b.pixel(x, y) ? 1 : 0; });
     return count;
 }
 

@@ -1,5 +1,6 @@
 #include "core/geometry/angle_units.h"
 #include "core/measuring/measure_image.h"
+#include "tests/support/for_each.h"
 #include "ui/slices/slice_measure_tool.h"
 #include "ui/slices/slice_view.h"
 
@@ -43,14 +44,9 @@ core::Volume tubeIn(const core::VolumeGeometry& geometry)
 {
     core::Volume scan(geometry);
     const Eigen::Affine3d map = geometry.patientFromVoxel();
-    for (int k = 0; k < geometry.size.z(); ++k) {
-        for (int j = 0; j < geometry.size.y(); ++j) {
-            for (int i = 0; i < geometry.size.x(); ++i) {
-                scan.at(i, j, k) =
-                    static_cast<std::int16_t>(-900 + 1200.0 * shareInTube(map, {1.0 * i, 1.0 * j, 1.0 * k}));
-            }
-        }
-    }
+    test::forEachVoxel(geometry.size, [&](int i, int j, int k) {
+        scan.at(i, j, k) = static_cast<std::int16_t>(-900 + 1200.0 * shareInTube(map, {1.0 * i, 1.0 * j, 1.0 * k}));
+    });
     return scan;
 }
 
@@ -66,7 +62,6 @@ core::VolumeGeometry voxels(const Eigen::Vector3i& size, const Eigen::Vector3d& 
     return geometry;
 }
 
-/// A displayed slice with simulated mouse measurements.
 struct MeasuredSliceView {
     explicit MeasuredSliceView(const core::VolumeGeometry& geometry, BodyPlane plane, MeasurementKind kind)
         : view(model, plane), tool(kind, model)

@@ -1,3 +1,4 @@
+#include "tests/support/for_each.h"
 #include "ui/slices/slice_image.h"
 #include "ui/slices/slice_model.h"
 #include "ui/slices/window_bar.h"
@@ -17,11 +18,8 @@ SliceContent rampSlice()
     SliceContent content;
     content.grid.width = content.grid.height = 8;
     content.grid.rowStep = {0.0, 2.0, 0.0};
-    for (int row = 0; row < 8; ++row) {
-        for (int column = 0; column < 8; ++column) {
-            content.values.push_back(100.0F * static_cast<float>(column));
-        }
-    }
+    test::forEachPixel(8, 8,
+                       [&](int column, int /*row*/) { content.values.push_back(100.0F * static_cast<float>(column)); });
     return content;
 }
 

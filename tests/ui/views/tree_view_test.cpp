@@ -1,5 +1,6 @@
 #include "ui/views/tree_view.h"
 
+#include "tests/support/for_each.h"
 #include "tests/ui/overlay_fixture.h"
 
 #include <gtest/gtest.h>
@@ -29,15 +30,11 @@ core::VesselTree straightVessel()
     return tree;
 }
 
-/// Number of pixels that are clearly brighter than the background.
 int brightPixels(const QImage& picture)
 {
     int count = 0;
-    for (int y = 0; y < picture.height(); ++y) {
-        for (int x = 0; x < picture.width(); ++x) {
-            count += qGray(picture.pixel(x, y)) > 110;
-        }
-    }
+    test::forEachPixel(picture.width(), picture.height(),
+                       [&](int x, int y) { count += qGray(picture.pixel(x, y)) > 110; });
     return count;
 }
 
@@ -178,12 +175,10 @@ TEST_F(TreeViewTest, ShowsTheImageOnTheDetectorTheRightWayRoundAtAnySize)
         view_->scene().setPose(pose);
         core::ImageF frame(size, size);
         const int half = size / 2;
-        for (int v = 0; v < size; ++v) {
-            for (int u = 0; u < size; ++u) {
-                const float shade = 100.0F * static_cast<float>(u + v) / static_cast<float>(size);
-                frame.at(u, v) = shade + (u < half && v < half ? 1000.0F : 0.0F);
-            }
-        }
+        test::forEachPixel(size, size, [&](int u, int v) {
+            const float shade = 100.0F * static_cast<float>(u + v) / static_cast<float>(size);
+            frame.at(u, v) = shade + (u < half && v < half ? 1000.0F : 0.0F);
+        });
         view_->scene().setFrame(frame);
         view_->requestRender();
         settle();
@@ -215,11 +210,8 @@ TEST_F(TreeViewTest, EdgesAreSmoothAtRest)
     EXPECT_EQ(view_->renderCount(), before + 2);
     const auto shades = [](const QImage& picture) {
         std::set<QRgb> colors;
-        for (int y = 0; y < picture.height(); ++y) {
-            for (int x = 0; x < picture.width(); ++x) {
-                colors.insert(picture.pixel(x, y));
-            }
-        }
+        test::forEachPixel(picture.width(), picture.height(),
+                           [&](int x, int y) { colors.insert(picture.pixel(x, y)); });
         return colors.size();
     };
     EXPECT_GT(static_cast<double>(shades(atRest)), 1.5 * static_cast<double>(shades(draft)));

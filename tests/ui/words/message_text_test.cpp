@@ -15,7 +15,6 @@ namespace {
 
 namespace messages = core::messages;
 
-/// Sets the interface language for the duration of a test.
 class Speaking {
 public:
     explicit Speaking(const char* code) { applyLanguage(QString::fromLatin1(code)); }

@@ -20,8 +20,7 @@ TEST(Within2Mm, IsLikelyWhereTheTreeLiesOnItsVessels)
 {
     for (const std::uint64_t seed : {1, 2, 3}) {
         const test::CleanCase clean(seed);
-        CounterRandom random(seed);
-        const RegistrationResult result = foundFrom(clean.from(clean.nearbyStart(random)));
+        const RegistrationResult result = foundFrom(clean.fromNearby(seed));
         ASSERT_TRUE(result.probabilityWithin2Mm);
         EXPECT_GT(*result.probabilityWithin2Mm, 0.95) << "tree " << seed;
     }
@@ -31,8 +30,7 @@ TEST(Within2Mm, IsUnlikelyOfAnotherTree)
 {
     for (const std::uint64_t seed : {1, 2, 3}) {
         const test::CleanCase clean(seed);
-        CounterRandom random(seed);
-        RegistrationInput input = clean.from(clean.nearbyStart(random));
+        RegistrationInput input = clean.fromNearby(seed);
         input.target = test::CleanCase(seed + 10).target;
         const RegistrationResult result = foundFrom(input);
         ASSERT_TRUE(result.probabilityWithin2Mm);
@@ -43,8 +41,7 @@ TEST(Within2Mm, IsUnlikelyOfAnotherTree)
 TEST(Within2Mm, IsNotKnownOfOtherMethodsStopsAndJudgedPoses)
 {
     const test::CleanCase clean(1);
-    CounterRandom random(1);
-    const RegistrationInput input = clean.from(clean.nearbyStart(random));
+    const RegistrationInput input = clean.fromNearby(1);
     RegistrationOptions options;
     options.method = "dt-icp";
     EXPECT_FALSE(foundFrom(input, options).probabilityWithin2Mm);

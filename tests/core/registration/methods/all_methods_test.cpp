@@ -1,6 +1,7 @@
 #include "core/evaluation/trial/projection_error.h"
 #include "core/registration/registration.h"
 #include "core/simulation/simulated_case.h"
+#include "tests/core/registration/methods/tested_methods.h"
 
 #include <gtest/gtest.h>
 #include <algorithm>
@@ -37,15 +38,6 @@ struct SmallCase {
     RegistrationInput input;
 };
 
-RegistrationOptions quickOptions(std::string_view method)
-{
-    RegistrationOptions options;
-    options.method = method;
-    options.resample = false;
-    options.seed.preset = PriorPreset::NoPrior;
-    return options;
-}
-
 /// Largest allowed mean distance of a method's result from the true projections, px.
 double limitPx(std::string_view method)
 {
@@ -61,7 +53,7 @@ class EveryMethod : public testing::TestWithParam<std::string_view> {};
 TEST_P(EveryMethod, RecoversThePoseFromANearbyStart)
 {
     const SmallCase small(3);
-    const auto result = registerVessels(small.input, quickOptions(GetParam()));
+    const auto result = registerVessels(small.input, test::exactSamplesBy(GetParam()));
     ASSERT_TRUE(result) << result.error().message;
     EXPECT_EQ(result.value().method, GetParam());
     EXPECT_GT(small.meanPx(small.input.initialCameraFromPatient), 3.0);
@@ -76,7 +68,7 @@ TEST_P(EveryMethod, RecoversThePoseFromANearbyStart)
 TEST_P(EveryMethod, RepeatsBitForBit)
 {
     const SmallCase small(4);
-    const RegistrationOptions options = quickOptions(GetParam());
+    const RegistrationOptions options = test::exactSamplesBy(GetParam());
     const auto first = registerVessels(small.input, options);
     const auto again = registerVessels(small.input, options);
     ASSERT_TRUE(first && again);
@@ -89,10 +81,11 @@ TEST_P(EveryMethod, AStopEndsItAtOnceWithTheReportedPose)
     const SmallCase small(3);
     for (const int stopAt : {1, 3, 8}) {
         IterationReport last;
-        const auto result = registerVessels(small.input, quickOptions(GetParam()), [&](const IterationReport& report) {
-            last = report;
-            return report.iteration == stopAt ? ObserverDecision::Stop : ObserverDecision::Continue;
-        });
+        const auto result =
+            registerVessels(small.input, test::exactSamplesBy(GetParam()), [&](const IterationReport& report) {
+                last = report;
+                return report.iteration == stopAt ? ObserverDecision::Stop : ObserverDecision::Continue;
+            });
         ASSERT_TRUE(result) << result.error().message;
         if (last.iteration < stopAt) {
             continue;   // converged before that iteration
@@ -104,24 +97,6 @@ TEST_P(EveryMethod, AStopEndsItAtOnceWithTheReportedPose)
     }
 }
 
-std::vector<std::string_view> methodIds()
-{
-    std::vector<std::string_view> ids;
-    for (const MethodInfo& info : methodInfos()) {
-        if (info.id != "wire") {   // requires one line, not a tree: see wire_test.cpp
-            ids.push_back(info.id);
-        }
-    }
-    return ids;
-}
-
-std::string nameOf(const testing::TestParamInfo<std::string_view>& method)
-{
-    std::string name(method.param);
-    std::replace(name.begin(), name.end(), '-', '_');
-    return name;
-}
-
-INSTANTIATE_TEST_SUITE_P(Table, EveryMethod, testing::ValuesIn(methodIds()), nameOf);
+INSTANTIATE_TEST_SUITE_P(Table, EveryMethod, testing::ValuesIn(test::treeMethodIds()), test::methodTestName);
 
 }   // namespace

@@ -4,7 +4,6 @@
 #include "tests/support/clean_case.h"
 
 #include <gtest/gtest.h>
-#include <algorithm>
 #include <map>
 
 using namespace angiopose;
@@ -42,8 +41,7 @@ TEST(GraphMethods, FindThePoseFromANearbyStart)
 {
     const std::map<std::string_view, double> limitsPx{{"cvo", 1.0}, {"matched-branches", 1.0}, {"graph-matching", 0.5}};
     const CleanCase clean(2);
-    CounterRandom random(5);
-    const RegistrationInput input = clean.from(clean.nearbyStart(random));
+    const RegistrationInput input = clean.fromNearby(5);
     for (const auto& [method, limitPx] : limitsPx) {
         EXPECT_LT(meanErrorPx(clean, solutionOf(input, quickBy(method)).cameraFromPatient), limitPx) << method;
     }
@@ -52,8 +50,7 @@ TEST(GraphMethods, FindThePoseFromANearbyStart)
 TEST(Cvo, ItsOptionsCount)
 {
     const CleanCase clean(2);
-    CounterRandom random(5);
-    const RegistrationInput input = clean.from(clean.nearbyStart(random));
+    const RegistrationInput input = clean.fromNearby(5);
     RegistrationOptions options = quickBy("cvo");
     options.cvo.iterations = 3;
     const MethodSolution few = solutionOf(input, options);
@@ -133,8 +130,7 @@ TEST(GraphMatching, RefinesTheStartWhereTheImageHasNoRoots)
     const CleanCase clean(2);
     RegistrationOptions options = quickBy("graph-matching");
     options.graph.reachPx = 1.0;
-    CounterRandom random(5);
-    const RegistrationInput input = clean.from(clean.nearbyStart(random));
+    const RegistrationInput input = clean.fromNearby(5);
     EXPECT_LT(meanErrorPx(clean, solutionOf(input, options).cameraFromPatient),
               meanErrorPx(clean, input.initialCameraFromPatient));
 }
@@ -142,8 +138,7 @@ TEST(GraphMatching, RefinesTheStartWhereTheImageHasNoRoots)
 TEST(GraphMethods, HearAStopAtOnce)
 {
     const CleanCase clean(3);
-    CounterRandom random(6);
-    const RegistrationInput input = clean.from(clean.nearbyStart(random));
+    const RegistrationInput input = clean.fromNearby(6);
     for (const std::string_view method : {"cvo", "matched-branches", "graph-matching"}) {
         int heard = 0;
         const auto result = registerVessels(input, quickBy(method), [&](const IterationReport&) {

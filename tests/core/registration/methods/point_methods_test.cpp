@@ -1,7 +1,7 @@
 #include "core/registration/methods/method.h"
 #include "core/registration/pnp/distance_descent.h"
 #include "core/registration/pnp/seed_problem.h"
-#include "core/registration/problem/auxiliary_points.h"
+#include "tests/core/registration/methods/tested_methods.h"
 #include "tests/support/clean_case.h"
 
 #include <gtest/gtest.h>
@@ -13,15 +13,7 @@ namespace {
 
 using namespace core;
 using test::CleanCase;
-
-RegistrationOptions exactSamplesBy(std::string_view method)
-{
-    RegistrationOptions options;
-    options.method = method;
-    options.resample = false;
-    options.seed.preset = PriorPreset::NoPrior;
-    return options;
-}
+using test::exactSamplesBy;
 
 RigidTransform poseOf(const RegistrationInput& input, const RegistrationOptions& options)
 {
@@ -41,8 +33,7 @@ double depthOffMm(const CleanCase& clean, const RigidTransform& pose)
 TEST(DtIcp, BothSolversAndTheAffineStageFindTheExactPose)
 {
     const CleanCase clean(2);
-    CounterRandom random(5);
-    const RegistrationInput input = clean.from(clean.nearbyStart(random));
+    const RegistrationInput input = clean.fromNearby(5);
     RegistrationOptions options = exactSamplesBy("dt-icp");
     EXPECT_LT(meanErrorPx(clean, poseOf(input, options)), 0.01);
     options.icp.model = IcpModel::Affine;
@@ -57,16 +48,14 @@ TEST(DtIcp, RunsAwayInDepthWhereTheImageShowsLittle)
 {
     CleanCase clean(1);
     clean.target.curves.resize(2);
-    CounterRandom random(1);
-    const RegistrationInput input = clean.from(clean.nearbyStart(random));
+    const RegistrationInput input = clean.fromNearby(1);
     EXPECT_GT(std::abs(depthOffMm(clean, poseOf(input, exactSamplesBy("dt-icp")))), 100.0);
 }
 
 TEST(DistanceDescent, GradientOfTheSmoothSolverLeadsDownhill)
 {
     const CleanCase clean(2);
-    CounterRandom random(9);
-    const RegistrationInput input = clean.from(clean.nearbyStart(random));
+    const RegistrationInput input = clean.fromNearby(9);
     const auto problem = makeProblem(input, exactSamplesBy("dt-icp"));
     const SeedProblem seed = makeSeedProblem(problem.value(), exactSamplesBy("dt-icp"));
     const KernelProblem full = seed.full(clean.camera);
@@ -102,8 +91,7 @@ TEST(Nicp, LiteralStepsHardlyShift)
 TEST(Nicp, ThePriorHoldsItBack)
 {
     const CleanCase clean(1);
-    CounterRandom random(3);
-    const RegistrationInput input = clean.from(clean.nearbyStart(random));
+    const RegistrationInput input = clean.fromNearby(3);
     RegistrationOptions options = exactSamplesBy("nicp");
     options.nicp.iterations = 60;
     options.seed.preset = PriorPreset::SeedMean;
@@ -135,8 +123,7 @@ TEST(Nicp, ThePriorLeavesTheTurnToIt)
 TEST(Alternation, TakesAnyMethodOfPoints)
 {
     const CleanCase clean(3);
-    CounterRandom random(6);
-    const RegistrationInput input = clean.from(clean.nearbyStart(random));
+    const RegistrationInput input = clean.fromNearby(6);
     for (const std::string_view method : {"dt-icp", "assembled-icp"}) {
         RegistrationOptions options = exactSamplesBy(method);
         options.icp.alternate = true;
@@ -147,8 +134,7 @@ TEST(Alternation, TakesAnyMethodOfPoints)
 TEST(Neighbors, MoreOfThemStillLeadToThePose)
 {
     const CleanCase clean(2);
-    CounterRandom random(4);
-    const RegistrationInput input = clean.from(clean.nearbyStart(random));
+    const RegistrationInput input = clean.fromNearby(4);
     for (const Neighbors rule : {Neighbors::Closest, Neighbors::Five, Neighbors::Radius}) {
         RegistrationOptions options = exactSamplesBy("iterative-pnp");
         options.seed.neighbors = rule;

@@ -6,7 +6,6 @@
 
 #include <gtest/gtest.h>
 #include <numbers>
-#include <set>
 
 using namespace angiopose;
 
@@ -154,8 +153,7 @@ TEST(SeedMethods, LoseFewStartsWhenTheKernelBeginsAtTheSquareOfTheDistance)
 TEST(DynaWeight, RunsItsStagesInOrder)
 {
     const CleanCase clean(3);
-    CounterRandom random(3);
-    const RegistrationInput input = clean.from(clean.nearbyStart(random));
+    const RegistrationInput input = clean.fromNearby(3);
     RegistrationOptions options = exactSamplesWith(PriorPreset::NoPrior);
     const Outcome all = solvedBy(solveDynaWeight, input, options);
     EXPECT_EQ(all.reports.front().stage, "rotation");
@@ -190,8 +188,7 @@ TEST(DynaWeight, EndsAfterFiveRoundsAtMostEvenWhereNothingFits)
 TEST(DynaWeight, SkipsAnAuxiliaryProblemThatCannotFixAPose)
 {
     const CleanCase clean(3);
-    CounterRandom random(8);
-    RegistrationInput input = clean.from(clean.nearbyStart(random));
+    RegistrationInput input = clean.fromNearby(8);
     const auto shortest =
         std::min_element(clean.tree.branches.begin(), clean.tree.branches.end(),
                          [](const VesselBranch& a, const VesselBranch& b) { return a.lengthMm() < b.lengthMm(); });
@@ -204,8 +201,7 @@ TEST(DynaWeight, SkipsAnAuxiliaryProblemThatCannotFixAPose)
 TEST(DynaWeight, SolvesTheChosenBranchesFirst)
 {
     const CleanCase clean(2);
-    CounterRandom random(4);
-    RegistrationInput input = clean.from(clean.nearbyStart(random));
+    RegistrationInput input = clean.fromNearby(4);
     const Outcome withNodes = solvedBy(solveDynaWeight, input, exactSamplesWith(PriorPreset::SeedMean));
     for (std::size_t i = 0; i < clean.tree.branches.size(); i += 2) {
         input.auxiliaryBranchIds.push_back(clean.tree.branches[i].id);
@@ -218,8 +214,7 @@ TEST(DynaWeight, SolvesTheChosenBranchesFirst)
 TEST(SeedMethods, AStopAtAnyTimeReturnsTheReportedPose)
 {
     const CleanCase clean(2);
-    CounterRandom random(21);
-    const RegistrationInput input = clean.from(clean.nearbyStart(random));
+    const RegistrationInput input = clean.fromNearby(21);
     for (MethodSolver* const method : {solveDynaWeight, solveIterativePnp}) {
         for (const int stopAt : {1, 4, 33, 40}) {
             const RegistrationOptions options = exactSamplesWith(PriorPreset::SeedMean);
@@ -242,8 +237,7 @@ TEST(SeedMethods, AStopAtAnyTimeReturnsTheReportedPose)
 TEST(SeedMethods, ProgressRisesToTheEnd)
 {
     const CleanCase clean(5);
-    CounterRandom random(2);
-    const RegistrationInput input = clean.from(clean.nearbyStart(random));
+    const RegistrationInput input = clean.fromNearby(2);
     for (MethodSolver* const method : {solveDynaWeight, solveIterativePnp}) {
         const Outcome done = solvedBy(method, input, exactSamplesWith(PriorPreset::SeedMean));
         for (std::size_t i = 1; i < done.reports.size(); ++i) {
@@ -257,8 +251,7 @@ TEST(SeedMethods, ProgressRisesToTheEnd)
 TEST(SeedMethods, EveryIndexLeadsToThePose)
 {
     const CleanCase clean(2);
-    CounterRandom random(31);
-    const RegistrationInput input = clean.from(clean.nearbyStart(random));
+    const RegistrationInput input = clean.fromNearby(31);
     RegistrationOptions options = exactSamplesWith(PriorPreset::NoPrior);
     for (MethodSolver* const method : {solveDynaWeight, solveIterativePnp}) {
         for (const IndexKind kind : {IndexKind::KdTree, IndexKind::Grid, IndexKind::Map}) {
@@ -271,8 +264,7 @@ TEST(SeedMethods, EveryIndexLeadsToThePose)
 TEST(SeedMethods, RepeatBitForBit)
 {
     const CleanCase clean(6);
-    CounterRandom random(5);
-    const RegistrationInput input = clean.from(clean.nearbyStart(random));
+    const RegistrationInput input = clean.fromNearby(5);
     for (MethodSolver* const method : {solveDynaWeight, solveIterativePnp}) {
         const Outcome first = solvedBy(method, input, exactSamplesWith(PriorPreset::SeedSum));
         const Outcome again = solvedBy(method, input, exactSamplesWith(PriorPreset::SeedSum));

@@ -21,7 +21,6 @@ TEST(RegistrationOptions, DefaultsAreFineForEveryMethod)
     }
 }
 
-/// Smallest and largest allowed value of a field.
 std::vector<OptionValue> extremesOf(const OptionField& field)
 {
     const OptionRange range = rangeOf(field);

@@ -1,4 +1,5 @@
 #include "core/registration/picture/drr.h"
+#include "tests/support/for_each.h"
 
 #include <gtest/gtest.h>
 
@@ -15,13 +16,9 @@ Volume rodInWater()
     geometry.spacingMm.setConstant(2.0);
     geometry.originInPatient.setConstant(-59.0);
     Volume scan(geometry, -1000);
-    for (int k = 5; k < 55; ++k) {
-        for (int j = 10; j < 50; ++j) {
-            for (int i = 10; i < 50; ++i) {
-                scan.at(i, j, k) = std::abs(i - 40) < 2 && std::abs(j - 20) < 2 ? 1500 : 0;
-            }
-        }
-    }
+    test::forEachVoxel({10, 10, 5}, {50, 50, 55}, [&](int i, int j, int k) {
+        scan.at(i, j, k) = std::abs(i - 40) < 2 && std::abs(j - 20) < 2 ? 1500 : 0;
+    });
     return scan;
 }
 

@@ -88,8 +88,7 @@ TEST(BinGrid, VisitsEveryPointWithinACell)
 TEST(SparseKernel, InPlaneStepsLeaveTheOtherTurnsAlone)
 {
     const test::CleanCase clean(3);
-    CounterRandom random(2);
-    const RegistrationProblem problem = makeProblem(clean.from(clean.nearbyStart(random)), {}).value();
+    const RegistrationProblem problem = makeProblem(clean.fromNearby(2), {}).value();
     SparseKernel kernel(problem, 200);
     const CentroidPose start = aboutCentroid(problem.start, problem.tree.centroid);
     const CentroidPose inPlane = kernel.stepped(start, 20.0, true);

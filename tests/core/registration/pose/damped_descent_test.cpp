@@ -3,7 +3,6 @@
 #include "core/registration/pose/centroid_pose.h"
 
 #include <gtest/gtest.h>
-#include <cmath>
 
 namespace angiopose::core {
 namespace {

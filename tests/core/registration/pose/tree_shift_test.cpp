@@ -38,8 +38,7 @@ TEST(TreeShift, AgreesWithMovingEveryPoint)
 TEST(TreeShift, OfTheReportsLeadsFromTheStartToTheResult)
 {
     const test::CleanCase clean(3);
-    CounterRandom random(3);
-    const RegistrationInput input = clean.from(clean.nearbyStart(random));
+    const RegistrationInput input = clean.fromNearby(3);
     const auto result = registerVessels(input);
     ASSERT_TRUE(result);
     const RegistrationProblem problem = makeProblem(input, {}).value();

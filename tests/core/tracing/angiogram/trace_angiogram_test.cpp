@@ -1,6 +1,7 @@
 #include "core/tracing/angiogram/trace_angiogram.h"
 
 #include "tests/support/drawn_vessels.h"
+#include "tests/support/for_each.h"
 
 #include <gtest/gtest.h>
 #include <algorithm>
@@ -149,12 +150,10 @@ TEST(TraceAngiogram, ShutterAndBlackBorderGiveNoCurves)
 {
     const Path path = test::line({70, 80}, {190, 170});
     ImageF frame = test::drawnFrame(256, 256, {path}, 3.0);
-    for (int y = 0; y < frame.height; ++y) {
-        for (int x = 0; x < frame.width; ++x) {
-            const bool collimated = x < 30 || y < 22 || x > 230 || x + y < 80;
-            frame.at(x, y) = collimated ? 12.0F : frame.at(x, y);
-        }
-    }
+    test::forEachPixel(frame.width, frame.height, [&](int x, int y) {
+        const bool collimated = x < 30 || y < 22 || x > 230 || x + y < 80;
+        frame.at(x, y) = collimated ? 12.0F : frame.at(x, y);
+    });
     for (const double noise : {1.0, 1.5, 2.0, 3.0, 4.0, 6.0}) {
         ImageF noisy = frame;
         test::addNoise(noisy, noise, 7);
@@ -265,11 +264,7 @@ TEST(TraceMask, FollowsADrawnRing)
 {
     core::Mask2d mask(120, 120);
     const Path ring = test::circle({60, 60}, 40.0);
-    for (int y = 0; y < 120; ++y) {
-        for (int x = 0; x < 120; ++x) {
-            mask.at(x, y) = test::distanceTo(ring, {x, y}) < 3.0 ? 1 : 0;
-        }
-    }
+    test::forEachPixel(120, 120, [&](int x, int y) { mask.at(x, y) = test::distanceTo(ring, {x, y}) < 3.0 ? 1 : 0; });
     const Result<Centerline2d> found = core::traceMask(mask);
     ASSERT_TRUE(found) << found.error().message;
     ASSERT_EQ(found.value().curves.size(), 1U);
@@ -286,11 +281,7 @@ TEST(TraceMask, EmptyMaskIsAnError)
 TEST(TraceAngiogram, TakesADrawnMaskAsItIsDrawn)
 {
     ImageF drawn(120, 100, 0.0F);
-    for (int y = 10; y < 90; ++y) {
-        for (int x = 57; x <= 63; ++x) {
-            drawn.at(x, y) = 255.0F;
-        }
-    }
+    test::forEachPixel({57, 10}, {64, 90}, [&](int x, int y) { drawn.at(x, y) = 255.0F; });
     for (const Polarity polarity : {Polarity::VesselsDark, Polarity::VesselsBright}) {
         const auto trace = core::traceAngiogram(drawn, polarity);
         ASSERT_TRUE(trace) << trace.error().message;

@@ -2,6 +2,7 @@
 
 #include "core/tracing/volume/trace_vessels.h"
 #include "tests/support/drawn_tubes.h"
+#include "tests/support/for_each.h"
 
 #include <gtest/gtest.h>
 
@@ -115,14 +116,10 @@ TEST(DropDimParts, LeavesTheVeinOutOfATracedScan)
     const core::PointOpacification fill = fillOf(vessels);
     const core::VolumeGeometry grid = test::gridAround({10, 0, 0}, {120, 60, 110}, {1.0, 1.0, 1.0});
     core::Volume scan(grid);
-    for (int k = 0; k < grid.size.z(); ++k) {
-        for (int j = 0; j < grid.size.y(); ++j) {
-            for (int i = 0; i < grid.size.x(); ++i) {
-                const double share = fill(grid.patientFromVoxel() * Eigen::Vector3d(i, j, k));
-                scan.at(i, j, k) = static_cast<std::int16_t>(i < 3 ? -1000 : std::lround(50.0 + 350.0 * share));
-            }
-        }
-    }
+    test::forEachVoxel(grid.size, [&](int i, int j, int k) {
+        const double share = fill(grid.patientFromVoxel() * Eigen::Vector3d(i, j, k));
+        scan.at(i, j, k) = static_cast<std::int16_t>(i < 3 ? -1000 : std::lround(50.0 + 350.0 * share));
+    });
     const auto traced = core::traceVessels(scan);
     ASSERT_TRUE(traced) << traced.error().message;
     const auto passes = [&](const Eigen::Vector3d& place) {

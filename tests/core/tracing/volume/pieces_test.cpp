@@ -235,8 +235,7 @@ TEST(ForestOfVessels, IsRegisteredAsOne)
     }
     ASSERT_EQ(core::componentCount(clean.tree), 2);
     clean.target = core::projectTree(clean.tree, clean.camera, clean.truth);
-    core::CounterRandom random(2);
-    const auto result = core::registerVessels(clean.from(clean.nearbyStart(random)));
+    const auto result = core::registerVessels(clean.fromNearby(2));
     ASSERT_TRUE(result);
     EXPECT_LT(meanErrorPx(clean, result.value().cameraFromPatient), 0.1);
     EXPECT_TRUE(result.value().trustworthy);

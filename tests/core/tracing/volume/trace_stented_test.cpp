@@ -14,7 +14,6 @@ using namespace angiopose;
 namespace {
 
 using core::Volume;
-using test::distanceTo;
 using test::shareNear;
 using test::Tube;
 
@@ -140,7 +139,7 @@ TEST(TraceStented, KeepsWithinTheStentOfAWideVessel)
     const auto traced = core::traceVessels(volume, {.seedsInPatient = {{-9, 0, -50}}});
     ASSERT_TRUE(traced) << traced.error().message;
     for (const Eigen::Vector3d& point : axis.pointsInPatient) {
-        EXPECT_LT(distanceTo(traced.value().tree, point), 2.0) << point.transpose();
+        EXPECT_LT(test::distanceTo(traced.value().tree, point), 2.0) << point.transpose();
     }
     EXPECT_EQ(traced.value().tree.branches.size(), 1U);
 }

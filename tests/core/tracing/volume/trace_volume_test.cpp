@@ -2,12 +2,12 @@
 #include "core/tracing/volume/trace_vessels.h"
 #include "core/vessel/polyline.h"
 #include "tests/support/drawn_tubes.h"
+#include "tests/support/for_each.h"
 #include "tests/support/tree_agreement.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 using namespace angiopose;
@@ -48,13 +48,8 @@ TEST(TraceVolume, IsTheSameForAnyNumberOfThreadsAndAxisOrder)
     // Stored as sagittal slices starting at the right, feet first.
     Volume turned(test::restored(volume.geometry, {1, 2, 0}, {true, false, true}));
     const Eigen::Vector3i& size = volume.geometry.size;
-    for (int k = 0; k < size.z(); ++k) {
-        for (int j = 0; j < size.y(); ++j) {
-            for (int i = 0; i < size.x(); ++i) {
-                turned.at(size.y() - 1 - j, k, size.x() - 1 - i) = volume.at(i, j, k);
-            }
-        }
-    }
+    test::forEachVoxel(
+        size, [&](int i, int j, int k) { turned.at(size.y() - 1 - j, k, size.x() - 1 - i) = volume.at(i, j, k); });
     const auto other = core::traceVessels(turned);
     ASSERT_TRUE(other);
     ASSERT_EQ(one.value().tree.branches.size(), three.value().tree.branches.size());
@@ -78,15 +73,11 @@ Volume asPicture(const Volume& scan, int frame)
     grid.size.array() += 2 * frame;
     grid.originInPatient = scan.geometry.patientFromVoxel() * Eigen::Vector3d::Constant(-frame);
     Volume picture(grid, 0);
-    for (int k = 0; k < scan.geometry.size.z(); ++k) {
-        for (int j = 0; j < scan.geometry.size.y(); ++j) {
-            for (int i = 0; i < scan.geometry.size.x(); ++i) {
-                const double share = (scan.value(scan.geometry.index(i, j, k)) + 200.0) / 1500.0;
-                picture.at(i + frame, j + frame, k + frame) =
-                    static_cast<std::int16_t>(std::lround(255.0 * std::clamp(share, 0.0, 1.0)));
-            }
-        }
-    }
+    test::forEachVoxel(scan.geometry.size, [&](int i, int j, int k) {
+        const double share = (scan.value(scan.geometry.index(i, j, k)) + 200.0) / 1500.0;
+        picture.at(i + frame, j + frame, k + frame) =
+            static_cast<std::int16_t>(std::lround(255.0 * std::clamp(share, 0.0, 1.0)));
+    });
     return picture;
 }
 
@@ -219,17 +210,13 @@ void addBone(Volume& volume)
 {
     const core::VolumeGeometry& grid = volume.geometry;
     const std::vector<Tube> bone{{{6, 0, -26}, {6, 0, 26}, 9.0}};
-    for (int k = 0; k < grid.size.z(); ++k) {
-        for (int j = 0; j < grid.size.y(); ++j) {
-            for (int i = 0; i < grid.size.x(); ++i) {
-                const double wall = test::distanceToWall(bone, grid.patientFromVoxel() * Eigen::Vector3d(i, j, k));
-                const int marrow = 230 + 80 * ((7 * i + 13 * j + 5 * k) % 3 - 1);
-                if (wall < 0.0) {
-                    volume.at(i, j, k) = static_cast<std::int16_t>(wall > -3.5 ? 900 : marrow);
-                }
-            }
+    test::forEachVoxel(grid.size, [&](int i, int j, int k) {
+        const double wall = test::distanceToWall(bone, grid.patientFromVoxel() * Eigen::Vector3d(i, j, k));
+        const int marrow = 230 + 80 * ((7 * i + 13 * j + 5 * k) % 3 - 1);
+        if (wall < 0.0) {
+            volume.at(i, j, k) = static_cast<std::int16_t>(wall > -3.5 ? 900 : marrow);
         }
-    }
+    });
 }
 
 TEST(TraceVolume, NeverTracesBone)
@@ -258,15 +245,11 @@ TEST(TraceVolume, RefusesShellsWithoutBloodOnTheirAxes)
     const std::vector<Tube> shell{{{0, 0, -10}, {0, 0, 10}, 12.0}};
     Volume volume = tubesInTissue(grid, shell);
     EXPECT_TRUE(core::traceVessels(volume));
-    for (int k = 0; k < grid.size.z(); ++k) {
-        for (int j = 0; j < grid.size.y(); ++j) {
-            for (int i = 0; i < grid.size.x(); ++i) {
-                if (test::distanceToWall(shell, grid.patientFromVoxel() * Eigen::Vector3d(i, j, k)) < -6.0) {
-                    volume.at(i, j, k) = 120;
-                }
-            }
+    test::forEachVoxel(grid.size, [&](int i, int j, int k) {
+        if (test::distanceToWall(shell, grid.patientFromVoxel() * Eigen::Vector3d(i, j, k)) < -6.0) {
+            volume.at(i, j, k) = 120;
         }
-    }
+    });
     const auto traced = core::traceVessels(volume);
     ASSERT_FALSE(traced);
     EXPECT_NE(traced.error().message.text().find("not vessel-like"), std::string::npos) << traced.error().message;

@@ -60,7 +60,6 @@ TEST(SystemFiles, APipeThatNobodyWritesToIsNotWaitedFor)
     EXPECT_FALSE(pipe.isRegular());
 }
 
-/// All output of the child process until it ends.
 std::string heardFrom(const ChildProcess& child)
 {
     std::string all;

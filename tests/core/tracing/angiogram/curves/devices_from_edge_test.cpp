@@ -9,9 +9,8 @@ using namespace angiopose;
 namespace {
 
 using core::Curve2d;
-using core::Mask2d;
 
-const Mask2d field(512, 512, 255);
+const core::Mask2d field(512, 512, 255);
 
 /// A curve from x = 3 that is straight for `straightPx` and winding after that.
 Curve2d catheterWithVessel(double straightPx, double endRadiusPx)

@@ -7,7 +7,6 @@ using namespace angiopose;
 
 namespace {
 
-using core::Curve2d;
 using core::Mask2d;
 
 int pixelsAcross(const Mask2d& mask, int x)
@@ -21,7 +20,7 @@ int pixelsAcross(const Mask2d& mask, int x)
 
 TEST(PaintedVessels, AreAsWideAsTheirRadiiSay)
 {
-    const Curve2d curve{1, {{2.0, 20.0}, {42.0, 20.0}}, {2.0, 6.0}};
+    const core::Curve2d curve{1, {{2.0, 20.0}, {42.0, 20.0}}, {2.0, 6.0}};
     const Mask2d mask = core::rasterizeVessels({{curve}}, 60, 40);
     EXPECT_EQ(pixelsAcross(mask, 2), 5);
     EXPECT_EQ(pixelsAcross(mask, 22), 9);

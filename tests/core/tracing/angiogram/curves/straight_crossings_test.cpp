@@ -2,6 +2,7 @@
 
 #include "core/tracing/angiogram/trace_angiogram.h"
 #include "tests/support/drawn_vessels.h"
+#include "tests/support/for_each.h"
 
 #include <gtest/gtest.h>
 #include <cmath>
@@ -36,11 +37,7 @@ TEST(LinesAcross, VesselsEndInsideOrDeformation)
 TEST(LinesAcross, TheShuttersAreTheRim)
 {
     Mask2d field(256, 200);
-    for (int y = 50; y < 150; ++y) {
-        for (int x = 60; x < 200; ++x) {
-            field.at(x, y) = 255;
-        }
-    }
+    test::forEachPixel({60, 50}, {200, 150}, [&](int x, int y) { field.at(x, y) = 255; });
     EXPECT_TRUE(core::crossesFieldStraight(test::line({63, 100}, {196, 120}), field));
     EXPECT_FALSE(core::crossesFieldStraight(test::line({63, 100}, {130, 120}), field));
 }

@@ -3,6 +3,7 @@
 #include "core/imaging/image_filters.h"
 #include "core/imaging/mask_morphology.h"
 #include "core/support/random.h"
+#include "tests/support/for_each.h"
 
 #include <gtest/gtest.h>
 
@@ -68,11 +69,7 @@ TEST(ThinMask, LeavesNoPixelThatCouldStillGo)
 TEST(ThinMask, ABarBecomesItsMiddleLine)
 {
     Mask2d bar(60, 21);
-    for (int y = 6; y < 15; ++y) {
-        for (int x = 5; x < 55; ++x) {
-            bar.at(x, y) = 255;
-        }
-    }
+    test::forEachPixel({5, 6}, {55, 15}, [&](int x, int y) { bar.at(x, y) = 255; });
     const Mask2d skeleton = core::skeletonize(bar);
     for (int x = 12; x < 48; ++x) {
         int set = 0;

@@ -1,6 +1,7 @@
 #include "core/tracing/angiogram/drawing/live_wire.h"
 
 #include "tests/support/drawn_vessels.h"
+#include "tests/support/for_each.h"
 
 #include <gtest/gtest.h>
 #include <algorithm>
@@ -17,14 +18,12 @@ using test::Path;
 ImageF vesselnessOf(int width, int height, const std::vector<Path>& paths)
 {
     ImageF vesselness(width, height);
-    for (int y = 0; y < height; ++y) {
-        for (int x = 0; x < width; ++x) {
-            for (const Path& path : paths) {
-                const auto strength = static_cast<float>(1.0 - test::distanceTo(path, {x, y}) / 3.0);
-                vesselness.at(x, y) = std::max(vesselness.at(x, y), strength);
-            }
+    test::forEachPixel(width, height, [&](int x, int y) {
+        for (const Path& path : paths) {
+            const auto strength = static_cast<float>(1.0 - test::distanceTo(path, {x, y}) / 3.0);
+            vesselness.at(x, y) = std::max(vesselness.at(x, y), strength);
         }
-    }
+    });
     return vesselness;
 }
 

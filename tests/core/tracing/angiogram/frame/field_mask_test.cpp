@@ -1,6 +1,7 @@
 #include "core/tracing/angiogram/frame/field_mask.h"
 
 #include "tests/support/drawn_vessels.h"
+#include "tests/support/for_each.h"
 
 #include <gtest/gtest.h>
 #include <cmath>
@@ -18,12 +19,10 @@ constexpr int side = 300;
 ImageF roundPictureOn(float page)
 {
     ImageF frame(side, side);
-    for (int y = 0; y < side; ++y) {
-        for (int x = 0; x < side; ++x) {
-            const bool isInside = std::hypot(x - 150.0, y - 150.0) < 130.0;
-            frame.at(x, y) = isInside ? 60.0F + 0.35F * static_cast<float>(x) : page;
-        }
-    }
+    test::forEachPixel(side, side, [&](int x, int y) {
+        const bool isInside = std::hypot(x - 150.0, y - 150.0) < 130.0;
+        frame.at(x, y) = isInside ? 60.0F + 0.35F * static_cast<float>(x) : page;
+    });
     test::addNoise(frame, 2.0, 3);
     return frame;
 }
@@ -32,26 +31,20 @@ double shareInField(const Mask2d& field, double nearest, double farthest)
 {
     int inside = 0;
     int all = 0;
-    for (int y = 0; y < side; ++y) {
-        for (int x = 0; x < side; ++x) {
-            const double distance = std::hypot(x - 150.0, y - 150.0);
-            if (distance >= nearest && distance <= farthest) {
-                inside += field.at(x, y) != 0 ? 1 : 0;
-                ++all;
-            }
+    test::forEachPixel(side, side, [&](int x, int y) {
+        const double distance = std::hypot(x - 150.0, y - 150.0);
+        if (distance >= nearest && distance <= farthest) {
+            inside += field.at(x, y) != 0 ? 1 : 0;
+            ++all;
         }
-    }
+    });
     return static_cast<double>(inside) / all;
 }
 
 TEST(FieldMask, EndsBeforeTheShutterAndWhatIsNotExposed)
 {
     Mask2d shutter(side, side, 255);
-    for (int y = 0; y < side; ++y) {
-        for (int x = 0; x < 100; ++x) {
-            shutter.at(x, y) = 0;
-        }
-    }
+    test::forEachPixel(100, side, [&](int x, int y) { shutter.at(x, y) = 0; });
     const Mask2d field = core::findField(roundPictureOn(5.0F), 16.0, shutter);
     EXPECT_EQ(field.at(103, 150), 0) << "on its edge";
     EXPECT_EQ(field.at(105, 150), 255);
@@ -71,11 +64,7 @@ TEST(FieldMask, LeavesOutDarkAndLightSurrounds)
 TEST(FieldMask, KeepsWhatIsBrightAtOneSide)
 {
     ImageF frame(side, side, 90.0F);
-    for (int y = 0; y < side; ++y) {
-        for (int x = 220; x < side; ++x) {
-            frame.at(x, y) = 230.0F;
-        }
-    }
+    test::forEachPixel({220, 0}, {side, side}, [&](int x, int y) { frame.at(x, y) = 230.0F; });
     test::addNoise(frame, 2.0, 3);
     EXPECT_GT(shareInField(core::findField(frame, 16.0), 0.0, 400.0), 0.99);
 }

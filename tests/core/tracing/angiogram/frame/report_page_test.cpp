@@ -4,9 +4,9 @@
 #include "core/tracing/angiogram/trace_angiogram.h"
 #include "tests/support/drawn_letters.h"
 #include "tests/support/drawn_vessels.h"
+#include "tests/support/for_each.h"
 
 #include <gtest/gtest.h>
-#include <algorithm>
 
 using namespace angiopose;
 
@@ -55,11 +55,7 @@ TEST(ReportPage, AngiogramsWithWordsInABlackFrameAreNone)
 {
     ImageF frame(512, 512, 0.0F);   // a narrow field: a quarter of the image
     const ImageF field = test::drawnFrame(256, 256, {test::line({20, 40}, {240, 220})}, 3.0, {.noise = 3.0});
-    for (int y = 0; y < 256; ++y) {
-        for (int x = 0; x < 256; ++x) {
-            frame.at(128 + x, 128 + y) = field.at(x, y);
-        }
-    }
+    test::forEachPixel(256, 256, [&](int x, int y) { frame.at(128 + x, 128 + y) = field.at(x, y); });
     for (int line = 0; line < 6; ++line) {
         test::writeLetters(frame, {10, 10 + 18 * line}, 8, 255.0F);
     }

@@ -1,6 +1,5 @@
 #include "core/tracing/angiogram/frame/working_size.h"
 
-#include "core/imaging/image_filters.h"
 #include "core/tracing/angiogram/trace_angiogram.h"
 #include "tests/support/drawn_vessels.h"
 

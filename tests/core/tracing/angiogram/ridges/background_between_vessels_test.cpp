@@ -8,7 +8,6 @@ using namespace angiopose;
 
 namespace {
 
-using core::Curve2d;
 using test::Path;
 
 /// Share of the path, sampled in steps of 1 px, that has a curve within 1.5 px.
@@ -19,7 +18,7 @@ double foundShare(const core::Centerline2d& centerline, const Path& path)
     int found = 0;
     for (int k = 0; k <= steps; ++k) {
         const Eigen::Vector2d point = path.front() + way * k / steps;
-        found += std::ranges::any_of(core::resampled(centerline, 0.5).curves, [&](const Curve2d& curve) {
+        found += std::ranges::any_of(core::resampled(centerline, 0.5).curves, [&](const core::Curve2d& curve) {
             return std::ranges::any_of(curve.pointsPx, [&](const auto& p) { return (p - point).norm() <= 1.5; });
         });
     }

@@ -1,6 +1,5 @@
 #include "core/tracing/angiogram/run/subtract_run.h"
 
-#include "core/imaging/image_filters.h"
 #include "core/tracing/angiogram/trace_angiogram.h"
 #include "tests/support/drawn_vessels.h"
 

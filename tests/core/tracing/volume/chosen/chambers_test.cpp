@@ -1,10 +1,10 @@
 #include "core/tracing/volume/chosen/chambers.h"
 
 #include "core/tracing/volume/chosen/split_by_seeds.h"
+#include "tests/support/for_each.h"
 
 #include <gtest/gtest.h>
 #include <algorithm>
-#include <cmath>
 
 using namespace angiopose;
 
@@ -28,18 +28,13 @@ protected:
     void addTube(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double radiusMm)
     {
         const Eigen::Vector3d way = to - from;
-        for (int k = 0; k < 60; ++k) {
-            for (int j = 0; j < 90; ++j) {
-                for (int i = 0; i < 80; ++i) {
-                    const Eigen::Vector3d offset = Eigen::Vector3d(i, j, k) - from;
-                    const double share =
-                        way.norm() > 0.0 ? std::clamp(offset.dot(way) / way.squaredNorm(), 0.0, 1.0) : 0.0;
-                    if ((offset - share * way).norm() <= radiusMm) {
-                        mask_.at(i, j, k) = 1;
-                    }
-                }
+        test::forEachVoxel({80, 90, 60}, [&](int i, int j, int k) {
+            const Eigen::Vector3d offset = Eigen::Vector3d(i, j, k) - from;
+            const double share = way.norm() > 0.0 ? std::clamp(offset.dot(way) / way.squaredNorm(), 0.0, 1.0) : 0.0;
+            if ((offset - share * way).norm() <= radiusMm) {
+                mask_.at(i, j, k) = 1;
             }
-        }
+        });
     }
 
     std::vector<std::uint32_t> beyond(const Eigen::Vector3d& seed)

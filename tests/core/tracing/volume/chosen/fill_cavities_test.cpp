@@ -1,4 +1,5 @@
 #include "core/tracing/volume/chosen/fill_cavities.h"
+#include "tests/support/for_each.h"
 
 #include <gtest/gtest.h>
 
@@ -12,13 +13,7 @@ core::VoxelMask blockWithSheetAndHole()
     core::VolumeGeometry geometry;
     geometry.size = {12, 12, 12};
     core::VoxelMask mask(geometry);
-    for (int k = 0; k < 12; ++k) {
-        for (int j = 0; j < 12; ++j) {
-            for (int i = 0; i < 12; ++i) {
-                mask.at(i, j, k) = i == 6 ? 0 : 1;
-            }
-        }
-    }
+    test::forEachVoxel({12, 12, 12}, [&](int i, int j, int k) { mask.at(i, j, k) = i == 6 ? 0 : 1; });
     mask.at(3, 3, 3) = 0;
     return mask;
 }

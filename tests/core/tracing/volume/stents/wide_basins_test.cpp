@@ -10,14 +10,12 @@ using namespace angiopose;
 
 namespace {
 
-using test::Tube;
-
 /// A box of 60 mm around the origin in 1 mm voxels.
 class WideBasins : public testing::Test {
 protected:
     explicit WideBasins() : grid_(test::gridAround({0, 0, 0}, {60, 60, 60}, {1.0, 1.0, 1.0})) {}
 
-    void draw(const std::vector<Tube>& tubes)
+    void draw(const std::vector<test::Tube>& tubes)
     {
         mask_ = test::drawnMask(grid_, tubes);
         core::TracingProgress progress({});

@@ -1,10 +1,10 @@
 #include "core/tracing/volume/voxels/thin_volume.h"
 #include "tests/support/drawn_tubes.h"
+#include "tests/support/for_each.h"
 #include "tests/support/test_data.h"
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <array>
 #include <cstdio>
 
@@ -75,13 +75,9 @@ TEST(ThinVolume, LeavesALineAsItIs)
 TEST(ThinVolume, ReducesABallToOneVoxelAndKeepsAHollowOneClosed)
 {
     core::VoxelMask ball = cube(15);
-    for (int k = 0; k < 15; ++k) {
-        for (int j = 0; j < 15; ++j) {
-            for (int i = 0; i < 15; ++i) {
-                ball.at(i, j, k) = (Eigen::Vector3d(i, j, k) - Eigen::Vector3d::Constant(7)).norm() < 6.0 ? 1 : 0;
-            }
-        }
-    }
+    test::forEachVoxel({15, 15, 15}, [&](int i, int j, int k) {
+        ball.at(i, j, k) = (Eigen::Vector3d(i, j, k) - Eigen::Vector3d::Constant(7)).norm() < 6.0 ? 1 : 0;
+    });
     EXPECT_LE(thin(ball).size(), 3U);
     ball.at(7, 7, 7) = 0;
     EXPECT_GE(thin(ball).size(), 18U);   // a cavity keeps a closed shell
@@ -90,14 +86,10 @@ TEST(ThinVolume, ReducesABallToOneVoxelAndKeepsAHollowOneClosed)
 TEST(ThinVolume, KeepsARingOneVoxelThin)
 {
     core::VoxelMask mask = cube(21);
-    for (int k = 8; k < 13; ++k) {
-        for (int j = 0; j < 21; ++j) {
-            for (int i = 0; i < 21; ++i) {
-                const double radius = Eigen::Vector2d(i - 10, j - 10).norm();
-                mask.at(i, j, k) = radius > 5.0 && radius < 9.0 ? 1 : 0;
-            }
-        }
-    }
+    test::forEachVoxel({0, 0, 8}, {21, 21, 13}, [&](int i, int j, int k) {
+        const double radius = Eigen::Vector2d(i - 10, j - 10).norm();
+        mask.at(i, j, k) = radius > 5.0 && radius < 9.0 ? 1 : 0;
+    });
     const std::vector<std::size_t> ring = thin(mask);
     EXPECT_GT(ring.size(), 24U);
     EXPECT_LT(ring.size(), 50U);
@@ -108,13 +100,8 @@ TEST(ThinVolume, KeepsTheLengthOfBandsOfAnyWidth)
     for (int width = 1; width <= 4; ++width) {
         for (int height = 1; height <= 4; ++height) {
             core::VoxelMask mask = cube(40);
-            for (int k = 2; k < 38; ++k) {
-                for (int j = 10; j < 10 + height; ++j) {
-                    for (int i = 10; i < 10 + width; ++i) {
-                        mask.at(i, j, k) = 1;
-                    }
-                }
-            }
+            test::forEachVoxel({10, 10, 2}, {10 + width, 10 + height, 38},
+                               [&](int i, int j, int k) { mask.at(i, j, k) = 1; });
             EXPECT_GE(thin(mask).size(), 20U) << width << " x " << height;
         }
     }

@@ -2,14 +2,13 @@
 
 #include "core/tracing/volume/chosen/split_by_seeds.h"
 #include "core/tracing/volume/great_vessels/necks.h"
+#include "tests/support/for_each.h"
 
 #include <gtest/gtest.h>
 
 using namespace angiopose;
 
 namespace {
-
-using core::VoxelMask;
 
 /// An artery along x and a second vessel of the same shape parallel to it; both are 9 voxels wide, in 60 × 32 × 15 mm.
 class TouchingVessels : public testing::Test {
@@ -30,13 +29,7 @@ protected:
 
     void addBox(const Eigen::Vector3i& low, const Eigen::Vector3i& high)
     {
-        for (int k = low.z(); k < high.z(); ++k) {
-            for (int j = low.y(); j < high.y(); ++j) {
-                for (int i = low.x(); i < high.x(); ++i) {
-                    mask_.at(i, j, k) = 1;
-                }
-            }
-        }
+        test::forEachVoxel(low, high, [&](int i, int j, int k) { mask_.at(i, j, k) = 1; });
     }
 
     /// Voxels with blood of another brightness, seen from the artery, for a given enhancement of the second vessel.
@@ -49,7 +42,7 @@ protected:
                                                 [&](int, int j, int) { return j < 14 ? 0.97 : secondFill; });
     }
 
-    VoxelMask mask_;
+    core::VoxelMask mask_;
 };
 
 TEST_F(TouchingVessels, AVeinIsToldByItsBlood)
