@@ -194,12 +194,12 @@ std::string jointJson(const core::RegisteredCase& registered, const std::string&
     json["uncertainty"] = {{"inPlaneSigmaMm", joint.uncertainty.inPlaneMm},
                            {"depthSigmaMm", joint.uncertainty.depthMm},
                            {"rotationSigmaDeg", joint.uncertainty.rotationDeg.maxCoeff()}};
-    for (std::size_t k = 0; k < registered.places.size(); ++k) {
-        const core::Case showing = core::withShownView(registered.session, registered.places[k]);
+    for (std::size_t k = 0; k < registered.viewIndices.size(); ++k) {
+        const core::Case showing = core::withShownView(registered.session, registered.viewIndices[k]);
         Json view = Json::parse(resultJson(showing, *showing.shown().result, inputCase));
         view.erase("deformable");   // belongs to all views together and is added below
         view.erase("case");
-        view["view"] = registered.places[k] + 1;
+        view["view"] = registered.viewIndices[k] + 1;
         view["geometryCorrection"] = correctionJson(joint.corrections[k]);
         if (k < joint.cameras.size()) {
             view["cameraByAllViews"] = cameraJson(joint.cameras[k]);

@@ -1,10 +1,10 @@
 #include "core/registration/register_views.h"
 
 #include "core/evaluation/trial/projection_error.h"
-#include "core/registration/alignment/joint_solver.h"
-#include "tests/support/clean_case.h"
-
 #include "core/geometry/angle_units.h"
+#include "core/registration/alignment/joint_solver.h"
+#include "core/registration/deformable/deform_vessels.h"
+#include "tests/support/clean_case.h"
 
 #include <gtest/gtest.h>
 #include <array>

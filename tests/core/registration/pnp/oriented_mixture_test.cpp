@@ -91,13 +91,13 @@ TEST(SparseKernel, InPlaneStepsLeaveTheOtherTurnsAlone)
     const RegistrationProblem problem = makeProblem(clean.fromNearby(2), {}).value();
     SparseKernel kernel(problem, 200);
     const CentroidPose start = aboutCentroid(problem.start, problem.tree.centroid);
-    const CentroidPose inPlane = kernel.stepped(start, 20.0, true);
+    const CentroidPose inPlane = kernel.gaussNewtonStep(start, 20.0, true);
     const Vector6d step = stepBetween(start, inPlane);
     EXPECT_LT(step.head<2>().norm(), 1e-12);
     EXPECT_GT(step.tail<3>().norm(), 0.1);
     CentroidPose free = start;
     for (int i = 0; i < 6; ++i) {
-        free = kernel.stepped(free, 20.0, false);
+        free = kernel.gaussNewtonStep(free, 20.0, false);
     }
     EXPECT_GT(kernel.agreement(free, 6.0), kernel.agreement(start, 6.0));
 }
