@@ -5,6 +5,7 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 
 // mutant_run CLI [--trials N] [--seed N] [--only NAME] [--keep FOLDER]
 // Gives damaged files of every format to `CLI info` (surfaces also to `CLI trace-vessel`, a DICOMDIR next to its disc
