@@ -11,7 +11,7 @@
 namespace angiopose::app {
 namespace {
 
-/// Returns the settings key for the current set of screens and their arrangement.
+/// Returns the settings key for the current screens and their arrangement.
 QString screensKey()
 {
     QByteArray text;
@@ -25,8 +25,8 @@ QString screensKey()
     return QStringLiteral("window/layouts/") + QString::fromLatin1(hash);
 }
 
-/// Restores the position, column widths and collapsed panels that the window had when it was last closed on the same
-/// set of screens; for a new set, restores the most recent layout.
+/// Restores the position, column widths and folded panels that the window had when it was last closed on the same set
+/// of screens; for a new set, restores the most recent layout.
 void restoreWindowLayout(ui::MainWindow& window)
 {
     const QVariant here = QSettings().value(screensKey());

@@ -53,8 +53,8 @@
 
 namespace angiopose::app {
 
-/// Connects the window to the document and the jobs. Each sub-controller implements one user task and gets the panels
-/// and views it needs; behavior of the whole window (pages, keys, closing) is connected here.
+/// Connects the window to the document and the jobs. Each sub-controller implements one user task and receives the
+/// panels and views that it needs; this class connects the behavior of the whole window (pages, keys, closing).
 class CaseController : public QObject {
     Q_OBJECT
 public:

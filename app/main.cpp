@@ -44,7 +44,7 @@ extern "C" void onStopSignal(int signal)
     std::signal(signal, SIG_DFL);
 }
 
-/// Turns SIGINT (Ctrl+C) and SIGTERM into a stop request; a second signal ends the program at once.
+/// Turns SIGINT (Ctrl+C) and SIGTERM into a stop request; a second one ends the program at once.
 void installStopHandlers()
 {
     std::signal(SIGINT, onStopSignal);
@@ -56,7 +56,7 @@ bool isStopRequested()
     return stopRequested;
 }
 
-/// Shows the progress in one line on stderr if that is a terminal; returns Stop after a stop request.
+/// Shows the progress in one line on stderr, if stderr is a terminal; returns Stop after a stop request.
 core::ObserverDecision showWorkProgress(std::string_view stage, double fraction)
 {
     static const bool isWatched = io::isTerminal(stderr);
@@ -180,7 +180,7 @@ core::Status write(const std::vector<ReportedView>& views, const ReportCommandOp
                                {bytes.value().constData(), static_cast<std::size_t>(bytes.value().size())});
 }
 
-/// Suppresses Qt's remarks about a missing desktop; problems that users can act on are reported as messages.
+/// Suppresses Qt's remarks about a missing desktop; messages report problems on which users can act.
 void suppressQtWarnings()
 {
     qInstallMessageHandler([](QtMsgType type, const QMessageLogContext&, const QString& text) {
@@ -228,13 +228,13 @@ int writeReportOf(const ReportCommandOptions& words)
     return tellTrust(views.value().front().evaluation);
 }
 
-/// Writes the report described by `words` as the window would, but without a window or a display; messages go to
-/// stderr, in English. Returns the exit code of the program (FORMATS §5).
+/// Writes a report with these options as the window would, but without a window or a display; messages go to stderr, in
+/// English. Returns the exit code of the program (FORMATS §5).
 int writeReport(int argc, char** argv, const ReportCommandOptions& words)
 {
     installStopHandlers();
     suppressQtWarnings();
-    qputenv("QT_QPA_PLATFORM", "offscreen");   // used even if there is a display, because no window is shown
+    qputenv("QT_QPA_PLATFORM", "offscreen");   // set even if there is a display, because no window is shown
     QApplication application(argc, argv);
     std::setlocale(LC_NUMERIC, "C");   // Qt sets the system's numeric locale, in which libraries may parse 0.8 as 0
     if (words.language.isEmpty()) {
@@ -242,7 +242,7 @@ int writeReport(int argc, char** argv, const ReportCommandOptions& words)
     } else {
         ui::applyLanguage(words.language);
     }
-    applyThemeSetting(application);   // needed for the typeface, which the theme sets
+    applyThemeSetting(application);   // required for the font, which the theme sets
     applyColorSetting();
     return writeReportOf(words);
 }

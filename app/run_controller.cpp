@@ -68,7 +68,7 @@ void RunController::start()
     }
 }
 
-/// Stops the task shown in the strip: a registration or the loading of files.
+/// Cancels the task shown in the strip: registration or the loading of files.
 void RunController::stop()
 {
     parts_.registration.stop();

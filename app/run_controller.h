@@ -22,7 +22,7 @@ class WindowActions;
 
 namespace angiopose::app {
 
-/// Manages Register and Stop, the options of the method, and the display during and after a registration.
+/// Manages Register and Stop, the options of the method, and the display during and after registration.
 class RunController : public QObject {
     Q_OBJECT
 public:
@@ -48,7 +48,7 @@ public:
 
     void show();   ///< updates the displayed options and the reason why registration cannot start
 
-    /// Returns the status text for a completed registration.
+    /// Returns the status text of a completed registration.
     static QString finishedText(const core::RegistrationResult& result);
 
 private:

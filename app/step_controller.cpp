@@ -40,7 +40,7 @@ void StepController::show()
     parts_.window.steps().showStates(stepStates(parts_.document.current(), facts));
 }
 
-/// Goes to a step, or opens the file dialog if the input of the step is missing.
+/// Goes to a step, or opens the file dialog if the step's input is missing.
 void StepController::goTo(ui::Step step)
 {
     const core::Case& current = parts_.document.current();
@@ -51,7 +51,7 @@ void StepController::goTo(ui::Step step)
     } else {
         emit stepSelected(step);
         QTimer::singleShot(
-            0, &parts_.window,   // deferred until the layout has changed, to split one long event into two short ones
+            0, &parts_.window,   // deferred until the layout has changed, which splits one long event in two
             [this, step] { parts_.window.focusStep(step); });
     }
 }

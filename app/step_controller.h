@@ -16,12 +16,12 @@ class MainWindow;
 
 namespace angiopose::app {
 
-/// Manages the step bar: shows which steps are complete, and goes to a step when the user clicks it. Takes the whole
+/// Manages the step bar: shows which steps are complete, and goes to a step when the user clicks it. Uses the whole
 /// window because a step may lead to any part of it.
 class StepController : public QObject {
     Q_OBJECT
 public:
-    /// Objects that determine the state of the steps.
+    /// Objects that determine the states of the steps.
     struct Parts {
         CaseDocument& document;
         TargetProvider& target;
@@ -36,13 +36,13 @@ public:
     void show();
 
 signals:
-    void stepSelected(ui::Step step);   ///< emitted on selection by the user, before its part of the window is shown
+    void stepSelected(ui::Step step);   ///< emitted when the user selects a step, before its part of the window appears
 
 private:
     void goTo(ui::Step step);
 
     Parts parts_;
-    bool isExported_ = false;   ///< the current state of the case has been exported
+    bool isExported_ = false;   ///< true if the current state of the case has been exported
 };
 
 }   // namespace angiopose::app

@@ -5,7 +5,7 @@
 
 namespace angiopose::app {
 
-/// State on which the steps depend in addition to the case.
+/// Inputs of the step states other than the case itself.
 struct StepInputs {
     QString targetProblem;   ///< reason why the frame could not be traced; empty if there is none
     QString targetWarning;   ///< warning that the traced curves may not be vessels; empty if there is none
@@ -16,7 +16,7 @@ struct StepInputs {
     bool exported = false;   ///< true if the current pose has been exported
 };
 
-/// Returns the marks and short hints of the step bar for the current state.
+/// Returns the state and a short hint of each step for the step bar.
 std::array<ui::StepState, ui::stepCount> stepStates(const core::Case& current, const StepInputs& facts);
 
 }   // namespace angiopose::app

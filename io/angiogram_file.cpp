@@ -50,7 +50,7 @@ void applyRescale(const DicomDataset& data, std::vector<ImageF>& frames)
     }
 }
 
-/// Inverts images stored for inverted display, so that high values are bright everywhere downstream.
+/// Inverts images stored for inverted display, so that high values are bright in all later processing.
 bool invertIfNeeded(const DicomDataset& data, const PixelLayout& layout, std::vector<ImageF>& frames)
 {
     const bool isInverted = layout.photometric == "MONOCHROME1" || data.text(0x20500020) == "INVERSE";
@@ -76,8 +76,8 @@ std::vector<std::string> namesOf(const std::vector<int>& frames)
     return names;
 }
 
-/// Fills lost frames with the background level, as in frames without contrast agent: nothing is detected in them, and
-/// they do not affect other frames.
+/// Fills lost frames with the background level, as in frames without contrast agent, so that nothing is detected in
+/// them and they do not affect other frames.
 void blank(const std::vector<int>& lostFrames, Angiogram& angiogram)
 {
     const bool isDark = angiogram.polarity == core::Polarity::VesselsDark;
@@ -92,7 +92,8 @@ void blank(const std::vector<int>& lostFrames, Angiogram& angiogram)
     angiogram.warnings.push_back(messages::dicomFramesLost(namesOf(lostFrames), angiogram.frameCount()));
 }
 
-/// Contrast agent absorbs X-rays, so vessels have low values if values rise with the X-ray intensity, (0028,1041) = +1.
+/// Returns the polarity: contrast agent absorbs X-rays, so vessels are dark if values rise with intensity, (0028,1041)
+/// = +1.
 core::Polarity polarityOf(const DicomDataset& data, bool wasInverted)
 {
     const int sign = data.integer(0x00281041).value_or(wasInverted ? -1 : 1);
@@ -129,7 +130,7 @@ void describe(const DicomFile& file, const PixelLayout& layout, Angiogram& angio
     }
 }
 
-/// Reads the layout and rejects images that are only a few pixels wide or high, in which nothing can be traced.
+/// Reads the layout and rejects images only a few pixels wide or high, in which nothing can be traced.
 core::Result<PixelLayout> runLayout(const DicomFile& file, const std::string& path)
 {
     auto layout = pixelLayoutOf(file, path);
@@ -203,7 +204,7 @@ core::Result<core::Angiogram> rasterAngiogram(std::string_view content, const st
 
 core::Result<core::Angiogram> angiogramFrom(std::string_view content, const std::string& path)
 {
-    if (looksLikeDicom(content)) {   // check DICOM first: the DICOM preamble may contain a TIFF header
+    if (looksLikeDicom(content)) {   // check for DICOM first: the DICOM preamble may contain a TIFF header
         return readDicomAngiogram(content, path);
     }
     if (looksLikeRaster(content)) {

@@ -12,7 +12,7 @@ namespace angiopose::io {
 /// name the file, the problem and the remedy.
 core::Result<core::Angiogram> readAngiogram(const std::string& path);
 
-/// Whether readAngiogram may be able to read the file: DICOM (also gzip-compressed), PNG, TIFF or JPEG.
+/// Returns whether readAngiogram may be able to read the file: DICOM (also gzip-compressed), PNG, TIFF or JPEG.
 bool looksLikeImageFile(const std::string& path);
 
 /// Writes the frames as an uncompressed multi-frame 16-bit DICOM XA with the geometry of `angiogram.cArm`.

@@ -8,10 +8,10 @@
 namespace angiopose::io {
 
 /// Returns the measurements of all branches of a tree as CSV (FORMATS §4), one row per branch. Unknown values are
-/// empty; the notes give the reason.
+/// empty; the notes column gives the reason.
 std::string branchTable(const core::VesselTree& tree);
 
-/// Samples along one branch as CSV: arc length, patient LPS, diameter, reference diameter (mm) and curvature (1/mm).
+/// Returns samples along a branch as CSV: arc length, patient LPS, diameter, reference diameter (mm), curvature (1/mm).
 std::string profileTable(const core::BranchProfile& profile);
 
 core::Status writeBranchTable(const core::VesselTree& tree, const std::string& path);

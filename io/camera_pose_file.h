@@ -7,7 +7,7 @@
 
 namespace angiopose::io {
 
-/// Pose and camera as JSON with all bits of every double: a pose file (readPose) with the `camera` key of a case file.
+/// Returns pose and camera as JSON with all bits of every double: a pose file with the `camera` key of a case file.
 std::string cameraPoseText(const core::RigidTransform& cameraFromPatient, const core::ProjectionCamera& camera);
 
 }   // namespace angiopose::io

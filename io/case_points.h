@@ -5,7 +5,7 @@
 
 namespace angiopose::io {
 
-/// Target points, ring centers and the 3-D positions of the shown view's landmarks; the description gives the kind.
+/// Returns the target points, ring centers and 3-D landmarks of the shown view; the description states the kind.
 std::vector<Fiducial> caseFiducials(const core::Case& session);
 
 }   // namespace angiopose::io

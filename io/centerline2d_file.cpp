@@ -43,7 +43,7 @@ core::Result<CurveColumns> curveColumnsOf(const CsvTable& table)
     return CurveColumns{*x, *y, table.column("branch"), table.column("radius")};
 }
 
-/// Adds one row to the curve of its branch; consecutive rows of one branch form a curve.
+/// Adds a row to the curve of its branch; consecutive rows of the same branch form a curve.
 core::Status appendRow(const CsvTable& table, std::size_t row, const CurveColumns& columns, Centerline2d& centerline)
 {
     const auto u = numberInCell(table, row, columns.x);
@@ -94,7 +94,7 @@ core::Result<Centerline2d> centerlineFromTable(std::string_view content, const s
     return centerline;
 }
 
-/// Whether an image is a drawn mask: only two levels, except at blurred edges.
+/// Returns whether an image is a drawn mask: only two levels, except at blurred edges.
 bool isMask(const core::ImageF& image, float low, float high)
 {
     const float margin = 0.1F * (high - low);

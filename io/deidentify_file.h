@@ -15,7 +15,7 @@ core::Result<core::Messages> deidentifyFile(const std::string& path, const std::
 
 /// De-identifies the DICOM images and objects of a folder and its subfolders into `output`, a new or empty folder, as
 /// `series-1/00001.dcm` and so on; series are numbered in the order of their file names. Skips other files with a
-/// warning. Leaves no files behind on failure or cancellation.
+/// warning. Leaves no file behind on failure or cancellation.
 core::Result<core::Messages> deidentifyFolder(const std::string& path, const std::string& output,
                                               const DeidentificationOptions& requested, const Pseudonyms& pseudonyms,
                                               const ReadObserver& observe = {});

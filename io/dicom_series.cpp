@@ -121,7 +121,7 @@ bool hasOneScale(const std::vector<SliceRecord>& slices)
 /// Conversion from the values of a series to voxels, and from voxels to physical values.
 struct SeriesScale {
     bool isRescaled =
-        false;   ///< slices differ in slope or have a wide type: `quantization` applies to rescaled values
+        false;   ///< slices differ in slope or have a wide type, so that `quantization` applies to rescaled values
     Quantization quantization;
     double slope = 1.0;
     double intercept = 0.0;
@@ -173,8 +173,8 @@ core::Result<SeriesScale> scaleOf(const DicomSeries& series, const ReadObserver&
     return scale;
 }
 
-/// Returns one slice as 16-bit levels in the plane of the volume, translated by `shift`; pixels beyond its edges are
-/// `outside`.
+/// Returns a slice as 16-bit levels in the plane of the volume, translated by `shift`; pixels beyond the slice's edges
+/// are `outside`.
 std::vector<float> planeOf(const ImageF& image, const SliceRecord& slice, const SeriesScale& scale,
                            const Eigen::Vector2d& shift, const core::VolumeGeometry& geometry, float outside)
 {

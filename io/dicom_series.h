@@ -17,8 +17,8 @@ core::Result<std::vector<DicomSeries>> listSeries(const std::string& folder, con
 /// Returns the series to which a DICOM file belongs, built from the files of its folder.
 core::Result<DicomSeries> seriesOfFile(const std::string& path, const ReadObserver& observe = {});
 
-/// Reads the volume of a series, decoding one slice after the other. Values are Hounsfield units for CT. Adds warnings
-/// about lost and repaired data.
+/// Reads the volume of a series, one slice at a time. Values are Hounsfield units for CT. Adds warnings about lost and
+/// repaired data.
 core::Result<core::Volume> readSeries(const DicomSeries& series, const ReadObserver& observe, core::Messages& warnings);
 
 /// Returns the SHA-256 over the file hashes of the slices in order, which identifies a series as an input of a case.

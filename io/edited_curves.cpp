@@ -29,7 +29,7 @@ Json viewIn(const Json& root, std::optional<std::size_t> otherView)
     return views.is_array() && *otherView < views.size() ? views[*otherView] : Json();
 }
 
-/// Returns the curve file that the case file on disk names; empty if there is none.
+/// Returns the curve file that the case file on disk names; empty if it names none.
 fs::path ownCurves(const Owner& owner)
 {
     const fs::path& casePath = owner.casePath;

@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-/// Returns the mask file that the case file on disk names; empty if there is none.
+/// Returns the mask file that the case file on disk names; empty if it names none.
 fs::path ownMask(const fs::path& casePath)
 {
     const auto input = openInput(casePath.string());
@@ -29,7 +29,7 @@ fs::path ownMask(const fs::path& casePath)
     return (casePath.parent_path() / mask.value("path", "")).lexically_normal();
 }
 
-/// Whether the case's own file still contains this mask; after an undo, a later save may have overwritten it.
+/// Returns whether the case's own file still contains this mask; after an undo, a later save may have overwritten it.
 bool isUpToDate(const core::InputFile& mask, const fs::path& own)
 {
     if (mask.path.empty() || mask.path != own.string()) {
@@ -39,7 +39,7 @@ bool isUpToDate(const core::InputFile& mask, const fs::path& own)
     return hash && hash.value() == mask.sha256;
 }
 
-/// Copies a mask file unchanged if it could not be read.
+/// Copies a mask file that could not be read, unchanged.
 core::Status copied(const std::string& from, const std::string& to)
 {
     const auto content = openInput(from);

@@ -8,7 +8,7 @@ namespace angiopose::io {
 /// system stated in the file to LPS. Skips points that are not placed. Fails if no points remain.
 core::Result<std::vector<Fiducial>> readFiducials(const std::string& path);
 
-/// Whether an `.fcsv` or `.mrk.json` file contains fiducials rather than curves.
+/// Returns whether an `.fcsv` or `.mrk.json` file contains fiducials rather than curves.
 bool isFiducialFile(const std::string& path);
 
 /// Writes `.fcsv` (version 4.11, LPS) or `.mrk.json`, depending on the extension.

@@ -7,10 +7,10 @@
 
 namespace angiopose::io {
 
-/// Returns the SHA-256 of a file's content in lower-case hex. If the file cannot be read, fails and names the file.
+/// Returns the SHA-256 of a file's contents in lower-case hex. Fails and names the file if it cannot be read.
 core::Result<std::string> sha256OfFile(const std::string& path);
 
-/// Returns the SHA-256 of a text in lower-case hex.
+/// Returns the SHA-256 of a string in lower-case hex.
 core::Result<std::string> sha256OfText(std::string_view text);
 
 }   // namespace angiopose::io

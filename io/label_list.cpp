@@ -23,7 +23,7 @@ bool holdsAny(const std::string& name, const std::array<std::string_view, Count>
                        [&](std::string_view word) { return name.find(word) != std::string::npos; });
 }
 
-/// Whether the name contains an artery term of Terminologia Anatomica or of common segmentation programs.
+/// Returns whether the name contains an artery term of Terminologia Anatomica or of common segmentation programs.
 bool isArteryName(const std::string& name)
 {
     constexpr std::array<std::string_view, 10> words{"arter", "aort",   "carotid", "coronar",   "celiac",

@@ -90,7 +90,7 @@ std::string pointsOf(const core::SliceMeasurement& measurement)
     return points;
 }
 
-/// Adds a row with empty view and frame; measurements in patient millimeters need no scale.
+/// Adds a row with empty view and frame cells; measurements in patient mm need no scale.
 void addSliceRow(std::string& table, const core::SliceMeasurement& measurement, const core::VolumeGeometry* scan)
 {
     const std::string plane = bodyPlaneWords[static_cast<std::size_t>(measurement.plane)];

@@ -14,7 +14,7 @@ void addRow(const core::VesselBranch& branch, const core::BranchMotion& motion, 
     const Eigen::Vector3d& place = branch.pointsInPatient[point];
     const Eigen::Vector3d& moved = motion.displacementMm[point];
     const Eigen::Matrix3d& covariance = motion.covariance[point];
-    const double across = std::sqrt(0.5 * (covariance(0, 0) + covariance(1, 1)));   // RMS of the two directions
+    const double across = std::sqrt(0.5 * (covariance(0, 0) + covariance(1, 1)));   // RMS of both directions
     const double radius = branch.radiusMm.empty() ? 0.0 : branch.radiusMm[point];
     for (const double value : {place.x(), place.y(), place.z(), radius}) {
         table += toText(value) + ",";

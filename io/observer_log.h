@@ -19,7 +19,7 @@ struct ObserverTrial {
     double rangeMm = 0.0;   ///< bound of the random initial offset along each axis (±)
     double rangeDeg = 0.0;   ///< bound of the random initial rotation about each axis (±)
     double durationS = 0.0;
-    int editCount = 0;   ///< number of undo steps: moves, drags, typed numbers
+    int editCount = 0;   ///< number of undo steps: moves, drags, typed values
     bool isAbandoned = false;
     core::RigidTransform initialPose;   ///< initial cameraFromPatient
     core::RigidTransform finalPose;

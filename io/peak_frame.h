@@ -7,8 +7,8 @@
 
 namespace angiopose::io {
 
-/// Whether to search for the peak-opacification frame, which takes as long as tracing one frame. A caller that knows
-/// the frame can skip the search; the suggested frame is then the first.
+/// Specifies whether to search for the peak-opacification frame, which takes as long as tracing one frame. A caller
+/// that knows the frame can skip the search; the first frame is then suggested.
 enum class PeakFrameSearch { Enabled, Skipped };
 
 /// Reads an angiogram like readAngiogram (angiogram_file.h), which always searches for the peak-opacification frame.

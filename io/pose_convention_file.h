@@ -9,11 +9,11 @@
 
 namespace angiopose::io {
 
-/// Reads a view from DiffDRR or xvr: JSON, or xvr's table of iterations (`.csv`), which does not contain the detector.
+/// Reads a view from DiffDRR or xvr: JSON, or xvr's table of iterations (`.csv`), which lacks the detector.
 core::Result<DiffDrrParts> readDiffDrr(const std::string& path);
 
-/// Returns the view with its detector; if a part is missing, fails and names the part. Without a volume center, assumes
-/// the patient origin.
+/// Returns the view with its detector; fails and names the part if one is missing. Without a volume center, assumes the
+/// patient origin.
 core::Result<core::PosedCamera> sightOf(const DiffDrrParts& parts);
 
 core::Status writeDiffDrr(const core::DiffDrrView& view, const std::string& path);

@@ -7,8 +7,8 @@
 
 namespace angiopose::io {
 
-/// Returns the DICOM identity of the scan in a file or folder, that is, the images of its series. Empty if the scan is
-/// not DICOM. Fails if the series is absent.
+/// Returns the DICOM identity of the scan in a file or folder, that is, references to the images of its series; empty
+/// if the scan is not DICOM. Fails if the series is absent.
 core::Result<ScanReference> readScanReference(const std::string& path, const std::string& seriesId);
 
 }   // namespace angiopose::io

@@ -12,8 +12,8 @@ namespace angiopose::io {
 std::string poseCells(const core::RigidTransform& cameraFromPatient);
 
 /// Returns snapshots as CSV, one row each: properties, difference from `reference` about `pivotInPatient` (see
-/// core::PoseDifference), and the pose cameraFromPatient as 12 numbers, row-major. Texts are quoted if they contain
-/// commas or line breaks; unknown values are empty.
+/// core::PoseDifference), and the pose cameraFromPatient as 12 numbers, row-major. Strings that contain commas or line
+/// breaks are quoted; unknown values are empty.
 std::string snapshotTable(std::span<const core::PoseSnapshot> snapshots, const core::PoseSnapshot& reference,
                           const Eigen::Vector3d& pivotInPatient);
 

@@ -16,12 +16,12 @@ struct LoadedSurface {
     double acrossMm = 0.0;   ///< diagonal of the bounding box, mm
 };
 
-/// Whether the size is plausible for vessels; if not, the file may use another unit.
+/// Returns whether the size is plausible for vessels; if not, the file may use another unit.
 bool isPlausibleSize(double acrossMm);
 
 /// Reads a triangle surface from VTP, legacy VTK (PolyData, UnstructuredGrid), STL, PLY or OBJ. `unitMm` is the length
 /// of one unit; if 0, uses the unit that the file states, otherwise mm. Converts files that state RAS. Fails if the
-/// file contains no triangles or cannot be read; the error names file, problem and remedy.
+/// file contains no triangles or cannot be read; the error names the file, the problem and the remedy.
 core::Result<LoadedSurface> readSurface(const std::string& path, double unitMm = 0.0, const ReadObserver& observe = {});
 
 /// Writes binary STL in patient LPS.

@@ -38,7 +38,7 @@ core::TracingObserver tracingObserver(const ReadObserver& observe)
     };
 }
 
-/// Returns the vessels with only the members that are known before tracing.
+/// Returns the vessels with only those members that are known before tracing.
 LoadedVessels untraced(const core::VesselInput& input, core::Messages warnings)
 {
     LoadedVessels loaded;
@@ -92,7 +92,7 @@ core::Result<LoadedVessels> traceSurface(const std::string& path, const core::Ve
     if (!surface) {
         return surface.error();
     }
-    if (surface.value().acrossMm > largestBodyMm) {   // voxels would be as large as vessels, or too many
+    if (surface.value().acrossMm > largestBodyMm) {   // the voxels would be as large as vessels, or too many
         return fileError(path,
                          messages::surfaceLargerThanBody(core::Quantity{std::round(surface.value().acrossMm / 1000.0),
                                                                         core::Quantity::significantDigits, "m"}));

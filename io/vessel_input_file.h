@@ -14,31 +14,31 @@
 
 namespace angiopose::io {
 
-/// Vessel tree that was read or traced, with its sources.
+/// A vessel tree that was read or traced, with its sources.
 struct LoadedVessels {
-    core::VesselInput input;   ///< input as requested; the series ID is added if a folder contains only one volume
+    core::VesselInput input;   ///< input as requested, with the series ID added if a folder contains only one volume
     core::VesselTree tree;
     std::shared_ptr<const core::Volume> volume;   ///< scan, if there is one
     core::StudyIdentity identity;   ///< identity of a DICOM scan
     core::VoxelMask lumen;   ///< traced voxels; empty for centerlines
-    double threshold = 0.0;   ///< lumen threshold, if a scan was traced
+    double threshold = 0.0;   ///< lumen threshold if a scan was traced
     std::vector<core::TracedComponent> pieces;   ///< connected components available for tracing, largest first
     core::Messages warnings;
 };
 
-/// Moves the lumen out of `vessels` into a shared pointer; null if there is no lumen.
+/// Moves the lumen out of `vessels` into a shared pointer, which it returns; null if there is no lumen.
 std::shared_ptr<const core::VoxelMask> takeSharedLumen(LoadedVessels& vessels);
 
-/// Returns the kind of vessel input in a file or folder, based on its content. Does not read voxels: a volume counts as
-/// `Volume` unless its header declares labels, even if its values later turn out to be labels.
+/// Returns the kind of vessel input in a file or folder, based on the contents. Does not read voxels: a volume counts
+/// as `Volume` unless its header declares labels, even if its values later turn out to be labels.
 core::Result<core::VesselInputKind> vesselInputKindOf(const std::string& path);
 
 /// Reads centerlines, or reads and traces a segmentation, surface or volume. A volume whose values prove to be labels
-/// is traced as a segmentation, with a warning. Errors name file, problem and remedy. Can be canceled.
+/// is traced as a segmentation, with a warning. Errors name the file, the problem and the remedy. Can be canceled.
 core::Result<LoadedVessels> readVessels(const std::string& path, const core::VesselInput& input,
                                         const ReadObserver& observe = {});
 
-/// Traces a scan that is already in memory and was read from `path`, like readVessels after reading.
+/// Traces a scan that was read from `path` and is already in memory, as readVessels does after reading.
 core::Result<LoadedVessels> traceScan(const std::shared_ptr<const core::Volume>& scan, const std::string& path,
                                       const core::VesselInput& input, const ReadObserver& observe = {});
 

@@ -42,9 +42,9 @@ std::optional<SwcRow> parseRow(std::string_view line)
 }
 
 constexpr double touchMm = 1.5;   // same distance as in the branch joining of core/vessel/vessel_tree.h
-constexpr double longestGapMm = 10.0;   // maximum width of a bifurcation whose centerlines start at its rim
+constexpr double longestGapMm = 10.0;   // maximum width of a bifurcation at whose rim centerlines start
 constexpr int meetingType = 5;
-constexpr std::string_view meetingNote = "type 5 where branches meet";   // other programs may use type 5 differently
+constexpr std::string_view meetingNote = "type 5 where branches meet";   // other programs may use it differently
 
 /// Attachment point of a branch end: the nearest row already written.
 struct Attachment {
@@ -74,7 +74,7 @@ struct PendingBranch {
     }
 };
 
-/// Row to write; its ID is its position, starting at 1.
+/// Row to write, whose ID is its position, starting at 1.
 struct WrittenRow {
     Eigen::Vector3d point;
     double radiusMm = 0.0;
@@ -94,7 +94,7 @@ std::string textOf(const std::vector<WrittenRow>& rows)
     return text;
 }
 
-/// Whether `place` continues the end of the curve, with a deviation of at most 60°.
+/// Returns whether `place` continues the end of the curve with a deviation of at most 60°.
 bool pointsTo(const std::vector<Eigen::Vector3d>& curve, const Eigen::Vector3d& place)
 {
     constexpr double minAgreement = 0.5;
@@ -129,8 +129,8 @@ public:
     }
 
 private:
-    /// Closes gaps at bifurcations: if several branches start at one point that no other branch reaches, extends a
-    /// nearby branch end to this point.
+    /// Closes gaps at bifurcations: if several branches start at a point that no other branch reaches, extends a nearby
+    /// branch end to that point.
     void closeBifurcationGaps()
     {
         for (std::size_t i = 0; i < pending_.size(); ++i) {
@@ -159,7 +159,7 @@ private:
         }
     }
 
-    /// Whether a branch for which `isOwn` is false passes near `place`.
+    /// Returns whether a branch for which `isOwn` is false passes near `place`.
     template <class IsOwn>
     bool isReached(const Eigen::Vector3d& place, const IsOwn& isOwn) const
     {
@@ -238,7 +238,7 @@ core::Result<LineSet> parseSwc(std::string_view text, const std::string& path)
 /// Returns a tree as SWC rows, in mm, with type 5 where branches meet and otherwise 0 (undefined). SWC stores only
 /// parents: a branch whose first or last point lies within 1.5 mm of an existing row is attached to that row; if
 /// branches start at a point that no other branch reaches, the nearest free branch end within 10 mm is extended to that
-/// point; other branches become roots. IDs and names are lost. Unknown radii are 0.
+/// point. Other branches become roots. IDs and names are lost. Unknown radii are 0.
 std::string swcText(const core::VesselTree& tree)
 {
     return SwcWriter(tree).run();

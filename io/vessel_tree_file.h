@@ -9,13 +9,13 @@
 namespace angiopose::io {
 
 struct VesselTreeReadOptions {
-    double unitMm = 0.0;   ///< length of one unit; if 0, as stated in the file or 1 mm. Ignored for Slicer curves
+    double unitMm = 0.0;   ///< length of one unit, mm; if 0, as stated in the file or 1 mm. Ignored for Slicer curves
 };
 
 /// Reads a centerline tree from VTP/VTU, legacy VTK (PolyData or UnstructuredGrid), CSV, SWC or Slicer curves (FORMATS
-/// §4), in patient LPS mm. Converts RAS files. Keeps sections shared by several lines (VMTK) once, cut at bifurcations.
-/// Branch IDs are those of the file if unique, otherwise 1…n in file order. The error of a failure names file, problem
-/// and remedy.
+/// §4), in patient LPS mm. Converts RAS files. Keeps one copy of a section that several lines share (VMTK), cut at
+/// bifurcations. Branch IDs are those of the file if unique, otherwise 1…n in file order. Errors name the file, the
+/// problem and the remedy.
 core::Result<LoadedTree> readTree(const std::string& path, const VesselTreeReadOptions& options = {},
                                   const ReadObserver& observe = {});
 

@@ -31,8 +31,8 @@ core::Error tooLarge(const StoredVolume& stored)
     return fileError(stored.path, messages::volumeLargerThanMemory());
 }
 
-/// Reads voxels of up to 16 bits directly into the memory of `place`, then widens them in place, from last to first, by
-/// `convert(value)`.
+/// Reads voxels of up to 16 bits directly into the memory of `place`, then widens them in place with `convert(value)`,
+/// from last to first.
 template <class T, class Level, class Convert>
 core::Status readInPlace(const StoredVolume& stored, std::vector<Level>& place, const ReadObserver& observe,
                          const Convert& convert)
@@ -180,7 +180,7 @@ core::Result<core::LabelVolume> labelsAs(const StoredVolume& stored, const ReadO
     return labels;
 }
 
-/// Fails if the file is too short for its voxels or the voxels do not fit into memory; does not read any voxels.
+/// Fails if the file is too short for its voxels or they do not fit into memory; does not read any voxels.
 core::Status checkVoxels(const StoredVolume& stored)
 {
     if (const auto there = stored.voxels->check(); !there) {
@@ -191,8 +191,8 @@ core::Status checkVoxels(const StoredVolume& stored)
     return needed > 0.9 * physicalMemoryBytes() ? core::Status(tooLarge(stored)) : core::Done{};
 }
 
-/// Reads the voxels of a stored volume as 16 bits, directly into place. Types of up to 16 bits, and whole numbers that
-/// span at most 16 bits, keep every value; others are rounded to 65535 steps, with a warning that states the step.
+/// Reads the voxels of a stored volume as 16 bits, directly into place. Keeps every value of types with up to 16 bits
+/// and of whole numbers that span at most 16 bits; rounds others to 65535 steps, with a warning that states the step.
 core::Result<core::Volume> readVoxels(const StoredVolume& stored, const ReadObserver& observe, core::Messages& warnings)
 {
     if (const auto plausible = checkVoxels(stored); !plausible) {
@@ -281,7 +281,7 @@ core::Result<LoadedVolume> readDicomVolume(const std::string& path, const std::s
     return loaded;
 }
 
-/// Whether the values look like labels: whole numbers from 0, mostly background, the rest in homogeneous regions.
+/// Returns whether the values look like labels: whole numbers from 0, mostly background, the rest in homogeneous areas.
 template <class ValueAt>
 bool areLabels(std::size_t count, const ValueAt& valueAt)
 {

@@ -10,10 +10,10 @@
 
 namespace angiopose::io {
 
-/// Volume with the additional data of its file.
+/// A volume with the additional data of its file.
 struct LoadedVolume {
     core::Volume volume;
-    std::string format;   ///< format name: "NIfTI-1", "NRRD", "MetaImage", …, "DICOM series"
+    std::string format;   ///< format name: "NIfTI-1", "NRRD", "MetaImage" or "DICOM series"
     core::StudyIdentity identity;   ///< identity of a DICOM series
     std::string seriesId;   ///< ID of a DICOM series, see `DicomSeries::id`
     bool isDeclaredLabelMap = false;   ///< whether the header declares the values to be labels
@@ -31,27 +31,27 @@ struct VolumeSummary {
     core::Messages warnings;
 };
 
-/// Whether the file is a non-DICOM volume that `readVolume` can read: NIfTI, Analyze, NRRD, MetaImage, legacy VTK image
-/// or GIPL (based on the first bytes).
+/// Returns whether the file, judged by its first bytes, is a volume other than DICOM that `readVolume` can read: NIfTI,
+/// Analyze, NRRD, MetaImage, legacy VTK image or GIPL.
 bool isVolumeFile(const std::string& path);
 
-/// Reads the header of a file for which isVolumeFile is true.
+/// Reads the header of a file that isVolumeFile accepts.
 core::Result<VolumeSummary> describeVolume(const std::string& path);
 
-/// Reads a volume from such a file, a DICOM slice (with the other slices of its series in the same folder), an enhanced
-/// multi-frame DICOM file, or a folder of DICOM files. `seriesId` selects one of several series of a folder; if empty,
-/// there must be only one volume. Patient LPS; 16-bit voxels, read directly into place.
+/// Reads a volume from a file that isVolumeFile accepts, a DICOM slice (with the other slices of its series in the same
+/// folder), an enhanced multi-frame DICOM file, or a folder of DICOM files. `seriesId` selects one of several series of
+/// a folder; if empty, there must be only one volume. The 16-bit voxels in patient LPS are read directly into place.
 core::Result<LoadedVolume> readVolume(const std::string& path, const std::string& seriesId = {},
                                       const ReadObserver& observe = {});
 
-/// Reads a label image: such a file, or a DICOM segmentation (labels are segment numbers).
+/// Reads a label image from a file that isVolumeFile accepts, or a DICOM segmentation (labels are segment numbers).
 core::Result<core::LabelVolume> readLabels(const std::string& path, const ReadObserver& observe = {});
 
-/// Whether the values of a volume are labels: whole numbers from 0, mostly background, the rest in homogeneous regions.
+/// Returns whether the values look like labels: whole numbers from 0, mostly background, the rest in homogeneous areas.
 bool looksLikeLabels(const core::Volume& volume);
 bool looksLikeLabels(const core::LabelVolume& image);
 
-/// Converts a volume for which `looksLikeLabels` is true to a label image.
+/// Converts a volume that `looksLikeLabels` accepts to a label image.
 core::LabelVolume labelsOf(const core::Volume& volume);
 
 /// Atomically writes .nii, .nii.gz, .nrrd or .mha, depending on the extension. NIfTI keeps slope and intercept; the

@@ -122,7 +122,7 @@ std::string metaImageHeader(const core::VolumeGeometry& geometry, std::string_vi
 
 constexpr std::size_t chunkVoxels = std::size_t{1} << 18;
 
-/// A `Producer` passes the bytes of a voxel array to a `Sink` chunk by chunk.
+/// A `Producer` passes the bytes of a voxel array to a `Sink`, chunk by chunk.
 using Bytes = std::string_view;
 using Sink = std::function<core::Status(Bytes)>;
 using Producer = std::function<core::Status(const Sink&)>;
@@ -211,7 +211,7 @@ Producer valuesOf(const core::Volume& volume)
     };
 }
 
-/// Whether every value is a whole number that fits into 16 bits.
+/// Returns whether every value is a whole number that fits into 16 bits.
 bool fitsInt16(const core::Volume& volume)
 {
     if (volume.slope != std::floor(volume.slope) || volume.intercept != std::floor(volume.intercept)) {

@@ -85,7 +85,7 @@ MainWindow::MainWindow(QWidget* parent)
     connectColumns();
     const auto showWith = [this](Command mode, QWidget* panel) {
         connect(actions()[mode], &QAction::toggled, this, [this, panel](bool on) {
-            if (on) {   // deferred until the panel's list has expanded
+            if (on) {   // deferred until the list of the panel has expanded
                 QTimer::singleShot(0, this, [this, panel] { showInRightColumn(panel); });
             }
         });
@@ -108,7 +108,7 @@ MainWindow::MainWindow(QWidget* parent)
     new WheelGuard(this);
 }
 
-/// Lays out header and steps at the top, three columns, and the strip at the bottom.
+/// Lays out the header and the steps at the top, three columns, and the strip at the bottom.
 void MainWindow::layOut()
 {
     columns_->setProperty("role", "columns");
@@ -202,7 +202,7 @@ QWidget* MainWindow::makeRightColumn()
     return rightPanels_;
 }
 
-/// Widens the column if an unfolded section needs more width, since the column has no horizontal scroll bar.
+/// Widens the column if an unfolded section requires more width, since the column has no horizontal scroll bar.
 void MainWindow::widenRightColumn()
 {
     const int scrollBar = rightPanels_->verticalScrollBar()->sizeHint().width();
@@ -302,7 +302,7 @@ void MainWindow::maximizeView(std::optional<MovableView> view)
     }
     const bool isRestored = maximizedView_ && !view;
     maximizedView_ = view;
-    if (isRestored) {   // restores sizes before showing the columns, which avoids a layout at a temporary width
+    if (isRestored) {   // restores the sizes before showing the columns, which avoids a layout at a temporary width
         columns_->restoreState(savedColumns_);
         leftSplitter_->restoreState(savedLeft_);
     }

@@ -46,7 +46,7 @@ class ViewFrame;
 /// Views that can fill the window or be popped out.
 enum class MovableView { Image, Corner, Slices };
 
-/// Main window with all views and panels. Independent of the case; its owner connects the two.
+/// Main window with all views and panels. Independent of the case; the owner of the window connects the two.
 class MainWindow : public QMainWindow {
     Q_OBJECT
 public:
@@ -86,8 +86,7 @@ public:
     void focusStep(Step step);   ///< shows and focuses the panel of a step
 
     ViewFrame& frameOf(MovableView view);
-    /// Maximizes one view between header and strip; without a value, restores the layout. The slices replace the
-    /// angiogram.
+    /// Maximizes one view between header and strip; without a value, restores the layout. Slices replace the angiogram.
     void maximizeView(std::optional<MovableView> view);
     bool isViewMaximized() const { return maximizedView_.has_value(); }
 
@@ -95,7 +94,7 @@ public:
     ColumnLayout columns() const;   ///< current layout, or the one saved before a view was maximized
     void setColumns(const ColumnLayout& layout);
 
-    QByteArray layoutState() const;   ///< window geometry, widths, folded sections, popped-out views
+    QByteArray layoutState() const;   ///< window geometry, column widths, folded sections and popped-out views
     void restoreLayout(const QByteArray& state);
     void closeNow();   ///< closes without confirmation
 

@@ -27,7 +27,7 @@ QStringList foldedSections(const QWidget& window)
     return names;
 }
 
-/// Returns splitter sizes in which the lower widget gets `lowerShare` of the height.
+/// Returns splitter sizes that give the lower widget `lowerShare` of the height.
 QList<int> heightsOf(double lowerShare, int height)
 {
     const int lower = static_cast<int>(std::lround(std::clamp(lowerShare, 0.05, 0.95) * height));
@@ -99,7 +99,7 @@ void MainWindow::restoreLayout(const QByteArray& state)
     for (ViewFrame* frame : {imageFrame_, cornerFrame_, slicesFrame_}) {
         QByteArray place;
         bool isPoppedOut = false;
-        stream >> place >> isPoppedOut;   // not saved by older versions: the defaults remain
+        stream >> place >> isPoppedOut;   // not saved by older versions, so the defaults remain
         frame->setSavedGeometry(place);
         frame->setPoppedOut(isPoppedOut);
     }

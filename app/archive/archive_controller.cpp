@@ -82,7 +82,7 @@ void ArchiveController::retrieve()
     }
 }
 
-/// Closes the archive dialog and then offers the received images, which may open another dialog.
+/// Closes the archive dialog and then offers the received images, since opening these may show another dialog.
 void ArchiveController::offerToOpen(const QStringList& folders, const QString& name)
 {
     dialog_->accept();

@@ -34,7 +34,7 @@ public:
     ArchiveList& list() { return list_; }
 
 signals:
-    /// Emitted with the folders of the retrieved series and their common display name.
+    /// Emitted with the folders of the retrieved series and a common display name.
     void retrieved(const QStringList& folders, const QString& name);
     void reported(const QString& words);   ///< emitted with a message of the storage SCP while the dialog is closed
     void unaudited(const QString& reason);   ///< emitted when received objects are missing from the audit file

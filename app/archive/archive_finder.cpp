@@ -56,7 +56,7 @@ ArchiveFinder::ArchiveFinder(ui::ArchiveDialog& dialog, ArchiveSearchResults& fi
     connect(&dialog_.fields(), &ui::SearchFields::searchRequested, this, &ArchiveFinder::find);
     connect(&dialog_.line(), &ui::TransferLine::stopRequested, this, [this] {
         if (studies_.isRunning()) {
-            studies_.drop();   // abandons the query instead of waiting for an unresponsive archive
+            studies_.drop();   // abandons the query rather than waiting for an unresponsive archive
             dialog_.line().showHint(tr("Stopped."));
         }
     });
@@ -169,7 +169,7 @@ void ArchiveFinder::showSeriesMatches(const io::ArchiveMatches& series)
     queryNextSeries();
 }
 
-/// Requests a selected study as a whole, even if some of its series are selected too.
+/// Requests a selected study as a whole, even if some of its series are also selected.
 std::vector<io::RetrieveRequest> ArchiveFinder::requests() const
 {
     std::vector<io::RetrieveRequest> requests;

@@ -19,7 +19,7 @@ namespace angiopose::app {
 /// Matches of the last search, kept so that reopening the dialog shows them again.
 struct ArchiveSearchResults {
     QString node;
-    std::optional<io::ArchiveMatches> studies;   ///< empty before the first search
+    std::optional<io::ArchiveMatches> studies;   ///< nullopt before the first search
 };
 
 /// Searches an archive for studies, and for the series of an expanded study.
@@ -31,7 +31,7 @@ public:
 
     /// Selects the archive to search and clears the matches of any other archive.
     void selectArchive(const std::optional<io::ArchiveNode>& node);
-    std::vector<io::RetrieveRequest> requests() const;   ///< selected items, one request per study
+    std::vector<io::RetrieveRequest> requests() const;   ///< selected items, combined into one request per study
 
 private:
     void find();

@@ -12,18 +12,18 @@
 namespace angiopose::app {
 
 /// List of the user's archives and the archive settings (cache folder and limits). The window and the command line
-/// share one file, which a worker reads and writes.
+/// share one file, which is read and written on a worker thread.
 class ArchiveList : public QObject {
     Q_OBJECT
 public:
     using Change = std::function<core::Status(io::ArchiveSettings&)>;
-    /// Receives the reason for a failure, or nothing on success.
+    /// Receives the reason for a failure, or nullopt on success.
     using Callback = std::function<void(const std::optional<core::Message>& problem)>;
 
     explicit ArchiveList(QObject* parent = nullptr) : QObject(parent) {}
 
     void read();
-    /// Applies the change to the file's current content, which another process may have modified in the meantime.
+    /// Applies the change to the file as it is now, since another process may have modified it.
     void change(Change change, Callback answer = {});
 
     const io::ArchiveSettings& settings() const { return settings_; }

@@ -41,7 +41,7 @@ ArchiveEcho::ArchiveEcho(ui::TransferLine& line, QObject* parent)
 {
     connect(&line_, &ui::TransferLine::stopRequested, this, [this] {
         if (job_.isRunning()) {
-            job_.drop();   // abandons the test instead of waiting for an unresponsive archive
+            job_.drop();   // abandons the test rather than waiting for an unresponsive archive
             line_.showHint(tr("Stopped."));
         }
     });

@@ -47,7 +47,7 @@ public:
     std::optional<io::ArchiveNode> node() const;   ///< the selected archive
 
 signals:
-    void chosen();   ///< emitted when the selection changes, and when the same archive is selected again
+    void chosen();   ///< emitted when the selection changes or the same archive is selected again
 
 private:
     void show();

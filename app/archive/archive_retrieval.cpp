@@ -89,8 +89,8 @@ ArchiveRetrieval::RetrievalJob::Work ArchiveRetrieval::makeRetrieval(const io::A
             add(sum, io::retrieveFromArchive(node, io::ArchiveProtocol::Default, requests[i], store.value(), limit,
                                              observe));
         }
-        // The worker writes the audit entries, not the receiver of the outcome: the dialog may be closed by then, and
-        // the retrieved objects stay in the cache anyway.
+        // The worker writes the audit entries rather than the receiver of the outcome: the dialog may be closed by
+        // then, but the retrieved objects stay in the cache.
         io::AuditBatch batch(audit, {io::AuditEvent::Retrieved, "angiopose", {}, node.name});
         for (const std::string& folder : sum.folders) {
             batch.add(folder);
@@ -109,7 +109,7 @@ void ArchiveRetrieval::start(const io::ArchiveNode& node, const io::ArchiveSetti
     job_.start(makeRetrieval(node, settings, requests));
 }
 
-/// Stops the retrieval. If no object has arrived yet, abandons the job instead of waiting for an unresponsive archive.
+/// Stops the retrieval. If no object has arrived yet, abandons the job rather than waiting for an unresponsive archive.
 void ArchiveRetrieval::stop()
 {
     if (!job_.isRunning()) {
@@ -141,8 +141,7 @@ void ArchiveRetrieval::follow(const Progress& progress)
                                 static_cast<qsizetype>(progress.archive.all));
 }
 
-/// Handles the final report. A canceled retrieval keeps the objects received so far; the next retrieval fetches the
-/// rest.
+/// Handles the final report. A canceled retrieval keeps the objects received so far; the next one fetches the rest.
 void ArchiveRetrieval::showReport(const io::TransferReport& report)
 {
     folders_.clear();
@@ -188,7 +187,7 @@ ArchiveCache::ArchiveCache(ArchiveList& list, const Ui& ui, QObject* parent)
 {
     connect(&list_, &ArchiveList::changed, this, &ArchiveCache::measure);
     connect(&ui_.line, &ui::CacheLine::limitChosen, this, &ArchiveCache::limit,
-            Qt::QueuedConnection);   // the Return key that commits the limit must not also confirm the next dialog
+            Qt::QueuedConnection);   // the Return key that commits the limit must not also accept the next dialog
     connect(&ui_.line, &ui::CacheLine::emptyRequested, this, &ArchiveCache::confirmEmptying);
 }
 
@@ -209,7 +208,7 @@ void ArchiveCache::limit(double gigabytes)
     }
 }
 
-/// Asks for confirmation before setting a limit below the current content, because a typing error would delete objects.
+/// Asks for confirmation before setting a limit below the current size, because a typing error would delete objects.
 void ArchiveCache::confirmLowerLimit(std::uint64_t bytes)
 {
     auto* question = new ui::QuestionDialog(

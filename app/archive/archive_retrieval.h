@@ -25,7 +25,7 @@ public:
 
     void start(const io::ArchiveNode& node, const io::ArchiveSettings& settings,
                const std::vector<io::RetrieveRequest>& requests);
-    const QStringList& folders() const { return folders_; }   ///< folders of the series received completely or in part
+    const QStringList& folders() const { return folders_; }   ///< folders of the series received, completely or in part
 
 signals:
     void retrieved();   ///< emitted when all objects were received
@@ -33,7 +33,7 @@ signals:
     void unaudited(const QString& reason);   ///< emitted when received objects are missing from the audit file
 
 private:
-    /// Progress within the current study and its index among all studies.
+    /// Progress within the current study, and its index among all studies.
     struct Progress {
         io::ArchiveProgress archive;
         std::size_t study = 0, studies = 0;
@@ -52,7 +52,7 @@ private:
 
     ui::ArchiveDialog& dialog_;
     QStringList folders_;
-    bool hasReceived_ = false;   ///< set once the first object has arrived
+    bool hasReceived_ = false;   ///< true once the first object has arrived
     RetrievalJob job_;
 };
 
@@ -68,7 +68,7 @@ public:
     };
     ArchiveCache(ArchiveList& list, const Ui& ui, QObject* parent = nullptr);
 
-    void measure();   ///< measures the content and shows it
+    void measure();   ///< measures the size of the cache and shows it
 
 private:
     void limit(double gigabytes);
@@ -79,7 +79,7 @@ private:
 
     ArchiveList& list_;
     Ui ui_;
-    std::uint64_t usedBytes_ = 0;   ///< current content, bytes
+    std::uint64_t usedBytes_ = 0;   ///< current size of the cache, bytes
     Job<std::uint64_t> measureJob_;
     Job<std::size_t> emptyJob_;
 };

@@ -13,7 +13,7 @@
 
 namespace angiopose::app {
 
-/// Created objects and their folder. Only one worker accesses it at a time; the last owner removes the folder.
+/// Created objects and their folder. Only one worker uses them at a time; the last owner removes the folder.
 struct ArchiveSender::CreatedObjects {
     ObjectWriter maker;
     io::ScratchFolder folder{QDir(QDir::tempPath()).filePath(QStringLiteral("objects")).toStdString()};

@@ -26,7 +26,7 @@ class ArchiveNodes;
 class ArchiveSender : public QObject {
     Q_OBJECT
 public:
-    /// Creates the objects in a folder; called once, by a worker.
+    /// Creates the objects in a folder. Called once, on a worker thread.
     using ObjectWriter =
         std::function<core::Result<DicomFiles>(const std::string& folder, const DicomObserver& observe)>;
 
@@ -36,10 +36,10 @@ public:
 
 signals:
     void sent(const QString& words,
-              const QStringList& notes);   ///< emitted when all objects were sent; `notes` lists remarks for the user
+              const QStringList& notes);   ///< emitted when all objects were sent; `notes` holds remarks for the user
 
 private:
-    struct CreatedObjects;   ///< created objects, kept while the dialog is open
+    struct CreatedObjects;   ///< objects that were created, kept while the dialog is open
     /// Progress of creating the objects, then of sending them.
     struct Progress {
         double made = 0.0;

@@ -12,13 +12,13 @@ inline const Setting<QString> archiveModality{"archive/modality", {}};
 inline const Setting<int> receivePort{"archive/receivePort", 11112};
 inline const Setting<QString> receiveTitle{"archive/receiveTitle", QStringLiteral("ANGIOPOSE")};
 inline const Setting<QString> receiveCallers{"archive/receiveCallers",
-                                             {}};   ///< accepted calling AE titles, as typed; any if empty
+                                             {}};   ///< accepted calling AE titles, as typed; empty: any
 inline const Setting<QString> receiveHosts{"archive/receiveHosts", {}};   ///< accepted addresses, as typed; empty: any
 inline const Setting<bool> receiveTls{"archive/receiveTls", false};
 inline const Setting<QString> receiveCertificate{"archive/receiveCertificate",
                                                  {}};   ///< file path, like the next two settings
 inline const Setting<QString> receiveKey{"archive/receiveKey", {}};
 inline const Setting<QString> receiveAuthorities{"archive/receiveAuthorities",
-                                                 {}};   ///< empty: the certificate authorities of the system
+                                                 {}};   ///< if empty, the certificate authorities of the system
 
 }   // namespace angiopose::app::settings

@@ -17,7 +17,7 @@ struct ArchiveWords {
     Q_DECLARE_TR_FUNCTIONS(angiopose::app::ArchiveWords)
 };
 
-/// Parses a date in ISO format or in the format of the window's language.
+/// Parses a date in ISO format or in the format of the UI language.
 QDate dateOf(const QString& typed)
 {
     const QDate international = QDate::fromString(typed, Qt::ISODate);
@@ -120,7 +120,7 @@ io::ArchiveQuery toArchiveQuery(const ui::ArchiveSearch& search)
 std::vector<ui::MatchRow> studyMatchRows(const std::vector<io::ArchiveMatch>& studies, IdentityVisibility identity)
 {
     std::vector<ui::MatchRow> rows;
-    QHash<QString, int> numbers;   // running number by patient ID, shown when the identity is hidden
+    QHash<QString, int> numbers;   // consecutive number by patient ID, shown if the identity is hidden
     for (const io::ArchiveMatch& study : studies) {
         ui::MatchRow& row = rows.emplace_back();
         row.key = QString::fromStdString(study.studyUid);

@@ -4,7 +4,7 @@
 
 namespace angiopose::app {
 
-/// Releases the worker's thread-pool slot while it waits for the network, so that another worker can compute.
+/// Releases the worker's thread-pool slot while the worker waits for the network, so that another worker can compute.
 class NetworkWait {
 public:
     NetworkWait() { QThreadPool::globalInstance()->releaseThread(); }

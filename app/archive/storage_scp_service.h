@@ -39,7 +39,7 @@ public:
     explicit StorageScpService(QObject* parent = nullptr);
 
     void open(const Request& request);
-    void close();   ///< returns at once; the SCP emits `closed` when it has stopped
+    void close();   ///< returns at once; `closed` is emitted when the SCP has stopped
     bool isOpen() const { return job_.isRunning(); }
     const ReceivedObjects& received() const { return received_; }
     int port() const { return port_; }
@@ -47,7 +47,7 @@ public:
 
 signals:
     void changed();   ///< emitted when objects were received
-    void closed(const QString& problem);   ///< `problem` is empty if the user closed the SCP
+    void closed(const QString& problem);   ///< `problem` is empty if the user stopped the SCP
     void unaudited(const QString& reason);   ///< emitted once when received objects are missing from the audit file
 
 private:
@@ -58,7 +58,7 @@ private:
     Job<io::TransferReport, ReceivedObjects> job_;
 };
 
-/// Builds the receiver options from the port, the AE title and the stored access and TLS settings.
+/// Builds the storage SCP options from the port, the AE title and the stored access and TLS settings.
 io::StorageScpOptions receiverOptions(int port, const QString& title);
 
 /// Asks the user for the access and TLS settings of the storage SCP and stores them.

@@ -4,7 +4,7 @@
 
 namespace angiopose::app {
 
-// Each function adds one command, with its subcommands; the command sets `exitCode` when it runs.
+// Each function adds one command with its subcommands; when the command runs, it sets `exitCode`.
 
 void addAngles(CLI::App& app, int& exitCode);
 void addArchive(CLI::App& app, int& exitCode);
@@ -30,14 +30,14 @@ void addValidate(CLI::App& app, int& exitCode);
 /// Adds `report`, which runs the GUI program to write the report.
 void addReport(CLI::App& app, int& exitCode);
 
-/// Adds `thumbnail`, which file managers call.
+/// Adds `thumbnail`, which file managers run.
 void addThumbnail(CLI::App& app, int& exitCode);
 
 /// Adds the internal command with which `batch` starts its workers.
 void addBatchWorker(CLI::App& app, int& exitCode);
 
 /// Adds `description man|bash|zsh|fish`, which prints the man page or a shell completion generated from the commands
-/// that `app` has when it runs. Package builds use it; the help does not list it.
+/// that `app` has when it runs. Package builds use this command; the help does not list it.
 void addDescription(CLI::App& app, int& exitCode);
 
 }   // namespace angiopose::app

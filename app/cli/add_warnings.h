@@ -6,7 +6,7 @@
 
 namespace angiopose::app {
 
-/// Adds `warnings` (texts only, for compatibility) and `messages` (texts with ids).
+/// Adds `warnings` (sentences only, for compatibility) and `messages` (sentences with IDs).
 inline void addWarnings(nlohmann::ordered_json& json, const core::Messages& warnings)
 {
     json["warnings"] = io::sentencesOf(warnings);

@@ -22,14 +22,14 @@ struct ArchiveArguments {
 struct ArchiveFindArguments {
     ArchiveArguments common;
     io::ArchiveQuery query;
-    std::string dates;   ///< as typed
+    std::string dates;   ///< study dates, as typed
 };
 
 struct ArchiveRetrieveArguments {
     ArchiveArguments common;
     io::RetrieveRequest request;
     std::string folder;   ///< if empty, the cache
-    std::string auditFile;   ///< optional
+    std::string auditFile;   ///< empty if not requested
     double maxObjectGb = 4.0;
 };
 
@@ -41,10 +41,10 @@ struct ArchiveSendArguments {
 struct ArchiveReceiveArguments {
     io::StorageScpOptions options;
     std::string folder;
-    std::string auditFile;   ///< optional
+    std::string auditFile;   ///< empty if not requested
     double maxObjectGb = 4.0;
-    double maxGb = 0.0;   ///< limit of the folder; 0 for no limit other than the disk
-    std::size_t count = 0;   ///< exit after this number of objects; 0 to run until stopped
+    double maxGb = 0.0;   ///< size limit of the folder; 0 if only the disk limits it
+    std::size_t count = 0;   ///< exit after this number of objects; 0 to run until canceled
     OutputFormat format = OutputFormat::Text;
 };
 

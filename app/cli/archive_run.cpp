@@ -120,7 +120,7 @@ io::ArchiveObserver showing(ProgressLine& line)
     };
 }
 
-/// Records the received objects in the audit file, even if the transfer is incomplete.
+/// Records the received objects in the audit file even if the transfer is incomplete.
 void auditRetrieved(const std::string& auditFile, const io::TransferReport& report, const std::string& archive)
 {
     io::AuditBatch batch(auditFile, {io::AuditEvent::Retrieved, "angiopose-cli", {}, archive});

@@ -30,7 +30,7 @@ std::vector<std::string> valuesOf(const CLI::App& command, const auto& names)
     return values;
 }
 
-/// Removes paths that do not exist, because the audit file stores a hash of each file.
+/// Removes paths that do not exist, because the audit file stores the hash of each file.
 std::vector<std::string> existingPaths(std::vector<std::string> paths)
 {
     std::erase_if(paths, [](const std::string& path) {
@@ -51,7 +51,7 @@ void record(const std::string& auditPath, AuditEvent event, std::vector<std::str
     }
 }
 
-/// File that receives the audit entries of a command. The program that writes reports writes its own entries.
+/// Returns the file for the audit entries of a command. The program that writes reports makes its own entries.
 std::string auditPathFor(const CLI::App& app, const CLI::App& command)
 {
     return command.get_name() == "report" && app.count("--audit") == 0 ? std::string() : auditPathOf(app);

@@ -10,18 +10,18 @@
 
 namespace angiopose::app {
 
-/// Loads a case, prints its warnings, and selects `frame` if given.
+/// Loads a case, prints its warnings, and selects `frame` if specified.
 core::Result<core::Case> loadCaseForCommand(const std::string& path, std::optional<int> frame);
 
-/// State of the case to load for a result: before the registration (`Unregistered`) or after it (`Registered`).
+/// State of the case to load for a result: before registration (`Unregistered`) or after it (`Registered`).
 enum class ResultState { Unregistered, Registered };
 core::Result<core::Case> loadResultForCommand(const ResultSource& from, ResultState stage, std::optional<int> frame);
 
-/// Loads an angiogram with vessels, or with a scan in which the vessels are traced; prints warnings and selects `frame`
-/// if given.
+/// Loads an angiogram with vessels, or with a scan in which the vessels are traced; prints the warnings and selects
+/// `frame` if specified.
 core::Result<core::Case> loadPairForCommand(const InputPair& pair, std::optional<int> frame);
 
-/// Selects `frame` of the case if given; fails with `path` in the message if the run has no such frame.
+/// Selects `frame` of the case if specified; fails with `path` in the message if the run has no such frame.
 core::Result<core::Case> selectFrame(core::Case session, std::optional<int> frame, const std::string& path);
 
 }   // namespace angiopose::app

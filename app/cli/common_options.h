@@ -18,7 +18,7 @@ void requireCaseOrResult(const std::string& casePath, const ResultSource& from);
 /// Adds `--frame`, which counts from 1 as in the window and in DICOM.
 CLI::Option* addFrameOption(CLI::App& command, std::optional<int>& frame, const std::string& help);
 
-/// Lists every method id with its summary, for the help texts of commands.
+/// Lists every method ID with its summary, for the command help.
 std::string methodList();
 
 }   // namespace angiopose::app

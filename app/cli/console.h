@@ -19,22 +19,22 @@ enum ExitCode : int {
 
 enum class OutputFormat { Text, Json };
 
-/// Prints a human-readable line to stdout, made safe by `printableText`.
+/// Prints a line for readers to stdout, made safe by `printableText`.
 void printText(std::string_view line);
 
 /// Prints one message to stderr as "angiopose-cli: message", made safe by `printableText`.
 void printMessage(std::string_view message);
 void printWarnings(const core::Messages& warnings);
 
-/// Reports why there is no result (invalid input or a stop by the user) and returns the matching exit code. With JSON
-/// output, also prints `{"error": {"id": …}}` to stdout.
+/// Reports why there is no result (invalid input or cancellation by the user) and returns the matching exit code. With
+/// JSON output, also prints `{"error": {"id": …}}` to stdout.
 int reportInputError(const core::Error& error, OutputFormat format = OutputFormat::Text);
 
 /// Flushes stdout; call it last. Returns `exitCode`, or reports on stderr and returns a failure code if the disk or
 /// pipe behind stdout did not accept all output.
 int finishOutput(int exitCode);
 
-/// Progress line on stderr, redrawn in place; silent if stderr is not a terminal.
+/// Progress line on stderr, redrawn in place; shows nothing if stderr is not a terminal.
 class ProgressLine {
 public:
     explicit ProgressLine(std::string label);
@@ -44,8 +44,8 @@ public:
 
     void show(double fraction, std::string_view detail);
 
-    /// Returns an observer that shows the progress of work on a case and returns Stop after Ctrl+C. The observer must
-    /// not outlive this object.
+    /// Returns an observer that shows the progress of work on a case and that returns Stop after Ctrl+C. The observer
+    /// must not outlive this object.
     core::WorkObserver observer();
 
 private:
@@ -54,7 +54,7 @@ private:
     bool isTerminal_;
 };
 
-/// Makes Ctrl+C request a stop of the running work; a second Ctrl+C ends the program immediately.
+/// Makes Ctrl+C cancel the current work; a second Ctrl+C ends the program immediately.
 void installInterruptHandler();
 bool isInterrupted();
 

@@ -93,7 +93,7 @@ Status convertSurface(const ConvertArguments& arguments)
     return io::writeSurface(surface.value().mesh, arguments.outputPath);
 }
 
-/// Converts a pose; JSON output includes the camera if there is one.
+/// Converts a pose; JSON output includes the camera, if any.
 Status convertPose(const ConvertArguments& arguments)
 {
     const auto read = io::readPoseWithCamera(arguments.inputPath);
@@ -185,7 +185,7 @@ Status deidentifyInput(const ConvertArguments& arguments)
     return done ? Status(core::Done{}) : done.error();
 }
 
-/// Returns whether files of the output format carry no identity except possibly in branch names.
+/// Returns whether files in the output format contain no identity, except possibly in branch names.
 bool storesNoIdentity(const std::string& out)
 {
     return endsWith(out, {".nii", ".nii.gz", ".nrrd", ".mha", ".stl", ".tfm", ".h5", ".vtp", ".csv", ".swc", ".json"});

@@ -26,7 +26,7 @@ using core::RigidTransform;
 using core::Status;
 using io::PoseWithCamera;
 
-constexpr double usualSourceToDetectorMm = 1000.0;   // arbitrary: only the ratio to the pixel spacing matters
+constexpr double usualSourceToDetectorMm = 1000.0;   // arbitrary: only its ratio to the pixel spacing matters
 
 bool isCasePath(const std::string& path)
 {
@@ -45,7 +45,7 @@ bool isPoseFormat(const std::string& path)
     return extension == ".json" || extension == ".tfm" || extension == ".h5";
 }
 
-/// Pose and the other data exchanged with it.
+/// A pose and the other data exchanged with it.
 struct ExchangedPose {
     PoseWithCamera pose;
     std::optional<double> sourceToDetectorMm;
@@ -74,7 +74,7 @@ core::Result<ExchangedPose> readOwn(const std::string& path)
     return read ? core::Result<ExchangedPose>(ExchangedPose{read.value(), std::nullopt}) : read.error();
 }
 
-/// Reads the camera that replaces the one of the input; empty if the arguments name none.
+/// Reads the camera that replaces that of the input; nullopt if the arguments name none.
 core::Result<std::optional<ExchangedPose>> readGivenCamera(const ExchangeArguments& exchange)
 {
     if (exchange.cameraPath.empty()) {

@@ -14,13 +14,13 @@ struct ExchangeArguments {
     PoseConvention from = PoseConvention::AngioPose;
     PoseConvention to = PoseConvention::AngioPose;
     std::string cameraPath;   ///< case, pose with its camera, or DiffDRR detector; if empty, the camera of the input
-    std::string volumePath;   ///< volume whose center is the DiffDRR origin; optional
-    double sourceToDetectorMm = 0.0;   ///< if 0, that of the case, or 1000
+    std::string volumePath;   ///< path of the volume whose center is the DiffDRR origin; may be empty
+    double sourceToDetectorMm = 0.0;   ///< if 0, that of the case, or 1000 mm
 };
 
 std::shared_ptr<ExchangeArguments> addExchangeOptions(CLI::App& command);
 
-/// Returns whether the conversion needs `runExchangeConversion`: it involves a pose with its camera, the pose
+/// Returns whether the conversion needs `runExchangeConversion`: true if it involves a pose with its camera, the pose
 /// convention of another program, or points.
 bool isExchangeConversion(const ConvertArguments& arguments, const ExchangeArguments& exchange);
 int runExchangeConversion(const ConvertArguments& arguments, const ExchangeArguments& exchange);

@@ -19,10 +19,10 @@ struct DeidentifyArguments {
     std::string keyPath;
 };
 
-/// Adds `--deidentify` and the options that go with it.
+/// Adds `--deidentify` and its related options.
 std::shared_ptr<DeidentifyArguments> addDeidentifyOptions(CLI::App& command);
 
-/// Returns the requested de-identification; empty if none is requested.
+/// Returns the requested de-identification; nullopt if none was requested.
 std::optional<io::DeidentificationOptions> deidentificationOf(const DeidentifyArguments& arguments);
 
 /// Creates the pseudonyms from the key in the named file, or from a new key. Fails if the file cannot be read or the

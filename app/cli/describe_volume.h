@@ -7,7 +7,7 @@
 
 namespace angiopose::app {
 
-/// Describe 3-D inputs for `info`: the geometry in the file and the values derived from it.
+/// Describe 3-D inputs for `info`: the geometry stated in the file and the values derived from it.
 core::Result<nlohmann::ordered_json> folderJson(const std::string& path);
 core::Result<nlohmann::ordered_json> volumeJson(const std::string& path);
 core::Result<nlohmann::ordered_json> dicomVolumeJson(const std::string& path);

@@ -96,7 +96,7 @@ core::Status writePlots(const std::vector<core::Plot>& plots, const fs::path& fo
     return core::Done{};
 }
 
-/// Human-readable report of an experiment.
+/// Report of an experiment for readers.
 struct Report {
     std::string title;
     std::vector<core::ResultTable> tables;
@@ -164,7 +164,7 @@ int runObservers(const EvaluateArguments& arguments)
     return finishReport(status, arguments.outputFolder, exitSuccess);
 }
 
-/// Checks that the named files are the ones the experiment needs; returns nothing if they are.
+/// Explains why the named files are not those that the experiment requires; nullopt if they are.
 std::optional<core::Message> findInputProblem(const EvaluateArguments& arguments)
 {
     const std::size_t count = arguments.inputPaths.size();

@@ -20,20 +20,20 @@
 namespace angiopose::app {
 namespace {
 
-/// Method with its options; if there are none, the options of each case are used.
+/// Method with its options; without options, those of each case are used.
 struct UserCaseMethod {
     std::string label;
     std::optional<core::RegistrationOptions> options;
 };
 
-/// Row of the manifest with the content of its files.
+/// Row of the manifest with the contents of its files.
 struct EvaluationTask {
     io::CohortEntry entry;
     std::uint64_t trial = 0;   ///< index of the row in the manifest
     core::OwnGroundTruth truth;
     std::optional<core::RigidTransform> start;
     std::vector<std::pair<std::string, core::RigidTransform>>
-        found;   ///< poses found by other programs, with the name of their source
+        found;   ///< poses found by other programs, with the names of their sources
 };
 
 core::Result<std::optional<core::RigidTransform>> poseAt(const std::string& path)
@@ -134,7 +134,7 @@ class CaseEvaluator {
 public:
     explicit CaseEvaluator(const std::vector<UserCaseMethod>& methods) : methods_(methods) {}
 
-    /// Returns the records of all methods and of the poses found by other programs; empty if the user has stopped.
+    /// Returns the records of all methods and of the poses found by other programs; empty if the user has canceled.
     std::vector<core::RunRecord> judge(const EvaluationTask& task)
     {
         const auto session = loaded(task);

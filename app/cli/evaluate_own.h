@@ -16,11 +16,11 @@ inline constexpr const char* userCasesProtocol = "own";   ///< name of the proto
 inline constexpr const char* observerLogs = "observers";
 
 /// Registers the cases of a manifest (io/evaluation/cohort_manifest.h) with each requested method, and compares every
-/// result and every pose found elsewhere with the ground truth of its case. A failed case is reported and counts as one
-/// without a result. The figures do not depend on the number of threads or on splitting into shards.
+/// result and every pose of another program with the ground truth of its case. Reports a failed case, which counts as a
+/// case without a result. The figures do not depend on the number of threads or on splitting into shards.
 core::Result<core::Experiment> evaluateUserCases(const EvaluateArguments& arguments);
 
-/// Reads the observations of all logs; fails if no log is named.
+/// Reads the readings of all observer logs; fails if no log is named.
 core::Result<std::vector<core::ObserverReading>> readObserverLogs(const std::vector<std::string>& paths);
 
 }   // namespace angiopose::app

@@ -19,14 +19,14 @@ struct ExportDicomArguments {
     std::string casePath;
     ResultSource from;
     std::string outputFolder;
-    std::vector<std::string> objects;   ///< object ids; if empty, all that the case allows
-    std::string reportPath;   ///< PDF to encapsulate; optional
+    std::vector<std::string> objects;   ///< object IDs; if empty, all objects that the case allows
+    std::string reportPath;   ///< path of the PDF to encapsulate; may be empty
     std::optional<int> frame;
-    int widthPx = 0;   ///< image width; if 0, twice the width of the angiogram, for runs that of the angiogram
-    bool isRegistered = false;   ///< register the frame of the case first
-    bool isStartWanted = false;   ///< export the initial pose even if nothing has been registered
+    int widthPx = 0;   ///< image width; if 0, twice the width of the angiogram, or for runs, that width
+    bool isRegistered = false;   ///< whether to register the frame of the case first
+    bool isStartWanted = false;   ///< whether to export the initial pose even if nothing has been registered
     bool isRigid = false;
-    bool isIdentityShown = false;   ///< burn the patient's identity into images
+    bool isIdentityShown = false;   ///< whether to burn the patient identity into images
     std::string author;
 };
 

@@ -57,7 +57,7 @@ Json sourcedJson(const core::Sourced<Vector>& sourced)
     return json;
 }
 
-/// Describes the viewing side of the image (FORMATS §1), i.e. the sign of fx.
+/// Describes the side from which the image is viewed (FORMATS §1), i.e. the sign of fx.
 std::string shownFrom(const core::CArm& cArm)
 {
     const std::string basis = cArm.mirrored.value ? originText(cArm.mirrored.origin) + ", " + cArm.mirrored.basis
@@ -73,7 +73,7 @@ Json cameraJson(const core::ProjectionCamera& camera)
 }
 
 /// Lists each C-arm value with its origin, the resulting camera, contradictory and missing values, and every geometry
-/// element of the image's header.
+/// element of the image header.
 Json geometryJson(const core::CArm& cArm, const core::Angiogram& angiogram)
 {
     Json json{
@@ -254,7 +254,7 @@ Json pointsJson(const std::vector<io::Fiducial>& points)
     return json;
 }
 
-/// Describes a pose, or points or curves from 3D Slicer if JSON; other transform files can only be poses.
+/// Describes a pose or, if the file is JSON, points or curves from 3D Slicer; other transform files can only be poses.
 core::Result<Json> poseOrTreeJson(const std::string& path, const std::string& extension)
 {
     const auto pose = io::readPoseWithCamera(path);
@@ -345,11 +345,11 @@ void printField(std::string label, const std::string& text)
     printText(label + " " + text);
 }
 
-/// Prints the JSON as indented, human-readable "key: value" lines.
+/// Prints JSON as indented, human-readable "key: value" lines.
 void printReadable(const Json& json, int indent)
 {
     for (const auto& [key, value] : json.items()) {
-        if (key == "messages") {   // already printed under `warnings`
+        if (key == "messages") {   // already printed as `warnings`
             continue;
         }
         const std::string label =

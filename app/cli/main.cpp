@@ -22,7 +22,7 @@ namespace {
 
 using namespace app;
 
-/// Rejects "nan" and "inf" for every numeric option, since the range checks of CLI11 accept them.
+/// Makes every numeric option reject "nan" and "inf", which the range checks of CLI11 accept.
 void requireFiniteNumbers(CLI::App& app)
 {
     const CLI::Validator finite(
@@ -101,7 +101,7 @@ std::vector<std::string> helpAsOptions(std::vector<std::string> arguments)
     return arguments;
 }
 
-/// Describes a usage error, suggests what may have been meant, and refers to the help. For CLI::App::failure_message.
+/// Describes a usage error, suggests what may have been meant, and refers to the help; for CLI::App::failure_message.
 std::string usageHelp(const CLI::App* app, const CLI::Error& error)
 {
     const auto used = app->get_subcommands();

@@ -25,7 +25,7 @@ MoviePlan planOf(const MovieArguments& arguments, const core::Case& session)
     return plan;
 }
 
-/// Returns whether a registration must run first. A convergence movie uses the stored registration if the case has one.
+/// Returns whether registration must run first. A convergence movie uses the stored registration if the case has one.
 bool needsRun(const MovieArguments& arguments, const core::Case& session)
 {
     const auto& result = session.shown().result;

@@ -8,7 +8,7 @@
 namespace angiopose::app {
 namespace {
 
-/// Returns how to read the vessels; empty if the file alone determines this.
+/// Returns how to read the vessels; nullopt if the file alone determines it.
 core::Result<std::optional<core::VesselInput>> vesselInputOf(const std::string& path, const io::CaseSettings& settings)
 {
     core::Case asked;

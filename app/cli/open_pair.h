@@ -16,7 +16,7 @@ struct InputPair {
 };
 
 /// Creates a case from both files, as the window does when they are opened together. Fails if a file contains several
-/// series, or if the window would have to ask the user for its unit.
+/// series, or if the window would have to ask the user for the unit.
 core::Result<core::Case> openPair(const InputPair& pair, const io::CaseSettings& settings, core::Messages& warnings,
                                   const io::ReadObserver& observe);
 

@@ -18,7 +18,7 @@ ImageFileContent contentOf(const ProjectArguments& arguments)
                                  : ImageFileContent::Overlay;
 }
 
-/// Sets the pose of the view from a file, and the camera too if that of the file differs.
+/// Sets the pose of the view from a file, and also the camera if that of the file differs.
 core::Status takePose(core::View& view, const std::string& path)
 {
     const auto read = io::readPoseWithCamera(path);
@@ -45,7 +45,7 @@ core::Status takePose(core::View& view, const std::string& path)
     return core::Done{};
 }
 
-/// Returns the traced vessels by which the residuals of a registered pose are colored; empty for other poses, or if
+/// Returns the traced vessels to which the residual colors of a registered pose refer; empty for other poses, or if
 /// nothing can be traced.
 core::Centerline2d targetToColorBy(const core::View& view)
 {
@@ -53,7 +53,7 @@ core::Centerline2d targetToColorBy(const core::View& view)
     return traced ? traced.value() : core::Centerline2d();
 }
 
-/// Explains why no vessels are visible; empty if some of them are.
+/// Explains why no vessels are visible; nullopt if some of them are.
 std::optional<core::Message> invisibleVesselsMessage(const core::View& view, const core::VesselTree& tree)
 {
     const auto camera = core::cameraOf(view);

@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns the path of the input file to name in errors.
+/// Returns the path of the input file that errors name.
 const std::string& inputPathOf(const RegisterArguments& arguments)
 {
     return !arguments.from.path.empty()       ? arguments.from.path
@@ -42,7 +42,7 @@ core::Result<core::Case> loadAskedCase(const RegisterArguments& arguments)
                : loadPairForCommand({arguments.casePath, arguments.angiogramPath}, arguments.frame);
 }
 
-/// Adds the displayed views of the cases at `paths`.
+/// Adds the shown views of the cases at `paths`.
 core::Status addOtherViews(core::Case& session, const std::vector<std::string>& paths)
 {
     for (const std::string& path : paths) {
@@ -88,7 +88,7 @@ int runRegister(const RegisterArguments& arguments)
         return reportInputError(status.error(), arguments.format);
     }
     if (!arguments.otherViews.empty() ||
-        !arguments.angiogramPath.empty()) {   // when a single case is loaded, its images have already been compared
+        !arguments.angiogramPath.empty()) {   // loading a single case has already compared its images
         printWarnings(core::findMismatch(session));
     }
     for (core::View& view : session.views) {

@@ -41,12 +41,12 @@ std::string viewFolder(const RegisteredCase& registered, const std::string& fold
     return index == 0 ? folder : (fs::path(folder) / ("view-" + number)).string();
 }
 
-/// View to write, with its result as JSON for a file and for image metadata.
+/// View to write, with its result as JSON, both for a file and for image metadata.
 struct WrittenView {
     core::Case session;   ///< case that displays this view
     const core::Centerline2d* target = nullptr;
-    std::string result;   ///< JSON
-    std::string resultInImages;   ///< JSON without names, for image metadata, since images may be shared
+    std::string result;   ///< result as JSON
+    std::string resultInImages;   ///< result as JSON without names, for image metadata, since images may be shared
 };
 
 WrittenView writtenView(const RegisteredCase& registered, std::size_t k, OverlayImages pictures)
@@ -102,7 +102,7 @@ core::Status writeView(const WrittenView& view, OverlayImages pictures, const st
     return pictures == OverlayImages::Drawn ? writePictures(view, folder) : core::Status(core::Done{});
 }
 
-/// Returns whether to write a deformation: true if there is one or the user requested it.
+/// Returns whether to write a deformation: true if there is one or the user requested one.
 bool isDeformedWritten(const RegisteredCase& registered)
 {
     return registered.result().deformed && (registered.result().deformed->verdict != core::DeformationVerdict::Rigid ||
@@ -127,7 +127,7 @@ void printLine(const std::string& label, const std::string& text)
     std::printf("%-14s %s\n", label.c_str(), text.c_str());
 }
 
-/// Prints the distances of the displayed view or, for a joint registration, of each view with its geometry correction.
+/// Prints the distances of the shown view or, for a joint registration, of each view with its geometry correction.
 void printViews(const RegisteredCase& registered)
 {
     for (std::size_t k = 0; registered.joint && k < registered.viewIndices.size(); ++k) {
@@ -187,13 +187,13 @@ std::string sigmasText(const core::PoseSigmas& sigmas, int depthDecimals)
            " mm, rotation ±" + fixedText(sigmas.rotationDeg.maxCoeff(), 2) + "°";
 }
 
-/// Formats the probability if known, e.g. ", within 2 mm of the vessels with a probability of 97 %". Capped at 99 %,
-/// the limit of the calibration.
+/// Formats the probability if known, e.g. ", within 2 mm of the vessels with a probability of 97 %". It is capped at 99
+/// %, the limit of the calibration.
 std::string probabilityText(const core::RegistrationResult& result)
 {
     const auto& probability = result.probabilityWithin2Mm;
     const bool contradicts =
-        probability && !result.trustworthy && *probability >= 0.8;   // possible in results of earlier versions only
+        probability && !result.trustworthy && *probability >= 0.8;   // possible only in results of earlier versions
     return probability && !contradicts ? ", within 2 mm of the vessels with a probability of " +
                                              fixedText(std::clamp(100.0 * *probability, 1.0, 99.0), 0) + " %"
                                        : "";
@@ -208,8 +208,8 @@ void printTrust(const core::RegistrationResult& result)
     }
 }
 
-/// Lists the branches of the displayed view that disagree with the image although the pose may be correct; the window
-/// shows the same list.
+/// Lists the branches of the shown view with large residuals although the pose may be correct; the window shows the
+/// same list.
 void printDisagreeingBranches(const RegisteredCase& registered)
 {
     const core::DistanceMetrics& metrics = registered.result().metrics;
@@ -226,7 +226,7 @@ void printDisagreeingBranches(const RegisteredCase& registered)
                       fixedText(found.worstMm, 1) + " mm off: possibly unopacified in this frame, or displaced");
 }
 
-/// Formats a path, e.g. "branches 3, 7, 9: 82 %, 95 % of the wire along them, 1.2 mm off their axes".
+/// Formats a path: "branches 3, 7, 9: 82 %, 95 % of the guidewire along these branches, 1.2 mm from their centerlines".
 std::string pathText(const core::WirePath& way)
 {
     std::string branches;
@@ -296,7 +296,7 @@ void removeOutputs(const std::string& folder)
         std::error_code failed;
         fs::remove(fs::path(folder) / name, failed);
         fs::remove((fs::path(folder) / name).parent_path(),
-                   failed);   // folder of a view; removed only if it is empty
+                   failed);   // folder of a view, which is removed only if it is empty
     }
 }
 

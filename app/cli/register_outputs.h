@@ -8,12 +8,12 @@
 
 namespace angiopose::app {
 
-/// Selects whether the overlay images are written.
+/// Specifies whether the overlay images are written.
 enum class OverlayImages { Drawn, LeftOut };
 
-/// Writes result.json, pose.tfm and overlay.png of each registered view: the displayed one into `folder`, the others
-/// into its subfolders view-2, view-3, …. Adds joint.json for several views, and bent.vtp and motion.csv for deformed
-/// vessels. Creates the folders.
+/// Writes result.json, pose.tfm and overlay.png of each registered view: those of the shown view into `folder`, those
+/// of the others into its subfolders view-2, view-3, …. Adds joint.json for several views, and bent.vtp and motion.csv
+/// for deformed vessels. Creates the folders.
 core::Status writeOutputs(const core::RegisteredCase& registered, const std::string& folder,
                           OverlayImages pictures = OverlayImages::Drawn);
 

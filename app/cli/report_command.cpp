@@ -45,15 +45,15 @@ std::vector<std::string> guiReportArguments(const ReportArguments& arguments)
     return words;
 }
 
-/// Returns the path of the GUI program next to this one, or its bare name to be found on PATH if this program's own
-/// location is unknown (no /proc).
+/// Returns the path of the GUI program next to this one or, if the location of this program is unknown (no /proc), the
+/// bare name, to be found on PATH.
 std::string guiProgramPath()
 {
     const std::filesystem::path own = io::currentBinaryPath();
     return own.has_parent_path() ? (own.parent_path() / "angiopose").string() : "angiopose";
 }
 
-/// Runs the GUI program to write the report: Qt lays out the text and pages, and this program does not link Qt.
+/// Runs the GUI program to write the report: Qt lays out text and pages, and this program is not linked to Qt.
 int runReport(const ReportArguments& arguments)
 {
     const std::string program = guiProgramPath();

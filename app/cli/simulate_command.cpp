@@ -65,7 +65,7 @@ core::Status writeTruth(const core::SimulatedCase& simulated, const fs::path& fo
         return io::writeVesselTree(*simulated.deformedTree, deformed.string());
     }
     std::error_code failure;
-    fs::remove(deformed, failure);   // may be left over from another case in this folder
+    fs::remove(deformed, failure);   // may remain from another case in this folder
     return core::Done{};
 }
 
@@ -98,7 +98,7 @@ core::Status writeSimulatedCase(const core::SimulatedCase& simulated, const std:
     return io::saveCase(caseOf(simulated, absolute, title, start), casePath);
 }
 
-constexpr std::size_t numberDigits = 4;   ///< digits of a case number, zero-padded so that folders sort numerically
+constexpr std::size_t numberDigits = 4;   ///< digits of a case number, zero-padded so that folders sort by number
 
 core::Status writeScan(std::uint64_t seed, const core::TreeOptions& tree, const core::CtaOptions& cta,
                        const fs::path& folder)
@@ -114,7 +114,7 @@ core::RoomHeader roomHeaderFrom(const std::string& word)
                                      : core::RoomHeader::ObjectPlane;
 }
 
-/// Simulates the views of a room; the headers determine their initial poses.
+/// Simulates the views in a room, whose initial poses the headers determine.
 int runSimulateRoom(const SimulateArguments& arguments, const core::TreeOptions& tree, const core::DsaOptions& dsa)
 {
     const core::RoomOptions room{roomHeaderFrom(arguments.room), arguments.moveTable, arguments.isMirrored};
@@ -187,7 +187,7 @@ std::vector<std::string> filesOfCase(const core::SimulatedStudy& study, std::siz
     return files;
 }
 
-/// Returns the manifest of all cases with their ground truth, for `batch` and `evaluate own`.
+/// Returns the manifest of all cases and their ground truth, for `batch` and `evaluate own`.
 std::string manifestOf(const core::SimulatedStudy& study)
 {
     std::string text = "case,name,reference,bent,patient,condition\n";
@@ -237,7 +237,7 @@ std::vector<std::size_t> casesOf(const core::SimulatedStudy& study, const core::
     return cases;
 }
 
-/// Writes the cases and returns the first error in case order; empty if all were written or the user stopped.
+/// Writes the cases and returns the first error in case order; nullopt if all were written or the user stopped.
 std::optional<core::Error> writeCases(const core::SimulatedStudy& study, const std::vector<std::size_t>& cases,
                                       int threads, const fs::path& output)
 {

@@ -17,7 +17,7 @@ struct SupportArguments {
     bool isShownAlone = false;
 };
 
-/// Adds a description of the case, and adds its patient identifiers to the texts to redact.
+/// Adds a description of the case, and adds its patient identifiers to the redaction.
 core::Status addCase(const std::string& path, io::Redaction& redaction, std::vector<io::SupportFile>& texts)
 {
     core::Messages nobodyReads;

@@ -21,7 +21,7 @@ struct ThumbnailArguments {
 
 using Clock = std::chrono::steady_clock;
 
-/// Stops reading at `end`; slower inputs, such as scans to trace, are not worth a thumbnail.
+/// Returns an observer that stops reading at `end`: slower inputs, such as scans to trace, are not worth a thumbnail.
 io::ReadObserver stopAt(Clock::time_point end)
 {
     return [end](double) {
@@ -40,7 +40,7 @@ int thumbnailWidth(const core::Case& session, int sizePx)
     return std::max(1, sizePx * frame.width / std::max({frame.width, frame.height, 1}));
 }
 
-/// Writes a thumbnail without names in the image or the file, since other programs store thumbnails.
+/// Writes a thumbnail without names in the image or in the file, since other programs store thumbnails.
 int runThumbnail(const ThumbnailArguments& arguments)
 {
     const std::chrono::duration<double> limit(arguments.limitSeconds);

@@ -61,7 +61,7 @@ core::Status subtractIfRequested(const TraceAngiogramArguments& arguments, Angio
     return core::Done{};
 }
 
-/// Trace and its display name.
+/// A trace with its display name.
 struct NamedTrace {
     core::AngiogramTrace trace;
     std::string name;

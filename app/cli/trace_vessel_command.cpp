@@ -40,7 +40,7 @@ core::Result<std::vector<int>> requestedLabels(const TraceVesselArguments& argum
     return labels ? labels : labels.error().about(arguments.inputPath);
 }
 
-/// Explains why a file cannot be traced that is not a volume, segmentation or surface.
+/// Returns the error for a file that cannot be traced because it is not a volume, segmentation or surface.
 core::Error notTraceableError(const std::string& path)
 {
     if (io::readVesselTree(path)) {
@@ -121,9 +121,9 @@ int traceStretches(const TraceVesselArguments& arguments)
     return exitSuccess;
 }
 
-constexpr double minPieceShare = 0.005;   ///< fraction of the voxels below which a component is noise, not a vessel
+constexpr double minPieceShare = 0.005;   ///< fraction of all voxels below which a component is noise, not a vessel
 
-/// If there are several connected components, prints each with a seed that selects it, and summarizes small omitted
+/// If there are several connected components, prints each one with a seed that selects it, and summarizes small omitted
 /// ones in one line.
 void printPieces(const std::vector<core::TracedComponent>& pieces)
 {

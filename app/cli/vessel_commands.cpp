@@ -10,7 +10,7 @@
 namespace angiopose::app {
 namespace {
 
-/// Parses exactly `Count` numbers separated by commas; returns nothing for any other text.
+/// Parses exactly `Count` numbers separated by commas; returns nullopt for any other text.
 template <int Count>
 std::optional<Eigen::Matrix<double, Count, 1>> numbersFrom(const std::string& text)
 {
@@ -29,7 +29,7 @@ std::optional<Eigen::Matrix<double, Count, 1>> numbersFrom(const std::string& te
     return numbers;
 }
 
-/// Parses a point "x,y,z" (LPS, mm); returns nothing for any other text.
+/// Parses a point "x,y,z" (LPS, mm); returns nullopt for any other text.
 std::optional<Eigen::Vector3d> pointFrom(const std::string& text)
 {
     return numbersFrom<3>(text);
@@ -75,7 +75,7 @@ void addSections(CLI::App* command, std::vector<VesselSection>& sections)
         });
 }
 
-/// Parses the choice of components; rejects choices that require seeds when none are given, and vice versa.
+/// Parses the choice of components; rejects choices that require seeds if there are none, and vice versa.
 core::TracedPieces parsePieces(const std::string& word, bool hasSeeds)
 {
     if (word == "seeded" && !hasSeeds) {

@@ -12,7 +12,7 @@ namespace {
 using io::DecoderReply;
 using io::ReplyKind;
 
-/// Writes bytes to stdout; returns false if the reading process is gone.
+/// Writes bytes to stdout; returns false if the reading process has ended.
 bool write(const char* bytes, std::size_t size)
 {
     return std::fwrite(bytes, 1, size, stdout) == size && std::fflush(stdout) == 0;

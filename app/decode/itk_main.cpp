@@ -12,8 +12,8 @@
 #include <random>
 
 // angiopose-decode-itk read FILE replies with the transform of an ITK HDF5 file as three rows of four numbers. It
-// refuses files without exactly one transform (empty reply) and nonlinear transforms (the reply is their type).
-// angiopose-decode-itk write N… replies with an ITK HDF5 file made from twelve numbers.
+// refuses files that do not contain exactly one transform (empty reply) and nonlinear transforms (the reply is the
+// type). angiopose-decode-itk write N… replies with an ITK HDF5 file made from twelve numbers.
 
 namespace {
 
@@ -21,9 +21,9 @@ using angiopose::io::DecoderReply;
 using angiopose::io::ReplyKind;
 using TransformIo = itk::HDF5TransformIOTemplate<double>;
 using Transform = itk::Transform<double, 3, 3>;
-using Rows = std::array<double, 12>;   // in row-major order
+using Rows = std::array<double, 12>;   // pose in row-major order
 
-/// Temporary file in a folder that only the user can access; removed with this object.
+/// Temporary file in a folder that only the user can access, removed with this object.
 class TemporaryFile {
 public:
     TemporaryFile()
@@ -50,7 +50,7 @@ private:
     std::filesystem::path folder_;
 };
 
-/// Returns the single transform of the file: a lone transform, or the composite whose components follow it in the list.
+/// Returns the only transform of the file: a single one, or the composite whose components follow it in the list.
 Transform::Pointer singleTransform(const TransformIo::TransformListType& list)
 {
     Transform::Pointer first = list.empty() ? nullptr : dynamic_cast<Transform*>(list.front().GetPointer());

@@ -24,8 +24,8 @@ namespace {
 using io::DecoderReply;
 using io::ReplyKind;
 
-/// Replacement for "nan" and "inf", which VTK's streams cannot read: before reading, the word is replaced by a number
-/// that no measurement has; after reading, that number is mapped back.
+/// Replacement for "nan" and "inf", which VTK's streams cannot read: the word is replaced before reading by a number
+/// that no measurement has, which is replaced by the original value after reading.
 struct NumberPlaceholder {
     std::string_view word;
     std::string_view text;
@@ -85,9 +85,9 @@ void takeStandIns(io::VtkLines& lines)
 
 /// Section header in the file, such as "LINES 2 8".
 struct Section {
-    std::string name;   ///< in upper case
+    std::string name;   ///< name in upper case
     std::size_t at = 0;
-    vtkIdType cells = 0;   ///< declared number of cells; for other sections another number, or 0
+    vtkIdType cells = 0;   ///< declared number of cells; another number, or 0, for other sections
 };
 
 /// Finds the sections in file order. A line of binary data looks like a section header with a probability of about one

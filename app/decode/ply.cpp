@@ -18,11 +18,11 @@ namespace {
 using io::DecoderReply;
 using io::ReplyKind;
 
-/// Element declared in the header. Sizes are in numbers for a text file and in bytes for a binary file.
+/// Element declared in the header. Sizes are counts of numbers for a text file and bytes for a binary file.
 struct Element {
     std::string name;
     std::size_t count = 0;
-    std::size_t entrySize = 0;   ///< size of an entry without the contents of its lists
+    std::size_t entrySize = 0;   ///< size of an entry without its lists
     std::size_t listCount = 0;
     std::size_t cornerSize = 0;   ///< size of one vertex index in a face's list
     std::string coordinates;   ///< those of x, y and z that are declared
@@ -44,7 +44,7 @@ std::size_t sizeOf(const std::string& type)
     return found == sizes.end() ? 0 : found->second;
 }
 
-/// Adds "property list COUNT TYPE NAME", or a property without a list; returns false if a type is unknown.
+/// Adds "property list COUNT TYPE NAME" or a property without a list; returns false if a type is unknown.
 bool addProperty(const std::string& countType, const std::string& type, const std::string& name, bool isText,
                  Element& element)
 {
@@ -57,7 +57,7 @@ bool addProperty(const std::string& countType, const std::string& type, const st
     return sizeOf(type) > 0 && (!isList || sizeOf(countType) > 0);
 }
 
-/// Reads the header up to the first value; empty if a line is not valid in a PLY header (VTK would skip it).
+/// Reads the header up to the first value; nullopt if a line is not valid in a PLY header (VTK would skip it).
 std::optional<Header> readHeader(io::TextCursor& lines)
 {
     static const std::regex known(
@@ -85,8 +85,8 @@ std::optional<Header> readHeader(io::TextCursor& lines)
     return std::nullopt;
 }
 
-/// Returns the size of the body: numbers of a text file, bytes of a binary file. Empty if a word of the text is not a
-/// number (VTK would read 0).
+/// Returns the size of the body: the count of numbers in a text file, or the bytes of a binary file. Returns nullopt if
+/// a word of the text is not a number (VTK would read 0).
 std::optional<std::size_t> sizeOfBody(io::TextCursor body, bool isText)
 {
     std::size_t count = 0;
@@ -98,7 +98,7 @@ std::optional<std::size_t> sizeOfBody(io::TextCursor body, bool isText)
     return isText ? count : body.left();
 }
 
-/// Returns whether a body of that size matches the header for the given number of face vertices. VTK reads missing data
+/// Returns whether a body of that size fits the header with the given number of face vertices. VTK reads missing data
 /// as zeros, and the vertex count of a face modulo 256. A binary body may be followed by a few extra bytes.
 bool matchesHeader(const Header& header, std::size_t cornerCount, std::size_t bodySize)
 {

@@ -29,8 +29,8 @@ public:
     bool raised = false;
 };
 
-/// Reader that detects arrays with fewer values in the file than declared. VTK silently leaves the missing values
-/// uninitialized.
+/// Reader that detects arrays with fewer values in the file than declared. VTK leaves the missing values uninitialized
+/// without an error.
 template <class Reader>
 class WholeArrays : public Reader {
 public:

@@ -76,7 +76,7 @@ void CaseDocument::beginTrial(std::unique_ptr<QUndoCommand> edit)
     if (isInTrial() || locked_) {
         return;
     }
-    trialStartIndex_ = undoStack_.index() + 1;   // set before push() emits signals, whose receivers read it
+    trialStartIndex_ = undoStack_.index() + 1;   // set before push() emits signals, whose receivers read this index
     undoStack_.push(edit.release());
     emit stateChanged();
 }

@@ -11,7 +11,7 @@
 
 namespace angiopose::app {
 
-/// Identifies the open case and its revision at some moment.
+/// Identifies the open case and its revision at a point in time.
 struct CaseState {
     int caseNumber = 0;
     std::uint64_t revision = 0;
@@ -39,16 +39,16 @@ public:
     void replace(core::Case opened, const QString& path);
     CaseState state() const { return {caseNumber_, revision_}; }
 
-    /// Marks the state `written` as saved to `path`; later edits remain unsaved.
+    /// Marks the state `written` as saved to `path`; edits made since remain unsaved.
     void markSaved(const QString& path, const CaseState& written);
-    void markUnsaved();   ///< e.g. after recovery from a crash
+    void markUnsaved();   ///< marks the case as unsaved, e.g. after recovery from a crash
 
     /// Applies an edit and adds it to the undo stack. While the document is locked, only emits `editRefused`.
     bool push(std::unique_ptr<QUndoCommand> edit);
-    void setLocked(bool locked);   ///< used during a registration, whose result must fit the case it started from
+    void setLocked(bool locked);   ///< used during registration, whose result must fit the case from which it started
     bool isLocked() const { return locked_; }
 
-    /// Undo and redo for the user; undo stops at the start of a blind trial.
+    /// Undo and redo an edit of the user; undo stops at the start of a blind trial.
     void undo();
     void redo();
     bool canUndo() const { return undoStack_.index() > trialStartIndex_ && undoStack_.canUndo(); }
@@ -57,9 +57,9 @@ public:
     void beginTrial(std::unique_ptr<QUndoCommand> edit);
     void endTrial();
     bool isInTrial() const { return trialStartIndex_ > 0; }
-    int trialEdits() const { return undoStack_.index() - trialStartIndex_; }   ///< undo steps since the trial began
+    int trialEdits() const { return undoStack_.index() - trialStartIndex_; }   ///< number of undo steps since the start
 
-    void notifyChanged() { emit changed(); }   ///< for data outside the case that belong to it, e.g. a mask draft
+    void notifyChanged() { emit changed(); }   ///< for data that belong to the case but are outside it, e.g. a mask
 
 signals:
     void aboutToUndoOrRedo();   ///< emitted before undo or redo; receivers finish any mouse interaction
@@ -77,7 +77,7 @@ private:
     int caseNumber_ = 0;   ///< number of cases opened
     std::uint64_t revision_ = 0;   ///< number of changes
     bool isNeverSaved_ = false;
-    bool isRecovered_ = false;   ///< recovered after a crash and not saved since
+    bool isRecovered_ = false;   ///< true if the case was recovered after a crash and not saved since
     bool locked_ = false;
     int trialStartIndex_ = 0;   ///< undo index at which the current trial began; 0 if there is no trial
 };

@@ -3,7 +3,7 @@
 namespace angiopose::app {
 namespace {
 
-/// Replaces the vessels: an initial pose moves with the tree's centroid, any other pose stays.
+/// Replaces the vessels: an initial pose moves with the centroid of the tree; any other pose stays.
 std::unique_ptr<QUndoCommand> changeVessels(CaseDocument& document, Vessels vessels, const ui::LocalizedText& name)
 {
     const auto isSame = [](const core::RigidTransform& a, const core::RigidTransform& b) {
@@ -58,7 +58,7 @@ std::unique_ptr<QUndoCommand> applyTrace(CaseDocument& document, const TracedTre
         vessels.scanSeriesId = vessels.input.seriesId;
     } else if (!isEdited &&
                traced.file.path ==
-                   vessels.scanFile.path) {   // the traced scan is the vessel input, no longer a separate scan
+                   vessels.scanFile.path) {   // the traced scan is the vessel input and no longer a separate scan
         vessels.scanFile = {};
         vessels.scanSeriesId.clear();
     }

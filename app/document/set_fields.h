@@ -11,10 +11,10 @@
 
 namespace angiopose::app {
 
-/// Burst number of an edit that never merges with another; see SetFields.
+/// Merge ID of an edit that never merges with another; see SetFields.
 inline constexpr int noMergeId = -1;
 
-/// Edit whose name follows the current language of the window.
+/// Edit whose name follows the UI language.
 class NamedEdit : public QUndoCommand {
 public:
     explicit NamedEdit(ui::LocalizedText name) : QUndoCommand(name()), name_(std::move(name)) {}
@@ -24,7 +24,7 @@ private:
     ui::LocalizedText name_;
 };
 
-/// Returns the part of a case that owns a field: the case, its vessels or its displayed view.
+/// Returns the part of a case that owns a field: the case, its vessels or its shown view.
 template <class Value>
 auto& ownerOf(core::Case& session, Value core::Case::*)
 {
@@ -45,9 +45,9 @@ auto& ownerOf(core::Case& session, Value core::View::*)
 template <class Owner, class Value>
 Value valueOf(Value Owner::*);
 
-/// Undoable change of fields of the open case, its vessels or its displayed view. `Case::shownView` may change only
-/// together with `Case::views`. Edits with the same burst number merge into one step.
-/// stack.push(new SetFields<&core::View::frame>(document, {4}, [] { return tr("Show frame 4"); }));
+/// Undoable change of fields of the open case, its vessels or its shown view. `Case::shownView` may change only
+/// together with `Case::views`. Edits with the same burst number merge into one step. stack.push(new
+/// SetFields<&core::View::frame>(document, {4}, [] { return tr("Show frame 4"); }));
 template <auto... Fields>
 class SetFields : public NamedEdit {
 public:
@@ -65,7 +65,7 @@ public:
     void undo() override { swapWithDocument(); }
     int id() const override { return burst_; }
 
-    /// Merges without copying: the document has the later values, and `swapValues_` those from before the burst.
+    /// Merges without copying: the document holds the later values, and `swapValues_` those from before the burst.
     bool mergeWith(const QUndoCommand* later) override { return dynamic_cast<const SetFields*>(later) != nullptr; }
 
 private:

@@ -7,8 +7,8 @@
 
 namespace angiopose::app {
 
-/// Owns the controllers that lead from the stored run to the target curves of the registration: subtraction, tracing
-/// and manual editing.
+/// Owns the controllers that lead from the stored run to the target curves of registration: subtraction, tracing and
+/// manual editing.
 class AngiogramController {
 public:
     explicit AngiogramController(const AngiogramParts& parts)

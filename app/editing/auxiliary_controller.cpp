@@ -21,13 +21,13 @@
 namespace angiopose::app {
 namespace {
 
-constexpr double insideShare = 0.5;   ///< share of a branch's projection inside the lasso that selects it
+constexpr double insideShare = 0.5;   ///< fraction of a branch that must project into the lasso to select it
 
 const std::string defaultMethod = "angiopose";
-/// Id of the method that uses the auxiliary branches in every step.
+/// ID of the method that uses the auxiliary branches throughout.
 const std::string alternatingMethod = "dynaweight";
 
-/// Returns the name of a pose component as in the pose panel; order as in core::PoseUncertainty.
+/// Returns the name of a pose component as in the pose panel; the order is that of core::PoseUncertainty.
 QString nameOfStep(std::size_t step)
 {
     static const std::array names{QT_TRANSLATE_NOOP("angiopose::app::AuxiliaryController", "tilt"),
@@ -68,7 +68,7 @@ QString previewWords(const core::Case& current)
     }
     double lengthMm = 0.0;
     double chosenMm = 0.0;
-    std::vector<int> chosenIds;   // excluded branches are left out, since they are never used
+    std::vector<int> chosenIds;   // excluded branches are omitted, since they are never used
     for (const core::VesselBranch& branch : current.vessels.tree->branches) {
         if (contains(current.vessels.excludedBranchIds, branch.id)) {
             continue;
@@ -107,14 +107,14 @@ QString previewWords(const core::Case& current)
                : AuxiliaryController::tr("%1 The method option “Auxiliary points” takes precedence.").arg(chosen);
 }
 
-/// Returns the median radius of the branch, mm; 0 if it has no radii.
+/// Returns the median radius of the branch, mm; 0 if the branch has no radii.
 double medianRadiusMm(const core::VesselBranch& branch)
 {
     return branch.radiusMm.empty() ? 0.0 : core::quantile(branch.radiusMm, 0.5);
 }
 
-/// Builds the texts of the auxiliary-branch dialog in the current language: the effect of the selection and, if known,
-/// how well the branches constrain the pose.
+/// Builds the text of the auxiliary-branch dialog in the UI language: the effect of the selection and, if known, how
+/// well the branches constrain the pose.
 ui::AuxiliaryAdvice auxiliaryTexts(const core::Case& current, const std::optional<BranchAdvice>& advice)
 {
     const auto& tree = current.vessels.tree;
@@ -287,7 +287,7 @@ void AuxiliaryController::request()
 {
     if (dialog_ && dialog_->isVisible()) {
         adviser_.ask();
-        show();   // shows the selection now; the figures follow when computed
+        show();   // shows the selection now; the figures follow once computed
     }
 }
 

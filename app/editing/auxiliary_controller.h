@@ -20,18 +20,18 @@ class WindowActions;
 
 namespace angiopose::app {
 
-/// Supports the selection of auxiliary branches by lasso, generation, radius and the constraint that each branch places
-/// on the pose, with a live preview of the effect.
+/// Supports the selection of auxiliary branches by lasso, by generation, by radius, and by how strongly each branch
+/// constrains the pose, with a live preview of the effect.
 class AuxiliaryController : public QObject {
     Q_OBJECT
 public:
     AuxiliaryController(CaseDocument& document, BranchController& branches, ui::WindowActions& actions,
                         ui::AngiogramView& view, QWidget& dialogParent, QObject* parent = nullptr);
 
-    bool isRunning() const { return adviser_.isRunning(); }   ///< computing how well each branch constrains the pose
+    bool isRunning() const { return adviser_.isRunning(); }   ///< true while computing the branches' constraints
     void open();
     ui::AuxiliaryDialog* dialog() const { return dialog_; }   ///< null while the dialog is closed
-    const std::vector<int>& suggestion() const;   ///< empty if not known
+    const std::vector<int>& suggestion() const;   ///< empty if unknown
 
     void selectInside(const QPolygonF& outlineInImagePx, ui::LassoEffect effect);
     void selectGenerations(int last);

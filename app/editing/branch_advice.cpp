@@ -9,7 +9,7 @@
 namespace angiopose::app {
 namespace {
 
-constexpr int branchesPerStep = 2;   ///< number of branches named per pose component
+constexpr int branchesPerStep = 2;   ///< number of branches named for each pose component
 
 core::Vector6d inDegrees(core::Vector6d std)
 {

@@ -12,14 +12,14 @@
 
 namespace angiopose::app {
 
-/// How strongly the branches of the tree constrain the pose of the displayed view.
+/// How strongly the branches of the tree constrain the pose of the shown view.
 struct BranchAdvice {
     core::Vector6d stdAllBranches =
-        core::Vector6d::Zero();   ///< standard deviations of the pose components, degrees and mm, from all branches
+        core::Vector6d::Zero();   ///< standard deviations of the pose components from all branches, degrees and mm
     core::Vector6d stdAuxiliary =
-        core::Vector6d::Zero();   ///< from the auxiliary branches; if there are none, from all
+        core::Vector6d::Zero();   ///< the same from the auxiliary branches; if there are none, from all branches
     std::array<std::vector<int>, 6> constrainedBy;   ///< branches that constrain each component best
-    std::vector<int> suggestedIds;   ///< a few branches that are nearly as informative as all
+    std::vector<int> suggestedIds;   ///< a few branches that together are nearly as informative as the whole tree
 };
 
 /// Computes the advice on a worker thread. Requests made meanwhile are merged into one that starts afterwards.
@@ -30,7 +30,7 @@ public:
 
     void ask();   ///< requests the advice for the current case
     bool isRunning() const { return job_.isRunning(); }
-    const std::optional<BranchAdvice>& advice() const { return advice_; }   ///< empty if not known
+    const std::optional<BranchAdvice>& advice() const { return advice_; }   ///< nullopt until known
 
 signals:
     void adviceReady();
@@ -42,7 +42,7 @@ private:
     const CaseDocument& document_;
     Job<BranchAdvice> job_;
     std::optional<BranchAdvice> advice_;
-    bool isRestartPending_ = false;   ///< start again when the current job has finished
+    bool isRestartPending_ = false;   ///< true if the job must start again when the current one has finished
 };
 
 }   // namespace angiopose::app

@@ -12,7 +12,7 @@
 namespace angiopose::app {
 namespace {
 
-/// Removes `ids` from the set if it contains all of them, otherwise adds them all.
+/// Removes `ids` from the set if the set contains all of them, otherwise adds them.
 std::set<int> toggled(std::set<int> set, const std::set<int>& ids)
 {
     const bool allIn = std::ranges::includes(set, ids);

@@ -14,7 +14,7 @@ class WindowActions;
 
 namespace angiopose::app {
 
-/// Connects picking in the list, in the views and by command to the branch controller, and shows its marks there.
+/// Connects picking in the list, in the views and by command to the branch controller, and shows branch marks there.
 class BranchPicking : public QObject {
     Q_OBJECT
 public:

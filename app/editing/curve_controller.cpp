@@ -89,7 +89,7 @@ void CurveController::connectTool()
     connect(tool_, &ui::EditCurvesTool::editChanged, bar_, &ui::CurveEditBar::showEdit);
     connect(bar_, &ui::CurveEditBar::editChosen, this, [this](ui::CurveEdit edit) {
         tool_->setEdit(edit);
-        view_.setFocus();   // gives the image the keyboard focus, since the mode has its own keys
+        view_.setFocus();   // gives the image the keyboard focus, since the mode has keys of its own
     });
     connect(bar_, &ui::CurveEditBar::doneRequested, this, [this] { view_.setTool(nullptr); });
     connect(bar_, &ui::CurveEditBar::traceAgainRequested, this, &CurveController::confirmRetrace);
@@ -186,7 +186,7 @@ void CurveController::releaseEdgeData()
     tool_->setGuide(nullptr);
 }
 
-/// Returns the ids of the accepted curves in this frame; empty if the frame has just been traced, since the ids stored
+/// Returns the IDs of the curves accepted in this frame; empty if the frame has just been traced, since the IDs stored
 /// in the case refer to other curves.
 std::vector<int> CurveController::acceptedIds() const
 {
@@ -213,7 +213,7 @@ void CurveController::accept(int curveId)
          [] { return tr("Keep suspect curve"); });
 }
 
-/// Marks a curve as a catheter or guidewire, or as a vessel; marking it as a vessel also clears its suspect state.
+/// Marks a curve as a catheter or guidewire, or as a vessel; a vessel is also no longer suspect.
 void CurveController::setExcluded(int curveId, bool apart)
 {
     const core::SeparatedCurves before = currentCurves();

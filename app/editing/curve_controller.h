@@ -38,7 +38,7 @@ private:
     void setExcluded(int curveId, bool apart);
     void followDevice();
     void push(core::GivenTarget target,
-              const ui::LocalizedText& what);   ///< pushes the target edited in the displayed frame
+              const ui::LocalizedText& what);   ///< sets the target edited in the shown frame as that of the case
     core::SeparatedCurves currentCurves() const;
     void retrace();
 
@@ -54,7 +54,7 @@ private:
     SharedCenterline shownCurves_;
     SharedCenterline shownDevices_;
     std::vector<int> shownAccepted_;
-    std::optional<TraceRequest> edgeDataRequest_;   ///< request whose edge data are available or being computed
+    std::optional<TraceRequest> edgeDataRequest_;   ///< request whose edge data are available or are being computed
     QFutureWatcher<std::shared_ptr<ui::CurveGuide>> edgeData_;
 };
 

@@ -11,7 +11,7 @@ class GeometryPanel;
 
 namespace angiopose::app {
 
-/// Manages the geometry panel: shows the values of the case with their origins and turns edits into undo steps.
+/// Manages the geometry panel: shows the values of the case with their origins and makes each edit an undo step.
 class GeometryController : public QObject {
     Q_OBJECT
 public:

@@ -13,7 +13,7 @@ class WindowActions;
 
 namespace angiopose::app {
 
-/// Manages undo and redo, and the texts that their commands and the status strip show.
+/// Manages undo and redo, and the names of edits in their commands and in the status strip.
 class HistoryController : public QObject {
     Q_OBJECT
 public:

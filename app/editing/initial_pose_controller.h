@@ -8,7 +8,7 @@ class WindowActions;
 
 namespace angiopose::app {
 
-/// Sets the initial pose of a registration, either from the gantry angles or to the current pose after manual moves.
+/// Sets the initial pose of registration, either from the gantry angles or to the current pose after manual adjustment.
 /// Each change is one undo step.
 class InitialPoseController : public QObject {
     Q_OBJECT

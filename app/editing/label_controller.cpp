@@ -76,7 +76,7 @@ void LabelController::updateFromDocument()
     }
 }
 
-/// Reads the label image, which may be large, once the list is visible.
+/// Reads the label image once the list is visible, since the image may be large.
 void LabelController::readIfVisible()
 {
     const bool isInSight = actions_[ui::Command::SlicesLarge]->isChecked();
@@ -97,7 +97,7 @@ void LabelController::setOverview(const LabelOverview& overview)
     emit edited();
 }
 
-/// Checks the labels stored in the case. If there are none, checks the labels named like vessels, or else all labels.
+/// Checks the labels stored in the case; if there are none, those named after vessels, otherwise all labels.
 void LabelController::checkLabelsOfCase()
 {
     isEdited_ = false;

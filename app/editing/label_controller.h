@@ -15,7 +15,7 @@ class WindowActions;
 
 namespace angiopose::app {
 
-/// Lets the user select which labels of a label image to trace. The list is visible while the slices are large; the
+/// Lets the user select which labels of a label image to trace. The list is visible while the slices are enlarged; the
 /// selection is a draft until a trace stores it in the case.
 class LabelController : public QObject {
     Q_OBJECT
@@ -23,7 +23,7 @@ public:
     LabelController(CaseDocument& document, ui::WindowActions& actions, ui::LabelChoice& choice, ui::SliceModel& slices,
                     QObject* parent = nullptr);
 
-    /// Labels for the next trace, as in core::VesselInput; empty: the labels named as vessels, or all.
+    /// Labels for the next trace, as in core::VesselInput; if empty, the labels named after vessels, or all.
     std::vector<int> draft() const;
     bool isSelectionEmpty() const { return overview_ && checked_.empty(); }
 

@@ -72,7 +72,7 @@ QString verdictOf(const core::LandmarkPose& pose)
         .arg(ui::numberText(pose.depthStdMm, 0));
 }
 
-/// Numbers the points from 1; the point that still lacks an image position comes last.
+/// Numbers the points from 1; a point that still lacks an image position comes last.
 std::vector<ui::SliceMark> sliceMarksAt(const std::vector<Eigen::Vector3d>& points,
                                         const std::optional<Eigen::Vector3d>& pending)
 {

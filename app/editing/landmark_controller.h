@@ -17,7 +17,7 @@ class WindowActions;
 namespace angiopose::app {
 
 /// Manages landmark pairs: a point on the vessels (3-D view or slice; snaps to nodes) and its image point, clicked in
-/// either order. Lists, moves and removes them and sets the initial pose from them; each change is one undo step.
+/// either order. Lists, moves and removes pairs and sets the initial pose from them; each change is one undo step.
 class LandmarkController : public QObject {
     Q_OBJECT
 public:
@@ -31,7 +31,7 @@ public:
     };
     LandmarkController(CaseDocument& document, const Ui& ui, QObject* parent = nullptr);
 
-    void pickPoint(const Eigen::Vector3d& pointInPatient);   ///< while landmark mode is on
+    void pickPoint(const Eigen::Vector3d& pointInPatient);   ///< takes effect only in landmark mode
     void pickPixel(const Eigen::Vector2d& pixel);
     void setInitialPose();
 

@@ -26,7 +26,7 @@ using core::VesselMarkKind;
 using ui::MarkMode;
 
 constexpr double placeReachPx = 14.0;   // maximum distance of a vessel from the pointer, widget px
-constexpr double sliceReachMm = 4.0;   // maximum distance from a click in a slice to the vessels
+constexpr double sliceReachMm = 4.0;   // maximum distance of a click in a slice from the vessels
 constexpr double sameMm = 1e-6;
 
 std::size_t positionOf(MarkMode mode)
@@ -44,8 +44,8 @@ VesselMarkKind kindOf(MarkMode mode)
     return mode == MarkMode::OstiumRing ? VesselMarkKind::OstiumRing : VesselMarkKind::TargetPoint;
 }
 
-/// Places a mark on the nearest branch and gives a ring the diameter of the branch there. Empty if there is no branch,
-/// or no radius for a ring.
+/// Places a mark on the nearest branch and gives a ring the diameter of the branch there. Returns nullopt if there is
+/// no branch, or no radius for a ring.
 std::optional<VesselMark> putOn(const core::VesselTree& tree, VesselMark mark, const Eigen::Vector3d& point)
 {
     const auto place = core::nearestPosition(tree, point);
@@ -137,7 +137,7 @@ std::optional<Eigen::Vector3d> MarkController::vesselPointAt(const Eigen::Vector
                                  pixel, placeReachPx / ui_.view.zoom());
 }
 
-/// Maps a point on the deformed vessels back to the rigid ones, on which marks are stored.
+/// Maps a point on the deformed vessels back to the rigid ones, where marks are stored.
 Eigen::Vector3d MarkController::toRigidPoint(const Eigen::Vector3d& drawnPoint) const
 {
     const core::Vessels& vessels = current().vessels;
@@ -203,7 +203,7 @@ void MarkController::add(VesselMarkKind kind, const Eigen::Vector3d& pointInPati
     }
 }
 
-/// Returns the target point selected in the list, else the only one, else the one drawn nearest.
+/// Returns the target point that is selected in the list, otherwise the only one, otherwise the one drawn nearest.
 std::optional<int> MarkController::selectedTargetPoint(const Eigen::Vector2d& pixel) const
 {
     const auto isPoint = [this](std::size_t i) { return marks()[i].kind == VesselMarkKind::TargetPoint; };
@@ -298,7 +298,7 @@ void MarkController::rename(std::size_t row, const QString& name)
         all[row - count].text = words;
         changeAnnotations(std::move(all), edit);
     } else {
-        show();   // restores the displayed name if only surrounding white space changed
+        show();   // restores the displayed name if only surrounding whitespace changed
     }
 }
 

@@ -22,9 +22,9 @@ class WindowActions;
 
 namespace angiopose::app {
 
-/// Manages target points and rings on the vessels, their positions in the image, and arrows and texts. The user sets
-/// them by clicks in the image, the 3-D view and slices; the list shows their errors and lets the user rename, move and
-/// remove them. Each change is one undo step. The errors follow the displayed poses.
+/// Manages target points and rings on the vessels, their positions in the image, and arrows and text annotations. The
+/// user sets them by clicks in the image, the 3-D view and slices; the list shows the errors and lets the user rename,
+/// move and remove entries. Each change is one undo step. The errors follow the poses on screen.
 class MarkController : public QObject {
     Q_OBJECT
 public:
@@ -40,7 +40,7 @@ public:
                    QObject* parent = nullptr);
 
     void pickPoint(const Eigen::Vector3d&
-                       pointInPatient);   ///< in the 3-D view or a slice, while a target-point or ring mode is on
+                       pointInPatient);   ///< handles a pick in the 3-D view or a slice, in target-point or ring mode
 
 signals:
     void refused(const QString& reason);
@@ -69,7 +69,7 @@ private:
     const core::Case& current() const { return document_.current(); }
     const std::vector<core::VesselMark>& marks() const { return document_.current().vessels.marks; }
 
-    /// Object moved by a handle in the image.
+    /// Object that a handle in the image moves.
     struct Handle {
         std::size_t index = 0;   ///< index of the mark or annotation
         std::size_t point = 0;   ///< point of the annotation

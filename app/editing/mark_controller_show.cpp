@@ -1,4 +1,4 @@
-// Display part of MarkController: rows of the list, marks in every view, and handles of the modes.
+// Display part of MarkController: list rows, marks in every view, and handles of the modes.
 #include "app/editing/mark_controller.h"
 #include "app/words/mark_words.h"
 #include "app/words/measure_words.h"
@@ -95,7 +95,7 @@ void MarkController::showHandles()
         if (!isRing && seen != current().shown().observations.end()) {
             take(MarkMode::TargetInImage, {i, 0}, seen->pixel);
         } else if (!isRing && at && ui_.view.camera().width > 0) {
-            take(MarkMode::TargetInImage, {i, 0}, *at);   // the handle is dragged to the point's position in the image
+            take(MarkMode::TargetInImage, {i, 0}, *at);   // the handle is dragged to the point's image position
         }
     }
     const std::vector<ImageAnnotation>& annotations = current().shown().annotations;

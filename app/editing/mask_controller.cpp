@@ -23,7 +23,7 @@ using core::BrushMode;
 using core::VoxelMask;
 
 constexpr double minRadiusMm = 0.2;
-constexpr double maxRadiusMm = 25.0;   // the largest ball that is computed within one display frame
+constexpr double maxRadiusMm = 25.0;   // the largest ball that can be computed within one display frame
 
 ui::MaskSettings storedSettings()
 {
@@ -45,8 +45,8 @@ void store(const ui::MaskSettings& chosen)
     settings::cutRangeMm.write(chosen.rangeMm);
 }
 
-/// Returns the mask with which editing starts: the lumen, or else the voxels above the displayed threshold, or else an
-/// empty mask.
+/// Returns the mask with which editing starts: the lumen, otherwise the voxels above the displayed threshold, otherwise
+/// an empty mask.
 std::shared_ptr<VoxelMask> startOf(const std::shared_ptr<const VoxelMask>& lumen,
                                    const std::shared_ptr<const core::Volume>& scan, std::optional<double> threshold)
 {
@@ -175,7 +175,7 @@ std::shared_ptr<MaskDraft> MaskController::findDraft() const
     return nullptr;
 }
 
-/// Selects the draft of the current lumen, since undo may restore a lumen that belongs to another draft.
+/// Selects the draft of the current lumen, since undo may have restored a lumen that belongs to another draft.
 void MaskController::updateFromDocument()
 {
     if (const int caseNumber = document_.state().caseNumber; caseNumber != caseNumber_) {
@@ -189,7 +189,7 @@ void MaskController::updateFromDocument()
     if (!draft_ &&
         (ui_.actions[ui::Command::PaintMask]->isChecked() || ui_.actions[ui::Command::EraseMask]->isChecked() ||
          ui_.actions[ui::Command::CutMask]->isChecked())) {
-        beginEditing();   // the mode stays on, so editing starts with the new lumen
+        beginEditing();   // the mode stays on, so that editing starts with the new lumen
     }
     const ui::SliceModel& slices = ui_.slices;
     for (const ui::Command command : {ui::Command::PaintMask, ui::Command::EraseMask, ui::Command::CutMask}) {
@@ -278,7 +278,7 @@ void MaskController::endStroke()
     }
 }
 
-/// Starts a cut on a worker, since cutting a whole volume takes longer than a display frame.
+/// Starts a cut on a worker, since cutting a whole volume takes longer than one display frame.
 void MaskController::cut(core::MaskCut cut)
 {
     if (!canEdit() || cut_.isRunning()) {

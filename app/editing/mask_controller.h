@@ -36,8 +36,8 @@ public:
     bool isRunning() const { return tracing_.isRunning(); }
     bool isPreparing() const { return copy_.isRunning() || cut_.isRunning(); }
     void trace();
-    /// Call after saving. If the latest mask edits were not traced and are therefore not in the file, marks the case
-    /// unsaved and shows a note.
+    /// Call after saving. If the latest edits of the mask were not traced and are therefore not in the file, marks the
+    /// case as unsaved and shows a note.
     void noteSaved();
 
 signals:
@@ -53,7 +53,7 @@ private:
     void beginEditing();
     void useDraft(std::shared_ptr<MaskDraft> draft);
     std::shared_ptr<MaskDraft> findDraft() const;
-    bool fits(const MaskDraft& draft) const;   ///< whether the draft belongs to the case's lumen
+    bool fits(const MaskDraft& draft) const;   ///< returns whether the draft belongs to the lumen of the case
     bool canEdit() const;
     void brush(core::BrushMode aim, const core::SliceGrid& slice, const core::BrushStep& step);
     void endStroke();
@@ -71,13 +71,13 @@ private:
     ui::MaskSettings settings_;
     std::array<ui::MaskBrushTool*, 2> brushes_{};
     ui::MaskCutTool* scissors_;
-    std::shared_ptr<MaskDraft> draft_;   ///< draft of the case's lumen; null until it is edited
-    std::vector<std::weak_ptr<MaskDraft>> drafts_;   ///< drafts referenced by undo steps
+    std::shared_ptr<MaskDraft> draft_;   ///< draft of the lumen of the case; null until it is edited
+    std::vector<std::weak_ptr<MaskDraft>> drafts_;   ///< drafts that undo steps reference
     core::VoxelIndices stroke_;   ///< voxels of the current stroke
     core::BrushMode strokeAim_ = core::BrushMode::Paint;
     std::shared_ptr<MaskDraft> cutDraft_;   ///< draft that the active cut reads
     int caseNumber_ = 0;   ///< number of the case to which the drafts belong
-    std::shared_ptr<const core::VoxelMask> copiedLumen_;   ///< lumen being copied
+    std::shared_ptr<const core::VoxelMask> copiedLumen_;   ///< lumen that is being copied
     Job<std::shared_ptr<core::VoxelMask>> copy_;
     Job<core::VoxelIndices> cut_;
     MaskTracing tracing_;

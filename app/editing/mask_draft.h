@@ -10,15 +10,15 @@
 
 namespace angiopose::app {
 
-/// Mask edited with brush and scissors, with a record of the lumens of the case that it matched. Changes only on the
-/// GUI thread and not while a worker reads it; changes made meanwhile are queued.
+/// Mask edited with brush and scissors, with a record of the lumens of the case that it has matched. Changes only on
+/// the GUI thread and not while a worker reads the mask; changes made meanwhile are queued.
 class MaskDraft : public QObject {
     Q_OBJECT
 public:
     explicit MaskDraft(std::shared_ptr<core::VoxelMask> mask) : mask_(std::move(mask)) {}
 
     const std::shared_ptr<core::VoxelMask>& mask() const { return mask_; }
-    void apply(const core::MaskChange& change);   ///< immediately, or once no worker reads it
+    void apply(const core::MaskChange& change);   ///< applied immediately, or once no worker reads the draft
     void beginReading() { isBeingRead_ = true; }   ///< call when a worker starts reading the draft
     void endReading();
     bool isBeingRead() const { return isBeingRead_; }
@@ -30,7 +30,7 @@ public:
     const Strokes& strokes() const { return strokes_; }
     /// Records that the draft matched this lumen after these strokes; null stands for no lumen.
     void recordMatch(const std::shared_ptr<const core::VoxelMask>& lumen, const Strokes& strokes);
-    /// Returns the number of strokes by which the draft differs from this lumen; empty if the draft never matched it.
+    /// Returns the number of strokes by which the draft differs from this lumen; nullopt if the draft never matched it.
     std::optional<int> strokesSince(const std::shared_ptr<const core::VoxelMask>& lumen) const;
 
 signals:
@@ -51,7 +51,7 @@ private:
     int lastStroke_ = 0;
 };
 
-/// Undo step of one stroke or cut, which is already applied when it is pushed. Stores the changed voxels as runs.
+/// Undo step of one stroke or cut, which is already applied when it is pushed. Stores the voxels in run-length form.
 class EditMask : public NamedEdit {
 public:
     EditMask(CaseDocument& document, std::shared_ptr<MaskDraft> draft, core::MaskChange change, ui::LocalizedText name);

@@ -11,12 +11,12 @@ namespace {
 
 using core::VoxelMask;
 
-/// Copies the mask for the case and traces its vessels; only the last stages of tracing are needed.
+/// Copies the mask for the case and traces its vessels, for which only the last stages of tracing are needed.
 core::Result<VesselTrace> traceOf(const VoxelMask& draft, const core::VesselTracingOptions& options,
                                   JobLink<double>& link)
 {
     const auto mask = std::make_shared<const VoxelMask>(draft);
-    link.tell(0.0);   // the copy is complete, so the draft may change again
+    link.tell(0.0);   // the copy is complete, so that the draft may change again
     auto traced = core::traceMask(*mask, options, [&link](const core::TracingReport& report) {
         return link.tell(std::max(report.progress, 0.001));
     });

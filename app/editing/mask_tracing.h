@@ -6,7 +6,7 @@
 
 namespace angiopose::app {
 
-/// Traces the vessels of an edited mask on a worker. The draft is lent to the worker until it has copied the mask.
+/// Traces the vessels of an edited mask on a worker. The draft does not change until the worker has copied the mask.
 class MaskTracing : public QObject {
     Q_OBJECT
 public:
@@ -19,7 +19,7 @@ public:
 signals:
     void advanced(double fraction);
     void ended();   ///< emitted before each of the three signals below
-    /// The vessels belong to the draft in its state after `strokes`.
+    /// Emitted with the vessels traced from the draft in its state after `strokes`.
     void traced(const VesselTrace& trace, const std::shared_ptr<MaskDraft>& draft, const MaskDraft::Strokes& strokes);
     void stopped();
     void failed(const QString& reason);
@@ -31,7 +31,7 @@ private:
 
     std::shared_ptr<MaskDraft> draft_;
     MaskDraft::Strokes strokes_;
-    bool isReading_ = false;   ///< true until the worker has made its copy
+    bool isReading_ = false;   ///< true until the worker has made a copy of the draft
     bool stopRequested_ = false;
     Job<VesselTrace> job_;
 };

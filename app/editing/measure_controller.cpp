@@ -137,7 +137,7 @@ std::set<int> MeasureController::selectedSliceMeasurements() const
     return places;
 }
 
-/// Shows the slice of the selected measurement if it was drawn in a slice.
+/// Shows the slice of the selected measurement if that was drawn in a slice.
 void MeasureController::goToSelected()
 {
     if (const std::set<int> places = selectedSliceMeasurements(); places.size() == 1) {
@@ -190,7 +190,7 @@ void MeasureController::rename(std::size_t place, const QString& name)
         slices[slice].name = trimmed.toStdString();
         changeInSlices(std::move(slices), edit);
     } else {
-        show();   // restores the displayed name if only surrounding white space changed
+        show();   // restores the displayed name if only surrounding whitespace changed
     }
 }
 
@@ -209,8 +209,8 @@ void MeasureController::remove(const std::set<int>& places)
     show();
 }
 
-/// Removes the measurements selected in the list; if none are selected, removes the last one in [first, end), i.e. of
-/// the image or of the slices, depending on where the key was pressed.
+/// Removes the measurements selected in the list; if none are selected, removes the last one in [first, end), i.e. in
+/// the image or in the slices, depending on where the key was pressed.
 void MeasureController::removeSelectedOrLast(int first, int end)
 {
     std::set<int> gone = ui_.panel.chosen();

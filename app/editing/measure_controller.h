@@ -19,8 +19,8 @@ class WindowActions;
 
 namespace angiopose::app {
 
-/// Controls measurements in the displayed image and in slices of the scan: drawn with the mouse, listed with their
-/// basis, renamed, moved and removed, each as an undo step. Values in the image follow the displayed pose.
+/// Controls measurements in the shown image and in slices of the scan: the user draws, renames, moves and removes them,
+/// each in one undo step; the list shows their basis. Values in the image follow the pose on screen.
 class MeasureController : public QObject {
     Q_OBJECT
 public:
@@ -51,8 +51,8 @@ private:
     void change(std::vector<core::ImageMeasurement> measurements, const ui::LocalizedText& name);
     void changeInSlices(std::vector<core::SliceMeasurement> measurements, const ui::LocalizedText& name);
     void goToSelected();
-    std::set<int> selectedImageMeasurements() const;   ///< indices into `measurements`
-    std::set<int> selectedSliceMeasurements() const;   ///< indices into `sliceMeasurements`
+    std::set<int> selectedImageMeasurements() const;   ///< indices of selected entries of `measurements`
+    std::set<int> selectedSliceMeasurements() const;   ///< indices of selected entries of `sliceMeasurements`
     void show();
     void showMarks();
     core::MeasurementPlane nextPlane() const;
@@ -66,7 +66,7 @@ private:
     Ui ui_;
     SliceMeasureController slices_;
     std::array<ui::MeasureTool*, 3> tools_{};   ///< indexed by core::MeasurementKind
-    std::optional<core::MeasurementPlane> plane_;   ///< selected by the user; empty: the best available one
+    std::optional<core::MeasurementPlane> plane_;   ///< plane selected by the user; if not set, the best available one
 };
 
 }   // namespace angiopose::app

@@ -13,7 +13,7 @@
 namespace angiopose::app {
 namespace {
 
-/// Observer of the path search, called several times per second, that stops the search on request.
+/// Returns an observer of the path search that is called several times per second and stops the search on request.
 core::TracingObserver stopOf(JobLink<double>& link)
 {
     return [&link](const core::TracingReport& report) { return link.tell(report.progress); };
@@ -49,7 +49,7 @@ PathController::PathController(CaseDocument& document, const Ui& ui, QObject* pa
     updateFromDocument();
 }
 
-/// Discards paths when the scan or the case has changed.
+/// Discards paths if the scan or the case has changed.
 void PathController::updateFromDocument()
 {
     const auto& scan = document_.current().vessels.scan;

@@ -16,8 +16,8 @@ class WindowActions;
 
 namespace angiopose::app {
 
-/// Traces one vessel of the scan between two clicks in the slices: previews the path while the mouse moves, and adds
-/// the vessel to the tree as a branch in one undo step.
+/// Traces one vessel of the scan between two clicks in the slices: previews the path as the mouse moves, and adds the
+/// vessel to the tree as a branch in one undo step.
 class PathController : public QObject {
     Q_OBJECT
 public:

@@ -15,8 +15,8 @@ class WindowActions;
 
 namespace angiopose::app {
 
-/// Manages the rotation center for manual rotation: the user picks a point on the vessels in the angiogram, in 3-D or
-/// in a slice; the views mark it until it is reset to the centroid.
+/// Manages the center of manual rotation: the user picks a point on the vessels in the angiogram, in 3-D or in a slice;
+/// the views mark this point until the center is reset to the centroid.
 class PivotController : public QObject {
     Q_OBJECT
 public:
@@ -29,8 +29,8 @@ public:
     };
     PivotController(CaseDocument& document, const Ui& ui, QObject* parent = nullptr);
 
-    void pick(const Eigen::Vector3d& pointInPatient);   ///< uses the point on the vessels nearest to the picked one
-    void pickIfActive(const Eigen::Vector3d& pointInPatient);   ///< picks only while the pick command is on
+    void pick(const Eigen::Vector3d& pointInPatient);   ///< sets the center to the nearest point on the vessels
+    void pickIfActive(const Eigen::Vector3d& pointInPatient);   ///< sets the center only while the pick command is on
     void resetToCentroid();
 
 signals:
@@ -43,7 +43,7 @@ private:
     CaseDocument& document_;
     Ui ui_;
     ui::PivotTool* tool_;   ///< owned by the view
-    std::shared_ptr<const core::VesselTree> tree_;   ///< tree shown by the tool
+    std::shared_ptr<const core::VesselTree> tree_;   ///< tree that the tool shows
     std::vector<int> hidden_;   ///< branches that the tool does not show
 };
 

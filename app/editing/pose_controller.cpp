@@ -10,7 +10,7 @@ namespace angiopose::app {
 namespace {
 
 constexpr qint64 poseBurstPauseMs = 900;   ///< a pause longer than this starts a new undo step
-constexpr int fieldKind = 100;   ///< burst number of typed edits, which merge with each other but not with nudges
+constexpr int fieldKind = 100;   ///< merge ID of typed edits, which merge with each other but not with nudges
 
 }   // namespace
 
@@ -79,7 +79,7 @@ void PoseController::nudge(const ui::Nudge& nudge)
         emit refused(tr("“%1” is locked.").arg(ui::labelOf(nudge.axis)));
         return;
     }
-    // Relative to the current pose, so a degree of freedom means the same for every orientation of the vessels.
+    // The change is relative to the current pose, so a degree of freedom means the same for every vessel orientation.
     core::PoseOffset change;
     ui::valueOf(change, nudge.axis) = nudge.amount;
     move(
@@ -141,7 +141,7 @@ void PoseController::move(const core::RigidTransform& pose, const ui::LocalizedT
     push(core::viewsAfterMotion(document_.current(), pose), name, burst);
 }
 
-/// Pushes the new pose of the displayed view, and those of the other views if all views move together.
+/// Pushes the new pose of the shown view, and those of the other views if all views move together.
 void PoseController::push(std::vector<core::View> moved, const ui::LocalizedText& name, int burst)
 {
     const core::Case& current = document_.current();

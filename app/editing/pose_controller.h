@@ -11,17 +11,17 @@
 
 namespace angiopose::app {
 
-/// Lets the user edit the pose with fields, keys and drags. A burst of edits of the same kind is one undo step.
+/// Lets the user edit the pose with number fields, keys and drags. A burst of edits of the same kind is one undo step.
 class PoseController : public QObject {
     Q_OBJECT
 public:
     explicit PoseController(CaseDocument& document, QObject* parent = nullptr);
 
-    /// Returns the pose relative to the initial pose; empty without a tree, a camera or an initial pose.
+    /// Returns the pose relative to the initial pose; nullopt without a tree, a camera or an initial pose.
     std::optional<core::PoseOffset> currentOffset() const;
     bool differsFromInitialPose() const;
     const ui::PoseLocks& locks() const { return document_.current().options.locks; }
-    void setMovesAllViews(bool all) { movesAllViews_ = all; }   ///< whether edits move all views of the case together
+    void setMovesAllViews(bool all) { movesAllViews_ = all; }   ///< whether edits move all views of the case
     void setLocks(const ui::PoseLocks& locks);   ///< changes the locks in one undo step
 
     void setOffset(const core::PoseOffset& fromStart);

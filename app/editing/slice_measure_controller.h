@@ -15,7 +15,7 @@ class SlicesPage;
 
 namespace angiopose::app {
 
-/// Draws and shows measurements in slices of the scan. MeasureController lists them after those of the image and
+/// Draws and shows measurements in slices of the scan. MeasureController lists them after those in the image and
 /// applies the changes to the case.
 class SliceMeasureController : public QObject {
     Q_OBJECT
@@ -30,8 +30,8 @@ public:
 
     void bind(core::MeasurementKind kind, QAction& action);
     std::vector<ui::MeasureRow> rows() const;
-    void show(const std::set<int>& chosen);   ///< `chosen`: indices among the slice measurements
-    void goTo(int place);   ///< shows the slice of the measurement
+    void show(const std::set<int>& chosen);   ///< `chosen` holds indices among the slice measurements
+    void goTo(int place);   ///< shows the slice of a measurement
     bool hasScan() const;
 
 signals:

@@ -136,7 +136,7 @@ void SubtractionController::change(const core::RunProcessing& wanted, const ui::
     }
     request_ = Request{core::storedRunOf(current.shown()), wanted, what};
     if (wanted == current.shown().treatment) {
-        request_.reset();   // the request is the current treatment again, so nothing needs to be computed
+        request_.reset();   // the requested processing is the current one, so that nothing needs to be computed
     } else if (!wanted.changesFrames()) {
         applyRun(*std::exchange(request_, std::nullopt), nullptr);
     } else if (const SharedRun known = treatedRuns_.find(request_->stored, wanted)) {
@@ -197,7 +197,7 @@ void SubtractionController::applyRun(const Request& request, const SharedRun& ru
         request.what));
 }
 
-/// Starts the manual pixel shift from the shift of the case, or from the automatic one of the displayed frame.
+/// Starts the manual pixel shift from the shift of the case, or from the automatic one of the shown frame.
 void SubtractionController::beginShift()
 {
     actions_[ui::Command::Cine]->setChecked(false);

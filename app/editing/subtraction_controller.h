@@ -15,22 +15,22 @@
 
 namespace angiopose::app {
 
-/// Manages subtraction, the peak-opacification image and the meaning of the pixel values. A worker computes the new
-/// run, which then enters the case as one undo step. During a manual pixel shift, the displayed frame updates
+/// Manages subtraction, the peak-opacification image and the interpretation of the pixel values. A worker computes the
+/// new run, which then enters the case as one undo step. During a manual pixel shift, the shown frame is updated
 /// immediately and the run when the mouse stops.
 class SubtractionController : public QObject {
     Q_OBJECT
 public:
     explicit SubtractionController(const AngiogramParts& parts, QObject* parent = nullptr);
-    ~SubtractionController() override;   ///< stops a computation at its next frame and discards the result
+    ~SubtractionController() override;   ///< cancels a computation at its next frame and discards the result
 
-    /// Requests the run with this treatment; a newer request replaces a pending one.
+    /// Requests the run with these processing settings; a newer request replaces a pending one.
     void change(const core::RunProcessing& wanted, const ui::LocalizedText& what);
     bool isComputing() const { return request_.has_value(); }
     bool isFindingShift() const
     {
         return !isShiftFound_;
-    }   ///< true while the automatic shift is computed from which a manual pixel shift starts
+    }   ///< true while the automatic shift is computed at which a manual pixel shift starts
 
 private:
     using SharedRun = TreatedRunCache::SharedRun;
@@ -65,7 +65,7 @@ private:
     ui::BottomStrip& strip_;
     Notifications& notifications_;
     ui::MaskShiftTool* shiftTool_;
-    std::optional<Request> request_;   ///< newest request, not yet answered
+    std::optional<Request> request_;   ///< newest request that has not been answered yet
     std::optional<Request> computing_;
     std::shared_ptr<std::atomic<bool>> stop_;
     QFutureWatcher<Outcome> run_;
@@ -73,9 +73,9 @@ private:
     QFutureWatcher<Picture> preview_;
     std::optional<core::SubtractionPlan> pendingPreview_;
     bool isShiftFound_ = true;   ///< false while the automatic shift of the frame is computed
-    Eigen::Vector2d initialShift_ = Eigen::Vector2d::Zero();   ///< shift of the case or from the search
+    Eigen::Vector2d initialShift_ = Eigen::Vector2d::Zero();   ///< shift of the case, or the automatic one
     QTimer idleTimer_;
-    bool isPreviewRangeChanged_ = false;   ///< true if the gray values of the preview differ from those displayed
+    bool isPreviewRangeChanged_ = false;   ///< true if the gray range of the preview differs from that on screen
 };
 
 }   // namespace angiopose::app

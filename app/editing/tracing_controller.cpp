@@ -19,7 +19,7 @@
 namespace angiopose::app {
 namespace {
 
-/// Returns the range of useful thresholds: −200 to 1200 HU for CT, otherwise the value range of the scan.
+/// Returns the range of useful thresholds: −200 to 1200 HU for CT, otherwise the range of values in the scan.
 std::optional<std::pair<double, double>> thresholdRange(const ui::SliceModel& slices)
 {
     if (!slices.volume()) {
@@ -41,14 +41,14 @@ std::vector<ui::SliceMark> marksAt(const std::vector<Eigen::Vector3d>& points)
     return marks;
 }
 
-/// Input of the tracing.
+/// Input of tracing.
 struct Source {
-    core::InputFile file;   ///< no path if there is no input
+    core::InputFile file;   ///< without a path if there is no input
     core::VesselInput input;
 };
 
-/// Returns the input from which the vessels were traced. Returns the scan instead if the mask was edited, or if the
-/// case has no vessels because tracing failed when it was opened.
+/// Returns the input from which the vessels were traced, but the scan if the mask was edited, or if the case has no
+/// vessels because tracing failed when it was opened.
 Source sourceOf(const core::Case& current)
 {
     const bool isFromScan = current.vessels.isLumenEdited && current.vessels.scan;   // rather than from the edited mask
@@ -188,7 +188,7 @@ void TracingController::setWarnings(const core::Messages& warnings)
     ui_.panel.showFalseLumen(ui::messagesText(warnings_));
 }
 
-/// Adds seeds for the other lumen and for the traced one, since seeds select all that is traced.
+/// Adds seeds in the possible false lumen and in the traced one, since only components with seeds are traced.
 void TracingController::seedFalseLumen()
 {
     const auto& tree = document_.current().vessels.tree;
@@ -231,7 +231,7 @@ void TracingController::setPick(ui::TracingPick pick)
 {
     pick_ = pick;
     if (pick != ui::TracingPick::Nothing) {
-        ui_.slices.setTool(nullptr);   // clicks now set points instead of using the tool
+        ui_.slices.setTool(nullptr);   // clicks now set points rather than using the tool
     }
     ui_.panel.showPick(pick);
 }

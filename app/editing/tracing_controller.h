@@ -38,7 +38,7 @@ public:
     void stop() { job_.stop(); }
     void endPicking() { setPick(ui::TracingPick::Nothing); }   ///< ends the mode in which clicks in a slice set points
     void addPoint(ui::TracingPick kind, const Eigen::Vector3d& pointInPatient);
-    void setWarnings(const core::Messages& warnings);   ///< takes the warnings from tracing the scan of the case
+    void setWarnings(const core::Messages& warnings);   ///< shows the warnings from tracing the scan of the case
 
 signals:
     void traced(const QString& note);
@@ -63,13 +63,13 @@ private:
     VesselTraceJob job_;
     core::VesselTracingOptions draft_;
     core::VesselInput shownInput_;
-    std::shared_ptr<const core::Volume> shownVolume_;   ///< scan from which the vessels are traced
+    std::shared_ptr<const core::Volume> shownVolume_;   ///< scan in which the vessels are traced
     CaseState startedFrom_;
     core::InputFile source_;   ///< input of the current trace
     core::Messages warnings_;
-    std::optional<Eigen::Vector3d> falseLumen_;   ///< position of the possible false lumen, from the warnings
+    std::optional<Eigen::Vector3d> falseLumen_;   ///< position in the possible false lumen, from the warnings
     std::shared_ptr<const core::VesselTree> warnedTree_;
-    std::optional<VesselTrace> pendingResult_;   ///< result of a trace, held back until the registration ends
+    std::optional<VesselTrace> pendingResult_;   ///< result of a trace, held back until registration ends
     ui::TracingPick pick_ = ui::TracingPick::Nothing;
     Job<double> thresholdJob_;
 };

@@ -29,7 +29,7 @@ TreatedRunCache::SharedRun TreatedRunCache::find(const SharedRun& stored, const 
 void TreatedRunCache::retainOnly(const SharedRun& stored)
 {
     const auto before = entries_.size();
-    // If no run is open, everything is discarded: an expired run would compare equal to the null pointer `stored`.
+    // If no run is open, discards everything: an expired run would compare equal to the null pointer `stored`.
     std::erase_if(entries_, [&stored](const Entry& made) { return !stored || made.stored.lock() != stored; });
     if (entries_.size() != before) {
         recentRuns_.clear();

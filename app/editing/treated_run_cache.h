@@ -8,15 +8,15 @@
 
 namespace angiopose::app {
 
-/// Caches treated versions of the open run. The newest ones stay in memory, so switching between them is instant. Older
-/// ones are found as long as another owner (the undo history) holds them, so the same images are never in memory twice.
+/// Caches processed versions of the open run. The newest ones stay in memory, so switching between them is instant.
+/// Older ones are found as long as another owner (the undo history) holds them, so that no images are in memory twice.
 class TreatedRunCache {
 public:
     using SharedRun = std::shared_ptr<const core::Angiogram>;
 
     void remember(const SharedRun& stored, const core::RunProcessing& treatment, const SharedRun& run);
     SharedRun find(const SharedRun& stored,
-                   const core::RunProcessing& treatment) const;   ///< null: no longer available
+                   const core::RunProcessing& treatment) const;   ///< null if no longer available
     void retainOnly(const SharedRun& stored);   ///< call when another case has been opened
 
 private:

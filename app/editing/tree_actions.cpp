@@ -34,7 +34,7 @@ int countPruned(const core::VesselTree& tree, const ui::PruneLimits& limits)
     return left ? static_cast<int>(tree.branches.size() - left.value().branches.size()) : -1;
 }
 
-/// Returns the branch nearest to a point in a slice; empty if none is close enough.
+/// Returns the branch nearest to a point in a slice; nullopt if none is close enough.
 std::optional<int> branchNear(const core::VesselTree& tree, const Eigen::Vector3d& point)
 {
     double nearestMm = 3.0;

@@ -40,7 +40,7 @@ public:
 signals:
     void refused(const QString& why);
     void gapsChanged();
-    void pivotRequested(const Eigen::Vector3d& pointInPatient);   ///< emitted when a menu requests the rotation center
+    void pivotRequested(const Eigen::Vector3d& pointInPatient);   ///< emitted when a menu sets the rotation center
 
 private:
     void connectCommands();

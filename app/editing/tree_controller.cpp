@@ -12,7 +12,7 @@
 namespace angiopose::app {
 namespace {
 
-constexpr double smoothWidthMm = 8.0;   // window of the smoothing along the centerline
+constexpr double smoothWidthMm = 8.0;   // width of the smoothing window along the centerline
 
 QString words(const core::Error& error)
 {
@@ -97,7 +97,7 @@ void TreeController::deleteSelectedSubtrees()
     }
     EditResult left = *tree();
     for (const int id : branches_.marks().selected) {
-        if (left && left.value().find(id)) {   // otherwise already deleted as part of another subtree
+        if (left && left.value().find(id)) {   // otherwise already deleted with another subtree
             left = core::removeSubtree(left.value(), id);
         }
     }

@@ -13,19 +13,19 @@
 namespace angiopose::app {
 
 /// Edits the vessel tree; each edit is a named undo step. An edit also removes the marks of deleted branches and any
-/// result that no longer belongs to the tree; undo restores them. The pose stays, unless it is the initial pose.
+/// result that no longer belongs to the tree; undo restores them. The pose stays unless it is the initial pose.
 class TreeController : public QObject {
     Q_OBJECT
 public:
     TreeController(CaseDocument& document, BranchController& branches, QObject* parent = nullptr);
 
-    /// Sets the point last clicked in a view, at which a branch is cut or a root is set.
+    /// Sets the point last clicked in a view, which determines where a branch is cut or a root is set.
     void setClickedPoint(const Eigen::Vector3d& pointInPatient) { clickedPoint_ = pointInPatient; }
 
     void deleteSelected();
     void deleteSelectedSubtrees();
-    void cutSelected();   ///< cuts the branch at the point of `setClickedPoint`
-    void joinSelected();   ///< joins two branches at their nearest ends
+    void cutSelected();   ///< cuts the selected branch at the point of `setClickedPoint`
+    void joinSelected();   ///< joins the two selected branches at their nearest ends
     void smoothSelected();
     void rootAtSelected();   ///< sets the root at the end of the selected branch nearest to that point
     void toggleHiddenSelected();
@@ -47,7 +47,7 @@ private:
     ui::LocalizedText joinName(int branchId, int otherId) const;
     bool apply(const EditResult& edited, const ui::LocalizedText& name);
     void relabel(const EditResult& edited,
-                 const ui::LocalizedText& name);   ///< changes only names and generations: the registration stays valid
+                 const ui::LocalizedText& name);   ///< changes only names and generations; the registration stays valid
 
     CaseDocument& document_;
     BranchController& branches_;

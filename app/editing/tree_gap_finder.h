@@ -11,7 +11,7 @@
 
 namespace angiopose::app {
 
-/// Finds, on a worker after each change, the number of connected components of the tree and the best gaps to bridge.
+/// Determines the number of connected components of the tree and the best gaps to bridge, on a worker after each edit.
 class TreeGapFinder : public QObject {
     Q_OBJECT
 public:

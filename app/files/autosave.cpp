@@ -42,7 +42,7 @@ QString sidecarOf(const QString& path)
     return path + QStringLiteral(".origin");
 }
 
-/// Returns the lock file of the session, which is the same for a case and for vessels without an angiogram.
+/// Returns the path of the session's lock file, which is the same for a case and for vessels without an angiogram.
 QString lockPath(const QString& path)
 {
     const QFileInfo file(path);
@@ -62,7 +62,7 @@ core::Result<QString> write(const core::Case& snapshot, const QString& path, con
         if (const core::Status written = io::writeVesselTree(*snapshot.vessels.tree, vessels.toStdString()); !written) {
             return written.error();
         }
-        QFile::remove(path);   // an older copy of the case is obsolete once its angiogram has been removed
+        QFile::remove(path);   // an older copy of the case is obsolete once the angiogram has been removed
         return vessels;
     }
     if (const auto saved = io::saveCase(snapshot, path.toStdString()); !saved) {
@@ -74,7 +74,7 @@ core::Result<QString> write(const core::Case& snapshot, const QString& path, con
     return origin ? core::Result<QString>(path) : origin.error();
 }
 
-/// Removes partially written files and the locks of killed sessions without a copy; the user decides about copies.
+/// Removes partial files and the locks of killed sessions without a copy; the user decides what to do with copies.
 void removeStaleFiles()
 {
     const QDir folder = autosaveFolder();
@@ -96,7 +96,7 @@ void removeCopy(const QString& path)
     QFile::remove(vesselsBeside(path));
     QDir folder = QFileInfo(path).dir();
     const QString base = QFileInfo(path).completeBaseName();
-    for (const QString& kept :   // edited curves and deformations of all views, and an edited mask
+    for (const QString& kept :   // edited curves and deformations of all views, and the edited mask
          folder.entryList({base + QStringLiteral(".*curves.csv"), base + QStringLiteral(".mask*.nrrd"),
                            base + QStringLiteral(".*bends*.nrrd")})) {
         folder.remove(kept);
@@ -132,7 +132,7 @@ bool Autosave::needsAutosave() const
     if (document_.isEmpty() || !document_.isModified() || document_.isInTrial()) {
         return false;
     }
-    // Centerlines that were only opened are still in their file; traced vessels would have to be recomputed.
+    // Centerlines that were only opened are still in their file, but traced vessels would have to be computed again.
     return current.shown().angiogram || document_.hasUnsavedWork() ||
            current.vessels.input.kind != core::VesselInputKind::Centerline;
 }
@@ -157,7 +157,7 @@ void Autosave::finishSave(const core::Result<QString>& written)
         emit saved();
         return;
     }
-    savedIndex_ = -1;   // try again at the next interval
+    savedIndex_ = -1;   // tries again at the next interval
     if (!wasFailing) {
         emit failed(ui::messageText(written.error().message));
     }

@@ -15,7 +15,7 @@ CloseController::CloseController(CaseDocument& document, SaveController& save, R
     connect(actions[ui::Command::CloseCase], &QAction::triggered, this, [this] { requestClose(CloseTarget::Case); });
     connect(&registration_, &RegistrationController::runningChanged, this, [this](bool running) {
         if (!running && closing_ != Closing::No) {
-            // The same event also applies the solver's best pose, so close only after it.
+            // The same event also applies the best pose of the solver, so close only afterward.
             QMetaObject::invokeMethod(this, &CloseController::close, Qt::QueuedConnection);
         }
     });
@@ -82,7 +82,7 @@ void CloseController::answerClose(Closing closing)
     }
     closing_ = closing;
     if (registration_.isRunning()) {
-        registration_.stop();   // the slot of runningChanged closes once the worker has finished
+        registration_.stop();   // the slot of runningChanged closes the window once the worker has finished
     } else {
         close();
     }
@@ -91,7 +91,7 @@ void CloseController::answerClose(Closing closing)
 void CloseController::close()
 {
     if (std::exchange(closing_, Closing::No) == Closing::AfterSaving) {
-        // Edits made during saving are not in the file: ask again instead of discarding them.
+        // Edits made during saving are not in the file, so ask again instead of discarding them.
         const auto goOn = [this] { save_.hasUnsavedWork() ? requestClose(target_) : close(); };
         if (save_.savable() == SaveController::Savable::Vessels) {
             save_.saveVessels(goOn);

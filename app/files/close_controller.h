@@ -19,8 +19,8 @@ class WindowActions;
 
 namespace angiopose::app {
 
-/// Closes the window or the case. Asks the user before unsaved changes or a running registration are lost. The best
-/// pose of a running registration is applied before saving.
+/// Closes the window or the case. Asks the user before unsaved changes or a running registration are lost. Before
+/// saving, applies the best pose of a running registration.
 class CloseController : public QObject {
     Q_OBJECT
 public:
@@ -30,8 +30,8 @@ public:
     void closeWindow() { requestClose(CloseTarget::Window); }
 
 signals:
-    void aboutToClose();   ///< emitted when the user requests closing; receivers end everything that must not stay open
-    void windowMayClose();   ///< emitted when the window can close without loss
+    void aboutToClose();   ///< emitted when the user requests closing; receivers close what must not stay open
+    void windowMayClose();   ///< emitted when the window can close without losing data
 
 private:
     enum class Closing { No, Now, AfterSaving };

@@ -20,7 +20,7 @@ namespace angiopose::app {
 /// Converts the de-identification options of the dialog.
 io::DeidentificationOptions deidentificationOf(const ui::ShareOptions& choice);
 
-/// De-identifies files and folders: asks for the options, then writes on a worker with progress and a Stop button.
+/// De-identifies files and folders: asks for options, then writes on a worker thread with progress and a Stop button.
 class DeidentifyController : public QObject {
     Q_OBJECT
 public:
@@ -32,7 +32,7 @@ public:
 
 signals:
     void written(const QString& folder, const QString& words);
-    void partlyRejected(const QString& words, const QString& details);   ///< `details` has one line per file
+    void partlyRejected(const QString& words, const QString& details);   ///< `details` has one line per skipped file
     void stopped();
     void failed(const QString& reason);
 
@@ -50,8 +50,8 @@ private:
     Job<io::DeidentifiedFiles> job_;
 };
 
-/// Writes the case with its inputs to one archive, in its current state: asks for the options, then writes on a worker
-/// with progress and a Stop button.
+/// Writes the case in its current state, with its inputs, to one ZIP archive: asks for the options, then writes on a
+/// worker thread, with progress and a Stop button.
 class PackController : public QObject {
     Q_OBJECT
 public:
@@ -73,7 +73,7 @@ private:
     ui::BottomStrip& strip_;
     QWidget& dialogParent_;
     QString archive_;   ///< path of the archive being written
-    Job<QStringList> job_;   ///< returns notes for the user
+    Job<QStringList> job_;   ///< yields remarks for the user
 };
 
 }   // namespace angiopose::app

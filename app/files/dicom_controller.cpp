@@ -71,7 +71,7 @@ std::vector<ui::DicomPart> DicomController::availableParts() const
     return parts;
 }
 
-/// Opens the dialog; if there is no case yet, reports this and returns null.
+/// Opens and returns the dialog; if there is no case yet, reports this and returns null.
 ui::DicomDialog* DicomController::createDialog(ui::DicomPurpose purpose)
 {
     const core::Case& current = document_.current();

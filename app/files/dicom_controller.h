@@ -28,7 +28,7 @@ public:
     /// Asks which objects to send; emits `wanted` if the user selects any.
     void selectObjectsToSend();
 
-    /// Creates the objects of the current case in a folder; may run on any thread.
+    /// Creates the objects of the current case in a folder. May run on any thread.
     using ObjectWriter =
         std::function<core::Result<DicomFiles>(const std::string& folder, const DicomObserver& observe)>;
     ObjectWriter makeWriter(const ui::DicomExportOptions& choice) const;

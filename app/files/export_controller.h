@@ -29,16 +29,16 @@ public:
     struct FileQuestion {
         QString title;
         QString filter;
-        QString suffix;   ///< file extension; also used as the ending of the suggested name
-        bool isOfCase = true;   ///< false for other files, e.g. a template
+        QString suffix;   ///< file extension, also the ending of the suggested name
+        bool isOfCase = true;   ///< false for other files, e.g. report templates
     };
-    /// Writes one file on a worker; holds copies of all its data.
+    /// Writes one file on a worker thread; holds copies of all its data.
     using Write = std::function<core::Status(const QString& path)>;
     using Continuation = std::function<void()>;   ///< called after the file is written
     void askFile(const FileQuestion& question, const Write& write, const Continuation& then = {});
     void askPath(const FileQuestion& question, const std::function<void(const QString& path)>& use);
     void writeFile(const QString& path, const Write& write,
-                   const Continuation& then = {});   ///< writes a file with data from the case; returns at once
+                   const Continuation& then = {});   ///< writes a file with data of the case; returns at once
 
     void askOverlay();
     OverlayImageOptions overlayOptions(const ui::OverlayExportOptions& choice) const;   ///< appearance as in the window
@@ -55,7 +55,7 @@ public:
 signals:
     void started();
     void written(const QString& path);
-    void exported();   ///< emitted when an export of the case was written
+    void exported();   ///< emitted when data of the case were exported
     void failed(const QString& reason);
 
 private:
@@ -65,7 +65,7 @@ private:
 
     CaseDocument& document_;
     TargetProvider& target_;
-    const PosePreview& preview_;   ///< provides the vessels that exported images show
+    const PosePreview& preview_;   ///< determines the vessels that exported images show
     ui::AngiogramView& view_;
     QWidget& dialogParent_;
     FileQueue files_;

@@ -59,7 +59,7 @@ void OpenController::openStudy(const StudyChoice& choice)
          hints);
 }
 
-/// Returns the use of an opened scan; if the vessels come from a file and there is no scan, it may be theirs.
+/// Returns the use of an opened scan, which may belong to vessels that come from a file if there is no scan yet.
 io::ScanUse OpenController::scanUse() const
 {
     const core::Case& current = document_.current();
@@ -222,7 +222,7 @@ void OpenController::finish()
 }
 
 /// If reading stopped because a decision is needed, asks the user for the series, the use of the scan or the location
-/// of missing inputs. Returns whether it asked.
+/// of missing inputs. Returns whether it has asked.
 bool OpenController::requestDecision(const io::LoadedInputs& inputs, const QStringList& paths)
 {
     if (inputs.isStudyChoiceNeeded) {
@@ -292,7 +292,7 @@ void OpenController::take(const io::LoadedInputs& inputs, const QStringList& pat
     confirmPatient(opening);
 }
 
-/// Applies a pose or points to the open case, of which their file does not become an input.
+/// Applies a pose or points to the open case; their file does not become an input of the case.
 void OpenController::applyShared(const io::LoadedInputs& inputs, const QStringList& paths)
 {
     opensAsView_ = false;

@@ -117,8 +117,8 @@ struct LengthUnit {
     double mm;
 };
 
-/// Returns the units that give a plausible vessel size, most likely first; millimeters come last because they gave an
-/// implausible size. Returns all units if none fits.
+/// Returns the units that give a plausible vessel size, most likely first; mm comes last because it gave an implausible
+/// size. Returns all units if none fits.
 std::vector<LengthUnit> unitsFor(double unitsAcross)
 {
     constexpr double smallestMm = 10.0, usualMm = 200.0, largestMm = 2000.0;
@@ -295,7 +295,7 @@ void OpenDialogs::askScanUse(const QString& name)
     question->open();
 }
 
-/// Asks for the unit. Each button shows the resulting size; the most likely unit comes first.
+/// Asks for the unit. Each button shows the size that results; the most likely unit comes first.
 void OpenDialogs::askUnit(const QString& name, double unitsAcross)
 {
     const std::vector<LengthUnit> units = unitsFor(unitsAcross);

@@ -19,8 +19,8 @@ class WindowActions;
 
 namespace angiopose::app {
 
-/// Asks the questions that arise on opening: which files and series to open, where moved inputs are, how to use a
-/// further scan or angiogram, which unit a surface has, and whether to replace the open case.
+/// Asks the questions that arise on opening: which files and series to open, where moved inputs are, how to use an
+/// additional scan or angiogram, which unit a surface has, and whether to replace the open case.
 class OpenDialogs : public QObject {
     Q_OBJECT
 public:
@@ -53,7 +53,7 @@ private:
     SaveController& save_;
     Notifications& notifications_;
     Ui ui_;
-    FileQueue files_;   ///< runs the generation of the sample case
+    FileQueue files_;   ///< runs the job that generates the sample case
 };
 
 }   // namespace angiopose::app

@@ -45,7 +45,7 @@ QStringList openNotes(const io::LoadedInputs& inputs, const core::Case& opened)
     return notes;
 }
 
-/// Returns remarks on a scan opened with vessels from another file, which must use the same patient coordinates.
+/// Returns remarks on a scan opened with vessels from another file, which must be in the same patient coordinates.
 QStringList scanNotes(const io::LoadedInputs& inputs, const core::Case& opened)
 {
     if (inputs.volume && !opened.vessels.tree) {
@@ -76,7 +76,7 @@ QStringList replaceCase(CaseDocument& document, const core::Case& wanted, const 
 QStringList joinCase(CaseDocument& document, const core::Case& wanted, const Opening& opening)
 {
     if (document.isEmpty() &&
-        document.undoStack().count() == 0) {   // replacing would otherwise discard a mask painted on a scan alone
+        document.undoStack().count() == 0) {   // otherwise, replacing would discard a mask painted on a scan alone
         document.replace(wanted, {});
     } else {
         document.push(addInputs(document, wanted,

@@ -14,7 +14,7 @@ namespace {
 constexpr double screenDotsPerInch = 96.0;
 constexpr double pointsPerInch = 72.0;
 
-/// Writes the texts separately, since Qt draws SVG texts as outlines; right-aligned texts end at their position.
+/// Writes the text separately, since Qt draws SVG text as outlines; right-aligned text ends at its position.
 void writeTexts(QPainter& painter, const ui::VectorImage& picture)
 {
     QFont font;

@@ -6,7 +6,7 @@
 
 namespace angiopose::app {
 
-/// Returns the image as a PDF page of the same size, with paths as vectors and texts as text. The provenance is an
+/// Returns the image as a PDF page of the same size, with lines as vectors and text as text; the provenance is an
 /// attached file. Empty if Qt cannot read the intermediate SVG.
 QByteArray toPdf(const ui::VectorImage& picture, const SvgMetadata& facts);
 

@@ -12,7 +12,7 @@ class QWidget;
 
 namespace angiopose::app {
 
-/// Switches private mode on and off. Asks before deleting stored data, and clears such data when the window closes.
+/// Switches private mode on and off. Asks before deleting stored data, and deletes such data when the window closes.
 class PrivacyController : public QObject {
     Q_OBJECT
 public:
@@ -31,14 +31,14 @@ private:
     QWidget& dialogParent_;
 };
 
-/// Writes the audit file, which records who opened and wrote which files. Off by default; the environment variable sets
-/// the file, or the menu switch, which asks for it.
+/// Writes the audit file, which records who opened and wrote which files. Off by default; either the environment
+/// variable sets the file, or the menu command, which asks for one.
 class AuditController : public QObject {
     Q_OBJECT
 public:
     AuditController(const CaseDocument& document, QAction& keep, QWidget& dialogParent, QObject* parent = nullptr);
 
-    void note(io::AuditEvent event, const QStringList& paths);   ///< returns at once
+    void note(io::AuditEvent event, const QStringList& paths);   ///< records an event; returns at once
     void noteOpened();   ///< records the open case and its inputs
     void noteCase(io::AuditEvent event);   ///< records an event that concerns the case file itself
 

@@ -47,8 +47,8 @@ std::shared_ptr<const core::Angiogram> withoutLetters(const core::Angiogram& run
     return std::make_shared<const core::Angiogram>(std::move(shown));
 }
 
-/// Gives the thumbnail the time stamp of its case file, so that it is not shown for a different case at the same path,
-/// e.g. on another USB drive.
+/// Gives the thumbnail the time stamp of its case file, so that it is not shown for another case at the same path, e.g.
+/// on another USB drive.
 void markAsOf(const std::string& picturePath, const std::string& casePath)
 {
     std::error_code failed;

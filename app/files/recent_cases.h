@@ -25,11 +25,11 @@ QString caseThumbnailPath(const QString& casePath);
 /// Removes all thumbnails except those of the given cases.
 void pruneCaseThumbnails(const QStringList& casePaths);
 
-/// Paths of recently opened or saved cases: pinned cases first, each group from newest to oldest.
+/// Paths of recently opened or saved cases: pinned cases first, each group with the newest first.
 QStringList recentCases();
 void rememberCase(const QString& path);
-void forgetCase(const QString& path);   ///< also removes its thumbnail
-void forgetRecentCases();   ///< removes all cases except the pinned ones, with their thumbnails
+void forgetCase(const QString& path);   ///< also removes the thumbnail of the case
+void forgetRecentCases();   ///< removes all cases except pinned ones, with their thumbnails
 
 /// Returns whether a case is pinned: it stays in the list and comes first.
 bool isPinned(const QString& path);

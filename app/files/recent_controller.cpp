@@ -27,7 +27,7 @@ namespace angiopose::app {
 namespace {
 
 constexpr int pollMs = 33;
-constexpr auto graceAtEnd = std::chrono::milliseconds(200);   // wait for threads that are about to finish
+constexpr auto graceAtEnd = std::chrono::milliseconds(200);   // waits for threads that are about to finish
 constexpr std::uintmax_t maxPictureBytes = 1 << 20;
 
 struct CheckRequest {
@@ -77,19 +77,19 @@ RecentCaseStatus checkRecentCase(const std::string& casePath, const std::string&
         return {CasePresence::Missing, {}};
     }
     const auto missing =
-        io::findMissingInputs(casePath);   // fails for an unreadable case, which is reported when opened
+        io::findMissingInputs(casePath);   // fails for an unreadable case, which is reported when the case is opened
     const bool isWhole = !missing || missing.value().empty();
     return {isWhole ? CasePresence::Present : CasePresence::InputsMissing,
             hasSameTimestamp(casePath, picturePath) ? contentOf(picturePath) : std::string()};
 }
 
-/// State shared by the threads and the lookup object; lives as long as any of them.
+/// State that the threads share with the checker; exists as long as any of them.
 struct RecentCaseChecker::Shared {
     std::mutex mutex;
     std::condition_variable ended;
     int threads = 0;
     std::set<QString> underWay;
-    std::set<QString> askedAgain;   ///< requested again during a check, whose result may then be outdated
+    std::set<QString> askedAgain;   ///< cases requested again during a check, whose result may then be outdated
     std::vector<std::pair<QString, RecentCaseStatus>> answers;
 
     void answer(const CheckRequest& asked, const CheckFunction& look)
@@ -173,7 +173,7 @@ RecentController::RecentController(const CaseDocument& document, const Ui& ui, R
 {
     const ui::RecentList& list = ui_.welcome.recent();
     connect(&list, &ui::RecentList::openRequested, this, &RecentController::openRequested);
-    // Queued, because the slots delete the widgets that emit the signals.
+    // Queued, because the slots delete the widgets that emit these signals.
     connect(&list, &ui::RecentList::clearRequested, this, &RecentController::clear, Qt::QueuedConnection);
     connect(
         &list, &ui::RecentList::removeRequested, this,
@@ -259,7 +259,7 @@ void RecentController::clear()
     show();
 }
 
-/// Switches thumbnails on or off; switching off deletes the stored ones.
+/// Switches thumbnails on or off; switching them off deletes those that are stored.
 void RecentController::setThumbnailsShown(bool wanted)
 {
     settings::recentThumbnails.write(wanted);
@@ -286,7 +286,7 @@ void RecentController::makeThumbnail()
         [this](const core::Result<QString>& stored) {
             pruneCaseThumbnails(settings::recentThumbnails.read()
                                     ? recentCases()
-                                    : QStringList());   // according to the current setting
+                                    : QStringList());   // as in the current setting
             if (stored) {
                 rebuild();
             }

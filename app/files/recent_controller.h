@@ -24,7 +24,7 @@ enum class CasePresence { Present, Missing, InputsMissing };
 /// State of a case in the list of recent cases.
 struct RecentCaseStatus {
     CasePresence state = CasePresence::Present;
-    std::string picture;   ///< content of the thumbnail file; empty if there is none
+    std::string picture;   ///< contents of the thumbnail file; empty if there is none
 };
 
 /// Checks whether the case file and its inputs exist, and reads the thumbnail of the case.

@@ -158,7 +158,7 @@ void SaveController::saveTo(const QString& path, const std::function<void()>& wh
             finishSave(path, state);
             pruneCaseThumbnails(settings::recentThumbnails.read()
                                     ? recentCases()
-                                    : QStringList());   // according to the current setting
+                                    : QStringList());   // as in the current setting
             if (whenSaved) {
                 whenSaved();
             }
@@ -252,7 +252,7 @@ void SaveController::noteOpened(const QString& copy)
     }
     const QString vessels = std::exchange(recoveredVessels_, {});
     if (!vessels.isEmpty() && document_.current().vessels.file.path == vessels.toStdString()) {
-        document_.markUnsaved();   // the user has not yet chosen a name for the file
+        document_.markUnsaved();   // the user has not chosen a name for the file yet
     }
 }
 

@@ -19,12 +19,12 @@ class SaveController : public QObject {
 public:
     SaveController(CaseDocument& document, ExportController& files, QWidget& window, QObject* parent = nullptr);
 
-    /// Part of the open case that can be saved: a case has vessels and an angiogram; vessels alone are centerlines.
+    /// Part of the open case that can be saved: a case (vessels and an angiogram), or vessels alone as centerlines.
     enum class Savable { Case, Vessels, Nothing };
     Savable savable() const;
-    bool hasUnsavedWork() const;   ///< true if there is work that no file contains
+    bool hasUnsavedWork() const;   ///< true if there is work that is in no file
 
-    void save(const std::function<void()>& whenSaved = {});   ///< asks for a name if the case has none
+    void save(const std::function<void()>& whenSaved = {});   ///< saves the case; asks for a name if the case has none
     void saveVessels(const std::function<void()>& whenSaved = {});   ///< saves centerlines; asks for a name
     void saveAs(const std::function<void()>& whenSaved = {});
     /// Saves in the background. Asks the user if the file was changed elsewhere since it was opened.
@@ -32,11 +32,11 @@ public:
                 CaseFileGuard::Overwrite replaced = CaseFileGuard::Overwrite::KnownContent);
     bool isSaving() const { return files_.isBusy(); }
     void offerRecovery();
-    void retainWork() { discardedState_.reset(); }   ///< call if the file that should replace the case was not opened
-    void noteOpened(const QString& copy);   ///< call when another case is open; `copy` is the recovered copy, or empty
+    void retainWork() { discardedState_.reset(); }   ///< call if the file that was to replace the case was not opened
+    void noteOpened(const QString& copy);   ///< call after opening another case; `copy` is the recovered copy, or empty
     void autosaveSoon() { autosave_.saveSoon(); }
     void discardAutosave() { autosave_.discard(); }
-    QString saveState() const;   ///< e.g. "Autosaved 12 s ago" or "All changes saved"
+    QString saveState() const;   ///< returns e.g. "Autosaved 12 s ago" or "All changes saved"
 
 signals:
     void started();
@@ -46,10 +46,10 @@ signals:
     void openElsewhere(const QString& words);   ///< emitted if the open case is also open in another window or program
     void reloadRequested(const QString& path);   ///< emitted to load changes made elsewhere instead of overwriting them
     void recoveryRequested(const app::RecoveryCopy& copy);
-    void vesselsRecovered(const QString& path);   ///< vessels without an angiogram and their new file
+    void vesselsRecovered(const QString& path);   ///< emitted with the file of recovered vessels without an angiogram
 
 private:
-    bool cannotSave(const std::function<void()>& whenSaved);   ///< states the reason, or offers to save a part
+    bool cannotSave(const std::function<void()>& whenSaved);   ///< if so, states the reason or offers to save a part
     void offerToSaveVessels(const std::function<void()>& whenSaved);
     void confirmOverwrite(const QString& path, const std::function<void()>& whenSaved);
     void recover(const RecoveryCopy& copy);

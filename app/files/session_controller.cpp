@@ -75,7 +75,7 @@ void SessionController::start(const QStringList& paths)
     if (paths.isEmpty()) {
         save_.offerRecovery();
     } else {
-        isRecoveryPending_ = true;   // recovery is offered after the questions from opening have been answered
+        isRecoveryPending_ = true;   // recovery is offered after the questions on opening have been answered
         open(paths);
     }
 }
@@ -93,7 +93,7 @@ void SessionController::abandonLoading()
     studies_.abandon();
 }
 
-/// Shows the notice and opens the files afterwards, since their questions would cover the notice.
+/// Shows the notice and opens the files afterward, since their questions would cover the notice.
 void SessionController::showNotice(const QStringList& paths)
 {
     auto* notice = new ui::QuestionDialog(
@@ -218,7 +218,7 @@ void SessionController::connectDicom()
             [this](const QString& reason) { notifications_.showProblem(tr("Could not export"), reason); });
 }
 
-/// Reports the written file, with remarks.
+/// Reports the file that was written, with remarks.
 void SessionController::reportWritten(const QString& there, const QStringList& notes)
 {
     if (notes.isEmpty()) {

@@ -54,7 +54,7 @@ public:
     /// Shows the notice and the recovery offer, and opens the files given on the command line.
     void begin(const QStringList& paths);
     void open(const QStringList& paths) { open_.open(paths); }
-    void closeWindow() { close_.closeWindow(); }   ///< asks first if work would be lost
+    void closeWindow() { close_.closeWindow(); }   ///< asks first if unsaved work would be lost
     void abandonLoading();
     bool isLoading() const { return open_.isLoading() || studies_.isReading(); }
     bool isWriting() const { return pack_.isRunning() || deidentify_.isRunning(); }   ///< jobs that may take long
@@ -65,10 +65,10 @@ public:
     OpenController& opening() { return open_; }
 
 signals:
-    void firstStarted();   ///< emitted on the first start, after the notice, if no files are opened
+    void firstStarted();   ///< emitted at the first start, after the notice, if no files are opened
     void exported();
-    void aboutToClose();   ///< emitted when the user requests closing; receivers end everything that must not stay open
-    void windowMayClose();   ///< emitted when the window can close without loss
+    void aboutToClose();   ///< emitted when the user requests closing; receivers close what must not stay open
+    void windowMayClose();   ///< emitted when the window can close without losing data
 
 private:
     void connectFiles();
@@ -105,7 +105,7 @@ private:
     PrivacyController privacy_;
     AuditController audit_;
     bool isRecoveryPending_ =
-        false;   ///< recovery is offered once the files from the command line have been opened or have failed to open
+        false;   ///< true until the files from the command line were handled; recovery is offered then
     QStringList openingNotes_;
 };
 

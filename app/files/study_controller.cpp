@@ -209,7 +209,7 @@ void StudyController::showTree(const SharedStudies& tree)
                                  isComplete_ ? Numbering::Final : Numbering::Provisional));
 }
 
-/// Reports the number of files read, and which files are damaged or missing from the DICOMDIR.
+/// Reports the number of files read, and which files are damaged, or listed in the DICOMDIR but missing.
 void StudyController::showSummary()
 {
     const QLocale locale;
@@ -290,7 +290,7 @@ void StudyController::open(const QString& vessels, const QStringList& views)
 {
     StudyChoice choice;
     if (const io::StudySeries* series = find(vessels)) {
-        // If reading was incomplete, other slices of the series may be anywhere below the opened folder.
+        // If not all files have been read, other slices of the series may be anywhere below the opened folder.
         choice.folder = isComplete_ || folders_.size() > 1 ? QString::fromStdString(series->place) : placeFolder();
         choice.seriesId = QString::fromStdString(series->series.id);
     }

@@ -20,8 +20,8 @@ class StudyBrowser;
 
 namespace angiopose::app {
 
-/// Opens a folder or disc: lists its contents as they are found and opens the user's selection like any other files. If
-/// the folder contains a single item that can be opened, opens it without asking.
+/// Opens a folder or disc: lists its contents as they are found and opens the user's selection like any other files. A
+/// single item that can be opened is opened without asking.
 class StudyController : public QObject {
     Q_OBJECT
 public:
@@ -58,8 +58,8 @@ private:
     OpenController& open_;
     Notifications& notifications_;
     Ui ui_;
-    QStringList folders_;   ///< the folder, or several folders listed together
-    QString name_;   ///< display name of all folders together
+    QStringList folders_;   ///< folder, or several folders that are listed together
+    QString name_;   ///< common display name of the folders
     SharedStudies tree_;
     QPointer<ui::StudyBrowser> browser_;
     io::StudyScope reach_ = io::StudyScope::Listed;

@@ -69,7 +69,7 @@ QString sizeOf(const io::DicomSeries& series)
     return QStringLiteral("%1 × %2").arg(size.x()).arg(size.y());
 }
 
-/// Adds the slice spacing, or the frame rate of a run.
+/// Adds the slice spacing or, for a run, the frame rate.
 void addPace(const io::StudySeries& studySeries, ui::StudySeriesRow& row)
 {
     if (studySeries.use == io::SeriesUse::Vessels) {
@@ -136,7 +136,7 @@ ui::StudySeriesRow rowOf(const io::StudySeries& studySeries, Numbering numbering
 
 QString keyOf(const io::StudySeries& studySeries)
 {
-    // The number of a part may change while reading; the slice count keeps a check mark with its part.
+    // The number of a part may change during reading; by the slice count, a check mark stays with its part.
     const std::string size =
         studySeries.series.part ? "|" + std::to_string(studySeries.series.slices.size()) : std::string();
     return QString::fromStdString(studySeries.series.id + "|" + studySeries.series.identity.modality + "|" +

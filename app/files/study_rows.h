@@ -9,10 +9,10 @@ namespace angiopose::app {
 
 enum class IdentityShown { Yes, No };
 
-enum class Numbering { Final, Provisional };   ///< numbers of the parts of a series; `Provisional` if more may follow
+enum class Numbering { Final, Provisional };   ///< whether part numbers of a series may change
 
-/// Builds the list rows of the studies; if the identity is hidden, without names, IDs, dates of birth and accession
-/// numbers. A part of a series can be opened once its number is final.
+/// Builds the list rows of the studies; omits names, IDs, dates of birth and accession numbers if the identity is
+/// hidden. A part of a series can be opened once its number is final.
 std::vector<ui::PatientRow> studyRows(const io::StudyTree& tree, IdentityShown identity, Numbering numbering);
 
 /// Returns the key that identifies a series in the list.

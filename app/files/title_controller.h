@@ -32,7 +32,7 @@ private:
     ui::HeaderBar& header_;
     ui::BottomStrip& strip_;
     QWidget& window_;
-    QTimer clock_;   ///< refreshes texts such as "Autosaved 12 s ago"
+    QTimer clock_;   ///< refreshes strings such as "Autosaved 12 s ago"
 };
 
 }   // namespace angiopose::app

@@ -53,7 +53,7 @@ void HelpController::startTour()
     }
     settings::isTourCompleted.write(true);
     for (const ui::ColumnSide side :
-         {ui::ColumnSide::Left, ui::ColumnSide::Right}) {   // the tour points at visible panels only
+         {ui::ColumnSide::Left, ui::ColumnSide::Right}) {   // the tour points only at visible panels
         window_.column(side).setFolded(false);
     }
     ui::TourStop start{&window_.angiogramView(), tr("Start here"),
@@ -114,7 +114,7 @@ void HelpController::loadFitExample(int index)
                   });
 }
 
-/// Describes the renderer and the OpenGL driver, for reports of display errors.
+/// Describes the renderer and the OpenGL driver, for reports of display problems.
 QString HelpController::rendererDescription() const
 {
     const ui::GlDriver& driver = ui::glDriver();

@@ -12,14 +12,14 @@ class Tour;
 }   // namespace angiopose::ui
 namespace angiopose::app {
 
-/// Provides context help, the tour, and the page of good and bad fits. Takes the whole window because it explains every
+/// Provides context help, the tour, and the page of good and bad fits. Uses the whole window because it explains every
 /// part of it.
 class HelpController : public QObject {
     Q_OBJECT
 public:
     explicit HelpController(ui::MainWindow& window, QObject* parent = nullptr);
 
-    void offerTour();   ///< only on the first start
+    void offerTour();   ///< offers the tour only at the first start
 
 private:
     void showPage();

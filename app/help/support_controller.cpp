@@ -28,7 +28,7 @@
 namespace angiopose::app {
 namespace {
 
-/// Text settings with a fixed set of values; all other text settings may contain arbitrary text.
+/// String settings with a fixed set of values; all other string settings may contain arbitrary text.
 constexpr std::array namedSettings{"window/theme", "window/colors", "window/language", "window/mouse"};
 
 /// Words of transient status notes, which are not in the message catalogs.
@@ -83,8 +83,8 @@ std::string windowFacts()
     return facts.toStdString();
 }
 
-/// Lists the preferences. Values are given for switches, numbers and settings with a fixed set of values; for other
-/// texts, only whether they are set.
+/// Lists the preferences. States the values of switches, numbers and settings with a fixed set of values; for other
+/// strings, only whether they are set.
 std::string settingsText()
 {
     const QSettings stored;
@@ -97,7 +97,7 @@ std::string settingsText()
     return text.toStdString();
 }
 
-/// Collects all words of the message catalogs, in English and in the window's language, and of the menus.
+/// Collects all words of the message catalogs, in English and in the UI language, and of the menus.
 io::Vocabulary knownProgramWords()
 {
     io::Vocabulary words;
@@ -115,7 +115,7 @@ io::Vocabulary knownProgramWords()
     for (const char* each : allowedStatusWords) {
         words.add(each);
     }
-    words.add("name path file uid date");   // names used as placeholders for redacted text
+    words.add("name path file uid date");   // names of the placeholders for redacted text
     return words;
 }
 
@@ -161,7 +161,7 @@ void SupportController::reportCrash()
 }
 
 /// Adds the identifiers of the open case to the redaction, because the log covers every case of the session. Does
-/// nothing unless the inputs have changed; texts edited by the user are added when the bundle is created.
+/// nothing unless the inputs have changed; text edited by the user is added when the bundle is created.
 void SupportController::rememberCase()
 {
     const QStringList inputs = inputsOf(document_);

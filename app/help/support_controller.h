@@ -24,8 +24,8 @@ namespace angiopose::app {
 
 using SharedTexts = std::shared_ptr<const std::vector<io::SupportFile>>;
 
-/// Support bundle: collects diagnostic data about the program, removes the identity of all patients of the session,
-/// shows the result and writes it to a file that the user chooses. Reports the crash that ended the last session.
+/// Creates support bundles: collects diagnostic data about the program, removes the identity of all patients of the
+/// session, shows the result and writes it to a file that the user chooses. Also reports the crash of the last session.
 class SupportController : public QObject {
     Q_OBJECT
 public:
@@ -38,7 +38,7 @@ public:
     };
     SupportController(const CaseDocument& document, const Ui& ui, QObject* parent = nullptr);
 
-    void reportCrash();   ///< reports each crash only once
+    void reportCrash();   ///< reports each crash once only
 
 signals:
     void written(const QString& path);

@@ -13,13 +13,13 @@
 
 namespace angiopose::app {
 
-/// Computes DRRs of the vessels of a case for any pose; the first call prepares the data. Not thread-safe: one worker
-/// at a time.
+/// Computes DRRs of the vessels of a case for any pose; the first call prepares the data. Not thread-safe: only one
+/// worker may use it at a time.
 class DrrSource {
 public:
     DrrSource(core::RegistrationInput input, core::RegistrationOptions options);
 
-    /// DRR with vessels bright on 0, at half the image's resolution. Fails if the input cannot be registered.
+    /// Returns a DRR with bright vessels on 0, at half the image's resolution. Fails if the input cannot be registered.
     core::Result<core::ImageF> from(const core::RigidTransform& cameraFromPatient);
 
 private:
@@ -30,7 +30,7 @@ private:
 };
 
 /// Computes DRRs of the vessels (from the CTA inside them, or from tubes) off the GUI thread, always for the newest
-/// pose: a request during a computation replaces the pending one.
+/// pose: a request during a computation replaces any pending one.
 class DrrJob : public QObject {
     Q_OBJECT
 public:
@@ -42,7 +42,7 @@ public:
     void clear();   ///< drops the pending request, the computation in progress and the input
 
 signals:
-    void rendered(const core::ImageF& picture);   ///< vessels bright on 0, at half the image's resolution
+    void rendered(const core::ImageF& picture);   ///< emitted with bright vessels on 0, at half the image's resolution
     void failed(const core::Message& reason);
 
 private:

@@ -14,7 +14,7 @@ namespace angiopose::app {
 
 /// Request to evaluate a pose. All data are copies, or shared and immutable.
 struct EvaluationRequest {
-    core::RegistrationInput input;   ///< its target is the reference to which the tree is compared
+    core::RegistrationInput input;   ///< its target is the reference with which the tree is compared
     core::RigidTransform cameraFromPatient;
 };
 

@@ -16,7 +16,7 @@ FileQueue::FileQueue(QObject* parent) : QObject(parent)
 FileQueue::~FileQueue()
 {
     if (running_) {
-        (void)watcher_.result();   // waits for the worker, whose writes then become visible to this thread
+        (void)watcher_.result();   // waits for the worker, whose changes then become visible to this thread
     }
     watcher_.waitForFinished();
     for (std::size_t i = running_ ? 1 : 0; i < tasks_.size(); ++i) {

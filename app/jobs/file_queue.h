@@ -12,7 +12,7 @@
 namespace angiopose::app {
 
 /// Writes files off the GUI thread, one at a time in the order of the requests. Each task holds copies of its data and
-/// returns the path that it wrote. The destructor first completes all pending tasks.
+/// returns the path to which it wrote. The destructor first completes all pending tasks.
 class FileQueue : public QObject {
     Q_OBJECT
 public:

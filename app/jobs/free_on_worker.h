@@ -9,7 +9,7 @@
 
 namespace angiopose::app {
 
-/// Returns a pointer to the same object that frees it on a worker thread, whichever thread releases the last reference.
+/// Returns a pointer to the same object, which a worker thread frees, whichever thread releases the last reference.
 /// Freeing a cine run or scan is slow, since the system reclaims its pages one by one, and would block the window.
 template <class T>
 std::shared_ptr<const T> freeOnWorker(std::shared_ptr<const T> shared)

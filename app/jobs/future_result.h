@@ -5,7 +5,7 @@
 
 namespace angiopose::app {
 
-/// Moves the result of completed work out of its watcher; call once. A future that kept its result would keep closed
+/// Moves the result of completed work out of its watcher; call it once. A future that kept its result would keep closed
 /// cases in memory. Afterwards the future is neither running nor finished.
 template <typename T>
 T takeResult(const QFutureWatcher<T>& watcher)

@@ -8,7 +8,7 @@
 
 namespace angiopose::app {
 
-/// Runs `work` and converts exceptions from libraries to an error for the user. No other code of the jobs catches
+/// Runs `work` and converts exceptions from libraries to an error for the user. No other code in the jobs catches
 /// exceptions.
 template <class T, class Work>
 core::Result<T> guarded(const Work& work)

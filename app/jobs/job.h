@@ -18,11 +18,11 @@
 
 namespace angiopose::app {
 
-/// State shared by a worker and the job that waits for it; lives as long as either of them.
+/// State that a worker shares with the job that waits for it; exists as long as either of them.
 template <class Report>
 class JobLink {
 public:
-    /// Reports progress; the worker may call it at any rate, since only the newest report is delivered. Returns Stop
+    /// Reports progress. The worker may call it at any rate, since only the newest report is delivered. Returns Stop
     /// after a stop request.
     core::ObserverDecision tell(Report report)
     {
@@ -60,7 +60,7 @@ public:
 
     struct Callbacks {
         std::function<void(const Found&)> finished;
-        std::function<void(const core::Error&)> failed;   ///< the work failed or was stopped before it had a result
+        std::function<void(const core::Error&)> failed;   ///< called if the work failed or stopped without a result
         std::function<void(const Report&)> advanced = {};
     };
 
@@ -69,7 +69,7 @@ public:
         poll_.setInterval(33);   // 33 ms, i.e. about 30 updates per second
         QObject::connect(&poll_, &QTimer::timeout, &poll_, [this] { deliverReport(); });
     }
-    /// Creates a job whose result is optional: failures are ignored.
+    /// Creates a job that ignores failures, for results that are optional.
     explicit Job(std::function<void(const Found&)> finished)
         : Job(Callbacks{std::move(finished), [](const core::Error&) {}})
     {
@@ -78,7 +78,7 @@ public:
     Job(const Job&) = delete;
     Job& operator=(const Job&) = delete;
 
-    void start(Work work)   ///< abandons any task in progress
+    void start(Work work)   ///< abandons a task in progress
     {
         drop();
         link_ = std::make_shared<Link>();
@@ -139,8 +139,8 @@ private:
     std::unique_ptr<QFutureWatcher<Outcome>> watcher_;
 };
 
-/// Forwards the answers as signals of `owner`: finished(found), failed(message) and advanced(report), the last only if
-/// `owner` has this signal.
+/// Returns callbacks that emit the signals of `owner`: finished(found), failed(message) and advanced(report), the last
+/// only if `owner` has this signal.
 template <class Found, class Report = double, class Owner>
 typename Job<Found, Report>::Callbacks emitAsSignals(Owner& owner)
 {

@@ -13,12 +13,12 @@ namespace angiopose::app {
 /// Labels of a label image, from which the user can select.
 struct LabelOverview {
     std::vector<io::LabelInfo> labels;
-    std::set<int> vessels;   ///< labels whose names denote vessels; empty if no name does
-    std::shared_ptr<const core::VoxelMask> rows;   ///< see core::LabelRows
+    std::set<int> vessels;   ///< labels whose names denote vessels; empty if there are none
+    std::shared_ptr<const core::VoxelMask> rows;   ///< see core::CompactLabels
     std::vector<Eigen::Vector3d> centersInPatient;
 };
 
-/// Lists the labels of a label image off the GUI thread. A new start drops the previous one, as does the destructor.
+/// Lists the labels of a label image off the GUI thread. A new start or the destructor abandons the previous request.
 class LabelJob : public QObject {
     Q_OBJECT
 public:

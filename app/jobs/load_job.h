@@ -8,7 +8,7 @@
 
 namespace angiopose::app {
 
-/// Reads files off the GUI thread. Abandoning or destroying the job stops reading and discards what was read.
+/// Reads files off the GUI thread. When the job is abandoned or destroyed, it stops reading and discards what was read.
 class LoadJob : public QObject {
     Q_OBJECT
 public:

@@ -24,7 +24,7 @@ public:
 
 signals:
     void advanced(const QString& methodId, double progress);   ///< `progress` covers all methods, 0…1
-    void solved(const core::RegistrationResult& result);   ///< emitted for each method that completed
+    void solved(const core::RegistrationResult& result);   ///< emitted for each completed method
     void failed(const QString& methodId, const core::Message& reason);   ///< the job continues with the next method
     void ended(bool wasStopped);
 
@@ -34,7 +34,7 @@ private:
         std::string methodId;
         core::Result<core::RegistrationResult> outcome;
     };
-    /// Progress of the series and the outcomes of all methods that have ended so far.
+    /// Progress of the series, and the outcomes of all methods that have ended so far.
     struct Report {
         std::string methodId;
         double progress = 0.0;

@@ -9,13 +9,13 @@
 namespace angiopose::app {
 
 /// Processes the newest of many requests off the GUI thread: a request made while another is being processed replaces
-/// the pending one.
+/// any pending one.
 template <class Request, class Found>
 class NewestJob {
 public:
     using Work = std::function<core::Result<Found>(const Request&, JobLink<double>&)>;
 
-    /// `made` is called with each result on the thread that created the job. Failures are ignored.
+    /// Calls `made` with each result on the thread that created the job. Failures are ignored.
     explicit NewestJob(std::function<void(const Found&)> made)
         : job_({[this, made = std::move(made)](const Found& found) {
                     startPending();
@@ -25,7 +25,7 @@ public:
     {
     }
 
-    /// Sets the work for all further requests; it receives its data by value. Drops work in progress.
+    /// Sets the work for all further requests, which receives its data by value. Abandons work in progress.
     void setWork(Work work)
     {
         drop();

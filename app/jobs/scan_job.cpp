@@ -9,7 +9,7 @@ namespace angiopose::app {
 namespace {
 
 constexpr std::size_t roughVoxels = 400'000;
-constexpr double fineStepShare = 0.6;   // sampling step as a fraction of the voxel size
+constexpr double fineStepShare = 0.6;   // sampling interval as a fraction of the voxel size
 constexpr double roughStepShare = 1.0;
 
 }   // namespace

@@ -11,7 +11,7 @@ namespace angiopose::app {
 
 enum class ScanDetail { Rough, Fine };
 
-/// Request to render the scan: appearance, view and level of detail.
+/// Request to render the scan: its appearance, the view and the level of detail.
 struct ScanRenderRequest {
     core::AppearanceOptions look;
     core::ParallelProjection sight;
@@ -25,7 +25,7 @@ struct ScanRendering {
 };
 
 /// Prepares a scan for volume rendering and renders it off the GUI thread. Rough renderings use fewer voxels. A new
-/// request replaces a fine rendering in progress but waits for a rough one, so that the display keeps updating during
+/// request replaces a fine rendering in progress but waits for a rough one, so that the display is updated during
 /// rotation.
 class ScanJob : public QObject {
     Q_OBJECT
@@ -36,10 +36,10 @@ public:
                  std::optional<double> threshold);   ///< discards the previously prepared scan
     void clear();
     bool isReady() const { return preparedScan_ != nullptr; }
-    bool isHu() const;   ///< valid once the scan is ready
+    bool isHu() const;   ///< returns whether the values are in HU; valid only after the scan is ready
     Eigen::AlignedBox3d boxInPatient() const;   ///< bounding box of the prepared scan
 
-    void request(const ScanRenderRequest& wanted);   ///< valid once the scan is ready
+    void request(const ScanRenderRequest& wanted);   ///< may be called only after the scan is ready
 
 signals:
     void prepared();

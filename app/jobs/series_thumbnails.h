@@ -26,7 +26,7 @@ public:
     void request(std::deque<Request> wanted);
 
 signals:
-    void made(const QString& key, const core::ImageF& picture);   ///< from 0 (black) to 1 (white)
+    void made(const QString& key, const core::ImageF& picture);   ///< emitted with values from 0 (black) to 1 (white)
     void failed(const QString& key);   ///< emitted if no thumbnail can be created
 
 private:

@@ -10,14 +10,14 @@ namespace angiopose::app {
 
 using SharedStudies = std::shared_ptr<const io::StudyTree>;
 
-/// Searches a folder, a disc or a DICOMDIR for studies off the GUI thread. A stop is not a failure: the studies found
-/// so far are delivered.
+/// Searches a folder, a disc or a DICOMDIR for studies off the GUI thread. A stop request is not a failure: the studies
+/// found so far are delivered.
 class StudyJob : public QObject {
     Q_OBJECT
 public:
     explicit StudyJob(QObject* parent = nullptr);
 
-    /// Several places must be folders of series; all their files are read.
+    /// If there are several places, they must be folders of series, of which all files are read.
     void start(const QStringList& places, io::StudyScope reach);
     void requestStop() { job_.requestStop(); }
     void abandon() { job_.drop(); }   ///< abandons the search without further signals

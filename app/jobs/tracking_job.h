@@ -9,7 +9,7 @@
 
 namespace angiopose::app {
 
-/// Runs core::followFrames off the GUI thread: tracks the vessels through the frames of a cine run.
+/// Runs core::trackFrames off the GUI thread: tracks the vessels through the frames of a cine run.
 class TrackingJob : public QObject {
     Q_OBJECT
 public:
@@ -21,7 +21,7 @@ public:
 
 signals:
     void advanced(double fraction);
-    void finished(const std::vector<core::TrackedRunFrame>& frames);   ///< after a stop: the frames tracked so far
+    void finished(const std::vector<core::TrackedRunFrame>& frames);   ///< after a stop, only the frames tracked so far
     void failed(const core::Message& reason);
 
 private:

@@ -28,7 +28,7 @@ core::Result<VesselTrace> traceVessels(const VesselTraceRequest& request, const 
 
 VesselTraceJob::VesselTraceJob(QObject* parent) : QObject(parent), job_(answers()) {}
 
-/// After a stop request, emits only `stopped`, even if the trace has completed in the meantime.
+/// Returns callbacks that, after a stop request, emit only `stopped`, even if the trace has completed in the meantime.
 Job<VesselTrace>::Callbacks VesselTraceJob::answers()
 {
     const auto unlessStopped = [this](const auto& answer) {

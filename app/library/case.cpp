@@ -8,7 +8,7 @@
 namespace angiopose::library {
 namespace {
 
-/// Throws if a branch id is not in the tree, since a case file with such an id could not be opened again.
+/// Throws if a branch ID is not in the tree, since a case file with that ID could not be opened again.
 void checkBranches(const core::VesselTree& tree, const std::vector<int>& ids)
 {
     for (const int id : ids) {

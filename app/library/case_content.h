@@ -12,7 +12,7 @@ namespace angiopose {
 struct Case::Content {
     core::Case values;
     core::Messages warnings;   ///< warnings from reading the case
-    std::string path;   ///< absolute path of the case file last read or written; empty if there is none
+    std::string path;   ///< absolute path of the case file that was last read or written; empty if there is none
     std::string sha256;   ///< last known hash of the file at `path`
 };
 

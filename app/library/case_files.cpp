@@ -28,7 +28,7 @@ std::string siblingPath(const std::string& casePath, const std::string& ending)
     return fs::path(absolute(casePath)).replace_extension(ending).string();
 }
 
-/// Writes the vessels and the angiogram to files if they are not stored in files yet.
+/// Writes the vessels and the angiogram to files unless they are already stored in files.
 void storeInputs(core::Case& values, const std::string& casePath)
 {
     core::Vessels& vessels = values.vessels;

@@ -37,7 +37,7 @@ core::VesselTracingOptions toCore(const VesselTracingOptions& options);
 core::RegistrationOptions toCore(const RegistrationOptions& options);
 core::RegistrationInput toCore(const RegistrationInput& input);
 
-/// Determines the kind of vessel input in the file, and how to read it.
+/// Determines the kind of vessel input in a file, and how to read it.
 core::VesselInput vesselInputOf(const std::string& path, const VesselReadOptions& options);
 
 Pose toPublic(const core::RigidTransform& transform);
@@ -56,7 +56,7 @@ BranchResidual toPublic(const core::BranchResidual& branch);
 Hypothesis toPublic(const core::Hypothesis& hypothesis);
 WirePath toPublic(const core::WirePath& path);
 
-// These overloads need the tree of the result: the covariance refers to its centroid, the displacements to its points.
+// These overloads take the tree of the result: the covariance refers to its centroid, the displacements to its points.
 PoseUncertainty toPublic(const core::PoseUncertainty& uncertainty, const core::VesselTree& tree);
 DeformedVessels toPublic(const core::DeformableResult& deformed, const core::VesselTree& tree);
 RegistrationResult toPublic(const core::RegistrationResult& result, const core::VesselTree& tree);

@@ -24,7 +24,7 @@ std::vector<Message> toPublic(const core::Messages& messages);
 /// Throws an error of the lower layers as an exception.
 [[noreturn]] void throwError(const core::Error& error);
 
-/// Returns the value of work without an observer, or throws its error.
+/// Returns the value of work that ran without an observer, or throws its error.
 template <class T>
 T valueOf(core::Result<T> outcome)
 {
@@ -42,7 +42,7 @@ inline void check(const core::Status& status)
 }
 
 /// Forwards the progress of observed work to the caller's observer. The lower layers do not handle the caller's
-/// exceptions, so an exception of the observer stops the work, and `take` rethrows it.
+/// exceptions, so that an exception of the observer stops the work and `take` rethrows it.
 class ObserverAdapter {
 public:
     explicit ObserverAdapter(const Observer& observe) : observe_(observe) {}
@@ -54,7 +54,7 @@ public:
     io::ReadObserver reading(std::string_view stage);
     core::TracingObserver tracing();
 
-    /// Value of the work; otherwise rethrows the observer's exception or throws the error of the work.
+    /// Returns the value of the work; otherwise rethrows the observer's exception or throws the error of the work.
     template <class T>
     T resultOf(core::Result<T> outcome) const
     {

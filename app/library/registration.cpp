@@ -9,7 +9,7 @@
 namespace angiopose::library {
 namespace {
 
-/// Throws if the view has no initial pose, since registration would otherwise start from the identity.
+/// Throws if the view has no initial pose, since registration would otherwise start from the identity matrix.
 void requireInitialPose(const core::View& view, const core::Vessels& vessels)
 {
     if (auto start = core::initialPoseOf(view, vessels); !start) {

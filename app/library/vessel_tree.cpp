@@ -23,7 +23,7 @@ struct Run {
     std::size_t end = 0;
 };
 
-/// Splits the rows where the id changes; throws if an id occurs in two separate ranges.
+/// Splits the rows where the ID changes; throws if an ID occurs in separate ranges.
 std::vector<Run> runsOf(const std::vector<int>& ids, const char* noun)
 {
     std::vector<Run> runs;

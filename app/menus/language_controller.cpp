@@ -58,7 +58,7 @@ void LanguageController::choose(const QString& code)
     }
     settings::language.write(code);
     for (QDialog* open : window_.findChildren<QDialog*>()) {
-        open->reject();   // the dialog is reopened in the new language
+        open->reject();   // the dialog will be reopened in the new language
     }
     applyLanguageSetting();
     ui::retranslate();

@@ -25,10 +25,10 @@ private:
     QWidget& window_;
 };
 
-/// Applies the user's color scheme for vessels and residuals; for images rendered without a window.
+/// Applies the user's color scheme for vessels and residuals, for images rendered without a window.
 void applyColorSetting();
 
-/// Provides the menu of color schemes for vessels and residuals, all readable with any type of color vision.
+/// Provides the menu of color schemes for vessels and residuals, all distinguishable with any type of color vision.
 class ColorController : public QObject {
     Q_OBJECT
 public:

@@ -19,7 +19,7 @@ namespace angiopose::app {
 
 class BranchController;
 
-/// Context menus (right click or menu key) of the two views, with the commands that fit the item under the pointer.
+/// Provides the context menus (right click or menu key) of the two views, with commands for the item under the pointer.
 class MenuController : public QObject {
     Q_OBJECT
 public:

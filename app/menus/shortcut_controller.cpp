@@ -38,7 +38,7 @@ QString settingOf(const QAction* action)
     return QStringLiteral("keys/%1").arg(action->objectName());
 }
 
-/// Parses stored shortcuts, which are separated by "; "; returns an empty list for an empty text.
+/// Parses stored shortcuts, which are separated by "; "; returns an empty list for an empty string.
 QList<QKeySequence> keysOf(const QString& stored)
 {
     return stored.isEmpty() ? QList<QKeySequence>() : QKeySequence::listFromString(stored);

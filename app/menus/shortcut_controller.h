@@ -29,7 +29,7 @@ public:
     MousePresetController(ui::WindowActions& actions, ui::AngiogramView& view, QObject* parent = nullptr);
 };
 
-/// Shortcut sheet and the user-defined shortcuts: stored between sessions, at most one per command.
+/// Manages the shortcut sheet and the user-defined shortcuts, which persist between sessions, at most one per command.
 class ShortcutController : public QObject {
     Q_OBJECT
 public:

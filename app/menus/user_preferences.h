@@ -6,7 +6,7 @@
 
 namespace angiopose::app {
 
-/// User preferences that persist between sessions; none of them belongs to a case.
+/// User preferences that persist between sessions; none belongs to a case.
 class UserPreferences {
 public:
     /// Parts of the main window to which the preferences apply.

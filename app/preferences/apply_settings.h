@@ -6,17 +6,17 @@
 
 namespace angiopose::app {
 
-/// Applies the user's language. Call it before the first window is created; if called later, texts already shown must
-/// be set again.
+/// Applies the user's language. Call it before the first window is created; otherwise, strings already shown must be
+/// set again.
 void applyLanguageSetting();
 
-/// Shows the user's shortcuts on buttons and in tooltips. Texts already shown must be set again.
+/// Shows the user's shortcuts on buttons and in tooltips. Strings already shown must be set again.
 void applyShortcutSettings();
 
 /// Applies the user's theme. Call it before the first window is created and after each change.
 void applyThemeSetting(QApplication& application);
 
-/// Option `--renderer=auto|vtk|painter`, which selects the renderer of the angiogram's overlay.
+/// Returns the option `--renderer=auto|vtk|painter`, which selects the renderer of the angiogram's overlay.
 QCommandLineOption rendererOption();
 
 /// Returns the value of `--renderer` on the command line.

@@ -10,7 +10,7 @@
 namespace angiopose::app {
 namespace {
 
-/// Returns whether the folder belongs to the program's own files (including the sample case), where users would not
+/// Returns whether the folder contains files of the program itself (including the sample case), where users would not
 /// look for an export.
 bool isProgramFolder(const QString& folder)
 {

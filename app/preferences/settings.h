@@ -45,7 +45,7 @@ inline const Setting<QStringList> pinnedCases{
 inline const Setting<bool> recentThumbnails{"files/recentPictures", true};
 inline const Setting<QByteArray> windowLayout{"window/layout", {}};
 inline const Setting<bool> layoutFollowsStep{"window/layoutFollowsStep", true};
-inline const Setting<QByteArray> tracingLayout{"window/steps/tracing", {}};   ///< see ui::WorkLayout
+inline const Setting<QByteArray> tracingLayout{"window/steps/tracing", {}};   ///< see ui::ActivityLayout
 inline const Setting<QByteArray> registrationLayout{"window/steps/registration", {}};
 inline const Setting<QByteArray> reviewLayout{"window/steps/review", {}};
 inline const Setting<QString> theme{"window/theme", QStringLiteral("dark")};   ///< dark, light or system
@@ -56,7 +56,7 @@ inline const Setting<bool> isTourCompleted{"window/tourSeen", false};
 inline const Setting<bool> reduceMotion{"window/reduceMotion", false};
 inline const Setting<bool> noticeAccepted{"window/noticeAccepted", false};
 inline const Setting<double> overlayOpacity{"view/overlayOpacity", 0.9};
-inline const Setting<QStringList> brightness{"view/brightness", {}};   ///< see BrightnessMemory
+inline const Setting<QStringList> brightness{"view/brightness", {}};   ///< see WindowLevelMemory
 inline const Setting<bool> identityHidden{"view/identityHidden", false};
 inline const Setting<double> playSpeed{"view/playSpeed", 1.0};   ///< playback speed relative to the acquisition
 inline const Setting<bool> playBackAndForth{"view/playBackAndForth", false};
@@ -65,7 +65,7 @@ inline const Setting<double> gantryRao{"angles/rao", -90.0};   ///< gantry limit
 inline const Setting<double> gantryLao{"angles/lao", 90.0};
 inline const Setting<double> gantryCaudal{"angles/caudal", -40.0};
 inline const Setting<double> gantryCranial{"angles/cranial", 40.0};
-inline const Setting<bool> linkedCrosshair{"view/linkedCrosshair", true};   ///< between side-by-side views
+inline const Setting<bool> linkedCrosshair{"view/linkedCrosshair", true};   ///< shared by side-by-side views
 inline const Setting<double> maskOpacity{"slices/maskOpacity", 0.28};
 inline const Setting<double> brushRadiusMm{"slices/brushRadiusMm", 2.0};
 inline const Setting<bool> isBrush3d{"slices/brushBall", false};
@@ -85,9 +85,9 @@ inline const Setting<double> trialRangeMm{"user/trialRangeMm", 15.0};
 inline const Setting<double> trialRangeDeg{"user/trialRangeDeg", 8.0};
 inline const Setting<int> exportWidthPx{"export/widthPx", 1024};
 inline const Setting<int> exportDotsPerInch{"export/dotsPerInch", 300};
-inline const Setting<int> exportFormat{"export/format", 0};   ///< see ui::PictureFormat
+inline const Setting<int> exportFormat{"export/format", 0};   ///< see ui::ImageFileFormat
 inline const Setting<QString> reportTemplate{
-    "export/reportTemplate", {}, Sensitivity::Identifying};   ///< file path; if empty, the built-in template is used
+    "export/reportTemplate", {}, Sensitivity::Identifying};   ///< path of the template; empty: the built-in one is used
 inline const Setting<bool> privateMode{"privacy/private", false};   ///< see app/preferences/private_mode.h
 inline const Setting<QString> auditFile{"privacy/auditFile", {}};   ///< empty if there is no audit log
 inline const Setting<QString> lastReportedCrash{"support/seenFault", {}};   ///< last crash dump shown to the user
@@ -95,7 +95,7 @@ inline const Setting<bool> movieIsGif{"export/movieIsGif", false};   ///< if fal
 inline const Setting<int> movieWidthPx{"export/movieWidthPx", 1024};
 inline const Setting<bool> exportResiduals{"export/residuals", true};
 inline const Setting<bool> exportEnglish{"export/english",
-                                         false};   ///< always English, whatever the language of the window
+                                         false};   ///< if true, exports are in English whatever the UI language
 }   // namespace settings
 
 }   // namespace angiopose::app

@@ -59,7 +59,7 @@ void bindCase(py::module_& module)
 
 void bindReading(py::module_& module)
 {
-    // pybind11 tries the overloads in this order, so a second string is taken as a path and not as an observer.
+    // pybind11 tries the overloads in this order, so that it takes a second string as a path rather than an observer.
     module.def(
         "readCase",
         [](const Path& vesselPath, const Path& imagePath, const VesselReadOptions& options, const py::object& observe) {

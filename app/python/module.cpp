@@ -25,7 +25,7 @@ void bindErrors(py::module_& module)
         .def("__str__", [](const Message& message) { return message.text; })
         .def("__repr__", [](const Message& message) { return "<Message " + message.id + ": " + message.text + ">"; });
 
-    // Intentionally leaked, because the interpreter may be gone when statics are destroyed.
+    // Intentionally leaked, because the interpreter may have ended when static objects are destroyed.
     static const py::handle errorType = py::exception<Error>(module, "Error", PyExc_RuntimeError).release();
     static const py::handle stoppedType = py::exception<Stopped>(module, "Stopped", errorType).release();
     errorType.attr("__doc__") =

@@ -15,7 +15,7 @@
 #include <string_view>
 #include <vector>
 
-// Values that objects return as copies are read-only in Python, because a change to the copy would be lost silently.
+// Values that objects return as copies are read-only in Python, because a change to the copy would be silently lost.
 
 namespace angiopose::python {
 
@@ -28,7 +28,7 @@ using Path = std::filesystem::path;
 template <class T>
 using Array = py::array_t<T, py::array::c_style | py::array::forcecast>;
 
-/// View of values that `owner` holds, without a copy; read-only, because copies of C++ objects share the values.
+/// Returns a view of values that `owner` holds; no copy. Read-only, because copies of C++ objects share the values.
 template <class T>
 py::array viewOf(const T* values, const std::vector<py::ssize_t>& shape, const py::handle& owner)
 {
@@ -79,7 +79,7 @@ std::vector<Eigen::Matrix<double, Columns, 1>> pointsOf(const Array<double>& row
     return points;
 }
 
-/// Converts integers of any type to T. Throws for fractions and for numbers out of the range of T, because conversion
+/// Converts integers of any type to T. Throws for fractions and for numbers outside the range of T, because conversion
 /// would change them.
 template <class T>
 Array<T> toIntegerArray(const py::object& given, const char* name)
@@ -144,7 +144,7 @@ inline Image imageOf(const Array<float>& rows, const char* name)
     return {static_cast<int>(rows.shape(1)), static_cast<int>(rows.shape(0)), {rows.data(), rows.data() + rows.size()}};
 }
 
-/// A T that is part of another object: its attributes are read-only, but copies of it are writable.
+/// A T that is part of another object: its attributes are read-only, but copies are writable.
 template <class T>
 struct ReadOnly : T {
     explicit ReadOnly(T value) : T(std::move(value)) {}

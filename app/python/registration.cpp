@@ -27,7 +27,7 @@ RegistrationInput inputFrom(const VesselTree& tree, const Centerline2d& target, 
             lockPivotInPatient};
 }
 
-/// Getter that returns a copy of the field, so that arrays obtained from it remain valid when the field is assigned.
+/// Getter that returns a copy of the field, so that arrays obtained from it stay valid when the field is assigned.
 template <auto Field>
 auto copied()
 {
@@ -198,7 +198,7 @@ void bindResults(py::module_& module)
         .def_property_readonly("warnings", asTuple<&MultiViewResult::warnings>(), "why they are not reliable");
 }
 
-/// Returns the covariances as an (n, 3, 3) view. The storage order does not matter because the matrices are symmetric.
+/// Returns the covariances as an (n, 3, 3) view. The storage order does not matter, because the matrices are symmetric.
 py::array matricesOf(const std::vector<Eigen::Matrix3d>& matrices, const py::handle& owner)
 {
     const double* first = matrices.empty() ? nullptr : matrices.front().data();

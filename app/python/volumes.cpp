@@ -73,7 +73,7 @@ std::vector<Eigen::Vector3d> placesOf(const Places& places, const char* name)
     return places ? pointsOf<3>(*places, name) : std::vector<Eigen::Vector3d>();
 }
 
-/// Getter that returns a list of points as a read-only copy of shape (n, 3).
+/// Getter that returns a list of points as a read-only copy with shape (n, 3).
 template <auto Field>
 auto asPlaces()
 {

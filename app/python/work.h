@@ -8,8 +8,8 @@
 
 namespace angiopose::python {
 
-/// Observer that calls `observe(progress)`, which may be None, from work that runs without the GIL; Ctrl+C also ends
-/// the work. Exceptions of `observe` propagate out of the work. `observe` must outlive the observer.
+/// Returns an observer that calls `observe(progress)` from work that runs without the GIL; `observe` may be None, and
+/// Ctrl+C also ends the work. Exceptions of `observe` propagate out of the work. `observe` must outlive the observer.
 inline Observer observerOf(pybind11::handle observe)
 {
     if (!observe.is_none() && PyCallable_Check(observe.ptr()) == 0) {

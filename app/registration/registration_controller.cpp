@@ -92,7 +92,7 @@ void RegistrationController::continueAfterTracing()
 void RegistrationController::apply(const core::RegisteredCase& registered)
 {
     end();
-    std::vector<core::View> views = document_.current().views;   // includes snapshots saved during the registration
+    std::vector<core::View> views = document_.current().views;   // includes snapshots saved during registration
     for (const std::size_t place : registered.viewIndices) {
         core::View& view = views[place];
         core::applyRegistration(view, registered.session.views[place]);

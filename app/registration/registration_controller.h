@@ -8,8 +8,8 @@
 
 namespace angiopose::app {
 
-/// Registers the open case: traces the vessels if needed, then runs the solver with live display of the pose. Stop
-/// keeps the best pose so far. The result is one undo step.
+/// Registers the open case: traces the vessels if needed, then runs the solver and shows the pose live. Stop keeps the
+/// best pose so far. The result is one undo step.
 class RegistrationController : public QObject {
     Q_OBJECT
 public:
@@ -20,7 +20,7 @@ public:
     bool isRunning() const { return phase_ != Phase::Idle; }
     void start();
     void stop();   ///< returns at once
-    void setAllViews(bool together) { registersAllViews_ = together; }   ///< for cases with several views
+    void setAllViews(bool together) { registersAllViews_ = together; }   ///< whether to register all views jointly
 
 signals:
     void runningChanged(bool running);

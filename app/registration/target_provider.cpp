@@ -6,7 +6,7 @@
 namespace angiopose::app {
 namespace {
 
-constexpr std::size_t maxCacheBytes = 16U << 20U;   // cache size, dominated by the masks: 64 frames of 512 × 512
+constexpr std::size_t maxCacheBytes = 16U << 20U;   // cache size, mostly for masks: 64 frames of 512 × 512
 
 std::size_t bytesOf(const SharedTrace& trace)
 {
@@ -28,7 +28,7 @@ TargetProvider::TargetProvider(QObject* parent) : QObject(parent)
 {
     const auto goOn = [this] {
         const SharedCenterline before = current_;
-        if (pendingRequest_) {   // not set if curves were provided in the meantime or the image is gone
+        if (pendingRequest_) {   // not set if curves were provided in the meantime or the image no longer exists
             startRequested();
         }
         if (current_ == before) {

@@ -12,14 +12,14 @@
 namespace angiopose::app {
 
 /// Provides the traced vessels of the case's current frame: the 2-D centerline stored in the case, or a trace computed
-/// on a worker thread and cached by frame and options. Only the newest request is processed.
+/// on a worker thread and cached by frame and options. Processes only the newest request.
 class TargetProvider : public QObject {
     Q_OBJECT
 public:
     explicit TargetProvider(QObject* parent = nullptr);
 
     void setCase(const core::Case& session);
-    const SharedCenterline& current() const { return current_; }   ///< null until ready
+    const SharedCenterline& current() const { return current_; }   ///< null until the target is ready
     const SharedTrace& trace() const { return trace_; }   ///< null if the target is stored in the case or not ready
     const std::optional<core::Message>& problem() const { return problem_; }   ///< reason why there is no target
     bool isTracing() const { return job_.isRunning(); }

@@ -39,7 +39,7 @@ constexpr int pageDpi = 96;   // as in browsers, so that the PDF and HTML report
 constexpr int markPx = 96;
 constexpr int shownWidth = 680;   // full width between the margins
 constexpr int shownWidthOfOne =
-    340;   // width of a single image: the same as in a pair, so that everything fits on one page
+    340;   // width of a single image, the same as in a pair, so that everything fits on one page
 constexpr int markWidth = 36;
 
 /// Returns the URL by which the page refers to an image.
@@ -99,7 +99,7 @@ QString patientWords(const ReportedView& view)
 /// Position of a view among the views of the report.
 enum class ReportPlace { Alone, First, Further };
 
-/// Section on one view. Every view after the first starts a new page, which keeps its image and heading together.
+/// Returns the section on one view. Each view after the first starts a new page that keeps image and heading together.
 QString viewSection(const ReportedView& view, const QString& picture, ReportPlace place)
 {
     const core::Case& session = view.session;
@@ -111,7 +111,7 @@ QString viewSection(const ReportedView& view, const QString& picture, ReportPlac
                           : place == ReportPlace::First ? heading(title)
                                                         : heading(title, "; page-break-before:always");
     const QString seen = pairCaptions(view, widthOf(view)) + picture + colorLegend(view);
-    const QString verdict = verdictSection(view);   // placed first if it is negative
+    const QString verdict = verdictSection(view);   // placed first if the verdict is negative
     return above + (view.evaluation.trustworthy ? seen + verdict : verdict + seen) +
            sideBySideTable(resultSection(view) + branchSection(view), geometrySection(session) + poseSection(session)) +
            measurementSection(session) + targetPointSection(session);
@@ -217,7 +217,7 @@ core::Result<ReportedView> judgedView(const core::Case& session, const core::Res
     return ReportedView{session, look, target.value(), evaluation.value(), {}};
 }
 
-/// Draws the overlay image, side by side with the initial pose if that differs.
+/// Draws the overlay image, side by side with that of the initial pose if the poses differ.
 core::Result<QImage> pictureOf(const ReportedView& view)
 {
     OverlayImageOptions look = view.look;

@@ -4,7 +4,7 @@
 
 namespace angiopose::app::report {
 
-/// Translation context of the report texts.
+/// Translation context for the strings of the report.
 struct PageWords {
     Q_DECLARE_TR_FUNCTIONS(angiopose::app::CaseReport)
 };

@@ -30,7 +30,7 @@ double scaleEndMm(const core::Case& session)
     return residualScaleMaximumPx(camera.value(), depthMm) * core::millimetersPerPixel(camera.value(), depthMm);
 }
 
-/// Returns a color sample followed by its meaning. The sample is a character, so that it also appears in print.
+/// Returns a color sample followed by its meaning. The sample is a character, so that it is also printed.
 QString sample(const ui::Color& color, const QString& meaning)
 {
     return QStringLiteral("&nbsp;&nbsp;<span style=\"color:%1\">&#9632;</span>&nbsp;%2")

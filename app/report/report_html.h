@@ -13,7 +13,7 @@ QString heading(const QString& text, const char* moreStyle = "");
 /// Returns a two-column table of names and values; `moreStyle` is appended to the style of the values.
 QString table(const ReportRows& rows, const char* moreStyle = "");
 
-/// Background color, as in the result card of the window, with its text color.
+/// Background color, as in the result card of the window, with the color of its text.
 struct CardColors {
     const char* color;
     const char* textColor;
@@ -21,7 +21,7 @@ struct CardColors {
 inline constexpr CardColors reliableColors{"#e3f2e6", "#14532d"};
 inline constexpr CardColors unreliableColors{"#fbefd9", "#7a4a00"};
 
-/// Returns a prominent verdict followed by sentences, on a colored background; empty if there are none.
+/// Returns a prominent verdict followed by sentences, on a colored background; empty if there are no sentences.
 QString card(const QStringList& sentences, const CardColors& ground, const QString& verdict = {});
 
 /// Returns two sections side by side.

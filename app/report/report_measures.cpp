@@ -11,7 +11,7 @@ namespace {
 
 using report::PageWords;
 
-/// Smaller reductions are within the measurement error of the lumen and are not reported as stenosis.
+/// Smaller diameter reductions are within the measurement error and are not reported as a stenosis.
 constexpr double minStenosisPercent = 10.0;
 
 }   // namespace

@@ -5,16 +5,16 @@
 #include <QDateTime>
 #include <QString>
 
-// Sections of a report on one view, each with its heading. A section is empty if it has nothing to report.
+// Sections of a report on one view, each with its heading. A section is empty if there is nothing to report.
 namespace angiopose::app::report {
 
 /// Formats the time in ISO 8601 with the time zone, independent of the locale.
 QString timestampText(const QDateTime& time);
 
-/// Returns whether the pose is reliable, what that means, and the warnings of the registration.
+/// Returns whether the pose is reliable and what that means, with the warnings of the registration.
 QString verdictSection(const ReportedView& view);
 
-/// Returns the residuals and the origin of the pose.
+/// Returns the residuals of the pose and its origin.
 QString resultSection(const ReportedView& view);
 
 QString branchSection(const ReportedView& view);

@@ -36,7 +36,7 @@ const QStringList& knownMarks()
 }
 
 const QString pictureMark =
-    QStringLiteral("picture ");   // followed by a number; the blank keeps it distinct from placeholders of the user
+    QStringLiteral("picture ");   // followed by a number; the blank keeps it distinct from the user's placeholders
 
 QString written(const QString& mark)
 {
@@ -82,7 +82,7 @@ QImage loadTemplatePicture(const QFileInfo& page, const QString& name)
     return isTaken(reader) ? reader.read() : QImage();
 }
 
-/// Loads the template's images and replaces the references to them by placeholders.
+/// Loads the template's images and replaces references to them by placeholders.
 core::Status loadPictures(ReportTemplate& page, const QString& path)
 {
     static const QRegularExpression source(QStringLiteral("\\bsrc\\s*=\\s*(?:\"([^\"]*)\"|'([^']*)'|([^\\s\"'>]+))"),
@@ -112,7 +112,7 @@ const QRegularExpression& markPattern()
     return pattern;
 }
 
-/// Checks that the template contains all required placeholders, and none that are unknown and would remain unfilled.
+/// Checks that the template contains all required placeholders and none that are unknown and would stay unfilled.
 core::Status checkPlaceholders(const QString& html)
 {
     QStringList found;

@@ -20,12 +20,12 @@ struct ReportTemplate {
 QByteArray builtInReportTemplate();   ///< returns the starting point for custom templates
 
 /// Reads a template and the images it names; an empty path selects the built-in template. Fails if the template cannot
-/// be read, lacks a required placeholder, contains an unknown one, or names an image that is not in its folder. Reads
-/// files; call it on a worker thread.
+/// be read, lacks a required placeholder, contains an unknown one, or names an image that is not in its folder. It
+/// reads files, so call it on a worker thread.
 core::Result<ReportTemplate> readReportTemplate(const QString& path);
 
 /// Fills in the template. `parts` maps placeholder names to HTML; placeholders inside the parts are not replaced.
-/// `urlOf` returns the URLs of the template's own images.
+/// `urlOf` returns the URL of each of the template's own images.
 QString fillTemplate(const ReportTemplate& page, const QHash<QString, QString>& parts,
                      const std::function<QString(std::size_t picture)>& urlOf);
 

@@ -107,7 +107,7 @@ void BlindTrialController::start(const ui::BlindTrialSetup& setup)
         [] { return tr("Blind trial"); }));
     showRunning(true);
     if (QAction* nudge = ui_.actions[ui::Command::Nudge]; !nudge->isChecked()) {
-        nudge->trigger();   // starts nudge mode, in which the keys move the vessels
+        nudge->trigger();   // starts nudge mode, in which keys move the vessels
     }
     clock_.start();
     emit started();

@@ -21,8 +21,8 @@ class WindowActions;
 
 namespace angiopose::app {
 
-/// Observer studies: the vessels start at a random pose, everything that could reveal how good a pose is stays hidden,
-/// and time and pose are logged. Afterward the case is unchanged except for the observer's pose among the snapshots.
+/// Conducts observer studies: the vessels start at a random pose, everything that could reveal how good a pose is stays
+/// hidden, and time and pose are logged. Afterward, the case is unchanged except for a snapshot of the observer's pose.
 class BlindTrialController : public QObject {
     Q_OBJECT
 public:

@@ -14,7 +14,7 @@ using ui::Command;
 
 constexpr int maxSidePx = 256;   // low resolution suffices, because the detector is a small part of the view
 
-/// Computes DRRs of the scan; the first call prepares the data. Not thread-safe: one worker at a time.
+/// Computes DRRs of the scan; the first call prepares the data. Not thread-safe: only one worker may use it at a time.
 class Source {
 public:
     Source(std::shared_ptr<const core::Volume> scan, const core::ProjectionCamera& camera)

@@ -18,7 +18,7 @@ class WindowActions;
 
 namespace angiopose::app {
 
-/// Shows a DRR of the scan on the detector in the 3-D view, projected from the source of the shown view; updated
+/// Shows a DRR of the scan on the detector in the 3-D view, projected from the source of the shown view, and updates it
 /// whenever the pose changes.
 class DetectorDrrController : public QObject {
     Q_OBJECT
@@ -36,7 +36,7 @@ private:
 
     const CaseDocument& document_;
     Ui ui_;
-    std::shared_ptr<const core::Volume> scan_;   ///< scan passed to the job
+    std::shared_ptr<const core::Volume> scan_;   ///< scan that was passed to the job
     std::optional<core::ProjectionCamera> camera_;
     NewestJob<core::RigidTransform, core::ImageF> job_;
 };

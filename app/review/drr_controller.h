@@ -14,7 +14,7 @@ class BottomStrip;
 
 namespace angiopose::app {
 
-/// Shows a DRR of the vessels over the angiogram; updated whenever the pose changes.
+/// Shows a DRR of the vessels over the angiogram and updates it whenever the pose changes.
 class DrrController : public QObject {
     Q_OBJECT
 public:
@@ -38,7 +38,7 @@ private:
     Parts parts_;
     DrrJob job_;
     bool isWanted_ = false;
-    bool isReady_ = false;   ///< the job holds the inputs described by the members below
+    bool isReady_ = false;   ///< true if the job holds the inputs described by the members below
     std::shared_ptr<const core::VesselTree> tree_;
     std::shared_ptr<const core::Volume> volume_;
     std::optional<core::ProjectionCamera> camera_;

@@ -33,8 +33,8 @@ std::vector<double> residualsMm(const std::vector<int>& excludedBranchIds,
 constexpr auto restBetween =
     std::chrono::milliseconds(60);   ///< pause between evaluations, so that drawing keeps up with dragging
 
-/// Returns the target of the evaluation. After a wire registration it includes the wire, because the branches along the
-/// wire match the wire and not the traced vessels.
+/// Returns the target of the evaluation. After a wire registration, the target includes the wire, because the branches
+/// along the wire match it rather than the traced vessels.
 core::Centerline2d judgedTarget(const core::View& view, const core::Centerline2d& vessels)
 {
     const auto devices = core::devicesOf(view);

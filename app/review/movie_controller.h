@@ -13,7 +13,7 @@
 
 namespace angiopose::app {
 
-/// Exports movies: asks for the content and writes it on a worker thread, with progress and a Stop button.
+/// Exports movies: asks for the content and writes the movie on a worker thread, with progress and a Stop button.
 class MovieController : public QObject {
     Q_OBJECT
 public:

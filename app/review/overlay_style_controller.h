@@ -33,8 +33,8 @@ public:
     };
     OverlayStyleController(const CaseDocument& document, ViewSync& sync, const Ui& ui, QObject* parent = nullptr);
 
-    void setHiddenWhileHeld(bool held);   ///< hides the vessels as long as the key is held
-    /// Sets the residuals in whose order W steps through the branches, worst first.
+    void setHiddenWhileHeld(bool held);   ///< hides the vessels as long as the key is held down
+    /// Sets the residuals, in whose order W steps through the branches, worst first.
     void setResiduals(std::vector<core::BranchResidual> branches, double millimetersPerPixel);
 
     /// Returns the drawing style of the vessels, for callers that do not show DRRs.
@@ -43,7 +43,7 @@ public:
 
 signals:
     void changed();   ///< emitted when the appearance of the overlay or the inversion of the image changes
-    void branchRequested(int branchId);   ///< emitted to select the branch
+    void branchRequested(int branchId);   ///< emitted to select this branch
     void drrRequested(bool wanted);   ///< emitted to switch between a DRR of the vessels and their lines
 
 private:
@@ -68,7 +68,7 @@ private:
     Ui ui_;
     WindowLevelMemory brightness_;
     ui::OverlayMode style_ = ui::OverlayMode::Centerline;
-    bool isDrr_ = false;   ///< show a DRR instead of `style_`
+    bool isDrr_ = false;   ///< whether a DRR is shown instead of `style_`
     bool isHiddenWhileHeld_ = false;
     std::vector<core::BranchResidual> residuals_;
     double millimetersPerPixel_ = 0.0;

@@ -17,9 +17,9 @@ namespace angiopose::app {
 namespace {
 
 constexpr int seriesBursts =
-    1 << 22;   ///< offset that separates the undo-merge ids of method series from those of poses and frames
+    1 << 22;   ///< offset that separates the merge IDs of method series from those of poses and frames
 
-/// Default methods of the comparison: that of AngioPose, a classic one, and the standard reference in the literature.
+/// Default methods of the comparison: that of AngioPose, a classic one, and the standard reference of the literature.
 const std::vector<std::string> defaultComparedMethods{"angiopose", "dt-icp", "iterative-pnp"};
 
 }   // namespace

@@ -22,7 +22,7 @@ class WindowActions;
 
 namespace angiopose::app {
 
-/// Comparison table: snapshots, registrations and the current pose side by side; runs several methods to fill it.
+/// Manages the table that compares snapshots, registrations and the current pose; runs several methods to fill it.
 class PoseTableController : public QObject {
     Q_OBJECT
 public:
@@ -44,7 +44,7 @@ public:
     void stop() { job_.requestStop(); }
 
 private:
-    /// Input of the registrations; their results are valid for nothing else. Does not keep a closed case alive.
+    /// Input of the registrations, for which alone their results are valid. Does not keep a closed case in memory.
     struct Origin {
         int caseNumber = 0;
         std::weak_ptr<const core::VesselTree> tree;

@@ -42,13 +42,13 @@ private:
     void point(const std::optional<Eigen::Vector3d>& pointInPatient);
     void askTable();
     void askProfile();
-    const core::VesselBranch* selectedBranch() const;   ///< null unless exactly one branch is selected
+    const core::VesselBranch* selectedBranch() const;   ///< returns null unless exactly one branch is selected
 
     const CaseDocument& document_;
     const BranchController& branches_;
     ExportController& exporting_;
     Ui ui_;
-    std::shared_ptr<const core::VesselTree> tree_;   ///< tree that contains the branch shown in the panel
+    std::shared_ptr<const core::VesselTree> tree_;   ///< tree to which the branch in the panel belongs
     std::optional<int> shown_;
 };
 

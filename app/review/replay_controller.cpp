@@ -22,7 +22,7 @@ using namespace std::chrono_literals;
 constexpr int phasesPerSwing = 60;
 constexpr double swingSigmas = 2.0;
 
-/// RMS distance of the tree's points from their centroid, mm; the displacement per rad of rotation.
+/// Returns the RMS distance of the tree's points from their centroid, mm, i.e. the displacement per rad of rotation.
 double spreadMm(const core::VesselTree& tree, const Eigen::Vector3d& centroid)
 {
     double sum = 0.0;
@@ -119,7 +119,7 @@ std::optional<ReplayController::Swing> ReplayController::swing() const
     if (!uncertainty_ || !current.vessels.tree || uncertainty_->weakestDirection.norm() < 0.5) {
         return std::nullopt;
     }
-    core::Vector6d perMm = core::Vector6d::Ones();   // factors that convert (rad, mm) to mm at the tree
+    core::Vector6d perMm = core::Vector6d::Ones();   // factors from (rad, mm) to mm at the tree
     perMm.head<3>().setConstant(spreadMm(*current.vessels.tree, core::centroidInPatient(*current.vessels.tree)));
     const core::Vector6d& direction = uncertainty_->weakestDirection;
     const core::Vector6d scaled = perMm.cwiseProduct(direction);
@@ -147,7 +147,7 @@ void ReplayController::setSwinging(bool on)
         strip_.showStatus(tr("The uncertainty of this pose is not known yet."));
         return;
     }
-    phase_ = settings::reduceMotion.read() ? phasesPerSwing / 4 : 0;   // reduced motion: one end of the swing
+    phase_ = settings::reduceMotion.read() ? phasesPerSwing / 4 : 0;   // with reduced motion, one end of the swing
     showSwing();
     if (!settings::reduceMotion.read()) {
         swingTimer_.start();

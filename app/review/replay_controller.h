@@ -16,7 +16,7 @@ class WindowActions;
 namespace angiopose::app {
 
 /// Shows poses temporarily without changing the case: the convergence of the last registration, the swing along the
-/// least constrained direction, and the alternative solutions. Any change of the case ends the animation.
+/// least constrained direction, and the alternative solutions. Any change to the case ends the animation.
 class ReplayController : public QObject {
     Q_OBJECT
 public:
@@ -30,7 +30,7 @@ public:
     void acceptSolution();   ///< makes the shown solution the pose of the case
 
 signals:
-    void solutionShown();   ///< emitted when a solution is shown; other animations should end
+    void solutionShown();   ///< emitted when a solution is shown, which should end other animations
     void solutionChanged(std::size_t index);
 
 private:

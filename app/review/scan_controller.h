@@ -17,7 +17,7 @@ class WindowActions;
 namespace angiopose::app {
 
 /// Controls the volume rendering of the scan behind the vessels in the 3-D view: selects the scan and its appearance
-/// and requests renderings from the current viewpoint, rough ones during rotation and a fine one at rest.
+/// and requests renderings from the current viewpoint: rough ones during rotation, a fine one at rest.
 class ScanController : public QObject {
     Q_OBJECT
 public:
@@ -42,7 +42,7 @@ private:
     core::AppearanceOptions look() const;
     void requestRough();
     void requestFine();
-    /// Requests a rendering; returns false if nothing can be shown at the moment.
+    /// Requests a rendering; returns false if nothing can be shown now.
     bool request(const core::AppearanceOptions& wanted, int maxPx, ScanDetail detail);
     void show(const ScanRendering& picture);
     void showState();
@@ -51,7 +51,7 @@ private:
     const CaseDocument& document_;
     Ui ui_;
     ScanJob job_;
-    QTimer restTimer_;   ///< times out when the view is at rest
+    QTimer restTimer_;   ///< times out when the view has come to rest
     core::VolumePreparation shownVolume_;   ///< volume that the job holds or is preparing
     core::AppearanceOptions requestedLook_;   ///< appearance of the last request
     core::ScanPreset preset_;

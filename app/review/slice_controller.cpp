@@ -94,7 +94,7 @@ void SliceController::updateFromDocument()
             ui_.actions[ui::Command::SlicesLarge]->setChecked(true);
         }
     }
-    if (isNewImage) {   // a newly opened image takes the place of the large slices
+    if (isNewImage) {   // a newly opened image takes the place of the enlarged slices
         ui_.actions[ui::Command::SlicesLarge]->setChecked(false);
     }
 }

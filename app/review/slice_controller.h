@@ -32,7 +32,7 @@ public:
 
 signals:
     void largeChanged(
-        bool large);   ///< emitted when large slices (in place of the image or in a window) are shown or hidden
+        bool large);   ///< emitted when enlarged slices (in place of the image or in a window) are shown or hidden
 
 private:
     void connectView(ui::SliceView& view);
@@ -47,7 +47,7 @@ private:
     std::set<int> lastSelection_;   ///< selection at the last update, to detect changes
     std::shared_ptr<const core::Volume> shownVolume_;
     std::shared_ptr<const core::Angiogram> shownAngiogram_;
-    core::InputFile shownLabels_;   ///< label image in which the vessels were traced
+    core::InputFile shownLabels_;   ///< label image from which the vessels were traced
 };
 
 }   // namespace angiopose::app

@@ -20,8 +20,8 @@ bool isSnapshotPose(const core::RigidTransform& a, const core::RigidTransform& b
     return (a.matrix() - b.matrix()).cwiseAbs().maxCoeff() < 1e-9;
 }
 
-/// Returns the newest snapshot saved by the user, or else the newest one from a registration. Skips snapshots equal to
-/// the current pose, with which a comparison would show no difference.
+/// Returns the newest snapshot saved by the user, otherwise the newest one from a registration. Skips snapshots equal
+/// to the current pose, since a comparison with these would show no difference.
 std::optional<int> snapshotToCompare(const core::View& view)
 {
     std::optional<int> ofRun;
@@ -229,7 +229,7 @@ void SnapshotController::change(const core::PoseSnapshot& edited)
     found->name = hasName ? edited.name : found->name;
     found->author = edited.author;
     found->note = edited.note;
-    found->kind = core::SnapshotKind::Saved;   // an edited snapshot is kept when old registrations are removed
+    found->kind = core::SnapshotKind::Saved;   // an edited snapshot is kept when those of old registrations are removed
     push(std::move(snapshots), [] { return tr("Edit snapshot"); });
 }
 

@@ -26,23 +26,23 @@ public:
     SnapshotController(CaseDocument& document, PosePreview& preview, ui::WindowActions& actions,
                        ui::SnapshotPanel& panel, ui::BottomStrip& strip, QObject* parent = nullptr);
 
-    /// Sets the evaluation that provides the metrics of a new snapshot; null while not known.
+    /// Sets the evaluation that provides the metrics of a new snapshot; null until it is available.
     void setEvaluation(const SharedEvaluation& evaluation);
-    std::optional<core::SnapshotMetrics> metricsOfPose() const;   ///< empty while not known
+    std::optional<core::SnapshotMetrics> metricsOfPose() const;   ///< nullopt until the evaluation is available
 
     void saveSnapshot();
     void show(int snapshotId);   ///< shows a snapshot; 0 is the current pose
     void showCurrentPose();
     void restore(int snapshotId);
     void rename(int snapshotId, const QString& name);
-    void change(const core::PoseSnapshot& edited);   ///< changes name, author and note of the snapshot with the same id
+    void change(const core::PoseSnapshot& edited);   ///< changes name, author and note of the snapshot with the same ID
     void remove(const std::set<int>& snapshotIds);
     void mark(int snapshotId, bool isA);
     void toggleAB();   ///< toggles between the two marked poses: A, B, A, …
     const ui::SnapshotMarks& marks() const { return marks_; }
 
 signals:
-    void snapshotShown();   ///< emitted when a snapshot is shown; other animations should end
+    void snapshotShown();   ///< emitted when a snapshot is shown, which should end other animations
     void poseEvaluated();
 
 private:
@@ -60,7 +60,7 @@ private:
     SharedEvaluation evaluation_;
     ui::SnapshotMarks marks_;
     bool showsB_ = false;
-    std::vector<std::string> shownRows_;   ///< contents of the panel, which is refilled only if they change
+    std::vector<std::string> shownRows_;   ///< rows of the panel, which is refilled only if they change
 };
 
 }   // namespace angiopose::app

@@ -24,7 +24,7 @@ public:
     void showCurrent(std::size_t index);   ///< highlights the solution currently shown
 
 signals:
-    void solutionSelected(std::size_t index);   ///< emitted on selection by the user; index 0 is the pose itself
+    void solutionSelected(std::size_t index);   ///< emitted when the user selects a solution; 0 is the pose itself
     void acceptRequested(std::size_t index);
 
 private:

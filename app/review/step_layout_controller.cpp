@@ -55,7 +55,7 @@ void StepLayoutController::showFollowingStatus(bool follows)
     }
 }
 
-/// Vessels without a scan get no tracing layout, because there are no slices to show.
+/// There is no tracing layout for vessels without a scan, because there are no slices to show.
 std::optional<Activity> StepLayoutController::makeRetrieval(ui::Step step) const
 {
     switch (step) {
@@ -91,7 +91,7 @@ void StepLayoutController::updateLayout()
         return;
     }
     if (!canChangeLayout()) {
-        if (!registration_.isRunning()) {   // called again at the end of a registration
+        if (!registration_.isRunning()) {   // called again at the end of registration
             applyTimer_.start();
         }
         return;
@@ -137,7 +137,7 @@ ui::ActivityLayout StepLayoutController::defaultLayout(Activity work) const
     return {ui::defaultColumns(work, window_.width()), traces, traces ? 0 : settings::cornerView.read()};
 }
 
-/// Applies a layout; the keyboard focus stays on its widget if that remains visible.
+/// Applies a layout; the keyboard focus stays on its widget if the widget stays visible.
 void StepLayoutController::show(const ui::ActivityLayout& layout)
 {
     const QPointer<QWidget> focus = QApplication::focusWidget();

@@ -10,15 +10,15 @@
 
 namespace angiopose::app {
 
-/// Adapts the window layout to the current step: slices and 3-D view for tracing a scan, image and result for the
-/// review. Changes made by the user are restored at the next step of the same kind, including in later sessions.
+/// Adapts the window layout to the current step: slices and 3-D view for tracing a scan, image and result for review.
+/// Restores the user's changes at the next step of the same kind, including in later sessions.
 class StepLayoutController : public QObject {
     Q_OBJECT
 public:
     StepLayoutController(const RegistrationController& registration, ui::MainWindow& window, QObject* parent = nullptr);
 
     void goTo(ui::Step step);   ///< call after the user has selected the step
-    void begin();   ///< restores the step layout of the last session; call it after the window layout is restored
+    void begin();   ///< restores the step layout of the last session; call it after restoring the window layout
     void remember() const;   ///< stores the current layout
 
 private:
@@ -35,7 +35,7 @@ private:
     ui::MainWindow& window_;
     ui::Activity work_ = ui::Activity::Registering;
     std::optional<ui::Activity>
-        pendingWork_;   ///< layout to apply as soon as no drag and no registration is in progress
+        pendingWork_;   ///< layout to apply as soon as neither a drag nor a registration is in progress
     QTimer applyTimer_;
 };
 

@@ -4,8 +4,8 @@
 
 namespace angiopose::app {
 
-/// Returns the tracking result of the shown frame if the current pose comes from it, and not from a registration or a
-/// manual edit; otherwise null.
+/// Returns the tracking result of the shown frame if the current pose comes from it rather than from a registration or
+/// a manual edit; otherwise null.
 inline const core::TrackedRunFrame* shownTrackedPose(const core::View& view)
 {
     const core::TrackedRunFrame* frame = core::findFrame(view.followed, view.frame);

@@ -15,7 +15,7 @@
 namespace angiopose::app {
 namespace {
 
-/// Describes the periodic motion, e.g. " · breath every 3.7 s, 8.2 mm to and fro"; empty if there is none.
+/// Describes periodic motion, e.g. " · breath every 3.7 s, 8.2 mm to and fro"; empty if there is none.
 QString periodWords(const core::RunPeriods& periods)
 {
     const auto words = [](const QString& sentence, const core::PeriodicMotion& motion) {
@@ -132,7 +132,7 @@ void TrackingController::updateFromDocument()
     parts_.actions[ui::Command::ExportTrackedPoses]->setEnabled(!frames().empty());
 }
 
-/// Shows each frame with its own pose during playback; the document already holds the pose of its own frame.
+/// Shows each frame with its own pose during playback; the document already holds the pose of the document's frame.
 void TrackingController::showFrame(int frame)
 {
     parts_.panel.motion().showCurrent(frame);

@@ -19,8 +19,8 @@ class WindowActions;
 
 namespace angiopose::app {
 
-/// Tracks the vessels through the cine run, starting from the shown frame and pose, in one undo step. Shows each frame
-/// with its tracked pose as long as the case keeps the tracking result.
+/// Tracks the vessels through the cine run, starting from the shown frame and pose; the result is one undo step. Shows
+/// each frame with its tracked pose as long as the case has a tracking result.
 class TrackingController : public QObject {
     Q_OBJECT
 public:
@@ -57,7 +57,7 @@ private:
     Parts parts_;
     TrackingJob job_;
     core::Case startedFrom_;
-    std::shared_ptr<const std::vector<core::TrackedRunFrame>> shown_;   ///< poses shown in plot and views; null: none
+    std::shared_ptr<const std::vector<core::TrackedRunFrame>> shown_;   ///< poses in plot and views; null: none
 };
 
 }   // namespace angiopose::app

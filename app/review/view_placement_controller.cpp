@@ -49,7 +49,7 @@ void ViewPlacementController::connectWindow(Command command, MovableView view)
     connect(&frame, &ui::ViewFrame::poppedOutChanged, out, &QAction::setChecked);
 }
 
-/// Connects the slice commands: slices in a separate window also count as large.
+/// Connects the slice commands: slices in a separate window also count as enlarged.
 void ViewPlacementController::connectSlices()
 {
     QAction* large = window_.actions()[Command::SlicesLarge];
@@ -68,7 +68,7 @@ void ViewPlacementController::connectCollapsing(Command command, ui::ColumnSide 
     connect(&column, &ui::FoldingColumn::foldedChanged, fold, &QAction::setChecked);
 }
 
-/// Shows one view alone; if the view is in a separate window, makes that window full screen instead.
+/// Shows one view alone; if the view is in a separate window, shows that window full screen instead.
 void ViewPlacementController::setSingleView(MovableView view, bool on)
 {
     ui::ViewFrame& frame = window_.frameOf(view);

@@ -7,7 +7,7 @@
 namespace angiopose::app {
 
 /// Manages where views appear: alone in the main window, or in a separate window (on another screen if there is one);
-/// also collapses the side panels.
+/// also folds the side panels.
 class ViewPlacementController : public QObject {
     Q_OBJECT
 public:

@@ -15,7 +15,7 @@ using namespace std::chrono_literals;
 
 constexpr qsizetype keptSeries = 200;
 
-/// Returns the hashed key of a series; it is hashed because settings must not identify patients.
+/// Returns the key of a series, hashed because settings must not identify patients.
 QString seriesKey(const core::View& view)
 {
     if (!view.angiogram) {
@@ -39,7 +39,7 @@ std::optional<core::DisplayRange> automaticRange(const core::View& view)
     return core::displayRange(run.frames[static_cast<std::size_t>(peak)]);
 }
 
-/// Does nothing in private mode, because anyone with the image could recognize its hash in the settings.
+/// Does nothing in private mode, because anyone who has the image could recognize its hash in the settings.
 void storeWindowLevels(const QStringList& remembered)
 {
     if (!isPrivate()) {
@@ -71,8 +71,8 @@ void WindowLevelMemory::updateFromDocument()
 {
     if (document_.current().shown().angiogram != shownRun_) {
         shownRun_ = document_.current().shown().angiogram;
-        series_.clear();   // automatic window/level of a new image is not the user's choice
-        QMetaObject::invokeMethod(this, &WindowLevelMemory::restore, Qt::QueuedConnection);   // when the image is shown
+        series_.clear();   // automatic window/level of a new image is not a choice of the user
+        QMetaObject::invokeMethod(this, &WindowLevelMemory::restore, Qt::QueuedConnection);   // once the image is shown
     }
 }
 

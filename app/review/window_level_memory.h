@@ -16,7 +16,7 @@ class AngiogramView;
 
 namespace angiopose::app {
 
-/// Remembers window and level of each series and restores them when the series is opened again. Images of other series
+/// Remembers the window/level of each series and restores it when the series is opened again. Images of other series
 /// start with the automatic window/level of their peak-opacification frame.
 class WindowLevelMemory : public QObject {
     Q_OBJECT
@@ -24,7 +24,7 @@ public:
     WindowLevelMemory(const CaseDocument& document, ui::AngiogramView& view, QObject* parent = nullptr);
     ~WindowLevelMemory() override;
 
-    std::optional<core::DisplayRange> rangeOf(const core::View& view) const;   ///< see above; empty without an image
+    std::optional<core::DisplayRange> rangeOf(const core::View& view) const;   ///< range to restore, if any
     void store(const core::View& view, double window, double level);
 
 private:
@@ -35,7 +35,7 @@ private:
     const CaseDocument& document_;
     ui::AngiogramView& view_;
     std::shared_ptr<const core::Angiogram> shownRun_;
-    QString series_;   ///< key of the shown series; empty if it has none
+    QString series_;   ///< key of the shown series; empty if the image has none
     QStringList entries_;   ///< entries "series window level", most recently used first
     QTimer storeTimer_;
 };

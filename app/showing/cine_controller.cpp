@@ -110,7 +110,7 @@ void CineController::setPlaying(bool on)
     strip_.play().showPlaying(clock_.has_value());
 }
 
-/// Makes the frame on screen the frame of the case after the user has stopped playback.
+/// Makes the frame on screen that of the case after the user has stopped playback.
 void CineController::adoptFrame()
 {
     if (const auto frame = std::exchange(stoppedFrame_, std::nullopt); frame && !document_.isLocked()) {

@@ -14,17 +14,17 @@
 
 namespace angiopose::app {
 
-/// Plays the shown cine run: speed, frame range, loop or back and forth. Playback does not change the case. When the
-/// user stops it, the frame on screen becomes the case's frame in one undo step; Esc, or anything else that ends
-/// playback, returns to the case's frame.
+/// Plays the shown cine run with adjustable speed and frame range, in a loop or back and forth. Playback does not
+/// change the case. When the user stops it, the frame on screen becomes the case's frame in one undo step; Esc, or
+/// anything else that ends playback, returns to the case's frame.
 class CineController : public QObject {
     Q_OBJECT
 public:
     CineController(CaseDocument& document, ViewSync& sync, ReviewController& review, ui::WindowActions& actions,
                    ui::BottomStrip& strip, QObject* parent = nullptr);
 
-    const core::FrameRange& loop() const { return loop_; }   ///< frame range of the playback
-    double speed() const { return speed_; }   ///< relative to the acquisition rate
+    const core::FrameRange& loop() const { return loop_; }   ///< frame range of playback
+    double speed() const { return speed_; }   ///< playback speed relative to the acquisition rate
     core::CineOrder order() const { return order_; }
 
 private:
@@ -45,11 +45,11 @@ private:
     ReviewController& review_;
     ui::WindowActions& actions_;
     ui::BottomStrip& strip_;
-    std::shared_ptr<const core::Angiogram> run_;   ///< stored frames, before subtraction
+    std::shared_ptr<const core::Angiogram> run_;   ///< frames as stored, before subtraction
     core::FrameRange loop_;
     double speed_;
     core::CineOrder order_;
-    std::optional<core::CineClock> clock_;   ///< set during playback
+    std::optional<core::CineClock> clock_;   ///< set only during playback
     std::optional<int> stoppedFrame_;
     QElapsedTimer time_;
     QTimer timer_;

@@ -19,7 +19,7 @@ namespace angiopose::app {
 class Notifications : public QObject {
     Q_OBJECT
 public:
-    /// As long as `isBusy` returns true, the strip shows the progress of a task, and notes appear next to it.
+    /// While `isBusy` returns true, the strip shows the progress of a task, and notes appear next to it.
     Notifications(ui::BottomStrip& strip, QWidget& dialogParent, std::function<bool()> isBusy,
                   QObject* parent = nullptr);
 

@@ -9,7 +9,7 @@
 namespace angiopose::app {
 
 /// Shows the patient identity found in the case's inputs above the case. If the inputs name several patients, shows all
-/// of them, or, if the identity is hidden, only that they differ.
+/// of them or, if the identity is hidden, only the fact that they differ.
 class PatientController : public QObject {
     Q_OBJECT
 public:

@@ -13,12 +13,12 @@ namespace angiopose::app {
 /// Source of a pose that is shown temporarily instead of the document's pose.
 enum class PreviewSource { Drag, Run, Start, Replay, Swing, Solution, Snapshot, Frame };
 
-/// Whether residual colors apply to a temporarily shown pose. A dragged pose is evaluated as it moves; for other poses,
-/// the colors would belong to a different pose.
+/// Whether residual colors apply to a temporarily shown pose. A dragged pose is evaluated as it moves; with other
+/// poses, the colors would belong to a different one.
 enum class ResidualColors { Kept, Hidden };
 
-/// Currently shown pose (that of the document or a temporary preview) and shape of the vessels. Only one preview exists
-/// at a time: a new one replaces the previous one and notifies its owner. An owner can end only its own preview.
+/// Current pose on screen (that of the document or of a temporary preview) and shape of the vessels. Only one preview
+/// exists at a time: a new one replaces the previous one and notifies its owner. An owner can end only its own preview.
 class PosePreview : public QObject {
     Q_OBJECT
 public:
@@ -27,17 +27,17 @@ public:
     void show(PreviewSource source, const core::RigidTransform& cameraFromPatient, ResidualColors colors);
     void end(PreviewSource source);   ///< returns to the document's pose unless another preview has taken over
 
-    std::optional<PreviewSource> shown() const { return shown_; }   ///< empty if the document's pose is shown
+    std::optional<PreviewSource> shown() const { return shown_; }   ///< nullopt if the document's pose is shown
     const core::RigidTransform& pose() const;   ///< shown pose, camera from patient
-    /// Shown pose of any view of the case, camera from patient. If the views are linked, a preview moves all of them;
-    /// initial poses exist for each view, and tracking moves only the shown view.
+    /// Returns the pose on screen of any view of the case, camera from patient. If the views are linked, a preview
+    /// moves all of them; initial poses exist for each view, and tracking moves only the shown view.
     core::RigidTransform poseOfView(std::size_t view) const;
     void setMovesAllViews(bool all);   ///< sets whether a preview moves all views of the case
     bool movesAllViews() const { return movesAllViews_; }
     ResidualColors colors() const { return colors_; }
 
-    /// Selects the vessel shape on the images; has an effect only if a deformation is known for the shown pose.
-    /// `setMotionColored` colors the vessels by displacement.
+    /// Selects the vessel shape on the images, which has an effect only if a deformation is known for the pose on
+    /// screen. `setMotionColored` colors the vessels by displacement.
     void setShape(VesselShape shape);
     VesselShape shape() const { return shape_; }
     void setMotionColored(bool colored);

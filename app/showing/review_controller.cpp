@@ -20,7 +20,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr int frameBursts = 1 << 20;   ///< offset that separates the undo-merge ids of frames from those of poses
+constexpr int frameBursts = 1 << 20;   ///< offset that separates the merge IDs of frames from those of poses
 constexpr qint64 reviewBurstPauseMs = 1500;
 
 }   // namespace

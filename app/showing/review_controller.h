@@ -15,7 +15,7 @@ class WindowActions;
 
 namespace angiopose::app {
 
-/// Controls the display during review: flicker, frames, theme. Only a change of frame changes the case.
+/// Controls the display during review: flicker, frames and theme. Only a change of frame changes the case.
 class ReviewController : public QObject {
     Q_OBJECT
 public:

@@ -23,7 +23,7 @@ namespace {
 
 double sourceToDetectorMm(const core::Case& current)
 {
-    // The value is used only to draw the detector, so a typical C-arm serves as fallback.
+    // The value only serves to draw the detector, so a typical C-arm is a sufficient fallback.
     return current.shown().geometry.cArm.sourceToDetectorMm.value.value_or(1000.0);
 }
 
@@ -49,7 +49,7 @@ QString previewWords(PreviewSource whose)
     return ViewSync::tr("another pose");
 }
 
-/// Returns the bar heights relative to the peak-opacification frame.
+/// Returns the bar heights relative to that of the peak-opacification frame.
 std::vector<double> relativeToPeak(std::vector<double> shares)
 {
     const double peak = shares.empty() ? 0.0 : *std::ranges::max_element(shares);
@@ -143,7 +143,7 @@ void ViewSync::showAngiogram()
     }
     if (measuredRun_ == core::storedRunOf(document_.current().shown())) {
         isGrayRangeChanged_ =
-            shownAngiogram_ != nullptr;   // the same cine run was toggled between subtracted and native
+            shownAngiogram_ != nullptr;   // the same cine run was switched between subtracted and native
     } else {
         measureOpacification();   // measured on the stored frames, which subtraction does not change
     }
@@ -306,8 +306,8 @@ void ViewSync::colorByMotion(double mmPerPx)
     ui_.view.setResidualScale(endMm / mmPerPx, endMm);
 }
 
-/// Colors the vessels by residuals, as drawn at the shown pose; the stored evaluation covers only the rigid vessels at
-/// the document's pose.
+/// Colors the vessels, as drawn at the pose on screen, by their residuals; the stored evaluation covers only the rigid
+/// vessels at the document's pose.
 void ViewSync::colorByResiduals(double scalePx, double mmPerPx)
 {
     const bool isOther = isPreviewPose();

@@ -43,9 +43,9 @@ public:
     void refresh();
     void showMarks(const ui::BranchMarks& marks);
     void showTarget(const SharedCenterline& target);
-    void showAssessment(const SharedEvaluation& evaluation);   ///< null for no residual colors
-    /// Sets the verdict on the document's pose. While another pose is shown, the chip describes that pose instead. An
-    /// empty text hides the chip.
+    void showAssessment(const SharedEvaluation& evaluation);   ///< null shows no residual colors
+    /// Sets the verdict on the document's pose. While another pose is shown, the chip describes that one instead. An
+    /// empty string hides the chip.
     void showVerdict(ui::VerdictTone tone, const QString& words);
     void showFrame(int frame);   ///< shows any frame of the open cine run, e.g. during playback, without changing the
                                  ///< document's frame
@@ -95,7 +95,7 @@ private:
     std::shared_ptr<const core::Angiogram> shownAngiogram_;
     std::optional<core::ProjectionCamera> shownCamera_;
     int shownFrame_ = -1;
-    bool isGrayRangeChanged_ = false;   ///< the next frame has a different range of gray values
+    bool isGrayRangeChanged_ = false;   ///< true if the range of gray values of the next frame differs
     SharedEvaluation evaluation_;
     bool wasPreviewPose_ = false;
     double previewMedianMm_ = 0.0;   ///< median residual at the previewed pose, mm; 0 if unknown

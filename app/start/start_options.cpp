@@ -29,7 +29,7 @@ struct ToolkitOption {
     int values = 0;
 };
 
-/// Options that QGuiApplication and QApplication remove from the command line; one or two leading dashes.
+/// Options that QGuiApplication and QApplication remove from the command line, with one or two leading dashes.
 constexpr std::array toolkitOptions{
     ToolkitOption{"platform", 1},    ToolkitOption{"platformpluginpath", 1},
     ToolkitOption{"plugin", 1},      ToolkitOption{"platformtheme", 1},
@@ -42,7 +42,7 @@ constexpr std::array toolkitOptions{
     ToolkitOption{"sync", 0},
 };
 
-/// Returns the number of arguments, starting with this one, that belong to a Qt option; 0 if it is none.
+/// Returns the number of arguments, starting with this one, that belong to a Qt option; 0 if there is none.
 int qtOptionLength(std::string_view word)
 {
     const std::string_view name = word.substr(std::min(word.find_first_not_of('-'), word.size()));
@@ -101,7 +101,7 @@ int say(std::FILE* stream, const QString& text, int exitCode)
     return exitCode;
 }
 
-/// Prints the answer on the terminal in the chosen language; creates a QCoreApplication, which translation requires.
+/// Prints an answer on the terminal in the UI language; creates a QCoreApplication, which translation requires.
 int answer(int argc, char** argv, const QStringList& words)
 {
     const QCoreApplication application(argc, argv);

@@ -12,24 +12,24 @@ namespace angiopose::app {
 
 enum class Identity { Shown, Hidden };
 
-/// Returns the word for an origin: "header", "derived", "user", "assumed" or "missing".
+/// Returns the name of an origin: "header", "derived", "user", "assumed" or "missing".
 core::Message originMessage(core::Origin origin);
 std::string originText(core::Origin origin);
 
-/// Texts in the corners of an image, one line per entry.
+/// Text in the corners of an image, one entry per line.
 struct CornerLines {
     core::Messages topLeft, topRight, bottomLeft, bottomRight;
-    std::optional<core::Message> scaleHeading = {};   ///< heading with the unit; not set: residuals
+    std::optional<core::Message> scaleHeading = {};   ///< heading with the unit; if not set, the scale shows residuals
 };
 
 /// Converts each line to text with `toText`.
 ui::CornerTexts toCornerTexts(const CornerLines& lines, const std::function<std::string(const core::Message&)>& toText);
 
-/// Converts the corner texts to English, for files.
+/// Converts corner text to English, for files.
 ui::CornerTexts englishTexts(const CornerLines& lines);
 
-/// Returns the corner texts at the positions customary in DICOM viewers: patient and study at the top, geometry with
-/// its origin at the bottom right. The caller fills the bottom left, because frame, window and zoom belong to the view.
+/// Returns the corner text at the positions customary in DICOM viewers: patient and study at the top, geometry with its
+/// origin at the bottom right. The caller fills the bottom left, because frame, window and zoom belong to the view.
 CornerLines cornerLines(const core::Case& session, Identity identity);
 
 }   // namespace angiopose::app

@@ -11,7 +11,7 @@
 namespace angiopose::app {
 namespace {
 
-/// Returns the smallest round scale maximum that covers the largest displacement.
+/// Returns the smallest round maximum of the scale that covers the largest displacement.
 double motionScaleMm(double largestMm)
 {
     constexpr std::array ends{1.0, 2.0, 5.0, 10.0, 20.0, 50.0};

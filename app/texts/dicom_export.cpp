@@ -35,7 +35,7 @@ const KindInfo& infoOf(DicomKind kind)
     return kindTable[static_cast<std::size_t>(kind)];
 }
 
-/// File content ready to be written.
+/// Contents of a file that is ready to be written.
 struct CreatedFile {
     fs::path path;
     std::string content;
@@ -77,7 +77,7 @@ core::Result<DicomExportInput> collectExportInput(const core::Case& session, con
                             {}};
 }
 
-/// Whether the case allows this kind; a single frame has no cine object, because the image object already shows it.
+/// Returns whether the case allows this kind; a single frame gets no cine object, because the image object shows it.
 bool isOffered(DicomKind kind, const DicomExportInput& exportInput)
 {
     return kind != DicomKind::Run || exportInput.session.shown().angiogram->frameCount() > 1;
@@ -111,7 +111,7 @@ core::Result<std::vector<CreatedFile>> madeObjects(DicomExportInput& exportInput
     return made;
 }
 
-/// Adds the camera as a file next to the registration object, because no DICOM object can store it.
+/// Adds the camera as a file next to the registration object, because no DICOM object can hold it.
 void addCameraFile(std::vector<CreatedFile>& made, const core::View& view, const fs::path& folder)
 {
     const auto isRegistration = [](const CreatedFile& file) {

@@ -11,11 +11,11 @@
 
 namespace angiopose::app {
 
-/// Kinds of DICOM objects to which a case can be exported (FORMATS §3.6).
+/// Kinds of DICOM objects that can be created from a case (FORMATS §3.6).
 enum class DicomKind { Picture, Run, Report, State, Registration, Segmentation, Measurements };
 
 std::string_view idOf(DicomKind kind);   ///< returns "sc", "run", "pdf", "ps", "reg", "seg" or "sr"
-std::string dicomKindIds();   ///< returns all ids, separated by commas
+std::string dicomKindIds();   ///< returns all IDs, separated by commas
 std::optional<DicomKind> parseDicomKind(std::string_view id);
 
 struct DicomExport {
@@ -26,7 +26,7 @@ struct DicomExport {
 };
 
 struct DicomFiles {
-    std::vector<std::string> paths;   ///< paths of all written files
+    std::vector<std::string> paths;   ///< paths of all files written
     core::Messages notes;   ///< remarks on what was omitted and why, and on what an object cannot represent
 };
 
@@ -34,8 +34,8 @@ struct DicomFiles {
 using DicomObserver = std::function<core::ObserverDecision(double fraction)>;
 
 /// Writes the objects of the shown view to a folder, which is created if missing. The objects are new instances in new
-/// series of the study of their source image. All objects are created before the first is written, so that a failure
-/// leaves no incomplete export. Fails if a requested object cannot be created.
+/// series of the source image's study. All objects are created before the first is written, so that a failure leaves no
+/// incomplete export. Fails if a requested object cannot be created.
 core::Result<DicomFiles> writeDicomObjects(const core::Case& session, const core::Centerline2d& target,
                                            const DicomExport& wanted, const std::string& folder,
                                            const DicomObserver& observe = {});

@@ -18,7 +18,7 @@
 namespace angiopose::app {
 namespace {
 
-/// Returns the frame of reference of the scan. The vessels may be traced in the same file or come from another one.
+/// Returns the frame of reference of the scan, in which the vessels may have been traced or come from another file.
 std::string scanFrame(const DicomExportInput& exportInput)
 {
     return io::scanFrameOfReference(exportInput.scan.source, exportInput.session.vessels.file.sha256);
@@ -144,7 +144,7 @@ io::GraphicLayer measuredLayer(const core::Case& session)
     return layer;
 }
 
-/// Converts a display range to the gray values of the file; reverses it if the image was inverted on reading.
+/// Converts a display range to the gray values of the file, and reverses it if the image was inverted when it was read.
 core::DisplayRange storedRange(core::DisplayRange range, const core::Angiogram& run, const io::SourceImage& source)
 {
     if (!source.isShownInverted) {
@@ -200,7 +200,7 @@ bool namesPatient(const std::string& title, const io::SourceImage& source)
     return std::ranges::any_of(words, [&](const std::string& word) { return title.find(word) != std::string::npos; });
 }
 
-/// Whether burned-in identity is possible. Text in the image is detected but not read, so any text may be a name.
+/// Whether burned-in identity is possible. Text in the image is detected but not recognized, so any text may be a name.
 io::BurnedInIdentity identityIn(const DicomExportInput& exportInput)
 {
     const core::View& view = exportInput.session.shown();

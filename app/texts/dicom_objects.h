@@ -17,11 +17,11 @@ struct DicomExportInput {
     DicomObserver shouldContinue;   ///< called with the completed fraction while an object is created
 };
 
-/// Returns the bytes of one object; `ground` must contain vessels and an image. Adds remarks to `notes` on content
-/// that the object cannot represent.
+/// Returns the bytes of one object; the case must contain vessels and an image. Adds remarks to `notes` on content that
+/// the object cannot represent.
 core::Result<std::string> dicomObject(DicomKind kind, const DicomExportInput& exportInput, core::Messages& notes);
 
-/// DICOM references of the scan that the vessels come from; empty if it is not DICOM or is no longer available.
+/// Returns the DICOM references of the scan that contains the vessels; empty if it is not DICOM or no longer available.
 io::ScanReference scanReferenceOf(const core::Vessels& vessels);
 
 }   // namespace angiopose::app

@@ -20,7 +20,7 @@ std::string endOf(const std::string& path)
     return end;
 }
 
-/// Returns the case without vessels, results and measurements, for exporting the image alone.
+/// Returns the case without vessels, results and measurements, to export only the image.
 core::Case frameAlone(core::Case session)
 {
     session.shown().result.reset();

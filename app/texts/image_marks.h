@@ -14,19 +14,19 @@
 
 namespace angiopose::app {
 
-/// View of a case as shown, on which marks are placed.
+/// View of a case as drawn, on which marks are placed.
 struct MarkedView {
     const core::Case& session;
     std::size_t view = 0;
     int frame = 0;
     VesselShape shape = VesselShape::Deformed;   ///< if `Deformed`, marks follow the deformed vessels
-    core::PoseOfView poseOf = {};   ///< poses as shown; if not set, those of the case
-    std::set<int> selectedMarks = {};   ///< ids of the selected vessel marks
+    core::PoseOfView poseOf = {};   ///< poses as drawn; if not set, those of the case
+    std::set<int> selectedMarks = {};   ///< IDs of the selected marks on the vessels
     std::set<int> selectedAnnotations = {};
 };
 
 /// Returns the target points and rings, projected with the pose and shape of the vessels, with their errors and
-/// observed positions, followed by the arrows and texts of the frame. `toText` converts a message to text.
+/// observed positions, followed by the arrows and text annotations of the frame. `toText` converts a message to text.
 std::vector<ui::ImageMark> placedMarks(const MarkedView& placed,
                                        const std::function<std::string(const core::Message&)>& toText);
 

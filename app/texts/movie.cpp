@@ -9,8 +9,8 @@ namespace {
 
 constexpr core::DisplayRange darkGround{0.0, 1.0};
 
-/// Returns options that are constant over the movie, because a display range per frame would flicker, and residuals and
-/// traced curves are valid for a single frame only.
+/// Returns options that are constant over the movie, because display ranges that differ between frames would flicker,
+/// and residuals and traced curves are valid for a single frame only.
 OverlayImageOptions constantOptions(const core::Case& session, OverlayImageOptions options, const MoviePlan& plan)
 {
     options.isInitialPoseShown = false;
@@ -25,7 +25,7 @@ OverlayImageOptions constantOptions(const core::Case& session, OverlayImageOptio
         options.range = core::displayRange(run.frames[static_cast<std::size_t>(session.shown().frame)]);
     }
     if (plan.content != MovieContent::Convergence) {
-        options.coloring = OverlayColoring::Branches;   // other frames have different traces, or none
+        options.coloring = OverlayColoring::Branches;   // other frames have different traces or none
     } else if (options.coloring == OverlayColoring::Motion) {
         options.coloring = OverlayColoring::Residuals;   // keeps the color scale the same for all frames
     }
@@ -44,7 +44,7 @@ core::Status stopped(const std::string& path)
     return core::Error(core::Cancellation{messages::movieStopped().about(path)});
 }
 
-/// Renders and writes one frame at a time, so that only one frame is in memory.
+/// Renders and writes one frame at a time, so that only one is in memory.
 core::Status writePictures(io::MovieWriter& movie, const MovieSteps& steps, const core::Centerline2d& target,
                            const OverlayImageOptions& options, core::ColorImage first, const std::string& path,
                            const MovieObserver& observe)

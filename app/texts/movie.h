@@ -36,14 +36,14 @@ struct MovieLength {
 };
 MovieLength lengthOf(const core::Case& session, const MoviePlan& plan);
 
-/// Returns the ratio of height to width of the movie's frames.
+/// Returns the ratio of height to width of the frames of a movie.
 double aspectOf(const core::Case& session, const MoviePlan& plan);
 
 /// Receives the completed fraction; returning Stop ends the writing.
 using MovieObserver = std::function<core::ObserverDecision(double fraction)>;
 
 /// Writes an MP4 or GIF movie, depending on the extension. drawOverlay renders each frame at its pose with a constant
-/// display range; a caption states the source of the pose and whether it is reliable. A Stop leaves no file.
+/// display range; a caption states the source of the pose and whether it is reliable. No file remains after a Stop.
 core::Status writeMovie(const core::Case& session, const core::Centerline2d& target, const OverlayImageOptions& options,
                         const MoviePlan& plan, const std::string& path, const MovieObserver& observe);
 

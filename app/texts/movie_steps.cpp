@@ -14,10 +14,10 @@ namespace angiopose::app {
 namespace {
 
 constexpr int sidePx = 512;
-constexpr double filledPart = 0.86;   // fraction of the frame filled by the bounding sphere of the vessels
+constexpr double filledPart = 0.86;   // fraction of the frame that the bounding sphere of the vessels fills
 constexpr double distanceInRadii = 6.0;   // viewing distance in radii of that sphere; perspective as in an angiogram
 
-/// Camera orientation in front of the patient: patient's left on the right, head up, depth to the back (LPS).
+/// Returns the orientation of a camera in front of the patient: left on the right, head up, depth to posterior (LPS).
 Eigen::Matrix3d fromFront()
 {
     return (Eigen::Matrix3d() << 1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 1.0, 0.0).finished();
@@ -66,8 +66,8 @@ core::Case rotatedBy(core::Case alone, double degrees)
     return alone;
 }
 
-/// Returns a case with the vessels alone on a dark background, viewed from in front of the patient. A new view replaces
-/// the shown one and contains none of its image content or pose. `shape` applies if a deformation is known.
+/// Returns a case with the vessels alone on a dark background, in an anterior view of the patient. A new view replaces
+/// the shown one and contains neither its image nor its pose. `shape` applies if a deformation is known.
 core::Case vesselsAlone(const core::Case& session, VesselShape shape)
 {
     core::Case alone = session;

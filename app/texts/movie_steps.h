@@ -5,12 +5,12 @@
 namespace angiopose::app {
 
 struct MovieStep {
-    core::Case session;   ///< case with the frame and pose of this step; images are shared
+    core::Case session;   ///< case with the frame and the pose of this step; images are shared
     std::optional<core::Message> words;   ///< caption of the frame
     double ms = 0.0;
 };
 
-/// Returns the reason why this movie of the case is not possible; empty if it is.
+/// Returns the reason why this movie of the case is not possible; nullopt if it is possible.
 std::optional<core::Message> findProblem(const core::Case& session, const MoviePlan& plan);
 
 /// Sequence of a movie's frames; constructed once, then queried frame by frame. The plan must be valid.
@@ -27,7 +27,7 @@ private:
 
     core::Case case_;
     MoviePlan plan_;
-    std::optional<core::Message> rotationNote_;   ///< for a rotation, note on the shape of the vessels
+    std::optional<core::Message> rotationNote_;   ///< for a rotation, a note on the shape of the vessels
 };
 
 }   // namespace angiopose::app

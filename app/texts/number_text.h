@@ -7,7 +7,7 @@ namespace angiopose::app {
 /// Formats a number with a fixed number of decimals and '.' in every locale, e.g. "12.34"; "n/a" if it is not finite.
 std::string fixedText(double value, int decimals);
 
-/// Formats gantry angles: "LAO 30.0" or "RAO 12.5", "CRA …" or "CAU …".
+/// Format gantry angles: "LAO 30.0" or "RAO 12.5", "CRA …" or "CAU …".
 std::string primaryAngleText(double primaryAngleDeg);
 std::string secondaryAngleText(double secondaryAngleDeg);
 

@@ -34,7 +34,7 @@ ui::ViewRect wholeImage(const core::ImageF& frame)
     return {-0.5, frame.width - 0.5, -0.5, frame.height - 0.5};
 }
 
-/// Returns the corner texts of an exported image; `heading` distinguishes two images side by side.
+/// Returns the corner text of an exported image; `heading` distinguishes two images side by side.
 ui::CornerTexts exportTexts(const core::Case& session, const core::Centerline2d& target,
                             const OverlayImageOptions& options, const DrawnVessels& drawn,
                             const std::optional<core::Message>& heading)
@@ -74,7 +74,7 @@ ui::CornerTexts exportTexts(const core::Case& session, const core::Centerline2d&
             options.coloring == OverlayColoring::Motion ? std::optional(motionHeading()) : std::nullopt;
     }
     ui::CornerTexts texts = options.texts(lines);
-    texts.topLeft.insert(texts.topLeft.begin(), session.title);   // added untranslated, since the user typed the title
+    texts.topLeft.insert(texts.topLeft.begin(), session.title);   // untranslated, since the user typed it
     return texts;
 }
 
@@ -186,7 +186,7 @@ std::vector<Eigen::Vector2d> drawnPoints(const ui::OverlayScene& scene)
     return points;
 }
 
-/// Renders to pixels or vector graphics, depending on `Picture`.
+/// Renders to pixels or to vector graphics, depending on `Picture`.
 template <class Picture>
 core::Result<Picture> drawScene(ui::OverlayScene& scene, const auto&... how)
 {

@@ -25,21 +25,21 @@ struct OverlayImageOptions {
     OverlayColoring coloring = OverlayColoring::Residuals;
     Identity identity = Identity::Hidden;
     ui::CornerTexts (*texts)(const CornerLines&) =
-        englishTexts;   ///< converts the corner texts to the language of the image; the window uses windowTexts
+        englishTexts;   ///< converts the corner text to the language of the image; the window uses windowTexts
     ui::OverlayMode vessels = ui::OverlayMode::Centerline;
     std::optional<core::DisplayRange> range = std::nullopt;   ///< if not set, determined automatically from the frame
     ui::DepthCue depthCue = ui::DepthCue::None;
-    VesselShape shape = VesselShape::Deformed;   ///< if the pose has a deformation; a caption names the shape
-    ui::Cutout cutout = {};   ///< region of the swipe or lens without vessels, image px
-    /// Adds a second image on the left with the vessels at the initial pose.
+    VesselShape shape = VesselShape::Deformed;   ///< applies if the pose has a deformation; a caption states the shape
+    ui::Cutout cutout = {};   ///< region of the swipe or lens, in which vessels are not drawn, image px
+    /// Whether to add a second image on the left with the vessels at the initial pose.
     bool isInitialPoseShown = false;
     std::optional<core::Message> words = std::nullopt;   ///< caption at the bottom left, for one of several images
-    /// Computes the DRR for a pose, which replaces the vessel lines; if not set, lines are drawn.
+    /// Computes the DRR for a pose, which replaces the vessel lines; if not set, the lines are drawn.
     std::function<core::Result<core::ImageF>(const core::RigidTransform& cameraFromPatient)> drr = nullptr;
 };
 
 /// Draws the overlay image as used in reports: angiogram, projected tree at the case's pose, residual colors relative
-/// to `target` with their scale, corner texts and the notice. Needs no display.
+/// to `target` with their scale, corner text and the notice. Requires no display.
 core::Result<core::ColorImage> drawOverlay(const core::Case& session, const core::Centerline2d& target,
                                            const OverlayImageOptions& options = {});
 
@@ -47,11 +47,11 @@ core::Result<core::ColorImage> drawOverlay(const core::Case& session, const core
 core::Result<ui::VectorImage> drawOverlayVectors(const core::Case& session, const core::Centerline2d& target,
                                                  const OverlayImageOptions& options = {});
 
-/// Small version without texts: the tree at the case's pose over the image, colored by residuals if a target is given.
+/// Draws a small image without text: the tree at the case's pose over the image, colored by residuals from any target.
 core::Result<core::ColorImage> drawThumbnail(const core::Case& session, int widthPx,
                                              const core::Centerline2d* target = nullptr);
 
-/// Provenance of the image (inputs with hashes, version, method, pose, notice), for the PNG's text chunks.
+/// Returns the provenance of the image (inputs with hashes, version, method, pose, notice) for the PNG's text chunks.
 std::map<std::string, std::string> provenanceTexts(const core::Case& session);
 
 /// Returns the residual, px, at which the color scale ends: 2 mm at the vessels.

@@ -17,7 +17,7 @@ void takeOver(core::RegistrationResult& evaluated, const core::RegistrationResul
     evaluated.stopReason = run.stopReason;
     evaluated.time = run.time;
     if (!run.unopacified.empty() ||
-        !run.wirePaths.empty()) {   // such metrics refer only to the part of the tree that the image shows
+        !run.wirePaths.empty()) {   // these metrics refer only to the part of the tree that the image shows
         evaluated.unopacified = run.unopacified;
         evaluated.wirePaths = run.wirePaths;
         evaluated.metrics = run.metrics;
@@ -25,7 +25,7 @@ void takeOver(core::RegistrationResult& evaluated, const core::RegistrationResul
     }
 }
 
-/// Returns the snapshot of the newest registration that ended at exactly this pose, or null.
+/// Returns the snapshot of the newest registration that ended at exactly this pose; null if there is none.
 const core::PoseSnapshot* snapshotOfRegistration(const core::View& view)
 {
     const auto isOfRun = [&view](const core::PoseSnapshot& snapshot) {

@@ -5,7 +5,7 @@
 
 namespace angiopose::app {
 
-/// Makes a text safe for a terminal by replacing every control character except line ends and tabs with "?". File names
+/// Makes text safe for a terminal by replacing every control character except line ends and tabs with "?". File names
 /// and responses of archives may contain control sequences.
 std::string printableText(std::string_view text);
 

@@ -14,7 +14,7 @@ struct SvgMetadata {
     double dotsPerInch = 0.0;   ///< if 0, sizes are in screen px
 };
 
-/// Converts the image to SVG 1.1, using only features of SVG Tiny 1.2: lines as paths, texts as text, pixels as an
+/// Converts the image to SVG 1.1, using only features of SVG Tiny 1.2: lines as paths, text as text, pixels as an
 /// embedded PNG.
 std::string toSvgDocument(const ui::VectorImage& picture, const SvgMetadata& facts);
 

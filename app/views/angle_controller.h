@@ -19,8 +19,8 @@ class WindowActions;
 
 namespace angiopose::app {
 
-/// Determines the C-arm angles from which the selected branch is visible, for the pose of the shown view; updated
-/// whenever the branch, pose or geometry changes.
+/// Determines the C-arm angles from which the selected branch is visible, for the pose of the shown view, and updates
+/// them whenever the branch, pose or geometry changes.
 class AngleController : public QObject {
     Q_OBJECT
 public:

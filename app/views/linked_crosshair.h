@@ -20,9 +20,9 @@ class WindowActions;
 
 namespace angiopose::app {
 
-/// Shows a linked crosshair in side-by-side views. The position under the pointer in one view becomes a line in the
-/// others (ALGORITHMS §5.7); a vessel point under the pointer is marked in all views and in 3-D. A click moves the
-/// slices to that point.
+/// Shows a linked crosshair in side-by-side views. The pointer position in one view becomes a line in the others
+/// (ALGORITHMS §5.7); a vessel point under the pointer is marked in all views and in 3-D. A click moves the slices to
+/// that point.
 class LinkedCrosshair : public QObject {
     Q_OBJECT
 public:
@@ -51,7 +51,7 @@ private:
     Ui ui_;
     QPointer<ui::AngiogramView> pointerView_;
     std::optional<Eigen::Vector2d>
-        pointerPx_;   ///< pointer position in the image of `pointerView_`; empty if the pointer is outside
+        pointerPx_;   ///< pointer position in the image of `pointerView_`; nullopt if the pointer is outside
     QTimer updateTimer_;   ///< delays the update after a change of pose
 };
 

@@ -16,7 +16,7 @@ namespace angiopose::app {
 namespace {
 
 constexpr auto restOfOthers =
-    std::chrono::milliseconds(150);   ///< leaves processor time for drawing and the shown view
+    std::chrono::milliseconds(150);   ///< leaves processor time for drawing and for the shown view
 
 }   // namespace
 

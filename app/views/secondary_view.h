@@ -33,20 +33,20 @@ public:
         const PosePreview& preview;
         const ViewController& views;
         OverlayStyleController& look;
-        ui::AngiogramView& shown;   ///< view whose display settings the pane takes over
+        ui::AngiogramView& shown;   ///< view whose display settings the pane adopts
         ui::ViewPane& pane;
     };
     explicit SecondaryView(const Parts& parts, QObject* parent = nullptr);
 
-    void show(std::size_t viewIndex);   ///< shows the view with index `place` in the case
+    void show(std::size_t viewIndex);   ///< shows the view at index `viewIndex` in the case
     void showPose();   ///< shows the pose of the document, or that of a linked preview
-    void showColors();   ///< evaluates the pose unless that has already been done
+    void showColors();   ///< evaluates the pose unless that was already done
     void applyDisplaySettings();
     void clear();   ///< releases all data of the case
     std::size_t viewIndex() const { return viewIndex_; }
 
 private:
-    /// Everything that determines the residual colors.
+    /// Everything on which the residual colors depend.
     struct ColorInputs {
         ViewKey sight;   ///< view at the shown pose
         std::shared_ptr<const core::VesselTree> tree;
@@ -73,7 +73,7 @@ private:
     std::shared_ptr<const core::Angiogram> angiogram_;
     int frame_ = -1;
     core::RigidTransform pose_;
-    bool isWindowLevelManual_ = false;   ///< window/level were set by the user, not automatically for a new image
+    bool isWindowLevelManual_ = false;   ///< true if the user, not a new image, set the window/level
     std::optional<ColorInputs> coloredFor_;
     EvaluationJob job_;
 };

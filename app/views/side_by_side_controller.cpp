@@ -21,7 +21,7 @@ namespace angiopose::app {
 namespace {
 
 constexpr int framesOfOthers =
-    1 << 21;   ///< offset that separates the undo-merge ids from those of poses and of the shown view's frames
+    1 << 21;   ///< offset that separates the merge IDs from those of poses and of frames of the shown view
 constexpr qint64 frameBurstPauseMs = 1500;
 
 /// Zoom and pan of a view.
@@ -84,7 +84,7 @@ void SideBySideController::connectLook()
     connect(&parts_.look, &OverlayStyleController::changed, this, &SideBySideController::applyDisplaySettingsToAll);
     connect(&parts_.branches, &BranchController::marksChanged, this, &SideBySideController::applyDisplaySettingsToAll);
     for (const ui::Command mouse :
-         {MouseRadiology, MouseSlicer, MouseScroll}) {   // queued: after the choice has taken effect
+         {MouseRadiology, MouseSlicer, MouseScroll}) {   // queued until the choice has taken effect
         connect(ui_.actions[mouse], &QAction::triggered, this, &SideBySideController::applyDisplaySettingsToAll,
                 Qt::QueuedConnection);
     }
@@ -238,7 +238,7 @@ std::vector<SecondaryView*> SideBySideController::shown() const
 {
     std::vector<SecondaryView*> shown;
     for (std::size_t i = 0; i < ui_.images.paneCount(); ++i) {
-        if (others_[i]->viewIndex() < parts_.document.current().views.size()) {   // otherwise the view was just removed
+        if (others_[i]->viewIndex() < parts_.document.current().views.size()) {   // otherwise, the view was removed
             shown.push_back(others_[i].get());
         }
     }
@@ -252,8 +252,8 @@ void SideBySideController::applyDisplaySettingsToAll()
     }
 }
 
-/// Sets the frame of a view in the case, even if the view is not the shown one, because its pose, target and result
-/// depend on the frame.
+/// Sets the frame of a view in the case, even if it is not the shown view, because pose, target and result depend on
+/// the frame.
 void SideBySideController::changeFrame(const SecondaryView& other, int frame)
 {
     const core::Case& current = parts_.document.current();

@@ -23,7 +23,7 @@ namespace angiopose::app {
 
 class BranchController;
 
-/// Shows the case's views side by side: the shown view with all tools, and each other view in its own pane. The
+/// Shows the case's views side by side: the shown view with all tools, and each of the other views in its own pane. The
 /// arrangement is a user preference and not part of the case; the frames of the other views are part of the case.
 class SideBySideController : public QObject {
     Q_OBJECT
@@ -45,7 +45,7 @@ public:
     SideBySideController(const Parts& parts, const Ui& ui, QObject* parent = nullptr);
 
 signals:
-    void reported(const QString& what);   ///< emits a note, e.g. why no other view can be shown
+    void reported(const QString& what);   ///< emitted with a note, e.g. why no other view can be shown
 
 private:
     void connectCase();

@@ -94,7 +94,7 @@ const ViewSummary* ViewController::summaryOf(std::size_t viewIndex) const
     const core::Case& current = document_.current();
     const core::View& view = current.views[viewIndex];
     const auto found =
-        std::ranges::find_if(summaries_, [&](const ViewSummary& look) {   // for the shown view: the last known summary
+        std::ranges::find_if(summaries_, [&](const ViewSummary& look) {   // for the shown view, the last known summary
             return viewIndex == current.shownView ? look.of.angiogram == view.angiogram : look.of == viewKey(view);
         });
     return found == summaries_.end() || !view.angiogram ? nullptr : &*found;

@@ -22,7 +22,7 @@ class WindowActions;
 
 namespace angiopose::app {
 
-/// Manages several angiograms of the same vessels: the strip of views with the agreement of each, selection of the
+/// Manages several angiograms of the same vessels: the strip that shows the agreement of each view, selection of the
 /// shown view, and removal. Showing another view is an undo step.
 class ViewController : public QObject {
     Q_OBJECT
@@ -36,14 +36,14 @@ public:
     };
     ViewController(CaseDocument& document, const TargetProvider& target, const Ui& ui, QObject* parent = nullptr);
 
-    bool isSummarizing() const { return summaryJob_.isRunning(); }   ///< computing thumbnails and metrics of the views
-    /// Returns the traced vessels of view `place`; null until they have been computed (see `looked`).
+    bool isSummarizing() const { return summaryJob_.isRunning(); }   ///< true while computing summaries of the views
+    /// Returns the traced vessels of a view; null until they have been computed (see `summariesReady`).
     std::shared_ptr<const core::Centerline2d> targetOf(std::size_t viewIndex) const;
     void show(int line);
     void showNext();
-    void openMenu(int line, const QPoint& at);   ///< opens the menu with the commands for this view
+    void openMenu(int line, const QPoint& at);   ///< opens the menu of commands for this view
     void askName(int line);
-    void remove(int line);   ///< removes a view; if it was the shown view, shows the next one instead
+    void remove(int line);   ///< removes a view; if it was the shown view, shows the next one
 
 signals:
     void refused(const QString& reason);

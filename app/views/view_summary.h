@@ -9,7 +9,7 @@
 
 namespace angiopose::app {
 
-/// The properties of a view that determine its thumbnail, target and metrics.
+/// The properties of a view on which its thumbnail, target and metrics depend.
 struct ViewKey {
     std::shared_ptr<const core::Angiogram> angiogram;
     int frame = 0;
@@ -22,7 +22,7 @@ struct ViewKey {
 };
 ViewKey viewKey(const core::View& view);
 
-/// Summary of one view: thumbnail with the tree, and agreement of its pose with its own image.
+/// Summary of one view: a thumbnail with the tree, and the agreement of its pose with its own image.
 struct ViewSummary {
     ViewKey of;
     std::optional<core::ColorImage> picture;

@@ -10,7 +10,7 @@
 namespace angiopose::app {
 namespace {
 
-/// Lists the missing geometry values, one per line, except those replaced by a given camera or initial pose.
+/// Lists the missing geometry values, one per line, except those that a camera or an initial pose replaces.
 QString missingIn(const core::Case& current)
 {
     const auto camera = core::cameraOf(current.shown());

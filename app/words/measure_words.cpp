@@ -41,7 +41,7 @@ QString inScan(const QString& value)
 
 QString sliceWords(const core::SliceMeasurement& measurement)
 {
-    constexpr std::array axes{"z", "y", "x"};   // axes of the patient along the normals of core::bodyPlanes
+    constexpr std::array axes{"z", "y", "x"};   // patient axes along the normals of core::bodyPlanes
     return MeasureWords::tr("%1, %2 %3 mm.")
                .arg(ui::nameOf(measurement.plane), QLatin1String(axes[static_cast<std::size_t>(measurement.plane)]),
                     ui::numberText(core::slicePositionMm(measurement), 1)) +

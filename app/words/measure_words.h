@@ -21,7 +21,7 @@ QString planeBasis(core::MeasurementPlane plane, const core::MeasuredView& seen)
 /// Returns the value of a measurement as drawn next to it.
 QString measureLabel(const core::ImageMeasurement& measurement, const core::MeasuredView& seen);
 
-/// Return the marks of a frame in the language of the window.
+/// Return the marks of a frame in the UI language.
 std::vector<ui::ImageMark> windowMarks(const core::MeasuredView& seen, int frame);
 std::vector<ui::ImageMark> windowPlacedMarks(const MarkedView& placed);
 

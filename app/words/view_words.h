@@ -15,10 +15,10 @@ QString fileNameOf(const core::View& view);
 /// Formats the gantry angles, e.g. "LAO 30° · CRA 10°"; returns the file name if the angles are unknown.
 QString anglesOf(const core::View& view);
 
-/// "2 · LAO 30° · CRA 10°", or the user's name for the view after its number, which warnings refer to.
+/// Returns the view number, which warnings use, with the user's name or its angles, e.g. "2 · LAO 30° · CRA 10°".
 QString numberedTitle(const std::vector<core::View>& views, std::size_t place);
 
-/// Converts the corner texts to the language of the window; see englishTexts.
+/// Converts corner text to the UI language; see englishTexts.
 ui::CornerTexts windowTexts(const CornerLines& lines);
 
 }   // namespace angiopose::app

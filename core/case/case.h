@@ -11,13 +11,13 @@
 
 namespace angiopose::core {
 
-/// The document of a session: everything the user edits. Saved and loaded as a whole, and small enough to copy for undo
-/// and for worker threads.
+/// The document of a session: everything the user edits. It is saved and loaded as a whole and is small enough to copy
+/// for undo and for worker threads.
 struct Case {
     std::string title;
     Vessels vessels;
-    std::vector<View> views = std::vector<View>(1);   ///< angiograms of the vessels; at least one, empty until loaded
-    std::size_t shownView = 0;   ///< index into `views`: the view that the window shows and single-view commands act on
+    std::vector<View> views = std::vector<View>(1);   ///< angiograms; at least one, empty until loaded
+    std::size_t shownView = 0;   ///< index into `views` of the view to which the window and single-view commands refer
     RegistrationOptions options;
     std::string extraKeys;   ///< JSON object with the case-file keys that this version does not recognize
 

@@ -8,8 +8,8 @@
 
 namespace angiopose::core {
 
-/// Reports contradictory patient data or laterality, comparing the scan with every angiogram and the angiograms with
-/// each other. Messages contain no duplicates and no patient identity.
+/// Returns messages about contradictory patient data or laterality, comparing the scan with every angiogram and the
+/// angiograms with each other. The messages contain no duplicates and no patient identity.
 Messages findMismatch(const Case& session);
 
 /// One patient and the inputs of the case that show this patient.
@@ -19,8 +19,8 @@ struct CasePatient {
     std::vector<std::size_t> views;   ///< indices into Case::views
 };
 
-/// Returns the patients of the case's inputs, the scan's patient first. There is more than one only if the inputs
-/// contradict each other. Skips inputs without patient data.
+/// Returns the patients of the case's inputs, the scan's patient first; more than one only if the inputs contradict
+/// each other. Inputs without patient data are skipped.
 std::vector<CasePatient> patientsOf(const Case& session);
 
 }   // namespace angiopose::core

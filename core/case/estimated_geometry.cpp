@@ -12,7 +12,7 @@ constexpr double significantSigmas = 0.5;
 
 }   // namespace
 
-/// With a single view, the contradiction counts only if the pose had converged.
+/// Returns true for a single view only if the pose had converged.
 bool isGeometryContradicted(const View& view, std::size_t viewCount)
 {
     const auto camera = cameraOf(view);

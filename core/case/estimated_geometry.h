@@ -8,7 +8,7 @@ namespace angiopose::core {
 /// views registered together.
 bool isGeometryContradicted(const View& view, std::size_t viewCount);
 
-/// Applies the camera estimated in the view's result and returns the error of the previous camera. Returns nothing if
+/// Applies the camera estimated in the view's result and returns the error of the previous camera. Returns nullopt if
 /// every parameter differs by less than half the standard deviation of its estimate.
 std::optional<CameraError> applyEstimatedGeometry(View& view);
 

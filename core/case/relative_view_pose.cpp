@@ -11,8 +11,8 @@ namespace {
 
 // Standard deviations (1 σ); DECISIONS gives their sources.
 constexpr double tableRotationDeg = 0.75, tableShiftMm = 8.0;   // table known: breathing, heartbeat, tag rounding
-constexpr double unknownLateralMm = 60.0, unknownDepthMm = 30.0;   // table position or isocenter unknown
-constexpr double movingTableMm = 50.0;   // table moved during the acquisition of a view
+constexpr double unknownLateralMm = 60.0, unknownDepthMm = 30.0;   // if table position or isocenter is unknown
+constexpr double movingTableMm = 50.0;   // if the table moved during the acquisition of a view
 constexpr double distanceToleranceMm = 1.0;
 constexpr double simultaneityToleranceS = 1.0;
 
@@ -46,7 +46,7 @@ bool isSameStudy(const View& a, const View& b)
     return first.empty() || second.empty() || first == second;
 }
 
-/// Returns the displacement of the isocenter in the patient between the views; nothing if it is unknown.
+/// Returns the displacement of the isocenter in the patient between the views; nullopt if it is unknown.
 std::optional<Eigen::Vector3d> isocenterStepMm(const View& first, const View& view)
 {
     if (isSameRun(first, view) || isSimultaneous(first, view)) {
@@ -60,8 +60,8 @@ std::optional<Eigen::Vector3d> isocenterStepMm(const View& first, const View& vi
                    : std::nullopt;
 }
 
-/// Whether the source distances determine the isocenter. An object plane used in place of the isocenter does so only if
-/// it is the same in both views.
+/// Whether the source distances determine the isocenter. An object plane used in place of the isocenter determines it
+/// only if it is the same in both views.
 bool isIsocenterKnown(const CArm& first, const CArm& view)
 {
     const auto &a = first.sourceToIsocenterMm, &b = view.sourceToIsocenterMm;
@@ -70,7 +70,7 @@ bool isIsocenterKnown(const CArm& first, const CArm& view)
     return !isAssumed || std::abs(*a.value - *b.value) <= distanceToleranceMm;
 }
 
-/// Returns the rotation of `step` with a translation that puts the vessels where the initial pose of `view` does.
+/// Returns the rotation of `step` with a translation that puts the vessels at their initial position in `view`.
 RigidTransform withInitialPosition(const RigidTransform& step, const View& first, const View& view,
                                    const Vessels& vessels)
 {

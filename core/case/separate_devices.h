@@ -12,8 +12,8 @@ struct SeparatedCurves {
     Centerline2d devices;   ///< catheters and guidewires; the target of the method `wire`
 };
 
-/// Splits `curves` into vessels and devices (the curves with `deviceIds`), each in the original order. Ignores ids
-/// without a curve.
+/// Splits `curves` into vessels and devices (the curves with `deviceIds`), each in the original order. Ids that match
+/// no curve are ignored.
 SeparatedCurves separateDevices(const Centerline2d& curves, const std::vector<int>& deviceIds);
 
 /// Returns all curves: the vessels, then the devices.

@@ -22,10 +22,10 @@ struct TrackedRunFrame {
         deformationSourceFrame{};   ///< frame from which the deformation was taken, if this frame had none
 };
 
-/// Result of tracking the vessels through the cine run of a view (workflow/follow_frames).
+/// Result of tracking the vessels through the cine run of a view (workflow/track_frames).
 struct TrackedRun {
     std::shared_ptr<const std::vector<TrackedRunFrame>> frames;   ///< in frame order; null if the run was not tracked
-    int startFrame = 0;   ///< frame with the given pose, from which tracking started
+    int startFrame = 0;   ///< frame with the given pose, at which tracking started
     InputFile deformationsFile;   ///< file from which the deformations were read; its path is empty if there is none
 };
 
@@ -42,7 +42,7 @@ const TrackedRunFrame* findDeformedFrame(const TrackedRun& run, const RigidTrans
 /// Whether the deformation was found in the frame itself and not taken from another frame.
 bool hasOwnDeformation(const TrackedRunFrame& frame);
 
-/// Transfers the deformation found in one frame to the pose of another frame.
+/// Returns the deformation found in one frame, transferred to the pose of another frame.
 std::shared_ptr<const DeformableResult> transferDeformation(const TrackedRunFrame& from,
                                                             const RigidTransform& cameraFromPatient);
 

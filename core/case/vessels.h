@@ -23,7 +23,7 @@ struct Vessels {
     std::shared_ptr<const Volume> scan;   ///< volume from which the tree was traced, or in which it lies; or null
     InputFile scanFile;   ///< file of `scan`, if the tree was not traced from it
     std::string scanSeriesId;   ///< series in `scanFile`, if that is a DICOM folder
-    StudyIdentity scanIdentity;   ///< patient data of the scan, if it is DICOM
+    StudyIdentity scanIdentity;   ///< patient data of the scan, if the scan is DICOM
     std::shared_ptr<const VoxelMask> lumen;   ///< voxels from which the tree was traced; may be null
     std::shared_ptr<const VesselTree> tree;   ///< null until loaded
     bool isLumenEdited = false;   ///< whether `file` is a manually edited mask next to the case (no path: unsaved)
@@ -37,7 +37,7 @@ struct Vessels {
 };
 
 /// Returns the center of rotation for manual adjustment, to which displayed and locked shifts also refer: the picked
-/// point or the tree's centroid. Returns nothing without a tree.
+/// point or the tree's centroid. Returns nullopt without a tree.
 std::optional<Eigen::Vector3d> pivotInPatient(const Vessels& vessels);
 
 }   // namespace angiopose::core

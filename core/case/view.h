@@ -22,14 +22,13 @@
 
 namespace angiopose::core {
 
-/// A 2-D centerline used instead of tracing: read from a file, or edited manually for one frame.
+/// A 2-D centerline used instead of a traced one: read from a file, or edited manually for one frame.
 struct GivenTarget {
-    InputFile file;   ///< its path is empty if no target is given or the edits are not saved yet
-    std::shared_ptr<const Centerline2d> centerline;   ///< content of `file`, or the edited curves, or null
+    InputFile file;   ///< path is empty if no target is given or the edits are not saved yet
+    std::shared_ptr<const Centerline2d> centerline;   ///< contents of `file`, or the edited curves; otherwise null
     std::optional<int> editedFrame;   ///< frame in which the curves were edited; they are valid for this frame only
     std::vector<int> acceptedCurveIds;   ///< suspect curves among the edited ones that the user accepted
-    /// Catheters and guidewires among the edited curves, stored separately and not part of `centerline`; null if there
-    /// are none.
+    /// Catheters and guidewires among the edited curves, stored separately from `centerline`; null if there are none.
     std::shared_ptr<const Centerline2d> devices{};
 };
 
@@ -39,7 +38,7 @@ struct ViewGeometry {
     std::optional<ProjectionCamera> cameraOverride;   ///< complete camera that replaces the C-arm values
 };
 
-/// One angiogram of the vessels with all its data. It is small enough to copy for undo and for worker threads: the
+/// One angiogram of the vessels with all its data. A view is small enough to copy for undo and for worker threads: the
 /// images are shared and never change after loading.
 struct View {
     InputFile caseFile;   ///< case file that contains the view unchanged; empty path if this case stores the view
@@ -65,7 +64,7 @@ struct View {
     std::vector<TargetObservation> observations;   ///< image positions of target points, one per target point and frame
     std::vector<ImageAnnotation> annotations;   ///< arrows and text drawn on the frames of the view
     std::optional<RegistrationResult> result;   ///< result of the last registration; discarded when the pose changes
-    TrackedRun followed;   ///< result of tracking this view's cine run
+    TrackedRun followed;   ///< result of tracking the vessels through this view's cine run
     std::vector<PoseSnapshot> snapshots;   ///< poses saved by the user and by registrations, oldest first
 
     std::string extraKeys;   ///< JSON object with this view's keys in the file that this version does not recognize
@@ -82,18 +81,19 @@ void discardResults(View& view);
 /// and the image size.
 Result<ProjectionCamera> cameraOf(const View& view);
 
-/// Returns the uncertainty of that camera, derived from the origin of its values; zero if there is no camera.
+/// Returns the uncertainty of the view's camera, derived from the origin of its values; zero if there is no camera.
 CameraUncertainty cameraUncertaintyOf(const View& view);
 
 /// Returns the C-arm at the time of the selected frame: the gantry may rotate during a run (ALGORITHMS §5.5).
 CArm cArmOfFrame(const View& view);
 
-/// Returns the alternative interpretation of the angles, as measured relative to the table instead of the patient, if
-/// the header gives a patient position other than head first supine. Returns nothing for angles entered by the user, or
-/// while a camera or an initial pose overrides them.
+/// Returns the alternative interpretation of the angles, relative to the table instead of the patient, if the header
+/// gives a patient position other than head first supine. Returns nullopt for angles entered by the user, or if a
+/// camera or an initial pose overrides the angles.
 std::optional<TableAngles> tableAnglesOf(const View& view);
 
-/// Returns the implausible values in the geometry of a view (see findContradictions); none while a camera overrides it.
+/// Returns messages about implausible values in the geometry of a view (see findContradictions); none if a camera
+/// overrides that geometry.
 Messages contradictionsOf(const View& view);
 
 /// Returns the frames as stored in the file; null until loaded.
@@ -105,7 +105,7 @@ std::shared_ptr<const Centerline2d> givenTargetOf(const View& view);
 /// Returns the catheters and guidewires that the user marked in the view's frame; null if there are none.
 std::shared_ptr<const Centerline2d> devicesOf(const View& view);
 
-/// Separates the vessels and the devices of a given target.
+/// Returns the vessels and the devices of a given target separately.
 SeparatedCurves curvesOf(const GivenTarget& target);
 
 /// Returns the tracing options for the view's frames. If the width of the widest vessel is not set, it is derived from

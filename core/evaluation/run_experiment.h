@@ -6,7 +6,7 @@
 
 namespace angiopose::core {
 
-/// The part of an experiment that one machine runs: the trials whose number modulo `count` is `index`.
+/// The part of an experiment that runs on one machine: the trials whose number modulo `count` equals `index`.
 struct Shard {
     std::uint64_t index = 0;
     std::uint64_t count = 1;
@@ -22,19 +22,19 @@ struct ExperimentPlan {
     int threads = 1;   ///< affects only the computation time, never the results
 };
 
-/// Called by the worker threads, one at a time, after each trial; returning Stop ends the experiment soon.
+/// Called by the worker threads, one at a time, after each trial; if it returns Stop, the experiment ends soon.
 using ExperimentObserver = std::function<ObserverDecision(std::uint64_t doneTrials, std::uint64_t allTrials)>;
 
 struct Experiment {
-    RunSet runs;   ///< runs of the trials that all methods finished
+    RunSet runs;   ///< runs of the trials that were completed with all methods
     bool wasStopped = false;
 };
 
 /// Runs every method on every trial of the shard. Results depend only on protocol, seed, condition, trial and method.
 Experiment runExperiment(const ExperimentPlan& plan, const ExperimentObserver& observe = {});
 
-/// Merges the runs of shards (same protocol and seed) as if one process had made them all; also adds methods or
-/// conditions that ran separately. Fails if the parts do not belong together or two disagree about one run.
+/// Merges the runs of shards (same protocol and seed) as if one process had computed them all; also adds methods or
+/// conditions that were run separately. Fails if the parts do not belong together or contradict each other.
 Result<RunSet> mergeRunSets(const std::vector<RunSet>& parts);
 
 }   // namespace angiopose::core

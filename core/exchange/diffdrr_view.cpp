@@ -96,8 +96,8 @@ RigidTransform diffDrrPose(std::string_view axes, const Eigen::Vector3d& angles,
     return pose;
 }
 
-/// For Rz(a) Rx(b) Ry(c), the last row is (-cos b sin c, sin b, cos b cos c) and the second column starts with
-/// (-sin a cos b, cos a cos b).
+/// Uses that, for Rz(a) Rx(b) Ry(c), the last row is (-cos b sin c, sin b, cos b cos c) and the second column starts
+/// with (-sin a cos b, cos a cos b).
 Vector6d diffDrrParameters(const RigidTransform& pose)
 {
     const Eigen::Matrix3d& R = pose.rotation;

@@ -6,8 +6,8 @@
 
 namespace angiopose::core {
 
-/// Rotation that DiffDRR applies to its C-arm before the pose: none, or the one for a view from anterior (AP) or
-/// posterior (PA).
+/// Rotation that DiffDRR applies to its C-arm before the pose: none, or that of an anterior (AP) or posterior (PA)
+/// view.
 enum class DiffDrrOrientation { None, Ap, Pa };
 
 /// DiffDRR's detector. The source is at the origin and the beam points along z.
@@ -35,14 +35,14 @@ struct DiffDrrView {
 PosedCamera posedCameraFromDiffDrr(const DiffDrrView& view);
 
 /// Converts our camera and pose to DiffDRR, with reversed x: PA if the image is as seen from the detector (fx < 0), AP
-/// if it is mirrored. The projection depends only on the ratio of distance and spacing; fy > 0.
+/// if it is mirrored. The projection depends only on the ratio of distance to spacing, and fy must be positive.
 DiffDrrView diffDrrView(const PosedCamera& sight, double sddMm, const Eigen::Vector3d& volumeCenterInPatient);
 
 /// Returns the DiffDRR pose for Euler angles (rad) about the named axes ("ZXY": R = Rz Rx Ry) and a translation that is
 /// rotated with them.
 RigidTransform diffDrrPose(std::string_view axes, const Eigen::Vector3d& angles, const Eigen::Vector3d& translationMm);
 
-/// Inverts diffDrrPose for "ZXY"; returns the angles, then the translation.
+/// Inverts diffDrrPose for "ZXY": returns the angles, followed by the translation.
 Vector6d diffDrrParameters(const RigidTransform& pose);
 
 }   // namespace angiopose::core

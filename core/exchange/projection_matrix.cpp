@@ -106,8 +106,8 @@ ProjectionMatrix projectionMatrix(const PosedCamera& sight)
     return intrinsicMatrix(sight.camera) * sight.cameraFromPatient.matrix().topRows<3>();
 }
 
-/// RQ decomposition of the left 3 x 3, row by row from below: the last row is the viewing direction; the component of
-/// the second row perpendicular to it has norm fy; the component of the first row along the second axis is the skew.
+/// Decomposes the left 3 × 3 (RQ), row by row from below: the last row is the viewing direction; the component of the
+/// second row perpendicular to it has norm fy; the component of the first row along the second axis is the skew.
 Result<PosedCamera> posedCameraFromMatrix(const ProjectionMatrix& projection)
 {
     if (!projection.allFinite()) {

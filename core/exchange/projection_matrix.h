@@ -18,17 +18,19 @@ ProjectionMatrix projectionMatrix(const PosedCamera& sight);
 /// The image size is unknown and set to 0. Fails for skewed and for degenerate matrices.
 Result<PosedCamera> posedCameraFromMatrix(const ProjectionMatrix& projection);
 
-/// Same for K, R and t; exact values are preserved to the last bit. A reflection in R moves into fx, a negative fy
-/// rotates the camera by 180° about its axis, and a rounded R (by up to 1e-3) is replaced by the nearest rotation.
+/// Returns the camera and pose given by K, R and t; exact values are preserved to the last bit. A reflection in R is
+/// moved into fx, a negative fy rotates the camera by 180° about its axis, and a rounded R (by up to 1e-3) is replaced
+/// by the nearest rotation.
 Result<PosedCamera> posedCameraFromIntrinsics(const Eigen::Matrix3d& intrinsic, const Eigen::Matrix3d& rotation,
                                               const Eigen::Vector3d& translation);
 
-/// Camera frames of xReg: the origin is at the source with the detector at negative z (X-ray runs of C-arms) or at
-/// positive z, or the origin is on the detector with z toward the source.
+/// Camera frames of xReg: the origin is at the source, with the detector at negative z (X-ray runs of C-arms) or at
+/// positive z, or the origin is on the detector, with z toward the source.
 enum class XregFrame { DetectorAtNegativeZ, DetectorAtPositiveZ, OriginOnDetector };
 
-/// A camera in xReg's convention: `pixel ~ intrinsic * (cameraFromWorld * pointInWorld)`; for a frame on the detector z
-/// is replaced by f - z. x runs along the columns and y along the rows; (0, 0) is the center of the first pixel.
+/// A camera in xReg's convention: `pixel ~ intrinsic * (cameraFromWorld * pointInWorld)`; if the frame is on the
+/// detector, z is replaced by f - z. The x axis runs along the columns and y along the rows; (0, 0) is the center of
+/// the first pixel.
 struct XregCamera {
     Eigen::Matrix3d intrinsic = Eigen::Matrix3d::Identity();
     RigidTransform cameraFromWorld;
@@ -39,8 +41,8 @@ struct XregCamera {
     double rowSpacingMm = 1.0;
 };
 
-/// Converts it to our camera and pose. `volumeFromWorld` is the pose that xReg stores ("camera to volume"): it maps
-/// points of the world of `cameraFromWorld` to physical points of the volume, which are LPS mm as read by ITK.
+/// Converts an xReg camera to our camera and pose. `volumeFromWorld` is the pose that xReg stores ("camera to volume"):
+/// it maps points of the world of `cameraFromWorld` to physical points of the volume, which are LPS mm as read by ITK.
 Result<PosedCamera> posedCameraFromXreg(const XregCamera& camera, const RigidTransform& volumeFromWorld);
 
 /// Converts our pose to the pose that xReg stores for the given xReg camera.

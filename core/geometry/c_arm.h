@@ -9,7 +9,7 @@
 
 namespace angiopose::core {
 
-/// Origin of a geometry value, displayed next to the value.
+/// Origin of a geometry value, displayed next to that value.
 enum class Origin { Missing, Header, Derived, User, Assumed };
 
 /// A value with its origin. `basis` describes the origin as text ("(0018,1110)", "intensifier 204.8 mm / 512 px").
@@ -24,7 +24,7 @@ struct Sourced {
 struct CArm {
     Sourced<double> sourceToDetectorMm;   ///< source-to-detector distance (SID)
     Sourced<double> sourceToIsocenterMm;   ///< SOD: distance to the rotation center of the gantry
-    Sourced<double> sourceToObjectMm;   ///< object plane assumed by the device, see vesselDepthOf
+    Sourced<double> sourceToObjectMm;   ///< distance to the object plane assumed by the device, see vesselDepthOf
     Sourced<double> columnSpacingMm;   ///< detector pixel pitch along u
     Sourced<double> rowSpacingMm;   ///< detector pixel pitch along v
     Sourced<double> primaryAngleDeg;   ///< LAO +, RAO −
@@ -41,7 +41,7 @@ void assumeIsocenter(CArm& cArm);
 /// Returns the depth of the vessels along the beam before registration: the object plane, or else the isocenter.
 const Sourced<double>& vesselDepthOf(const CArm& cArm);
 
-/// Directions of the image axes in patient LPS; unit vectors.
+/// Directions of the image axes in patient LPS, as unit vectors.
 struct ImageAxes {
     Eigen::Vector3d right;
     Eigen::Vector3d down;
@@ -54,7 +54,7 @@ ImageAxes imageAxesOf(CArm cArm);
 CArm rotatedBy(CArm cArm, const Eigen::Vector2d& incrementsDeg);
 
 /// Returns the pinhole camera of the C-arm: fx = −SID/Δu (positive if mirrored), fy = SID/Δv (ALGORITHMS §5.2). The
-/// error names the missing or impossible value and how to supply it.
+/// error names the missing or impossible value and states how to supply it.
 Result<ProjectionCamera> cameraFromCArm(const CArm& cArm, int width, int height);
 
 /// Returns the pose of the C-arm about an isocenter given in patient LPS, mm (ALGORITHMS §5.3). det R is always +1.

@@ -19,11 +19,11 @@ struct CameraUncertainty {
 
     bool isExact() const { return relativeFocalStd <= 0.0 && principalPx <= 0.0; }
 
-    /// Standard deviations of the camera parameters in the order of CameraError; never exactly zero.
+    /// Returns the standard deviations of the camera parameters in the order of CameraError; never exactly zero.
     Eigen::Vector3d std() const { return Eigen::Vector3d(relativeFocalStd, principalPx, principalPx).cwiseMax(1e-9); }
 };
 
-/// Returns the uncertainty by the origins of the C-arm's values; `camera` is the camera derived from them.
+/// Returns the camera uncertainty given by the origins of the C-arm's values; `camera` is derived from these values.
 CameraUncertainty uncertaintyByOrigin(const CArm& cArm, const ProjectionCamera& camera);
 
 /// Returns the uncertainty of a camera whose parameters the user entered directly.
@@ -32,8 +32,8 @@ CameraUncertainty uncertaintyOfEntered(const ProjectionCamera& camera);
 /// Returns the camera corrected by `error`.
 ProjectionCamera corrected(const ProjectionCamera& camera, const CameraError& error);
 
-/// Returns the C-arm of the corrected camera: the less certain of distance and spacing takes the focal-length error.
-/// Changed values count as derived, with this basis. `camera` is the camera of the uncorrected C-arm.
+/// Returns the C-arm of the corrected camera: of distance and spacing, the less certain one takes the focal-length
+/// error. Changed values get the origin Derived and this basis. `camera` is the camera of the uncorrected C-arm.
 CArm corrected(CArm cArm, const ProjectionCamera& camera, const CameraError& error, const std::string& basis);
 
 }   // namespace angiopose::core

@@ -37,7 +37,7 @@ struct RayInterval {
     }
 };
 
-/// Part of the ray visible to the camera: in front of the source, u ≥ −½ is `fx X + (cx + ½) Z ≥ 0`, and so on.
+/// Returns the part of the ray visible to the camera: in front of the source, u ≥ −½ is `fx X + (cx + ½) Z ≥ 0`, etc.
 RayInterval visibleInterval(const ProjectionCamera& camera, const CameraRay& ray)
 {
     RayInterval seen;

@@ -7,7 +7,7 @@
 namespace angiopose::core {
 namespace {
 
-// Plausible C-arm ranges: a value outside them is a typing error, in another unit, or from another type of machine.
+// Plausible C-arm ranges: a value outside them is mistyped, in another unit, or from another type of machine.
 constexpr double minSidMm = 500.0, maxSidMm = 2000.0;
 constexpr double maxMagnification = 2.5;
 constexpr double minDetectorSpacingMm = 0.05, maxSpacingMm = 2.0;
@@ -125,7 +125,8 @@ private:
         }
     }
 
-    /// Once calibrated, pixel spacing (0028,0030) refers to the object plane; otherwise it repeats the imager spacing.
+    /// Checks the pixel spacing (0028,0030) against the imager spacing: at the object plane if calibrated, else
+    /// directly.
     void checkCalibration()
     {
         if (!header_.pixelSpacingMm || !hasSpacing()) {

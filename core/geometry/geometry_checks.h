@@ -6,14 +6,15 @@
 
 namespace angiopose::core {
 
-/// Reports values that contradict each other, the header or physics, each with a suggestion what to check (ALGORITHMS
-/// §5.2, §5.6): distances, magnification, pixel spacing against field of view, intensifier, detector and calibration,
-/// pixel aspect, angles, principal point. `imageSizePx` is (columns, rows), or zero if unknown. Missing values are not
-/// contradictions.
+/// Returns messages about values that contradict each other, the header or physics, each with a suggestion of what to
+/// check (ALGORITHMS §5.2, §5.6): distances, magnification, pixel spacing against field of view, intensifier, detector
+/// and calibration, pixel aspect, angles, principal point. `imageSizePx` is (columns, rows), or zero if unknown.
+/// Missing values are not contradictions.
 Messages findContradictions(const CArm& cArm, const GantryHeader& header = {},
                             const Eigen::Vector2i& imageSizePx = Eigen::Vector2i::Zero());
 
-/// Reports the geometry values still missing for a camera and an initial pose, each with instructions for supplying it.
+/// Returns messages about the geometry values still missing for a camera and an initial pose, each with instructions
+/// for supplying it.
 Messages findMissing(const CArm& cArm);
 
 }   // namespace angiopose::core

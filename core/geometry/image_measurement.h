@@ -8,12 +8,12 @@ namespace angiopose::core {
 
 enum class MeasurementKind { Length, Angle, Area };
 
-/// Plane in which a measurement in an image is assumed to lie. `Pixels`: none, lengths stay in pixels; `Typed`: the one
-/// for which the user entered the pixel size.
+/// Plane in which a measurement in an image is assumed to lie. `Pixels`: no plane, lengths stay in pixels; `Typed`: the
+/// plane for which the user entered the pixel size.
 enum class MeasurementPlane { Vessels, Detector, Pixels, Typed };
 
 /// A measurement in one frame of an image: the length of a line through its points, the angle at the second of three
-/// points, or the area inside a closed outline. The value follows from camera and pose, see measureImage.
+/// points, or the area inside a closed outline. Its value follows from camera and pose (see measureImage).
 struct ImageMeasurement {
     MeasurementKind kind = MeasurementKind::Length;
     MeasurementPlane plane = MeasurementPlane::Vessels;

@@ -47,7 +47,7 @@ Eigen::Matrix3d rotationAt(const CArm& anyDistance, const PatientAngles& angles)
     return cameraFromPatient(cArm, Eigen::Vector3d::Zero()).value().rotation;
 }
 
-/// Angles at which the C-arm of a patient has that rotation.
+/// Returns the angles at which a patient's C-arm has this rotation.
 PatientAngles anglesOf(const Eigen::Matrix3d& cameraFromPatientRotation, const CArm& cArm)
 {
     const Eigen::Vector3d direction = cameraFromPatientRotation.row(2);

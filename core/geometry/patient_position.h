@@ -12,14 +12,14 @@ namespace angiopose::core {
 /// (DR) or left (DL) side.
 enum class PatientPosition { HFS, HFP, HFDR, HFDL, FFS, FFP, FFDR, FFDL };
 
-/// Parses a defined term such as "FFS"; returns nothing for any other text.
+/// Parses a defined term such as "FFS"; returns nullopt for any other text.
 std::optional<PatientPosition> patientPositionFrom(std::string_view text);
 
 /// Returns the defined term, such as "FFS".
 std::string_view toText(PatientPosition position);
 
-/// Returns the rotation from the table frame to patient LPS. The table frame is the LPS frame of a patient in
-/// head-first supine position. det = +1.
+/// Returns the rotation from the table frame to patient LPS, with determinant +1. The table frame is the LPS frame of a
+/// patient in head-first supine position.
 Eigen::Matrix3d patientFromTable(PatientPosition position);
 
 /// C-arm angles in the patient frame, in degrees (ALGORITHMS §5.3).
@@ -29,16 +29,15 @@ struct PatientAngles {
     double rollDeg = 0.0;
 };
 
-/// Interpretation of the header angles as measured relative to the table, that is, as if every patient lay head first
-/// and supine.
+/// Interpretation of the header angles as relative to the table, that is, as if every patient lay head first supine.
 struct TableAngles {
     PatientPosition position = PatientPosition::HFS;
     PatientAngles angles;   ///< angles in the patient frame, to be entered instead of those in the header
     Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();   ///< rotation from patient LPS to the header angles' frame
 };
 
-/// Returns the interpretation of the angles relative to the table. Returns nothing if an angle is missing or the
-/// patient lies head first and supine, because both interpretations are then equal.
+/// Returns the interpretation of the angles relative to the table. Returns nullopt if an angle is missing or if the
+/// patient lies head first and supine, because both interpretations are then the same.
 std::optional<TableAngles> anglesFromTable(const CArm& cArm, PatientPosition position);
 
 }   // namespace angiopose::core

@@ -18,11 +18,11 @@ struct PoseOffset {
     bool operator==(const PoseOffset&) const = default;
 };
 
-/// Applies `offset` to `reference` and returns the pose. The pivot (patient frame, mm) moves only by the shifts.
+/// Applies `offset` to `reference` and returns the new pose. Only the shifts move the pivot (patient frame, mm).
 RigidTransform applyOffset(const RigidTransform& reference, const PoseOffset& offset,
                            const Eigen::Vector3d& pivotInPatient, const ProjectionCamera& camera);
 
-/// Returns the offset from `reference` to `pose`; the exact inverse of applyOffset for |laoRao| < 90°.
+/// Returns the offset from `reference` to `pose`; exact inverse of applyOffset for |laoRao| < 90°.
 PoseOffset offsetBetween(const RigidTransform& reference, const RigidTransform& pose,
                          const Eigen::Vector3d& pivotInPatient, const ProjectionCamera& camera);
 

@@ -27,10 +27,10 @@ struct RigidTransform {
 /// Returns the 3×3 matrix with `skew(a) * b == a × b`.
 Eigen::Matrix3d skew(const Eigen::Vector3d& vector);
 
-/// Returns the rotation by |omega| rad about omega; exact for any angle, with a series near zero.
+/// Returns the rotation by |omega| rad about omega; exact for any angle, using a series near zero.
 Eigen::Matrix3d expSo3(const Eigen::Vector3d& omega);
 
-/// Returns the rotation vector with |omega| ≤ π; inverse of expSo3, stable up to and including π.
+/// Returns the rotation vector, |omega| ≤ π; inverse of expSo3, stable up to and including π.
 Eigen::Vector3d logSo3(const Eigen::Matrix3d& rotation);
 
 /// Returns the inverse left Jacobian of SO(3): `log(exp(x) R) ≈ log(R) + Jl^-1(log R) x`.

@@ -13,7 +13,7 @@ namespace angiopose::core {
 
 enum class Polarity { VesselsDark, VesselsBright };
 
-/// Patient and study data from the header; every field may be empty. Never written to logs.
+/// Patient and study data from the header; every field may be empty. The data are never written to logs.
 struct StudyIdentity {
     std::string patientName;
     std::string patientId;
@@ -32,7 +32,7 @@ struct StudyIdentity {
     std::string sopInstanceUid;
 };
 
-/// An X-ray run: frames of equal size with the stored values as float, and the geometry from the header.
+/// An X-ray run: frames of equal size, with the stored values as float, and the geometry from the header.
 struct Angiogram {
     std::vector<ImageF> frames;
     Polarity polarity = Polarity::VesselsDark;

@@ -6,13 +6,13 @@
 
 namespace angiopose::core {
 
-/// A label image for display that needs half the memory (8 bit).
+/// A label image for display in 8 bit, which halves the memory.
 struct CompactLabels {
-    VoxelMask rows;   ///< 1 + index of the voxel's label in the list; the 255th and later labels share 255
-    std::vector<Eigen::Vector3d> centersInPatient;   ///< per label: the voxel nearest to the mean of its voxels
+    VoxelMask rows;   ///< 1 + index of the voxel's label in the list; all labels from the 255th on share the value 255
+    std::vector<Eigen::Vector3d> centersInPatient;   ///< per label, the voxel nearest to the centroid of its voxels
 };
 
-/// Replaces the labels of an image with their position in `labels`, which contains every label once; other labels
+/// Replaces the labels of an image by their position in `labels`, which must contain each label once; other labels
 /// become background.
 CompactLabels compactLabels(const LabelVolume& image, const std::vector<int>& labels);
 

@@ -41,8 +41,7 @@ void removeBorder(std::vector<float>& sample)
                   [&](float value) { return (dropsLowest && value == lowest) || (dropsHighest && value == highest); });
 }
 
-/// Returns the quantile of the sample. Reorders the sample without fully sorting it, because this runs for every frame
-/// of a cine.
+/// Returns the quantile of the sample. Reorders the sample without sorting it, because this runs for every cine frame.
 double quantile(std::vector<float>& sample, double fraction)
 {
     const auto last = static_cast<double>(sample.size() - 1);

@@ -5,7 +5,7 @@
 
 namespace angiopose::core {
 
-/// Gray values displayed as black and white.
+/// Gray values that are displayed as black and as white.
 struct DisplayRange {
     double low = 0.0;
     double high = 1.0;
@@ -15,8 +15,7 @@ struct DisplayRange {
 };
 
 /// Returns a display range suited to the vessels: the 0.5th to the 99.5th percentile of the pixels inside the exposed
-/// field (without a large border of one extreme value), widened to display the background as medium gray. Never empty:
-/// high > low.
+/// field (without a large border of one extreme value), widened to show the background as medium gray; high > low.
 DisplayRange displayRange(const ImageF& frame);
 
 /// Returns a display range for the vessels only: from their extreme value to the background, which is the median inside

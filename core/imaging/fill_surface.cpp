@@ -14,7 +14,7 @@ constexpr double typicalVoxelsInside = 5e6;
 constexpr double minVoxelSpacingMm = 0.1;
 constexpr double maxVoxels = 8e8;
 constexpr int marginVoxels = 3;
-constexpr int rowsPerCancelCheck = 1000;   ///< rows of one triangle between checks for cancellation
+constexpr int rowsPerCancelCheck = 1000;   ///< number of rows of a triangle between checks for cancellation
 constexpr std::size_t cancelCheckMask = 0xFFF;   ///< bit mask: triangles between checks for cancellation, minus one
 
 /// Offset of the rays from the voxel centers, in voxels; makes the rays miss vertices and edges of the mesh.
@@ -85,7 +85,7 @@ public:
         }
     }
 
-    /// Adds a vote to every voxel that is inside along this axis; rays that end inside do not vote.
+    /// Adds a vote to every voxel that is inside along this axis; rays that end inside add no vote.
     void vote(Filling filling, VoxelMask& votes, const std::function<bool()>& shouldContinue)
     {
         for (int c = 0; c < size_[c_] && shouldContinue(); ++c) {
@@ -166,7 +166,7 @@ void castAlong(int axis, const SurfaceMesh& mesh, VoxelMask& votes, Filling fill
     caster.vote(filling, votes, shouldContinue);
 }
 
-/// Enclosed volume by the divergence theorem; for an open mesh, the volume of its cones to the center of the box.
+/// Returns the enclosed volume by the divergence theorem; for an open mesh, the volume of its cones to the box center.
 double insideMm3(const SurfaceMesh& mesh, const Box& box)
 {
     const Eigen::Vector3d middle = 0.5 * (box.low + box.high);

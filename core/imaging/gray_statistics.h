@@ -9,13 +9,13 @@ namespace angiopose::core {
 /// maximum. Returns 0 if no value is positive.
 float otsuThreshold(const std::vector<float>& values);
 
-/// Returns every n-th value, at most `most` values in all, for statistics of large images.
+/// Returns every n-th value, with n chosen to give at most `most` values, for statistics of large images.
 std::vector<float> subsample(const std::vector<float>& values, std::size_t most);
 
 /// Returns the quantile of `values` at the fraction `share` (0…1); `values` must not be empty. Runs in linear time.
 float grayQuantile(std::vector<float> values, double share);
 
-/// Does the same for several fractions in ascending order.
+/// Returns the quantiles at several fractions in ascending order.
 std::vector<float> grayQuantiles(std::vector<float> values, const std::vector<double>& shares);
 
 }   // namespace angiopose::core

@@ -30,7 +30,7 @@ std::vector<float> gaussianHalfKernel(double sigmaPx)
     return kernel;
 }
 
-/// target += weight (a + b), element-wise.
+/// Computes target += weight (a + b), element-wise.
 ANGIOPOSE_WIDE_VECTORS
 void addWeighted(float* target, const float* a, const float* b, float weight, int count)
 {
@@ -39,7 +39,7 @@ void addWeighted(float* target, const float* a, const float* b, float weight, in
     }
 }
 
-/// target = max(target, values), element-wise.
+/// Computes target = max(target, values), element-wise.
 ANGIOPOSE_WIDE_VECTORS
 void elementwiseMax(float* target, const float* values, int count)
 {

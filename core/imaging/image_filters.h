@@ -4,8 +4,8 @@
 
 namespace angiopose::core {
 
-/// Smooths with a Gaussian; edge pixels are replicated beyond the image. Returns the image unchanged for `sigmaPx` ≤ 0.
-/// The result does not depend on the number of threads.
+/// Returns the image smoothed with a Gaussian; edge pixels are replicated beyond the image. Returns the image unchanged
+/// for `sigmaPx` ≤ 0. The result does not depend on the number of threads.
 ImageF gaussianBlur(const ImageF& image, double sigmaPx, int threads = 1);
 
 /// Returns, for each pixel, the maximum in the surrounding square of side 2·`radiusPx` + 1, clipped to the image.
@@ -15,10 +15,10 @@ ImageF maximumFilter(const ImageF& image, int radiusPx);
 /// last row or column is repeated.
 ImageF halved(const ImageF& image);
 
-/// Enlarges the image bilinearly by `factor` to the given size, reversing the size reduction by repeated `halved`.
+/// Returns the image enlarged bilinearly by `factor` to the given size, which reverses repeated reduction by `halved`.
 ImageF upsample(const ImageF& image, int factor, int width, int height);
 
-/// Returns the bilinear sample at (x, y) px; outside, the nearest edge value. The image must not be empty.
+/// Returns the bilinear sample at (x, y) px, or the nearest edge value outside the image, which must not be empty.
 float sampleBilinear(const ImageF& image, double x, double y);
 
 }   // namespace angiopose::core

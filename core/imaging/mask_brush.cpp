@@ -69,7 +69,7 @@ VoxelBox boxAround(const BrushStep& step, double reachMm, const VolumeGeometry& 
 }
 
 /// Returns the parameters i at which the line `start + i * along` enters and leaves the ball of `radius` around the
-/// origin, or a cylinder if the component along its axis was removed; nothing if it misses.
+/// origin, or a cylinder if the component along its axis was removed; nullopt if it misses.
 std::optional<std::pair<double, double>> crossings(const Eigen::Vector3d& start, const Eigen::Vector3d& along,
                                                    double radius)
 {

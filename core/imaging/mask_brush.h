@@ -14,14 +14,14 @@ struct MaskBrush {
     double minValue = 0.0;
 };
 
-/// The part of a stroke between two pointer positions.
+/// Part of a brush stroke between two pointer positions.
 struct BrushStep {
     Eigen::Vector3d fromInPatient;
     Eigen::Vector3d toInPatient;
 };
 
 /// Returns the voxels that the brush would change. In a slice, these are the voxels cut by the slice and, if the mask
-/// is coarser than the slice, the voxels displayed in it; in space, all voxels within the radius.
+/// is coarser than the slice, the voxels displayed in it; in 3-D, all voxels within the radius.
 VoxelIndices brushSlice(const VoxelMask& mask, const SliceGrid& slice, const MaskBrush& brush, const BrushStep& step);
 VoxelIndices brushVolume(const VoxelMask& mask, const MaskBrush& brush, const BrushStep& step);
 

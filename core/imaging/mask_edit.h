@@ -18,8 +18,8 @@ inline std::uint32_t voxelIndex(const VolumeGeometry& geometry, const Eigen::Vec
     return static_cast<std::uint32_t>(geometry.index(voxel.x(), voxel.y(), voxel.z()));
 }
 
-/// A set of flipped voxels, run-length encoded in storage order, which is small even for large volumes. Applying the
-/// same change again undoes it.
+/// A set of flipped voxels, run-length encoded in storage order and therefore small even for large volumes. Applying
+/// the same change again undoes it.
 struct MaskChange {
     struct Run {
         std::uint32_t first = 0;
@@ -31,10 +31,10 @@ struct MaskChange {
     std::size_t voxelCount() const;
 };
 
-MaskChange makeMaskChange(VoxelIndices voxels);   ///< voxels in any order; duplicates are removed
-void flip(VoxelMask& mask, const MaskChange& change);   ///< 0 becomes 1, nonzero becomes 0
+MaskChange makeMaskChange(VoxelIndices voxels);   ///< accepts voxels in any order; duplicates are removed
+void flip(VoxelMask& mask, const MaskChange& change);   ///< flips the voxels: 0 becomes 1, nonzero becomes 0
 
-/// A box in patient coordinates, LPS mm.
+/// A box in patient coordinates (LPS, mm).
 struct BoundingBox {
     Eigen::Vector3d lowInPatient = Eigen::Vector3d::Zero();
     Eigen::Vector3d highInPatient = Eigen::Vector3d::Zero();

@@ -50,8 +50,7 @@ struct Region {
     bool isHole = true;
 };
 
-/// Grows the background region around `seed`. The region is not a hole if it exceeds `maxArea` or reaches the image
-/// edge or `open`.
+/// Grows the background region around `seed`. It is not a hole if it exceeds `maxArea` or reaches the edge or `open`.
 Region smallRegion(const Mask2d& mask, const Mask2d& open, std::size_t seed, std::size_t maxArea)
 {
     const auto width = static_cast<std::size_t>(mask.width);

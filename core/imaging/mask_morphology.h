@@ -6,11 +6,11 @@
 
 namespace angiopose::core {
 
-/// Erode or dilate the mask with a square of side 2·`radiusPx` + 1; edge pixels are replicated beyond the image.
+/// Return the mask eroded or dilated by a square of side 2·`radiusPx` + 1; edge pixels are replicated outward.
 Mask2d erode(const Mask2d& mask, int radiusPx);
 Mask2d dilate(const Mask2d& mask, int radiusPx);
 
-/// Returns the components (8-connected) of the mask that touch the image edge.
+/// Returns the 8-connected components of the mask that touch the image edge.
 Mask2d edgeComponents(const Mask2d& mask);
 
 /// Returns the mask with its small holes filled: 4-connected background regions of at most `maxAreaPx` that do not

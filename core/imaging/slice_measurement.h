@@ -9,7 +9,7 @@
 namespace angiopose::core {
 
 /// A measurement in one slice of a scan: the length of a line through its points, the angle at the second of three
-/// points, or the area inside a closed outline. The value depends only on the points.
+/// points, or the area inside a closed outline. Its value depends only on the points.
 struct SliceMeasurement {
     MeasurementKind kind = MeasurementKind::Length;
     BodyPlane plane = BodyPlane::Axial;   ///< plane of the slice; all points lie in it

@@ -63,13 +63,13 @@ struct VoxelGrid {
 using VoxelMask = VoxelGrid<std::uint8_t>;   ///< 0 outside, nonzero inside
 using LabelVolume = VoxelGrid<std::uint16_t>;   ///< 0 is background, other values are labels
 
-/// A CT (or other) volume as stored, in 16 bit to limit the memory of large scans. value = voxel · slope + intercept.
+/// A CT (or other) volume as stored, in 16 bit to limit the memory of large scans: value = voxel · slope + intercept.
 struct Volume : VoxelGrid<std::int16_t> {
     using VoxelGrid::VoxelGrid;
     double slope = 1.0;
     double intercept = 0.0;
 
-    /// Returns the value of a voxel; in Hounsfield units for CT.
+    /// Returns the value of a voxel, in Hounsfield units for CT.
     double value(std::size_t voxel) const { return slope * voxels[voxel] + intercept; }
 };
 

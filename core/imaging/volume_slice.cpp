@@ -59,7 +59,7 @@ int nearestStep(const PatientBox& box, Eigen::Index axis, double positionMm)
     return static_cast<int>(std::clamp(steps, 0.0, static_cast<double>(stepsAlong(box, axis))));
 }
 
-/// A pixel grid expressed in continuous voxel indices.
+/// A pixel grid in continuous voxel indices.
 struct SliceInVoxels {
     Eigen::Vector3d first;
     Eigen::Vector3d columnStep;
@@ -126,7 +126,7 @@ void forNearestVoxels(const VolumeGeometry& geometry, const SliceInVoxels& slice
     }
 }
 
-/// Does the same for a grid on voxel centers, where the index step from pixel to pixel is constant.
+/// Calls `take(pixel, voxel)` for a grid on voxel centers, where the index step from pixel to pixel is constant.
 template <class Take>
 void forAlignedVoxels(const VolumeGeometry& geometry, const SliceInVoxels& slice, const SliceGrid& grid,
                       const Take& take)
@@ -158,7 +158,7 @@ bool isVoxelAligned(const VolumeGeometry& geometry, const SliceInVoxels& slice, 
            isInside(grid.width - 1, 0) && isInside(0, grid.height - 1) && isInside(grid.width - 1, grid.height - 1);
 }
 
-/// Interpolates linearly; NaN more than half a voxel beyond the outermost voxel centers.
+/// Returns the linearly interpolated value; NaN more than half a voxel beyond the outermost voxel centers.
 float interpolateTrilinear(const Volume& volume, const Eigen::Vector3d& voxel)
 {
     const VolumeGeometry& geometry = volume.geometry;

@@ -13,22 +13,21 @@ enum class BodyPlane { Axial, Coronal, Sagittal };
 
 inline constexpr std::array bodyPlanes{BodyPlane::Axial, BodyPlane::Coronal, BodyPlane::Sagittal};
 
-/// Viewing direction of a plane: axial from the feet, coronal from the front, sagittal from the left (patient LPS).
+/// Viewing direction of a plane: axial from the feet, coronal from anterior, sagittal from the left (patient LPS).
 struct PlaneAxes {
     Eigen::Vector3d right;
     Eigen::Vector3d down;
-    Eigen::Vector3d normal;   ///< a positive patient axis: left, posterior or superior
+    Eigen::Vector3d normal;   ///< one of the positive patient axes: left, posterior or superior
 };
 PlaneAxes axesOf(BodyPlane plane);
 
-/// Pixel grid of a slice through the patient, in LPS, mm. Pixel indices are continuous; (0, 0) is the center of the
-/// first pixel.
+/// Pixel grid of a slice through the patient (LPS, mm). Pixel indices are continuous; (0, 0) is the first pixel center.
 struct SliceGrid {
     int width = 0;
     int height = 0;
     Eigen::Vector3d firstInPatient = Eigen::Vector3d::Zero();   ///< center of pixel (0, 0)
-    Eigen::Vector3d columnStep = Eigen::Vector3d::UnitX();   ///< step to the next pixel on the right
-    Eigen::Vector3d rowStep = Eigen::Vector3d::UnitY();   ///< step to the next pixel below
+    Eigen::Vector3d columnStep = Eigen::Vector3d::UnitX();   ///< offset to the next pixel on the right
+    Eigen::Vector3d rowStep = Eigen::Vector3d::UnitY();   ///< offset to the next pixel below
     Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
     double thicknessMm = 1.0;   ///< distance to the next slice
 
@@ -49,11 +48,11 @@ struct SliceGrid {
     bool operator==(const SliceGrid&) const = default;
 };
 
-/// Returns the full slice of a volume through a point. If the volume's axes are the patient's in some order, it is the
-/// nearest stored slice, pixel for pixel; an oblique volume is cut along the patient's axes at its finest spacing.
+/// Returns the full slice of a volume through a point. If the volume's axes are the patient's in some order, this is
+/// the nearest stored slice, pixel for pixel; an oblique volume is cut along the patient's axes at its finest spacing.
 SliceGrid sliceThrough(const VolumeGeometry& geometry, BodyPlane plane, const Eigen::Vector3d& pointInPatient);
 
-/// Returns the number of slices of a plane, or the index of the slice through a point, counted from 0 along the normal.
+/// Returns the number of slices of a plane, or the index of the slice through a point, starting at 0 along the normal.
 int sliceCount(const VolumeGeometry& geometry, BodyPlane plane);
 int sliceIndex(const VolumeGeometry& geometry, BodyPlane plane, const Eigen::Vector3d& pointInPatient);
 
@@ -63,7 +62,7 @@ std::vector<float> sliceValues(const Volume& volume, const SliceGrid& grid);
 /// Returns the mask at the pixels of a slice, by nearest voxel; 0 outside the volume.
 std::vector<std::uint8_t> sliceMask(const VoxelMask& mask, const SliceGrid& grid);
 
-/// Returns the value of the voxel that contains a point; nothing outside the volume.
+/// Returns the value of the voxel that contains a point; nullopt outside the volume.
 std::optional<double> valueAt(const Volume& volume, const Eigen::Vector3d& pointInPatient);
 
 /// Returns the nearest point inside the bounding box of the voxel centers along the patient's axes.

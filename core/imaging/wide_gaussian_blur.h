@@ -4,7 +4,7 @@
 
 namespace angiopose::core {
 
-/// Does the same as `blurred` in nearly constant time for any σ, by working on a reduced image above σ = 8 px.
+/// Returns the same as gaussianBlur in nearly constant time for any σ, by working on a reduced image above σ = 8 px.
 ImageF wideGaussianBlur(const ImageF& image, double sigmaPx);
 
 }   // namespace angiopose::core

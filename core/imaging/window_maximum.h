@@ -6,8 +6,8 @@
 
 namespace angiopose::core {
 
-/// Combines each pixel with the pixels `step` to its left and right; positions beyond the row are clamped.
-/// `raise(target, values, count)` sets each target to the larger of target and value.
+/// Combines each pixel with the pixels `step` positions to its left and right, clamped to the row. `raise(target,
+/// values, count)` sets each target to the larger of target and value.
 template <class T, class Raise>
 Image2d<T> maximumAlongRows(const Image2d<T>& image, int step, const Raise& raise)
 {
@@ -43,7 +43,7 @@ template <class T, class Raise>
 Image2d<T> windowMaximum(Image2d<T> image, int radiusPx, const Raise& raise)
 {
     for (int reach = 0; reach < radiusPx && !image.isEmpty();) {
-        const int step = std::min(2 * reach + 1, radiusPx - reach);   // three windows at this step leave no gap
+        const int step = std::min(2 * reach + 1, radiusPx - reach);   // three windows at this distance leave no gap
         image = maximumAlongColumns(maximumAlongRows(image, step, raise), step, raise);
         reach += step;
     }

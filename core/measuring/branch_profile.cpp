@@ -45,7 +45,7 @@ DiameterLine fitLine(const std::vector<Eigen::Vector2d>& diameters)
 }
 
 /// Fits a line to the diameters, (arc length, diameter) in mm, of the healthy vessel: first to all diameters, then
-/// again without those too far below or above the line, with limits that tighten to 10 % and 20 %. Returns nothing for
+/// again without those too far below or above the line, with limits that tighten to 10 % and 20 %. Returns nullopt for
 /// fewer than 6 diameters, or if fewer than a quarter of them are within the limits.
 std::optional<DiameterLine> referenceLine(const std::vector<Eigen::Vector2d>& diameters)
 {
@@ -197,7 +197,7 @@ void addReferences(std::vector<ProfileSample>& samples, std::size_t first, std::
 }
 
 /// Lowers the reference where the vessel stays narrow because it tapers or has given off a branch: if the diameter does
-/// not recover to the reference farther along, the reference becomes the diameter to which it recovers.
+/// not return to the reference farther along, the reference becomes the diameter to which it returns.
 void lowerUnrecoveredReferences(std::vector<ProfileSample>& samples)
 {
     const auto reach = static_cast<std::size_t>(recoveryReachMm / profileSpacingMm);

@@ -12,7 +12,7 @@ namespace angiopose::core {
 struct ProfileSample {
     double arcMm = 0.0;   ///< arc length from the branch's first point
     Eigen::Vector3d pointInPatient = Eigen::Vector3d::Zero();   ///< LPS, mm
-    double diameterMm = 0.0;   ///< twice the radius in the tree, as the median over 2 mm
+    double diameterMm = 0.0;   ///< twice the radius in the tree, median over 2 mm
     double referenceMm = 0.0;   ///< diameter expected in a healthy vessel, see profileOf
     double curvaturePerMm = 0.0;   ///< inverse of the radius of curvature, measured over 6 mm
 };
@@ -32,20 +32,21 @@ struct BranchProfile {
     int branchId = 0;
     std::vector<ProfileSample> samples;   ///< ordered along the branch, 0.5 mm apart, including both ends
     double lengthMm = 0.0;
-    double tortuosity = 1.0;   ///< length over distance between the ends; 1 is straight; NaN for a closed loop
+    double tortuosity = 1.0;   ///< length over distance between the ends; 1 if straight, NaN for a closed loop
     double maxCurvaturePerMm = 0.0;   ///< NaN for branches shorter than 2 mm
     std::optional<double> meanDiameterMm;   ///< mean over the branch length; not set without radii
     std::optional<double> minDiameterMm;
     std::optional<double> maxDiameterMm;
     std::optional<StenosisMeasure> stenosis;   ///< not set without a reference diameter
-    Messages warnings;   ///< measurements that failed, with the reason
+    Messages warnings;   ///< messages about measurements that failed, with the reason
 };
 
-/// Measures diameter, curvature, tortuosity and the narrowest place of a branch. The reference at a sample is a line
-/// through the consistent diameters within 60 mm around it (outliers are removed step by step), so a vessel may taper;
-/// if the vessel does not recover to it within 20 mm, the reference is the diameter to which it recovers. One diameter
-/// at each end of the branch is excluded, because traced radii run into the parent or out of the vessel there. Fails on
-/// a branch with fewer than two points or without length; without radii it measures the rest and adds a message.
+/// Measures diameter, curvature, tortuosity and the narrowest point of a branch. The reference at a sample is a line
+/// through the consistent diameters within 60 mm around it (outliers are removed iteratively), so a vessel may taper;
+/// if the vessel does not return to this line within 20 mm, the reference is the diameter to which it returns. One
+/// diameter at each end of the branch is excluded, because traced radii extend into the parent vessel or beyond the
+/// lumen there. Fails on a branch with fewer than two points or without length; without radii, measures the rest and
+/// adds a message.
 Result<BranchProfile> profileOf(const VesselBranch& branch);
 
 }   // namespace angiopose::core

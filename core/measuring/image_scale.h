@@ -17,7 +17,7 @@ struct ImageScale {
     bool isInMm() const { return plane != MeasurementPlane::Pixels; }
 };
 
-/// A view with the displayed vessels, at the view's own pose or at a temporarily displayed pose.
+/// A view with the displayed vessels, at the view's own pose or at a pose displayed temporarily.
 struct MeasuredView {
     MeasuredView(const View& view, const VesselTree* tree)   ///< `tree` may be null
         : view(view), tree(tree), cameraFromPatient(view.cameraFromPatient)
@@ -36,11 +36,11 @@ struct MeasuredView {
 };
 
 /// Returns the scale at the vessels (depth of the tree's centroid under the pose), at the detector (its pixel spacing),
-/// as entered for the image, or none. Fails naming the missing value and how to supply it.
+/// as entered for the image, or none. The error names the missing value and states how to supply it.
 Result<ImageScale> imageScaleOf(const MeasuredView& seen, MeasurementPlane plane);
 
-/// Returns the preferred plane for which the view has a scale: the vessels, then the entered pixel size, then the
-/// detector, otherwise pixels.
+/// Returns the preferred plane among those for which the view has a scale: the vessels, then the entered pixel size,
+/// then the detector, otherwise pixels.
 MeasurementPlane preferredPlane(const MeasuredView& seen);
 
 }   // namespace angiopose::core

@@ -12,28 +12,28 @@ struct ImageMeasurementResult {
     ImageScale scale;
 };
 
-/// Returns the minimum number of points for this kind of measurement.
+/// Returns the minimum number of points for a measurement of this kind.
 std::size_t minPoints(MeasurementKind kind);
 
 /// Returns the length along the points, the angle (0°…180°) at the second point, or the area inside the closed outline.
-/// Angles depend only on the pixel aspect. The error gives the reason for invalid points: too few points, non-finite
+/// Angles depend only on the pixel aspect. The error states why the points are invalid: too few points, non-finite
 /// coordinates, an angle with a leg of zero length, or a self-intersecting outline.
 Result<Quantity> valueOf(const ImageMeasurement& measurement, const ImageScale& scale);
 
-/// Does the same with the scale of the view in the measurement's plane.
+/// Returns the value of a measurement at the view's scale in the measurement's plane.
 Result<ImageMeasurementResult> measureImage(const ImageMeasurement& measurement, const MeasuredView& seen);
 
 /// Returns the label next to the drawing: the value, the plane, and whether the scale is assumed.
 Message labelOf(const ImageMeasurementResult& measured, MeasurementKind kind);
 
-/// Returns what the value is based on, followed by its limitations, one sentence each.
+/// Returns sentences that state what the value is based on, followed by its limitations.
 Messages basisOf(const ImageMeasurementResult& measured, MeasurementKind kind, const MeasuredView& seen);
 
 /// Returns the length along the points, the angle (0°…180°) at the second point, or the area inside the closed outline,
-/// in the plane of the slice: mm, ° or mm². Fails with a reason on invalid points, as valueOf for an image does.
+/// in the plane of the slice: mm, ° or mm². The error states why the points are invalid, as in valueOf for an image.
 Result<Quantity> valueOf(const SliceMeasurement& measurement);
 
-/// Returns what the value is based on, one sentence each; `scan` is null if no scan is loaded.
+/// Returns sentences that state what the value is based on; `scan` is null if no scan is loaded.
 Messages basisOf(const SliceMeasurement& measurement, const VolumeGeometry* scan);
 
 /// Returns the position of the slice along its normal, mm.

@@ -13,7 +13,7 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double minAngleDeg = 10.0;   // below this angle, one pixel in the image is 6 pixels along the ray
+constexpr double minAngleDeg = 10.0;   // at this angle, one pixel in the image is 6 pixels along the ray
 constexpr int refinementIterations = 10;
 
 /// A ray from the X-ray source, in patient coordinates.
@@ -80,7 +80,7 @@ Eigen::Vector3d refinePoint(std::span<const MarkedPixel> seen, Eigen::Vector3d p
     return point;
 }
 
-/// Returns the millimeters per pixel, along u and v, in the plane parallel to the detector at this depth.
+/// Returns the size of a pixel in mm, along u and v, in the plane parallel to the detector at this depth.
 Eigen::Vector2d pixelSizeMm(const ProjectionCamera& camera, double depthMm)
 {
     return {depthMm / std::abs(camera.fx), depthMm / std::abs(camera.fy)};

@@ -25,13 +25,13 @@ struct ImageError {
 Result<ImageError> imageError(const PosedCamera& sight, const Eigen::Vector3d& pointInPatient,
                               const Eigen::Vector2d& markedPx);
 
-/// Computes the covariance (mm², camera axes) of a point at offset `leverArmInCamera` from the tree's centroid from the
-/// covariance of the pose.
+/// Computes the covariance (mm², camera axes) of a point at offset `leverArmInCamera` from the tree's centroid, given
+/// the covariance of the pose.
 Eigen::Matrix3d pointCovariance(const Matrix6d& poseCovariance, const Eigen::Vector3d& leverArmInCamera);
 
 /// Expected error of a point according to a registration result: root mean square length in mm, 1 σ.
 struct PredictedError {
-    double inPlaneMm = 0.0;   ///< as in ImageError; without camera errors, which move tree and rays alike
+    double inPlaneMm = 0.0;   ///< as in ImageError; excludes camera errors, which move tree and rays alike
     double spaceMm = 0.0;   ///< in 3-D, including camera errors
 };
 PredictedError predictError(const RegistrationResult& result, const VesselTree& tree, const ProjectionCamera& camera,
@@ -50,7 +50,7 @@ struct TriangulatedPoint {
     double maxRayDistanceMm = 0.0;   ///< largest distance from a ray to the point
 };
 
-/// Triangulates the point. Fails if there are fewer than two images or the rays are nearly parallel.
+/// Triangulates a point from its pixels. Fails if there are fewer than two images or if the rays are nearly parallel.
 Result<TriangulatedPoint> triangulate(std::span<const MarkedPixel> seen);
 
 /// Result for a target point in one view.
@@ -68,7 +68,7 @@ struct TargetPointResult {
     std::vector<TargetPointViewResult> views;   ///< views in which the point was marked, in the order of the case
     Result<TriangulatedPoint> triangulated;   ///< triangulated from the views whose pose belongs to the marked frame
     std::vector<std::size_t> triangulationViews;
-    std::optional<double> predictedSpaceMm;   ///< smallest 3-D error expected by the results of these views
+    std::optional<double> predictedSpaceMm;   ///< smallest 3-D error predicted by the results of these views
 
     /// Returns the distance of the target point from the intersection of the rays; requires a valid intersection.
     double spaceMm() const { return (triangulated.value().pointInPatient - mark.pointInPatient).norm(); }
@@ -77,13 +77,13 @@ struct TargetPointResult {
 /// Returns the cameraFromPatient pose of a view by its index.
 using PoseOfView = std::function<RigidTransform(std::size_t view)>;
 
-/// Returns the results for all target points of a case, in the case's order, excluding ostium rings. `poseOf` gives the
-/// displayed poses.
+/// Returns the results for all target points of a case in the case's order, excluding ostium rings. `poseOf` returns
+/// the displayed poses.
 std::vector<TargetPointResult> evaluateTargetPoints(const Case& session, const PoseOfView& poseOf);
 std::vector<TargetPointResult> evaluateTargetPoints(const Case& session);   ///< uses the poses stored in the case
 
 /// Returns a short list label, such as "1.2 mm off, 0.6 mm predicted", for the shown view or else for the 3-D error;
-/// nothing if neither is known.
+/// nullopt if neither is known.
 std::optional<Message> labelOf(const TargetPointResult& checked, std::size_t shownView);
 
 /// Returns messages about the result of one view, or about all views together.

@@ -2,8 +2,8 @@
 
 #include "core/support/message.h"
 
-/// All messages of core by name: `messages::noSuchBranch(7)` is that message about branch 7. The texts are in
-/// messages.def; a new message needs a line there and its translations.
+/// All messages of core by name: `messages::noSuchBranch(7)` is that message for branch 7. The text is in messages.def;
+/// a new message needs a line there and its translations.
 namespace angiopose::core::messages {
 
 #define MESSAGE(name, id, english) inline constexpr MessageKind<placeholderCount(english)> name{{id, english}};

@@ -52,7 +52,7 @@ void withdrawExplained(RigidAssessment assessment)
     }
 }
 
-/// Returns the display name of a branch: its label or, without one, its number.
+/// Returns the display name of a branch: its label or, if it has none, its number.
 std::string nameOrNumber(const VesselTree& tree, int branchId)
 {
     const VesselBranch* branch = tree.find(branchId);

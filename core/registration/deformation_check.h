@@ -15,8 +15,8 @@ struct RigidFit {
     const RigidTransform& cameraFromPatient;
 };
 
-/// Quick test of whether the vessels appear deformed relative to a rigid fit (ALGORITHMS §11.5), used to decide whether
-/// to run the deformable registration. Rarely true for a rigid tree.
+/// Whether the vessels appear deformed relative to a rigid fit (ALGORITHMS §11.5). This quick test decides whether to
+/// run the deformable registration; it is rarely true for a rigid tree.
 bool looksDeformed(const RigidFit& fit);
 
 /// Whether the deformation displaces the vessels so far that the rigid overlay is unreliable.

@@ -14,7 +14,7 @@ namespace {
 constexpr double minBetter = 0.15;   // required gain in agreement of another orientation hypothesis
 constexpr double minConvincing = 0.45;
 constexpr double maxQuestionedAgreement =
-    0.5;   // a reliable fit of many branches with higher agreement is not questioned
+    0.5;   // above this agreement, a reliable fit of many branches is not questioned
 constexpr std::size_t fewBranches = 6;
 constexpr double asWell = 0.9;
 
@@ -25,7 +25,7 @@ struct ImageOrientation {
     int quarterTurns = 0;   ///< rotations by 90° about the camera's z axis
 };
 
-/// Returns the problem for this orientation: keeps the image and changes its camera and the initial pose.
+/// Returns the problem for this orientation: the same image with a changed camera and initial pose.
 RegistrationProblem withOrientation(const ImageOrientation& reading, const RegistrationProblem& problem)
 {
     RegistrationProblem other = problem;
@@ -69,7 +69,7 @@ double agreementOf(const RegistrationProblem& problem, const RegistrationOptions
     return ranking.best().agreement;
 }
 
-/// A quarter turn about z appears reversed in an image displayed as seen from the detector.
+/// Whether a quarter turn about z appears clockwise; it appears reversed in an image as seen from the detector.
 bool isClockwise(int quarterTurns, const ProjectionCamera& camera)
 {
     return (quarterTurns == 1) == (camera.fx * camera.fy > 0.0);

@@ -13,8 +13,8 @@ struct ImageOrientationCheck {
 };
 
 /// After a failed fit, checks whether a mirrored or rotated image explains the vessels clearly better. After a reliable
-/// fit with medium agreement or of few branches, checks whether the mirrored image fits equally well. Takes up to a
-/// second; `observe` receives the progress, and a Stop leaves the check without a result.
+/// fit with medium agreement or with few branches, checks whether the mirrored image fits equally well. Takes up to a
+/// second; `observe` receives the progress, and if it returns Stop, the check has no result.
 ImageOrientationCheck checkImageOrientation(const RegistrationProblem& problem, const RegistrationOptions& options,
                                             const MethodSolution& solution, const RegistrationResult& assessed,
                                             const SearchObserver& observe);

@@ -31,21 +31,21 @@ struct PoseSnapshot {
     std::string note;
     std::string time;   ///< ISO 8601, UTC
     std::string method;   ///< id of the method that found the pose; empty if set manually
-    int frame = 0;   ///< frame of the angiogram, counting from 0
+    int frame = 0;   ///< frame of the angiogram, starting at 0
     RigidTransform cameraFromPatient;
     std::optional<SnapshotMetrics> metrics;   ///< nullopt if not computed
     double runMs = 0.0;   ///< duration of the registration; 0 if the pose does not come from a registration
-    std::string extraKeys{};   ///< JSON object with the keys of the case file unknown to this program version
+    std::string extraKeys{};   ///< JSON object with the case-file keys that this version does not recognize
 };
 
-/// Returns the metrics of an assessed pose that a snapshot stores.
+/// Returns the metrics of an assessed pose that are stored in a snapshot.
 SnapshotMetrics metricsOf(const RegistrationResult& result);
 
-/// Appends `added` with a new id. Keeps all snapshots saved by the user, but only the newest `maxRuns` of those
-/// created by registrations.
+/// Returns the list with `added` appended under a new id. Keeps all snapshots saved by the user, but only the newest
+/// `maxRuns` of those created by registrations.
 std::vector<PoseSnapshot> withSnapshot(std::vector<PoseSnapshot> snapshots, PoseSnapshot added, int maxRuns = 20);
 
-/// Snapshot with this id, or null.
+/// Returns the snapshot with this id, or null.
 const PoseSnapshot* findSnapshot(const std::vector<PoseSnapshot>& snapshots, int id);
 
 }   // namespace angiopose::core

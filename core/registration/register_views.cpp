@@ -18,12 +18,12 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double clearlyLess = 0.9;   // minimum agreement of the joint pose, relative to the views' individual poses
+constexpr double clearlyLess = 0.9;   // minimum agreement of the joint pose, relative to the individual poses
 constexpr double knownTurnReachDeg = 3.0;   // search range in a view whose rotation is known from another view
 constexpr std::size_t maxSearchedAgain = 3;
 constexpr double widestForDeformationMm =
     8.0;   // maximum shift uncertainty between views for deformation; larger corrections have other causes
-constexpr double aloneShare = 0.9;   // fraction of a view's progress before its joint refinement
+constexpr double aloneShare = 0.9;   // fraction of a view's progress spent before its joint refinement
 
 Result<JointSolver::Views> makeViews(std::span<const RegistrationInput> inputs, const RegistrationOptions& options,
                                      const MultiViewOptions& multiView)
@@ -169,7 +169,7 @@ public:
                 const MultiViewOptions& multiView, JointProgress& progress)
         : solve_(solve), inputs_(inputs), ofOneView_(options), multiView_(multiView), progress_(progress)
     {
-        ofOneView_.geometry.checkOrientation = false;   // decided from all views together
+        ofOneView_.geometry.checkOrientation = false;   // to be decided from all views together
         ofOneView_.deformation = Deformation::Off;
         best_.pose = {solve.toFirstView(inputs.front().initialCameraFromPatient, 0),
                       std::vector<Vector6d>(inputs.size(), Vector6d::Zero())};

@@ -44,10 +44,10 @@ struct MultiViewResult {
 };
 
 /// Registers one tree to two or more simultaneous views (biplane), or to frames between which the gantry rotated
-/// (ALGORITHMS §6.12). The initial poses define the relative geometry: startOfB ∘ startOfA⁻¹ maps camera A to camera B,
-/// up to the small corrections that `multiView` allows. The depth in one view is a lateral shift in another, which
-/// makes it equally certain. Each report names the view of its pose; iterations and progress count all views. A stop
-/// keeps the best pose so far. Fails like registerVessels, naming the view, and if the views use different trees.
+/// (ALGORITHMS §6.12). The initial poses of the views define the relative geometry, up to the small corrections that
+/// `multiView` allows. The depth in one view is a lateral shift in another, which makes it equally certain. Each report
+/// names the view of its pose; iterations and progress count all views. If the user stops, the best pose so far is
+/// kept. Fails like registerVessels, naming the view, and also if the views use different trees.
 Result<MultiViewResult> registerViews(std::span<const RegistrationInput> inputs,
                                       const RegistrationOptions& options = {}, const MultiViewOptions& multiView = {},
                                       const IterationObserver& observe = {});

@@ -13,7 +13,7 @@ Result<RegistrationResult> registerVessels(const RegistrationInput& input, const
                                            const IterationObserver& observe = {});
 
 /// Assesses a pose without changing it: metrics, residuals per branch, covariance, warnings. Also used while the user
-/// nudges the pose. Leaves `time` at its defaults.
+/// nudges the pose. The times in the result keep their defaults.
 Result<RegistrationResult> evaluatePose(const RegistrationInput& input, const RigidTransform& cameraFromPatient);
 
 /// Returns "converged", "iteration limit", "no improvement" or "stopped by the user".

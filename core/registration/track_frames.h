@@ -10,17 +10,15 @@
 
 namespace angiopose::core {
 
-/// Tracks the vessels through one cine run (ALGORITHMS §6.11). The pose predicted from the previous motion is the
-/// starting point and the prior of each frame; a search runs only if the fit is clearly worse than in the previous
-/// frames.
+/// Tracks the vessels through one cine run (ALGORITHMS §6.11). For each frame, the pose predicted from the previous
+/// motion is both starting point and prior; a search runs only if the fit is clearly worse than in the previous frames.
 class FrameTracker {
 public:
-    /// `first` is a validated problem whose initial pose is the registered pose of the frame before the first tracked
-    /// one.
+    /// `first` is a validated problem whose initial pose is the registered pose of the frame before the first tracked.
     FrameTracker(RegistrationProblem first, const RegistrationOptions& options, const MotionModel::Noise& noise = {});
 
     /// Tracks the next frame. If the target is empty or not finite, fails and leaves the tracker unchanged. Calls
-    /// `observe` during a search; a Stop leaves the search of this frame incomplete.
+    /// `observe` during a search; if it returns Stop, the search of this frame remains incomplete.
     Result<TrackedFrame> next(const Centerline2d& target, const SearchObserver& observe = {});
 
     /// Replaces the vessel shape; `deformed` is the problem with the same branches in their current shape.

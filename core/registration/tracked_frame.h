@@ -5,11 +5,11 @@
 
 namespace angiopose::core {
 
-/// Tracking result of one frame of a cine run.
+/// Tracking result for one frame of a cine run.
 struct TrackedFrame {
     RigidTransform cameraFromPatient;
     double score = 0.0;   ///< agreement in both directions, 0…1
-    bool searched = false;   ///< whether the prediction did not fit and poses around it were searched
+    bool searched = false;   ///< whether poses around the prediction were searched because it did not fit
     bool isTrustworthy = false;   ///< whether a nearby pose explains the frame; otherwise the pose is the prediction
     StageTimes time;
 };

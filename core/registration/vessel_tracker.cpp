@@ -8,7 +8,7 @@ namespace angiopose::core {
 
 namespace {
 
-/// Registration input with the vessels deformed as in the image.
+/// Returns the registration input with the vessels deformed as in the image.
 RegistrationInput withDeformedTree(RegistrationInput input, const DeformableResult& deformed)
 {
     input.tree = deformedTreeAt(input.tree, deformed, input.initialCameraFromPatient);

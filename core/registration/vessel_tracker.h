@@ -12,11 +12,11 @@ namespace angiopose::core {
 struct TrackedVessels {
     TrackedFrame tracked;
     std::shared_ptr<const DeformableResult>
-        deformed;   ///< null if the vessels are tracked as rigid or the deformation is undetermined or zero
+        deformed;   ///< null if the vessels are tracked as rigid, or if the deformation is undetermined or zero
 };
 
-/// Tracks rigid or deformed vessels through the frames of one view. For deformed vessels, the rigid step uses the
-/// deformation of the previous frame, which is then refined in the current one (ALGORITHMS §11.6).
+/// Tracks rigid or deformed vessels through the frames of one view. For deformed vessels, the rigid registration uses
+/// the deformation of the previous frame, which is then refined in the current one (ALGORITHMS §11.6).
 class VesselTracker {
 public:
     /// `input` holds the target of the frame before the first tracked one and, as initial pose, that frame's pose.

@@ -31,8 +31,8 @@ struct Bolus {
     double concentration(double pathMm, double timeS) const;
 };
 
-/// Returns the thickness of undiluted contrast agent in mm along each pixel's ray at time `timeS` (ALGORITHMS §4.4,
-/// tube chords).
+/// Returns the thickness in mm of undiluted contrast agent along each pixel's ray at `timeS` (ALGORITHMS §4.4, tube
+/// chords).
 ImageF contrastThicknessMm(const std::vector<ContrastPath>& paths, const Bolus& bolus, double timeS,
                            const ProjectionCamera& camera, const RigidTransform& cameraFromPatient);
 

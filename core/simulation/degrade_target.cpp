@@ -42,7 +42,7 @@ Curve2d rasterized(const Curve2d& curve, std::set<std::pair<int, int>>& taken)
     return result;
 }
 
-/// Draws a smooth meandering line, such as a guidewire or the edge of a bone.
+/// Draws a smooth meandering line that resembles a guidewire or the edge of a bone.
 Curve2d drawClutter(const ProjectionCamera& camera, CounterRandom& random)
 {
     Curve2d curve{-1, {}, {}};

@@ -63,7 +63,7 @@ Arc drawArc(const ImageF& image, CounterRandom& random)
     return {center, radiusPx, angle - halfSpan, angle + halfSpan};
 }
 
-/// Adds discs along the arc; together they form a tube with attenuation `peak` at its axis.
+/// Adds discs along the arc; together they form a tube with attenuation `peak` at its center.
 void addTubeAlong(ImageF& image, const Arc& arc, double radiusPx, double peak)
 {
     const double stepPx = std::max(0.5, 0.15 * radiusPx);
@@ -74,7 +74,7 @@ void addTubeAlong(ImageF& image, const Arc& arc, double radiusPx, double peak)
     }
 }
 
-/// Adds hollow tubes as bones, whose cortex is visible as two bright edges.
+/// Adds bones as hollow tubes, whose cortex is visible as two bright edges.
 void addBones(ImageF& image, double size, CounterRandom& random)
 {
     const int bones = 2 + random.index(4);

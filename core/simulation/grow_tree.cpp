@@ -15,7 +15,7 @@ namespace {
 
 // The tree grows at this fixed size and is then scaled to the requested extent.
 constexpr double growthHalfExtentMm = 90.0;
-constexpr double takeoffMarginMm = 9.0;   ///< distance from ends and other takeoffs without further takeoffs
+constexpr double takeoffMarginMm = 9.0;   ///< distance from ends and other takeoffs within which no branch takes off
 constexpr double minReachMm = 22.0;   ///< minimum straight-line length of a branch before scaling
 constexpr int candidateCount = 60;
 
@@ -24,7 +24,7 @@ struct Anatomy {
     Eigen::Vector3d halfAxesMm;
     double hollowness;   ///< 0: the vessels fill the organ; 1: they lie on its surface (heart, brain)
     double tortuosity;
-    double upward;   ///< +1 if blood flows toward the head, −1 if toward the feet
+    double upward;   ///< +1 if the blood flows toward the head, −1 if toward the feet
 };
 
 Anatomy drawAnatomy(CounterRandom& random)

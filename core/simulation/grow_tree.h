@@ -7,13 +7,13 @@
 
 namespace angiopose::core {
 
-/// Position where a branch leaves its parent, as indices of the parent branch and of its point.
+/// Position where a branch leaves its parent, given by the indices of the parent branch and of its point.
 struct Takeoff {
     int parentIndex = -1;   ///< -1 for the trunk
     std::size_t parentPoint = 0;
 };
 
-/// A generated tree with its hierarchy: one takeoff per branch, parents before their children.
+/// A generated tree with its hierarchy: one takeoff per branch; parents come before their children.
 struct GrownTree {
     VesselTree tree;
     std::vector<Takeoff> takeoffs;

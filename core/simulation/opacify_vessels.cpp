@@ -45,7 +45,7 @@ VesselBranch growSideBranch(const VesselBranch& parent, std::size_t takeoff, Cou
     return branch;
 }
 
-/// Adds a catheter that enters from outside the field of view and ends where the trunk begins.
+/// Returns a catheter that enters from outside the field of view and ends where the trunk begins.
 VesselBranch makeCatheter(const VesselBranch& trunk, CounterRandom& random)
 {
     const Eigen::Vector3d forward = polylineTangents<3>(trunk.pointsInPatient, 4).front();
@@ -134,7 +134,7 @@ ContrastPath contrastPathAlong(const VesselBranch& branch, double opacity, const
     return path;
 }
 
-/// Returns the fraction of a child's lumen at `point` outside its parent, so that contrast is not counted twice.
+/// Returns the fraction of a child's lumen at `point` outside its parent, so that contrast agent is not counted twice.
 double fractionOutside(const VesselBranch& parent, const Eigen::Vector3d& point)
 {
     double nearest = std::numeric_limits<double>::max();
@@ -176,7 +176,7 @@ ContrastPath trunkPath(ContrastPath path)
     return path;
 }
 
-/// Adds vessels that are not in the tree, each visible branch getting one with probability `share`.
+/// Adds vessels that are not in the tree; each visible branch gets one with probability `share`.
 void addExtraVessels(OpacifiedVessels& vessels, double share, int firstId, CounterRandom& random)
 {
     const std::vector<VesselBranch> parents = vessels.visible.branches;

@@ -11,12 +11,13 @@ namespace angiopose::core {
 struct OpacifiedVessels {
     std::vector<ContrastPath> paths;   ///< opacified branches, extra vessels and the catheter
     std::vector<int> missingBranchIds;   ///< unopacified branches; their children are unopacified too
-    VesselTree visible;   ///< opacified branches and extra vessels; the latter have ids above the tree's
-    VesselTree catheter;   ///< one branch, or none without a catheter
+    VesselTree visible;   ///< opacified branches and extra vessels; extra vessels have ids above those of the tree
+    VesselTree catheter;   ///< one branch; none if there is no catheter
     double maxPathMm = 0.0;
 };
 
-/// Draws missing branches (thin ones twice as often), opacities, extra vessels and the catheter (ALGORITHMS §4.4).
+/// Randomly selects missing branches (thin ones twice as often), opacities, extra vessels and a catheter (ALGORITHMS
+/// §4.4).
 OpacifiedVessels opacifyVessels(const GrownTree& grown, const DsaOptions& options, CounterRandom& random);
 
 }   // namespace angiopose::core

@@ -7,7 +7,7 @@ namespace angiopose::core {
 namespace {
 
 constexpr double marrowHu = 170.0;
-constexpr double trabeculaeHu = 90.0;   ///< standard deviation of the bone marrow
+constexpr double trabeculaeHu = 90.0;   ///< standard deviation within the bone marrow
 
 }   // namespace
 

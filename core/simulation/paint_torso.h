@@ -21,7 +21,7 @@ ScanField fieldOf(const VolumeGeometry& geometry);
 /// Paints subcutaneous fat and muscle, unbounded along the body axis.
 void paintTorso(ScanPainter& painter, const ScanField& field);
 
-/// Paints spine and ribs: cortical shells around inhomogeneous marrow.
+/// Paints spine and ribs as cortical shells around inhomogeneous marrow.
 void paintSkeleton(ScanPainter& painter, const ScanField& field, CounterRandom& random);
 
 }   // namespace angiopose::core

@@ -19,7 +19,7 @@ struct Phantom {
     Centerline2d exactTarget;   ///< projections of the tree's points, one curve per branch; gives exact correspondences
 };
 
-/// Makes the tree of this seed with about `pointCount` points, projected into a square image of `imageSizePx`.
+/// Creates the tree with this seed and about `pointCount` points, projected into a square image of `imageSizePx`.
 Phantom makePhantom(std::uint64_t seed, int pointCount, int imageSizePx = 512);
 
 }   // namespace angiopose::core

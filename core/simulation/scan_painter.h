@@ -10,9 +10,9 @@
 
 namespace angiopose::core {
 
-using ScanGrid = VoxelGrid<float>;   ///< HU of a simulated scan; axes parallel to the patient's axes
+using ScanGrid = VoxelGrid<float>;   ///< simulated scan in HU, with axes parallel to the patient's axes
 
-/// Returns the fraction of a voxel inside a wall at `distanceMm` (negative inside).
+/// Returns the fraction of a voxel that lies inside a wall at `distanceMm` (negative inside the wall).
 inline double fractionInside(double distanceMm, double voxelMm)
 {
     return std::clamp(0.5 - distanceMm / voxelMm, 0.0, 1.0);
@@ -53,7 +53,7 @@ public:
         ellipsoid(center, halfAxes, [hu] { return hu; });
     }
 
-    /// Does the same with the value that `draw()` returns for each voxel.
+    /// Draws an ellipsoid with the value that `draw()` returns for each voxel.
     template <class Draw>
     requires std::is_invocable_r_v<double, Draw>
     void ellipsoid(const Eigen::Vector3d& center, const Eigen::Vector3d& halfAxes, const Draw& draw)
@@ -101,7 +101,7 @@ Volume roundedVolume(const ScanGrid& grid, const CounterRandom& random, const Va
     return volume;
 }
 
-/// Returns the scan in stored values, with noise added.
+/// Returns the scan as stored values, with noise added.
 Volume storedVolume(const ScanGrid& grid, double noiseHu, const CounterRandom& random);
 
 }   // namespace angiopose::core

@@ -14,7 +14,7 @@
 namespace angiopose::core {
 namespace {
 
-/// Random streams of a case, one per part; draws of one part never shift those of another.
+/// Random streams of a case, one per part; random draws for one part never affect another part.
 enum CaseStream : std::uint64_t { GeometryStream = 1, DeformationStream, FillingStream, ImageStream };
 
 constexpr double angleErrorDeg = 1.0;

@@ -45,7 +45,7 @@ void paintTable(ScanPainter& painter, const ScanField& field)
                    });
 }
 
-/// Paints calcified plaques in the vessel wall that hardly extend into the lumen.
+/// Paints calcified plaques that lie in the vessel wall and hardly extend into the lumen.
 void paintCalcifications(ScanPainter& painter, const VesselTree& tree, int count, CounterRandom& random)
 {
     for (int n = 0; n < count; ++n) {

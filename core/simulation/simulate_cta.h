@@ -7,7 +7,7 @@
 
 namespace angiopose::core {
 
-/// Options of a simulated CT angiogram, values in HU.
+/// Options of a simulated CT angiogram; values in HU.
 struct CtaOptions {
     Eigen::Vector3i size = {256, 256, 220};
     Eigen::Vector3d spacingMm = {0.7, 0.7, 0.8};
@@ -24,12 +24,12 @@ struct SimulatedCta {
 };
 
 /// Returns the tree options with which `simulateCta` grows its tree: the requested ones, limited to the size of the
-/// scan. simulateCase with these options and the same seed simulates an angiogram of the same vessels.
+/// scan. With these options and the same seed, simulateCase simulates an angiogram of the same vessels.
 TreeOptions treeOptionsForScan(const TreeOptions& tree, const CtaOptions& cta);
 
-/// Simulates the CT scan of a grown tree in a body of fat, muscle and organs with spine, ribs and the scanner table,
-/// including partial volume, blur and noise. The tree extends over about three quarters of the scan, close to bone.
-/// Results are bitwise identical for the same seed.
+/// Simulates the CT scan of a generated tree in a body of fat, muscle and organs with spine, ribs and the scanner
+/// table, including partial volume, blur and noise. The tree extends over about three quarters of the scan, close to
+/// bone. Results are bitwise identical for the same seed.
 SimulatedCta simulateCta(std::uint64_t seed, const TreeOptions& tree = {}, const CtaOptions& cta = {});
 
 }   // namespace angiopose::core

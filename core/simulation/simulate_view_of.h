@@ -12,12 +12,12 @@ struct TrueViewGeometry {
     RigidTransform initialCameraFromPatient;
 };
 
-/// Does the same as simulateView for an existing tree and geometry.
+/// Simulates a view like simulateView, but of an existing tree with a given geometry.
 SimulatedCase simulateViewOf(const GrownTree& grown, const TrueViewGeometry& geometry, std::uint64_t viewSeed,
                              const DsaOptions& dsa);
 
-/// Does the same as simulateView for an existing tree. `extentMm` determines the field of view, like the extent of a
-/// generated tree.
+/// Simulates a view like simulateView, but of an existing tree. `extentMm` determines the field of view, like the
+/// extent of a generated tree.
 SimulatedCase simulateViewOf(const GrownTree& grown, double extentMm, std::uint64_t viewSeed,
                              const DsaOptions& dsa = {});
 

@@ -20,11 +20,10 @@ struct TreeOptions {
     double pointSpacingMm = 1.0;
 };
 
-/// Generates a random, smooth, bifurcating vessel tree around the origin of the patient frame. The same seed gives the
-/// same tree.
+/// Generates a random, smooth, bifurcating vessel tree around the origin of the patient frame, determined by the seed.
 VesselTree simulateTree(std::uint64_t seed, const TreeOptions& options = {});
 
-/// Timing of the contrast agent, in seconds from the start of the injection.
+/// Timing of the contrast bolus, in seconds; points in time are relative to the start of the injection.
 struct ContrastTiming {
     double firstS = 0.0;   ///< start of the run
     double runS = 3.6;   ///< duration of the run, from inflow to washout of the bolus
@@ -42,14 +41,14 @@ struct DsaOptions {
     double photonCount = 3000.0;   ///< expected photons per pixel behind the average patient (N0 of the Poisson noise)
     double missingBranchShare = 0.2;   ///< fraction of the branches; they drop out from the ends, thin ones more often
     double extraBranchShare = 0.1;   ///< probability per branch of an additional vessel that is not in the tree
-    double nonRigidStdMm = 0.0;   ///< smooth deformation of the true vessels, standard deviation per axis
+    double nonRigidStdMm = 0.0;   ///< standard deviation per axis of a smooth deformation of the true vessels
     double catheterProbability = 0.5;
     double maskMotionPx = 1.0;   ///< maximum shift between mask and contrast frames
     double shutterProbability = 0.5;   ///< probability of a black octagonal or round border, like a display shutter
     ContrastTiming timing{};
 };
 
-/// Reports options that cannot be simulated; nothing if all options are valid.
+/// Returns a message about options that cannot be simulated; nullopt if all options are valid.
 std::optional<Message> findProblem(const TreeOptions& tree, const DsaOptions& dsa);
 
 /// A simulated case with known ground truth.
@@ -57,7 +56,7 @@ struct SimulatedCase {
     VesselTree tree;
     Angiogram angiogram;   ///< DSA run with dark vessels; its geometry is that of the header
     ProjectionCamera camera;
-    RigidTransform trueCameraFromPatient;   ///< true pose; with deformed vessels, the best rigid pose
+    RigidTransform trueCameraFromPatient;   ///< true pose; for deformed vessels, the best-fitting rigid pose
     std::optional<VesselTree> deformedTree;   ///< deformed vessels, at their true positions under trueCameraFromPatient
     RigidTransform initialCameraFromPatient;   ///< as in DICOM: angles ±1°, isocenter error 15 mm lateral, 30 mm depth
     std::vector<int> missingBranchIds;   ///< branches that are unopacified in the image
@@ -73,8 +72,8 @@ SimulatedCase simulateCase(std::uint64_t seed, const TreeOptions& tree = {}, con
 SimulatedCase simulateView(std::uint64_t treeSeed, std::uint64_t viewSeed, const TreeOptions& tree = {},
                            const DsaOptions& dsa = {});
 
-/// Perturb a pose by one of the conventions of ALGORITHMS §4.2, which one table never mixes. OBJ: rotation about the
-/// tree's centroid, then shift. CAM: twist applied in the camera frame (rotation about the source).
+/// Perturb a pose by one of the conventions of ALGORITHMS §4.2, which are never mixed in one table. OBJ: rotation about
+/// the tree's centroid, then shift. CAM: twist applied in the camera frame (rotation about the source).
 RigidTransform perturbedAboutCentroid(const RigidTransform& cameraFromPatient, const Eigen::Vector3d& centroidInPatient,
                                       double rotationStdDeg, double translationStdMm, CounterRandom& random);
 RigidTransform perturbedAboutSource(const RigidTransform& cameraFromPatient, double rotationStdDeg,
@@ -85,7 +84,7 @@ RigidTransform perturbedAboutSource(const RigidTransform& cameraFromPatient, dou
 RigidTransform uniformlyDisplaced(const RigidTransform& cameraFromPatient, const Eigen::Vector3d& centroidInPatient,
                                   double rangeDeg, double rangeMm, CounterRandom& random);
 
-/// Returns the exact projections of all tree points, one curve per branch (points behind the source are left out).
+/// Returns the exact projections of all tree points, one curve per branch; points behind the source are left out.
 Centerline2d projectTree(const VesselTree& tree, const ProjectionCamera& camera,
                          const RigidTransform& cameraFromPatient);
 

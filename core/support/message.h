@@ -23,7 +23,7 @@ struct MessageEntry {
 class Message;
 using Messages = std::vector<Message>;
 
-/// A number in a message. `unit` is appended after a space (without one for "°") and may be empty.
+/// A number in a message. `unit` is appended after a space (but directly if it is "°") and may be empty.
 struct Quantity {
     static constexpr int significantDigits = -1;   ///< as many significant digits as needed, at most six
 
@@ -34,8 +34,8 @@ struct Quantity {
     bool operator==(const Quantity& other) const;
 };
 
-/// Argument for a placeholder: an untranslated text (a name, a word from a file), a number, a list of texts, or a list
-/// of messages that are translated.
+/// Argument for a placeholder: an untranslated string (a name, a word from a file), a number, a list of strings, or a
+/// list of messages that are translated.
 using MessageArgument = std::variant<std::string, Quantity, std::vector<std::string>, Messages>;
 
 enum class Severity { Note, Warning, Error };
@@ -65,7 +65,8 @@ public:
     Severity severity() const { return severity_; }
     Message as(Severity severity) const;
 
-    /// File, or key in a file, that the message is about; it precedes the sentence with a colon. May be empty.
+    /// Returns the file, or key in a file, to which the message refers; it precedes the sentence with a colon and may
+    /// be empty.
     const std::string& subject() const { return subject_; }
     Message about(std::string_view subject) const;
 
@@ -99,7 +100,7 @@ constexpr std::size_t placeholderCount(std::string_view english)
     return places;
 }
 
-/// Converts a value to an argument: a text, a number with or without its unit, a message, or a list of texts or
+/// Converts a value to an argument: a string, a number with or without a unit, a message, or a list of strings or
 /// messages.
 template <class Given>
 MessageArgument messageArgument(const Given& given)

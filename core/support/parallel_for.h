@@ -10,18 +10,18 @@
 
 namespace angiopose::core {
 
-/// Returns the number of threads this process may use at once: the number of processors, or the limit if one is set.
-/// Affects only computation times, never results.
+/// Returns the number of threads this process may use at once: the number of processors, or the limit if one is set. It
+/// affects only computation times, never results.
 int availableThreads();
 
-/// Limits the threads of this process, including those of the libraries it uses, when several such processes share the
+/// Limits the threads of this process, including those of its libraries, for when several such processes share the
 /// machine. Call before any work begins.
 void limitThreads(int threads);
 
 /// Passes the first exception thrown in worker threads to the waiting thread.
 class FirstException {
 public:
-    /// Runs `work`, stores an exception, and returns whether there was none.
+    /// Runs `work`, stores any exception it throws, and returns whether there was none.
     template <class Work>
     bool run(const Work& work) noexcept
     {
@@ -50,7 +50,7 @@ private:
     std::exception_ptr first_;
 };
 
-/// Returns `asked`, or the number of usable threads if `asked` is 0.
+/// Returns `requested`, or the number of usable threads if `requested` is 0.
 inline int threadCount(int requested)
 {
     return requested > 0 ? requested : availableThreads();
@@ -91,7 +91,7 @@ bool parallelFor(std::size_t count, int threads, const Work& work, const OnProgr
     return !stopped;
 }
 
-/// Runs both functions in parallel, the first on the calling thread; neither may read what the other writes. An
+/// Runs both functions in parallel, the first on the calling thread; neither may read data that the other writes. An
 /// exception from either is rethrown to the caller after both have finished.
 template <class First, class Second>
 void runInParallel(const First& first, const Second& second)

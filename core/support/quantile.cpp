@@ -14,8 +14,8 @@ std::vector<double> quantiles(std::vector<double> values, const std::vector<doub
     if (values.empty()) {
         return result;
     }
-    // Uses selection, because sorting would take most of the time for a few fractions. Each higher rank is searched for
-    // only above the previous one.
+    // Uses selection, because sorting would take most of the time for a few fractions. Each rank is searched for only
+    // above the previous one.
     std::size_t settled = 0;
     const auto ranked = [&](std::size_t rank) {
         const auto place = values.begin() + static_cast<std::ptrdiff_t>(rank);

@@ -12,8 +12,7 @@ struct Cancellation {
     Message message;
 };
 
-/// Reason why there is no value: a message the user can act on (file or value, problem, remedy), or cancellation by the
-/// user.
+/// Reason why there is no value: a message on which the user can act (file or value, problem, remedy), or cancellation.
 class Error {
 public:
     Error(const Message& problem) : message(problem.as(Severity::Error)) {}

@@ -21,7 +21,7 @@ private:
     Clock::time_point start_ = Clock::now();
 };
 
-/// Measures the CPU time of the constructing thread, which depends less on other programs than wall time.
+/// Measures the CPU time of the constructing thread, which depends less on other programs than the wall time does.
 class ThreadStopwatch {
 public:
     double elapsedMs() const { return nowMs() - startMs_; }

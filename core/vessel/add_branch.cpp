@@ -17,8 +17,8 @@ struct BranchPoint {
     double distanceMm = 0.0;
 };
 
-/// Returns the branch whose lumen contains the position or that touches it; if there are several, the one with the
-/// nearest axis.
+/// Returns the branch whose lumen contains the position or that touches it; of several, that with the nearest
+/// centerline.
 std::optional<BranchPoint> findSurroundingBranch(const VesselTree& tree, const Eigen::Vector3d& position)
 {
     std::optional<BranchPoint> surrounding;
@@ -35,8 +35,8 @@ std::optional<BranchPoint> findSurroundingBranch(const VesselTree& tree, const E
     return surrounding;
 }
 
-/// Removes the start of the branch that runs inside other branches; the branch then begins on the axis of the branch
-/// from which it emerges.
+/// Removes the start of the branch that runs inside other branches; the branch then begins on the centerline of the
+/// branch from which it emerges.
 std::optional<BranchPoint> trimInside(const VesselTree& tree, VesselBranch& branch)
 {
     std::optional<BranchPoint> last;

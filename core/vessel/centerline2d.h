@@ -28,11 +28,10 @@ struct Centerline2d {
 /// Returns the unit tangents of an ordered curve by central differences over ±`reach` points.
 std::vector<Eigen::Vector2d> tangentsOf(const std::vector<Eigen::Vector2d>& points, int reach = 2);
 
-/// Returns the same curves with points every `spacingPx` of arc length; single points and duplicates are kept
-/// unchanged.
+/// Returns the same curves with points every `spacingPx` of arc length; single points and duplicates stay unchanged.
 Centerline2d resampled(const Centerline2d& centerline, double spacingPx);
 
-/// Returns the reason why a centerline is unusable (no points, NaN); nothing if it is valid.
+/// Returns the reason why a centerline is unusable (no points, NaN); nullopt if it is valid.
 std::optional<Message> findProblem(const Centerline2d& centerline);
 
 }   // namespace angiopose::core

@@ -264,7 +264,7 @@ Result<VesselTree> smoothBranch(const VesselTree& tree, int branchId, double wid
     if (count < 3 || !(spacing > 0.0)) {
         return result;
     }
-    // The spline halves the amplitude of a wave whose length is 2π λ^¼ steps.
+    // The spline halves the amplitude of a wave whose length is 2π λ^¼ times the point spacing.
     const double lambda = std::pow(widthMm / (2.0 * std::numbers::pi * spacing), 4.0);
     std::vector<double> weights(count, 1.0);
     weights.front() = 1e6;

@@ -11,13 +11,13 @@
 
 namespace angiopose::core {
 
-/// Maximum distance at which two branches count as connected, mm; same as for `findNodes`.
+/// Maximum distance at which two branches count as connected, mm; as in `findNodes`.
 inline constexpr double maxContactMm = 1.5;
 
 /// Removes the branch and all its descendants.
 Result<VesselTree> removeSubtree(const VesselTree& tree, int branchId);
 
-/// Removes end branches that are too short or, on average, too thin, shortest first, until none is left. A branch of
+/// Removes end branches that are too short or, on average, too thin, shortest first, until none remains. A branch of
 /// unknown radius never counts as too thin.
 Result<VesselTree> prunedTree(const VesselTree& tree, double minLengthMm, double minRadiusMm);
 
@@ -35,13 +35,13 @@ struct BranchEnd {
     bool atBack = true;
 };
 
-/// Does the same as `joined`, at the given ends.
+/// Joins two branches as `joined` does, at the given ends.
 Result<VesselTree> joinAtEnds(const VesselTree& tree, const BranchEnd& first, const BranchEnd& second);
 
-/// Extends the branch straight from one of its ends to a point, usually of another branch, which it then touches.
+/// Extends the branch straight from one of its ends to a point, usually on another branch, which it then touches.
 Result<VesselTree> extendTo(const VesselTree& tree, const BranchEnd& end, const Eigen::Vector3d& pointInPatient);
 
-/// Smooths the branch with a smoothing spline, which removes curves narrower than about `widthMm` and keeps both ends.
+/// Smooths the branch with a smoothing spline, which removes bends narrower than about `widthMm` and keeps both ends.
 Result<VesselTree> smoothBranch(const VesselTree& tree, int branchId, double widthMm);
 
 /// Returns the index of the branch's point nearest to a position; the branch must exist.

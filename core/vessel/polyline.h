@@ -49,8 +49,8 @@ Polyline<Dim> polylineTangents(const Polyline<Dim>& points, std::size_t reach)
     return tangents;
 }
 
-/// Returns stations about `spacing` apart in arc length. The spacing is adjusted to make both ends stations. Returns
-/// one station for a single point.
+/// Returns stations about `spacing` apart in arc length; the spacing is adjusted to make both ends stations. A single
+/// point gives one station.
 template <int Dim>
 std::vector<PolylineStation> evenStations(const Polyline<Dim>& points, double spacing)
 {
@@ -82,7 +82,7 @@ std::vector<PolylineStation> evenStations(const Polyline<Dim>& points, double sp
     return stations;
 }
 
-/// Interpolates values given for each polyline point (points, radii, …) linearly at the stations.
+/// Interpolates values given per polyline point (points, radii, …) linearly at the stations.
 template <class Value>
 std::vector<Value> interpolate(const std::vector<Value>& values, const std::vector<PolylineStation>& stations)
 {

@@ -32,7 +32,7 @@ bool isInOrder(const std::vector<Eigen::Vector2d>& points, std::size_t i)
     return adjacent <= nearlyNearest * nearlyNearest * nearest;
 }
 
-/// Counts how many of `asked` points, evenly distributed over the curve, are in order.
+/// Returns how many of a number of points, evenly distributed over the curve, are in order.
 std::size_t countInOrder(const std::vector<Eigen::Vector2d>& points, std::size_t sampleCount)
 {
     std::size_t inOrder = 0;

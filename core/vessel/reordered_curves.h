@@ -15,7 +15,7 @@ struct ReorderedCurves {
 /// Reorders curves if necessary. Along an ordered curve, the nearest neighbor of a point is the previous or next point.
 /// Curves for which this is false at too many points (skeleton pixels listed row by row, points in any order) are
 /// rebuilt from their points (chainPoints) and lose their radii, as are single points if most curves are single points.
-/// Returns nothing if all curves are in order. Points must be finite.
+/// Returns nullopt if all curves are in order. Points must be finite.
 std::optional<ReorderedCurves> reorderCurves(const Centerline2d& input);
 
 }   // namespace angiopose::core

@@ -28,7 +28,7 @@ void reverseBranch(VesselBranch& branch)
     std::reverse(branch.radiusMm.begin(), branch.radiusMm.end());
 }
 
-/// Returns the index of the branch point nearest to `place`, or the number of points if none touches it.
+/// Returns the index of the branch point nearest to a position, or the number of points if none touches it.
 std::size_t touchingPoint(const VesselBranch& branch, const Eigen::Vector3d& point)
 {
     std::size_t best = branch.pointsInPatient.size();

@@ -3,7 +3,7 @@
 namespace angiopose::core {
 namespace {
 
-/// A symmetric pentadiagonal matrix, solved in place for one right-hand side.
+/// Symmetric pentadiagonal matrix of a linear system, which is solved in place for one right-hand side.
 struct PentadiagonalMatrix {
     std::vector<double> diagonal;
     std::vector<double> upper1;   ///< element i is the matrix element (i, i + 1)

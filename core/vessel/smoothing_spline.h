@@ -5,8 +5,8 @@
 
 namespace angiopose::core {
 
-/// Penalized least squares, min Σ wᵢ|xᵢ − yᵢ|² + λ Σ |second difference of x|²: the smoothing spline on evenly spaced
-/// points (Whittaker 1923; Eilers 2003). One weight per point in `weights`; straight lines stay unchanged.
+/// Returns the minimum of Σ wᵢ|xᵢ − yᵢ|² + λ Σ |second difference of x|²: the smoothing spline on evenly spaced points
+/// (Whittaker 1923; Eilers 2003). `weights` holds one weight per point; straight lines stay unchanged.
 std::vector<Eigen::Vector2d> smoothSpline(const std::vector<Eigen::Vector2d>& points,
                                           const std::vector<double>& weights, double lambda);
 std::vector<Eigen::Vector3d> smoothSpline(const std::vector<Eigen::Vector3d>& points,

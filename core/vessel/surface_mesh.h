@@ -17,7 +17,7 @@ struct SurfaceMesh {
 
 /// Result of checking whether a mesh encloses a volume.
 struct MeshCheck {
-    std::size_t boundaryEdges = 0;   ///< number of edges with one triangle, which border a hole
+    std::size_t boundaryEdges = 0;   ///< number of edges with only one triangle, which border a hole
     std::size_t nonManifoldEdges = 0;   ///< number of edges with more than two triangles
     bool isOriented = false;   ///< whether neighboring triangles have consistent orientation
 

@@ -25,7 +25,7 @@ struct TreeKnots {
     std::vector<double> lengthMm;   ///< length of the branch section that a knot represents
     std::vector<std::uint8_t> isUsed;   ///< 0 for knots of excluded branches, which are not compared with any image
     std::vector<std::size_t> firstOfBranch;   ///< index per branch of the tree, plus the end index
-    std::vector<KnotLink> links;   ///< each knot is a child at most once, before any link in which it is the parent
+    std::vector<KnotLink> links;   ///< each knot is a child at most once, before any link of which it is the parent
     std::vector<KnotLink> cuts;   ///< links that would each close a loop
 
     std::size_t size() const { return places.size(); }
@@ -35,7 +35,7 @@ struct TreeKnots {
     Eigen::MatrixXd distancesAlongTree() const;
 };
 
-/// Places knots about `spacingMm` apart, including both ends of every branch.
+/// Returns knots about `spacingMm` apart, including both ends of every branch.
 TreeKnots treeKnots(const VesselTree& tree, const std::vector<int>& excludedBranchIds, double spacingMm);
 
 }   // namespace angiopose::core

@@ -12,10 +12,10 @@ enum class VesselMarkKind { TargetPoint, OstiumRing };
 
 /// A named mark on the vessels: a target point for evaluating a pose, or the ring of an ostium.
 struct VesselMark {
-    int id = 0;   ///< unique among the marks of a case; referenced by the sightings in the views
+    int id = 0;   ///< unique among the marks of a case; used by the observations in the views
     VesselMarkKind kind = VesselMarkKind::TargetPoint;
     std::string name;
-    Eigen::Vector3d pointInPatient = Eigen::Vector3d::Zero();   ///< LPS, mm; the center if the mark is a ring
+    Eigen::Vector3d pointInPatient = Eigen::Vector3d::Zero();   ///< LPS, mm; for a ring, its center
     Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();   ///< for rings only: unit vector along the branch
     double radiusMm = 0.0;   ///< for rings only
     std::string extraKeys{};   ///< JSON object with the case-file keys that this version does not recognize

@@ -15,7 +15,7 @@ struct VesselBranch {
     std::string name;   ///< anatomical label; may be empty
     std::vector<Eigen::Vector3d> pointsInPatient;   ///< at least two points
     std::vector<double> radiusMm;   ///< one per point, or empty if unknown
-    int generation = -1;   ///< 0 for branches that begin at the root, 1 for branches that leave those, …; -1 if unknown
+    int generation = -1;   ///< 0 for branches that begin at the root, 1 for their branches, …; -1 if unknown
 
     double lengthMm() const;
 };
@@ -40,7 +40,7 @@ struct VesselNode {
 /// one node with that branch.
 std::vector<VesselNode> findNodes(const VesselTree& tree, double toleranceMm = 1.5);
 
-/// Returns the length-weighted centroid of the whole tree in patient LPS, mm: the pivot of pose edits and of OBJ
+/// Returns the length-weighted centroid of the whole tree in patient LPS, mm: the pivot of pose edits and OBJ
 /// parameters.
 Eigen::Vector3d centroidInPatient(const VesselTree& tree);
 
@@ -63,7 +63,7 @@ double acrossMm(const VesselTree& tree);
 /// Returns whether size and width are typical of vessels in CT; if not, the coordinates may have another unit.
 bool isPlausibleSize(const VesselTree& tree);
 
-/// Returns the reason why a tree is unusable (no branch, one point, NaN, …); nothing if it is valid.
+/// Returns the reason why a tree is unusable (no branch, one point, NaN, …); nullopt if it is valid.
 std::optional<Message> findProblem(const VesselTree& tree);
 
 }   // namespace angiopose::core

@@ -30,13 +30,13 @@ struct AngleMapOptions {
     int threads = 0;   ///< 0 for all processors
 };
 
-/// Suggested gantry angles and the view quality they give.
+/// Suggested gantry angles and the resulting view quality.
 struct AngleSuggestion {
     GantryAngles angles;
     ViewQuality quality;
 };
 
-/// View quality of a part of the vessels from all gantry angles.
+/// View quality of a part of the vessels at all gantry angles.
 struct AngleMap {
     std::vector<double> primaryDeg;   ///< angles of the columns, ascending
     std::vector<double> secondaryDeg;   ///< angles of the rows, ascending
@@ -59,11 +59,11 @@ Result<AngleMap> computeAngleMap(const ViewEvaluator& sight, const PoseAtAngles&
                                  const AngleMapOptions& options = {},
                                  const std::function<ObserverDecision(double)>& observe = {});
 
-/// Returns the gantry angles of a view at its current frame; nothing if they are unknown.
+/// Returns the gantry angles of a view at its current frame; nullopt if they are unknown.
 std::optional<GantryAngles> gantryAnglesOf(const View& view);
 
-/// Returns the pose of the vessels in the view as a function of the gantry angles, with rotation about the isocenter.
-/// Fails if the view lacks angles or the source-to-isocenter distance.
+/// Returns a function that gives the pose of the vessels in the view at given gantry angles, with rotation about the
+/// isocenter. Fails if the view lacks angles or the source-to-isocenter distance.
 Result<PoseAtAngles> poseForGantryAngles(const View& view);
 
 }   // namespace angiopose::core

@@ -15,10 +15,10 @@ struct FrameRange {
 enum class CineOrder { Loop, BackAndForth };
 
 /// Determines from the time alone which frame of a playing run to show. If the display is too slow, frames are skipped,
-/// but none is shown late. Times in ms, from any monotonic clock.
+/// but none is shown late. Times are in ms, from any monotonic clock.
 class CineClock {
 public:
-    /// `frameMs` > 0 is the duration of each frame.
+    /// `frameMs` is the duration of each frame and must be above 0.
     CineClock(const FrameRange& range, CineOrder order, double frameMs);
 
     /// Starts playback from `frame`, or from the first frame of the range if `frame` lies outside.

@@ -78,8 +78,7 @@ Result<std::vector<VesselSegment>> takeoffSegments(const VesselTree& tree, int b
     return found;
 }
 
-/// A vessel segment projected to the plane one millimeter from the source, where lengths are independent of the
-/// detector distance.
+/// A vessel segment projected to the plane one millimeter from the source, where the detector distance has no effect.
 struct ViewEvaluator::ProjectedSegment {
     Eigen::Vector2d place = Eigen::Vector2d::Zero();
     double radius = 0.0;   ///< negative if the segment is not in front of the source

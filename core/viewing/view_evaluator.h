@@ -25,14 +25,14 @@ std::vector<VesselSegment> vesselSegmentsOf(const VesselTree& tree);
 /// Returns the segments of one branch.
 std::vector<VesselSegment> branchSegments(const std::vector<VesselSegment>& pieces, int branchId);
 
-/// Returns the side-branch takeoff: the pieces, of all branches that meet there, within `reachMm` of the bifurcation
-/// nearest to the branch's first point. Fails if the tree does not have the branch, or it meets no other.
+/// Returns the side-branch takeoff: the segments, of all branches that meet there, within `reachMm` of the bifurcation
+/// nearest to the branch's first point. Fails if the tree does not have the branch or if the branch meets no other.
 Result<std::vector<VesselSegment>> takeoffSegments(const VesselTree& tree, int branchId, double reachMm = 10.0);
 
 /// Visibility of a part of the vessels from one direction (ALGORITHMS §5.9).
 struct ViewQuality {
-    double foreshortening = 0.0;   ///< 0 if seen at full length, 1 if end-on
-    double overlap = 0.0;   ///< fraction of its projected area overlapped by other vessels or itself, 0…1
+    double foreshortening = 0.0;   ///< 0 if seen at full length, 1 if seen end-on
+    double overlap = 0.0;   ///< fraction of its projected area overlapped by itself or other vessels, 0…1
 
     double cost() const { return foreshortening + overlap; }
 };

@@ -17,8 +17,8 @@ struct WorkReport {
     const IterationReport* iteration = nullptr;   ///< report of the solver in that view, valid during the call; or null
 };
 
-/// Observer of operations on a case. It is called on the calling thread, several times a second. Returning Stop cancels
-/// the operation, which keeps useful intermediate results.
+/// Observer of operations on a case. It is called on the calling thread, several times a second. If it returns Stop,
+/// the operation is canceled but keeps useful intermediate results.
 using WorkObserver = std::function<ObserverDecision(const WorkReport&)>;
 
 /// Reports the progress of an operation to its observer, for use in the implementation. Converts the progress of each

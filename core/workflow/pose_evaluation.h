@@ -19,10 +19,10 @@ struct FitBasis {
     double assessedShare = 1.0;   ///< fraction of the tree that was compared, 0…1; the rest is considered unopacified
     double wholeMedianMm = 0.0,
            wholeP95Mm = 0.0;   ///< over all points of the tree, including excluded and unopacified branches
-    std::vector<std::pair<int, double>> excludedMm, auxiliaryMm;   ///< branch ids and median distances
+    std::vector<std::pair<int, double>> excludedMm, auxiliaryMm;   ///< pairs of branch id and median distance
 };
 
-/// Returns the basis of `result` for the shown view from the distances `residualPx` (see branchDistances); nothing if
+/// Returns the basis of `result` for the shown view from the distances `residualPx` (see branchDistances); nullopt if
 /// there are no distances.
 std::optional<FitBasis> fitBasis(const Case& session, const RegistrationResult& result,
                                  const std::map<int, std::vector<double>>& residualPx);

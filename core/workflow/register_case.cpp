@@ -80,7 +80,7 @@ struct Part {
     double last;
 };
 
-/// Returns an observer that forwards the solver's reports on the views at `places` as one part of the progress.
+/// Returns an observer that forwards the solver's reports on these views as one part of the progress.
 IterationObserver solverObserver(ProgressReporter& progress, const std::vector<std::size_t>& viewIndices,
                                  const Part& part)
 {
@@ -91,7 +91,7 @@ IterationObserver solverObserver(ProgressReporter& progress, const std::vector<s
 }
 
 /// Returns the result of one view. The first view gets the joint uncertainty, because the other views determine its
-/// depth. If the joint result is unreliable, the result of every view is.
+/// depth. If the joint result is unreliable, the results of all views are.
 RegistrationResult resultWithJointRating(const MultiViewResult& joint, std::size_t view)
 {
     RegistrationResult result = joint.views[view];
@@ -123,7 +123,7 @@ struct RunMetadata {
     }
 };
 
-/// Registers a single view. `spreads` replaces the camera uncertainties that follow from the origins; may be empty.
+/// Registers a single view. Camera uncertainties, if given, replace those that follow from the origins.
 Status registerOne(RegisteredCase& run, const RunMetadata& notes, std::span<const CameraUncertainty> uncertainties,
                    const IterationObserver& observe)
 {
@@ -289,8 +289,9 @@ bool isContradicted(const RegisteredCase& run)
     });
 }
 
-/// Registers, and repeats with the geometry estimated from the images as long as they contradict the current one. An
-/// estimate that does not lead to a reliable fit is discarded, because a wrong pose implies a wrong geometry.
+/// Registers the case, and repeats this with the geometry estimated from the images as long as the images contradict
+/// the current one. An estimate that does not lead to a reliable fit is discarded, because a wrong pose implies a wrong
+/// geometry.
 Status registerWithEstimation(RegisteredCase& run, const RunMetadata& notes, ProgressReporter& progress, double begin)
 {
     GeometryCorrection geometry(run);

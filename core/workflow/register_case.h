@@ -30,7 +30,7 @@ struct RegisteredCase {
     std::vector<std::size_t> viewIndices;   ///< indices of the registered views in `session.views`, the shown one first
     std::vector<Centerline2d> targets;   ///< targets of these views, in the same order
     std::optional<MultiViewResult> joint;   ///< joint result, if several views were registered
-    std::shared_ptr<const Case> asked{};   ///< the case before registration
+    std::shared_ptr<const Case> asked{};   ///< case before registration
 
     const RegistrationResult& result() const { return *session.shown().result; }
 };
@@ -38,14 +38,15 @@ struct RegisteredCase {
 /// Applies a result to the view: sets its pose and marks the view as changed from its case file.
 void applyRegistration(View& view, RegistrationResult result);
 
-/// Does the same for a view of a registered case, including the geometry if the registration estimated it.
+/// Applies the pose and result of a view of a registered case, and the geometry if the registration estimated it.
 void applyRegistration(View& view, const View& registered);
 
-/// Main entry point. Traces the vessels in each view, registers the tree to one view (registerVessels) or to all views
-/// jointly (registerViews), and applies the result. If the images contradict the geometry and the options request it,
-/// the estimated geometry is used. Images of different patients, or of opposite body sides, give an unreliable result
-/// unless the user confirmed the patient (View::isSamePatient). The error names the view and the missing input. Returns
-/// Stopped if the user cancels before any pose was found; later, the best pose is kept.
+/// Registers a case; the main entry point. Traces the vessels in each view, registers the tree to one view
+/// (registerVessels) or to all views jointly (registerViews), and applies the result. If the images contradict the
+/// geometry and the options request it, the estimated geometry is used. Images of different patients, or of opposite
+/// body sides, give an unreliable result unless the user confirmed the patient (View::isSamePatient). The error names
+/// the view and the missing input. If the user cancels, returns a cancellation before a pose was found, and afterwards
+/// the best pose.
 Result<RegisteredCase> registerCase(Case session, RegistrationPlan plan = {}, const WorkObserver& observe = {});
 
 }   // namespace angiopose::core

@@ -61,8 +61,8 @@ private:
         return traceFrame(*view.angiogram, view.frame, traceOptionsOf(view));
     }
 
-    /// Returns the target of the current frame. Stationary lines match a pose in every frame, even without contrast,
-    /// and are not used, unless the start frame shows nothing else, as with a phantom.
+    /// Returns the target of the current frame. Stationary lines match a pose in every frame, even without contrast
+    /// agent, and are not used unless the start frame shows nothing else, as with a phantom.
     Result<Centerline2d> currentTarget() const
     {
         if (const auto given = givenTargetOf(case_.shown())) {

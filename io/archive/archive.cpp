@@ -19,15 +19,15 @@ StopCheck stopQuestion(const ArchiveObserver& observe)
     return [&observe] { return observe && observe({}) == core::ObserverDecision::Stop; };
 }
 
-/// Whether a file found in a folder should be sent. Export folders also contain other files; a damaged DICOM file is
-/// recognized by its extension and reported.
+/// Returns whether a file found in a folder should be sent. Export folders also contain other files; damaged DICOM
+/// files are recognized by their extension and reported.
 bool shouldSend(const std::filesystem::path& path)
 {
     return !path.filename().string().starts_with('.') &&
            (extensionOf(path.string()) == ".dcm" || isDicomFile(path.string()));
 }
 
-/// Expands the paths to files: each folder is replaced by its DICOM files, sorted by name.
+/// Replaces each folder among the paths by its DICOM files, sorted by name.
 std::vector<std::string> expandFolders(const std::vector<std::string>& paths)
 {
     namespace fs = std::filesystem;
@@ -83,7 +83,7 @@ public:
     }
 
 private:
-    /// Lists all objects before fetching the first one, so that the progress total is known.
+    /// Lists all objects before fetching the first one, so that the total for the progress is known.
     core::Status plan(const std::string& studyUid, const std::vector<std::string>& series)
     {
         std::size_t all = 0;

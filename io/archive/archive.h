@@ -28,7 +28,7 @@ struct RetrieveRequest {
     std::vector<std::string> seriesUids;   ///< if empty, all series of the study
 };
 
-/// Retrieves series into a store, up to its size `limit`. Skips series that are already complete in the store.
+/// Retrieves series into a store, up to its size limit. Skips series that are already complete in the store.
 TransferReport retrieveFromArchive(const ArchiveNode& node, ArchiveProtocol way, const RetrieveRequest& request,
                                    const ObjectStore& store, const StoreLimit& limit,
                                    const ArchiveObserver& observe = {});

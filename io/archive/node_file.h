@@ -18,11 +18,11 @@ struct ArchiveSettings {
     std::string cache() const { return cacheFolder.empty() ? defaultCacheFolder() : cacheFolder; }
 };
 
-/// Path of the user's settings file: $XDG_CONFIG_HOME/AngioPose/archives.json, or the same path below ~/.config.
+/// Returns the user's settings file: $XDG_CONFIG_HOME/AngioPose/archives.json, or the same path below ~/.config.
 std::string defaultArchiveSettingsFile();
 
-/// Reads the settings file (FORMATS §7.1). If the file is missing, there are no archives. If its content is invalid,
-/// fails and names the file.
+/// Reads the settings file (FORMATS §7.1). If the file is missing, there are no archives. Fails and names the file if
+/// its contents are invalid.
 core::Result<ArchiveSettings> readArchiveSettings(const std::string& path);
 
 /// Writes the settings file and creates its parent folder if needed.

@@ -13,7 +13,7 @@
 namespace angiopose::io {
 namespace {
 
-constexpr std::size_t rowDigits = 4;   ///< pads row numbers so that the folders sort in row order
+constexpr std::size_t rowDigits = 4;   ///< pads row numbers, so that the folders sort in row order
 constexpr std::string_view settingPrefix = "set.";
 
 std::string cellOf(const CsvTable& table, std::size_t row, std::string_view column)
@@ -53,7 +53,7 @@ core::Status readPaths(BatchEntry& entry, const CsvTable& table, std::size_t row
     return core::Done{};
 }
 
-/// Converts "1 2 3; 4 5 6" to the value of vessel.tracing.seedsInPatientMm; nothing if the text is not such a list.
+/// Converts "1 2 3; 4 5 6" to the value of vessel.tracing.seedsInPatientMm; nullopt if the text is not such a list.
 std::optional<std::string> seedsValue(std::string_view cell)
 {
     std::string value;
@@ -133,7 +133,7 @@ core::Result<BatchEntry> parseEntry(const CsvTable& table, std::size_t row)
     return entry;
 }
 
-/// Checks the column names, also of columns without values.
+/// Checks the column names, including those of columns without values.
 core::Status checkColumns(const CsvTable& table)
 {
     const bool hasCase = table.column("case").has_value();

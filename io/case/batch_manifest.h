@@ -12,15 +12,15 @@ namespace angiopose::io {
 /// One registration of a batch: a case, or a vessel file and an angiogram file.
 struct BatchEntry {
     int row = 0;   ///< row number in the manifest, starting at 1
-    std::string caseCell;   ///< as written in the manifest; empty if the entry names vessels and an angiogram
+    std::string caseCell;   ///< case as written in the manifest; empty if the entry names vessels and an angiogram
     std::string vesselsCell;
     std::string angiogramCell;
-    std::string casePath;   ///< resolved path: absolute, or relative to the manifest's folder
+    std::string casePath;   ///< resolved path of the case: absolute, or relative to the manifest's folder
     std::string vesselsPath;
     std::string angiogramPath;
     std::string name;   ///< unique name of the output folder
     std::string method;   ///< if empty, the method of the case
-    std::optional<int> frame;   ///< if empty, the frame of the case
+    std::optional<int> frame;   ///< if not set, the frame of the case
     CaseSettings settings;   ///< settings that apply to this row only
 };
 

@@ -17,8 +17,8 @@
 namespace angiopose::io {
 namespace {
 
-/// Names of the parts that changed in the file since a result was saved. Empty if nothing changed or the file has no
-/// digests.
+/// Names of the parts of the file that have changed since a result was saved; empty if nothing has changed or the file
+/// has no digests.
 struct ChangedParts {
     core::Messages sinceResult;
     core::Messages sinceTracking;
@@ -28,7 +28,7 @@ constexpr const char* sealKey = "savedWith";
 constexpr const char* resultKey = "result";
 constexpr const char* trackingKey = "followed";
 constexpr std::array sealedKeys{
-    resultKey, trackingKey};   // the results have digests of their own, because a file may keep an older result
+    resultKey, trackingKey};   // the results have their own digests, because a file may keep an older result
 constexpr std::size_t digestLength = 16;
 
 /// Returns the member of `json` at the path `keys`; null if the member is absent.
@@ -56,7 +56,7 @@ Json withoutMembers(Json json, std::initializer_list<const char*> keys)
 }
 
 /// Returns the canonical form of a JSON value: keys are sorted, numbers are doubles, and file paths are omitted because
-/// a file's location is not part of its content.
+/// the location of a file does not affect its contents.
 nlohmann::json canonicalJson(const Json& json)
 {
     if (json.is_number()) {

@@ -10,10 +10,10 @@
 
 namespace angiopose::io {
 
-/// The content of a case file before its inputs are loaded.
+/// The contents of a case file before its inputs are loaded.
 struct CaseDocument {
-    core::Case values;   ///< values of the file; paths as written, C-arms without values from image headers
-    std::vector<ViewNotes> notes;   ///< for each of `values.views`; empty for views stored in separate case files
+    core::Case values;   ///< values in the file; paths are as written, C-arms lack the values from image headers
+    std::vector<ViewNotes> notes;   ///< notes on each of `values.views`; empty for views stored in separate case files
     std::size_t shownViewIndex = 0;   ///< index of the shown view (`values.views.front()`) in the order of the views
     core::Messages problems;   ///< invalid values, each with key and remedy
 };

@@ -80,7 +80,7 @@ core::Result<CaseDocument> readDocument(const std::string& path, const std::opti
     return document;
 }
 
-/// Reads a view that is stored in its own case file.
+/// Reads a view stored in a case file of its own.
 core::Status readViewOfCase(core::View& view, ViewNotes& notes)
 {
     auto read = readDocument(view.caseFile.path);
@@ -90,7 +90,7 @@ core::Status readViewOfCase(core::View& view, ViewNotes& notes)
     CaseDocument document = std::move(read).value();
     document.values.shown().caseFile = view.caseFile;
     view = std::move(document.values.shown());
-    view.observations.clear();   // sightings refer to the target points of the other case
+    view.observations.clear();   // sightings refer to target points of the other case
     notes = std::move(document.notes.front());
     return core::Done{};
 }
@@ -109,14 +109,14 @@ void loadOtherViews(Case& loaded, std::vector<ViewNotes> notes, const std::strin
             found.push_back(messages::caseViewLeftOut(read.error().message));
         }
     }
-    for (core::Message& warning : found) {   // report a warning shared by all images of a study only once
+    for (core::Message& warning : found) {   // report a warning only once if all images of a study share it
         if (std::ranges::find(warnings, warning) == warnings.end()) {
             warnings.push_back(std::move(warning));
         }
     }
 }
 
-/// Returns the input of the case that is stored at `path`; empty if there is none.
+/// Returns the input case (JSON) stored at `path`; empty if there is none.
 std::string inputAt(const Case& session, const std::string& path)
 {
     std::vector<const core::InputFile*> files{&session.vessels.file, &session.vessels.scanFile};
@@ -179,7 +179,7 @@ core::Result<Case> loadCaseWithOptions(const CaseLoadOptions& request, const std
         const core::Messages mismatch = core::findMismatch(values);
         warnings.insert(warnings.end(), mismatch.begin(), mismatch.end());
         return values;
-    } catch (const std::exception&) {   // the schema does not catch every invalid value
+    } catch (const std::exception&) {   // the schema does not reject every invalid value
         return fileError(path, messages::caseWrongKind());
     }
 }

@@ -11,12 +11,12 @@
 
 namespace angiopose::io {
 
-/// The JSON Schema of `*.angiopose` files, as published in resources/.
+/// Returns the JSON Schema of `*.angiopose` files, as published in resources/.
 const std::string& caseSchema();
 
-/// Reads a case file and the inputs it names (FORMATS §2). Relative paths are relative to the case file. Warns if the
-/// content of an input no longer matches its stored hash. Traces vessels given as a volume, a segmentation or a
-/// surface; `observe` receives the progress and can cancel. Reads inputs in `moved` from their new location.
+/// Reads a case file and the inputs it names (FORMATS §2). Relative paths are relative to the case file. Warns if an
+/// input no longer matches its stored hash. Traces the vessels if the input is a volume, a segmentation or a surface;
+/// `observe` receives the progress and can cancel. Reads inputs in `moved` from their new location.
 core::Result<core::Case> loadCase(const std::string& path, core::Messages& warnings, const ReadObserver& observe = {},
                                   const MovedInputs& moved = {});
 
@@ -27,11 +27,11 @@ core::Result<core::Messages> validateCase(const std::string& path);
 /// none of which prevents loading. Fails if the case or the image cannot be read.
 core::Result<core::Messages> checkCaseGeometry(const std::string& path);
 
-/// Explains why the case cannot be saved to a file that can be reopened; returns nothing if it can.
+/// Explains why the case cannot be saved to a file that can be opened again; returns nullopt if it can.
 std::optional<core::Message> findSaveObstacle(const core::Case& session);
 
 /// Writes the case atomically (temporary file, flush, rename), with paths relative to the case file, hashes of the
-/// inputs and the keys unknown to this version.
+/// inputs and keys unknown to this version.
 core::Status saveCase(const core::Case& session, const std::string& path);
 
 }   // namespace angiopose::io

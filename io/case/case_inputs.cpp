@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 using core::Case;
 using core::Vessels;
 
-/// Reads the scan shown with vessels from another file. The scan is optional, so a failure only causes a warning.
+/// Reads the scan shown with vessels from another file. The scan is optional, so failure only causes a warning.
 void readScan(Vessels& vessels, core::Messages& warnings)
 {
     if (vessels.scanFile.path.empty()) {
@@ -54,7 +54,7 @@ void readEditedLumen(Vessels& vessels, core::Messages& warnings, const ReadObser
 }
 
 /// Reads the input from which an edited tree was traced, because the slice views need its scan. The case stores the
-/// tree itself, so a failure only causes a warning.
+/// tree itself, so failure only causes a warning.
 void readOrigin(Vessels& vessels, core::Messages& warnings, const ReadObserver& observe)
 {
     const std::string& path = vessels.file.path;

@@ -39,7 +39,7 @@ const valijson::Schema& parsedSchema()
     return *schema;
 }
 
-/// Rewrites the validator's message for users; returns nothing if the message only repeats that of a nested level.
+/// Rewrites the validator's message for users; returns nullopt if the message only repeats that of a nested level.
 std::optional<core::Message> problemText(const std::string& key, const std::string& description)
 {
     if (description.starts_with("Missing required property")) {

@@ -33,7 +33,7 @@ std::string lastPartOf(const std::string& name)
     return name.substr(name.rfind('.') + 1);
 }
 
-/// Returns the setting name as spelled in case files; nothing if there is no setting of that name.
+/// Returns the setting name as spelled in case files; nullopt if there is no setting of that name.
 std::optional<std::string> nameLike(const std::string& word)
 {
     for (const std::string& name : caseSettingNames()) {
@@ -71,7 +71,7 @@ std::vector<std::string> namesNear(const std::string& word)
     return near.empty() ? caseSettingNames() : near;
 }
 
-/// Converts a text to the type that a schema requires; unsuitable text remains a string, which the schema then rejects.
+/// Converts text to the type that a schema requires; unsuitable text remains a string, which the schema then rejects.
 Json valueAsWanted(const std::string& text, const Json& schema)
 {
     const std::string type = schema.contains("type") && schema["type"].is_string() ? schema["type"] : Json("string");

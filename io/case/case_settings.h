@@ -9,8 +9,8 @@
 
 namespace angiopose::io {
 
-/// Settings that override values of a case file, named as in case files: options by key ("preset"), frame tracing
-/// ("angiogram.trace.sensitivity") and vessel tracing ("vessel.tracing.threshold").
+/// Settings that override values of a case file and are named as in such files: options by key ("preset"), frame
+/// tracing ("angiogram.trace.sensitivity") and vessel tracing ("vessel.tracing.threshold").
 class CaseSettings {
 public:
     /// Adds "name=value"; replaces an earlier assignment to the same name. Names are case-insensitive. Errors list

@@ -6,7 +6,7 @@
 namespace angiopose::io {
 namespace {
 
-/// Removes user-entered texts and counts them.
+/// Removes user-entered text and counts the removed strings.
 class TextRemover {
 public:
     void operator()(std::string& text, const std::string& instead = {})

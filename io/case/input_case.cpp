@@ -16,14 +16,14 @@ namespace {
 namespace fs = std::filesystem;
 
 const fs::path placeOfInputs =
-    "/angiopose-inputs";   // folder that does not exist, used because real folder names may identify patients
+    "/angiopose-inputs";   // folder that does not exist, used because actual folder names may identify patients
 
 fs::path baseName(const fs::path& path)
 {
     return path.has_filename() ? path.filename() : path.parent_path().filename();
 }
 
-/// Replaces the folders of all input paths; files with the same name remain distinct, for example "2/IM1.dcm".
+/// Replaces the folders of all input paths; files with the same name stay distinct, for example "2/IM1.dcm".
 void replaceFolders(core::Case& session)
 {
     std::vector<core::InputFile*> files{&session.vessels.file, &session.vessels.scanFile};

@@ -5,7 +5,7 @@
 
 namespace angiopose::io {
 
-/// Properties by which an unchanged input is recognized. The input is a file or a folder of files.
+/// Properties by which an unchanged input is recognized. The input is a file or a folder.
 struct InputFingerprint {
     std::string path;
     bool isThere = false;
@@ -18,7 +18,7 @@ struct InputFingerprint {
 
 InputFingerprint inputFingerprint(const std::string& path, const std::string& sha256 = {});
 
-/// Whether the input is unchanged. If only the modification time differs, the content hash decides, if known.
+/// Returns whether the input is unchanged. If only the modification time differs, a known content hash decides.
 bool isUnchanged(const InputFingerprint& known);
 
 }   // namespace angiopose::io

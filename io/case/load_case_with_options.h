@@ -8,10 +8,10 @@ namespace angiopose::io {
 
 /// Options for loading a case outside the GUI.
 struct CaseLoadOptions {
-    CaseSettings settings;   ///< settings that override the values of the file, including tracing settings
-    PeakFrameSearch peak = PeakFrameSearch::Enabled;   ///< applies to cine runs whose frame the case specifies
+    CaseSettings settings;   ///< settings that override the values in the file, including tracing settings
+    PeakFrameSearch peak = PeakFrameSearch::Enabled;   ///< applies to cine runs for which the case specifies the frame
     std::optional<std::string> text =
-        std::nullopt;   ///< if set, used instead of the content of the file, which then need not be a case
+        std::nullopt;   ///< if set, used instead of the contents of the file, which then need not be a case
 };
 
 /// Loads a case like loadCase, with the options of `request`.
@@ -19,7 +19,7 @@ core::Result<core::Case> loadCaseWithOptions(const CaseLoadOptions& request, con
                                              core::Messages& warnings, const ReadObserver& observe = {},
                                              const MovedInputs& moved = {});
 
-/// Absolute paths of all files named in a case file, whether they exist or not; empty if it is not a case.
+/// Returns the absolute paths of all files named in a case file, whether they exist or not; empty if it is not a case.
 std::vector<std::string> referencedPaths(const std::string& casePath);
 
 /// Returns the files that the text of a case at `casePath` names, with their stored content hashes.

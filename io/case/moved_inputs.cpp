@@ -36,7 +36,7 @@ std::vector<fs::path> entriesOf(const fs::path& folder)
     return entries;
 }
 
-/// Searches one list of directory entries; the hashed bytes of all inputs count toward a common limit.
+/// Searches one list of directory entries; the bytes hashed for all inputs count toward a common limit.
 class Search {
 public:
     explicit Search(const ReadObserver& observe) : observe_(observe) {}
@@ -87,7 +87,7 @@ bool canReplace(const MissingInput& missing, const std::string& path)
 {
     std::error_code failed;
     if (fs::is_directory(path, failed)) {
-        return fs::path(missing.path).extension().empty();   // reading shows whether the folder contains the series
+        return fs::path(missing.path).extension().empty();   // reading it shows whether the folder contains the series
     }
     if (!fs::is_regular_file(path, failed)) {
         return false;

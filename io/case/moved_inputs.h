@@ -9,11 +9,11 @@
 
 namespace angiopose::io {
 
-/// Input that does not exist at the path stored in its case.
+/// An input that does not exist at the path stored in its case.
 struct MissingInput {
     std::string path;   ///< absolute path stored in the case
     std::string sha256;   ///< hash of the original content; empty if unknown
-    bool isOptional = false;   ///< the case opens without it: a scan in addition to the vessels, another view
+    bool isOptional = false;   ///< true if the case opens without it: an additional scan, or another view
 
     bool operator==(const MissingInput&) const = default;
 };
@@ -24,13 +24,13 @@ using MovedInputs = std::map<std::string, std::string>;
 /// Returns the inputs of a case file that do not exist. Fails like loadCase if the file is not a case.
 core::Result<std::vector<MissingInput>> findMissingInputs(const std::string& casePath);
 
-/// Searches folders and their subfolders for inputs, first by name, then under any name with the same extension. A
-/// known hash must match; without a hash, the name decides. Finds a folder (a DICOM series) by its name. Stops
-/// searching a folder after some thousand entries. Can be canceled.
+/// Searches folders and their subfolders for inputs, first by name, then by content among the files with the same
+/// extension. A known hash must match; without a hash, the name decides. Finds a folder (a DICOM series) by its name.
+/// Stops searching a folder after some thousand entries. Can be canceled.
 MovedInputs findMovedInputs(const std::vector<MissingInput>& missing, const std::vector<std::string>& folders,
                             const ReadObserver& observe = {});
 
-/// Whether a file or folder can replace a missing input. The contents must match unless the original one is unknown.
+/// Returns whether a file or folder can replace a missing input. The contents must match unless the hash is unknown.
 bool canReplace(const MissingInput& missing, const std::string& path);
 
 }   // namespace angiopose::io

@@ -48,7 +48,7 @@ core::Status completeView(core::View& view, const std::string& path, std::option
     return core::Done{};
 }
 
-/// Whether a view has neither a case file nor an image.
+/// Returns whether a view has neither a case file nor an image.
 bool isBlank(const core::View& view)
 {
     return view.caseFile.path.empty() && view.imageFile.path.empty();

@@ -11,7 +11,7 @@
 namespace angiopose::io {
 namespace {
 
-/// Whether a file is unchanged; a file without a stored hash counts as changed.
+/// Returns whether a file is unchanged; false for a file without a stored hash.
 bool isAsStored(const core::InputFile& noted, const core::InputFile& read)
 {
     return noted.path.empty() || (!noted.sha256.empty() && noted.sha256 == read.sha256);
@@ -23,21 +23,21 @@ bool areAsStored(const core::Vessels& noted, const core::Vessels& read)
            noted.excludedBranchIds == read.excludedBranchIds;
 }
 
-/// A view stored in another case file was registered with the vessels of that case, so it counts as changed.
+/// Returns whether a view is unchanged; false for one in another case file, since it was registered with those vessels.
 bool isAsStored(const core::View& noted, const core::View& read)
 {
     return noted.caseFile.path.empty() && isAsStored(noted.imageFile, read.imageFile) &&
            isAsStored(noted.target.file, read.target.file);
 }
 
-/// Whether the view's deformation belongs to this tree; that of another tree would be drawn in the wrong place.
+/// Returns whether the view's deformation belongs to this tree; one of another tree would be drawn in the wrong place.
 bool isOfTree(const core::View& view, const core::Vessels& vessels)
 {
     const core::DeformableResult* const deformed = view.result ? view.result->deformed.get() : nullptr;
     return !deformed || !vessels.tree || core::isCompatible(*vessels.tree, *deformed);
 }
 
-/// Explains why a view's result is no longer valid; returns nothing if it is valid.
+/// Explains why a view's result is no longer valid; returns nullopt if it is valid.
 std::optional<core::Message> staleReason(bool haveInputsChanged, const core::Messages& changedParts)
 {
     if (haveInputsChanged) {
@@ -49,8 +49,8 @@ std::optional<core::Message> staleReason(bool haveInputsChanged, const core::Mes
     return {};
 }
 
-/// Whether the tracked frames are distinct frames of the view's cine run, and the tracked pose of the view's current
-/// frame equals the pose in the case.
+/// Returns whether the tracked frames are distinct frames of the view's cine run, and the tracked pose of the view's
+/// current frame equals the pose in the case.
 bool matchesView(const core::TrackedRun& run, const core::View& view)
 {
     const auto& frames = core::framesOf(run);

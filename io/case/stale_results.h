@@ -8,7 +8,7 @@
 namespace angiopose::io {
 
 /// Removes results and tracking results whose inputs have changed, and adds warnings that name the changes. `noted` is
-/// the case as stored, with `notes` for its views, in order; `read` is the case with its current inputs.
+/// the case as stored, with `notes` on its views in the same order; `read` is the case with its current inputs.
 void dropStaleResults(const core::Case& noted, std::span<const ViewNotes> notes, core::Case& read,
                       core::Messages& warnings);
 

@@ -144,7 +144,7 @@ private:
     bool areFinite_ = true;
 };
 
-/// Whether the deformation contains exactly the branches of this tree.
+/// Returns whether the deformation contains exactly the branches of this tree.
 bool namesBranchesOf(const core::VesselTree& tree, const core::DeformableResult& deformed)
 {
     return deformed.branches.size() == tree.branches.size() &&
@@ -153,7 +153,7 @@ bool namesBranchesOf(const core::VesselTree& tree, const core::DeformableResult&
            });
 }
 
-/// Returns the content after the header; fails unless it holds this number of deformations of this tree.
+/// Returns the data after the header; fails unless they hold this number of deformations of this tree.
 core::Result<std::string_view> deformationNumbersIn(std::string_view content, const core::VesselTree& tree,
                                                     std::size_t deformations)
 {
@@ -223,7 +223,7 @@ core::Status readDeformation(TrackedRun& run, const core::VesselTree& tree)
     return core::Done{};
 }
 
-/// Copies deformations to the frames that do not show the vessels.
+/// Copies deformations to frames that do not show the vessels.
 void propagateDeformation(TrackedRun& run)
 {
     auto frames = std::make_shared<std::vector<TrackedRunFrame>>(core::framesOf(run));

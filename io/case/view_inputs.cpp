@@ -100,7 +100,7 @@ void fillFrom(core::Sourced<Value>& value, const core::Sourced<Value>& header)
     }
 }
 
-/// Returns an inconsistency that can be detected only once the inputs are loaded; nothing if there is none.
+/// Returns an inconsistency that can be detected only after loading the inputs; nullopt if there is none.
 std::optional<core::Message> findMisfit(const View& view)
 {
     const core::Angiogram& angiogram = *view.angiogram;

@@ -8,8 +8,8 @@
 
 namespace angiopose::io {
 
-/// Reads the inputs of a view of these vessels: image, stored centerline and subtraction; sets frame, geometry and
-/// pose. If an input cannot be read, fails and names the file.
+/// Reads the inputs of one view of the vessels: image, stored centerline and subtraction; sets frame, geometry and
+/// pose. Fails and names the file if an input cannot be read.
 core::Status loadView(core::View& view, const ViewNotes& notes, const core::Vessels& vessels,
                       const std::string& casePath, core::Messages& warnings, PeakFrameSearch peak);
 
@@ -21,7 +21,7 @@ void loadOtherView(core::View& view, const ViewNotes& notes, const core::Vessels
 /// Fills in missing values of `cArm` from the header.
 void fillFromHeader(core::CArm& cArm, const core::CArm& header);
 
-/// Stores the hash of the file that was read; warns if the case stores a different hash.
+/// Stores the hash of the file that was read; warns if the case stored a different one.
 core::Status checkHash(core::InputFile& file, core::Result<std::string> hash, core::Messages& warnings);
 
 }   // namespace angiopose::io

@@ -14,7 +14,7 @@ namespace angiopose::io {
 namespace {
 
 constexpr int pollIntervalMs = 30;   // interval between checks for cancellation
-constexpr std::uintmax_t baseReplyBytes = 1 << 20, replyBytesPerByte = 64;   // bytes
+constexpr std::uintmax_t baseReplyBytes = 1 << 20, replyBytesPerByte = 64;   // reply size limit, bytes
 constexpr double decodedShare = 0.9;   // fraction of the progress due to decoding; the rest is the transfer
 
 /// Collects the reply from the pipe. A reply of more than `largestContent` bytes is invalid.
@@ -44,7 +44,7 @@ private:
 
     std::uintmax_t largestContent_;
     double decoded_ = 0.0;
-    std::string reply_;   ///< the reply, starting with the byte for its kind
+    std::string reply_;   ///< the reply, starting with the byte that states its kind
 };
 
 void ReplyReceiver::appendReply(std::string_view bytes)
@@ -106,7 +106,7 @@ core::Result<DecoderReply> runDecoder(const std::string& program, const std::vec
         return reply.kind == ReplyKind::TooLarge ? fileError(path, messages::decoderTooLarge())
                                                  : core::Result<DecoderReply>(std::move(reply));
     }
-    // A helper whose reply is too large is killed as well; that is not a timeout.
+    // A helper whose reply is too large is also killed, but that is not a timeout.
     const bool isTooLong = ending == EndReason::NoReply && helper.waitForExit() == ChildProcess::EndReason::TimedOut;
     return fileError(path, isTooLong ? messages::decoderTooLong() : messages::decoderDied());
 }

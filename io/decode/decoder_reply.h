@@ -13,8 +13,8 @@
 #include <vector>
 
 // Protocol of a helper program's standard output: the progress as single bytes (percent), then one byte for the kind of
-// reply, the content length and the content. Both programs run on the same machine, so numbers are in native byte
-// order.
+// reply, the length of the content, and the content. Both programs run on the same machine, so numbers are in native
+// byte order.
 
 namespace angiopose::io {
 
@@ -81,8 +81,8 @@ private:
     std::string bytes_;
 };
 
-/// Deserializes the values written by ReplyWriter. Never allocates more than the available bytes can fill. After a
-/// missing value, all later values are missing as well.
+/// Deserializes the values written by ReplyWriter. Never allocates more memory than the remaining bytes can fill. After
+/// a missing value, all later values are missing as well.
 class ReplyReader {
 public:
     explicit ReplyReader(std::string_view bytes) : remaining_(bytes) {}
@@ -124,7 +124,7 @@ public:
         }
     }
 
-    /// Whether all values were present and no bytes are left over.
+    /// Returns whether all values were present and no bytes are left over.
     bool isDone() const { return isValid_ && remaining_.empty(); }
 
 private:
@@ -133,7 +133,7 @@ private:
         isValid_ = isValid_ && size <= remaining_.size();
         return isValid_;
     }
-    /// Reads an element count; each element takes at least `size` bytes.
+    /// Reads and returns an element count; each element takes at least `size` bytes.
     std::size_t takeCount(std::size_t size)
     {
         std::uint64_t count = 0;

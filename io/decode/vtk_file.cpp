@@ -13,7 +13,7 @@
 namespace angiopose::io {
 namespace {
 
-/// Reads a file through VTK; `saysDamaged` creates the error message of the format for a damaged file.
+/// Reads a file through VTK; `saysDamaged` creates the error message for a damaged file of the format.
 template <class SaysDamaged>
 core::Result<VtkLines> readByVtk(const std::string& format, const std::string& path, const ReadObserver& observe,
                                  const SaysDamaged& saysDamaged)
@@ -32,7 +32,7 @@ core::Result<VtkLines> readByVtk(const std::string& format, const std::string& p
 
 constexpr int maxDeclared = 20'000'000;
 
-/// Rejects counts that no centerline can have, because VTK allocates as the header declares before it reads the data.
+/// Rejects counts that no centerline can have, because VTK allocates what the header declares before reading the data.
 std::optional<core::Message> findImpossibleCount(std::string_view content)
 {
     constexpr std::array attributes = {"NumberOfPoints=\"", "NumberOfLines=\"",     "NumberOfVerts=\"",
@@ -88,7 +88,7 @@ core::Result<VtkLines> readXmlVtk(std::string_view content, const std::string& p
     }
     auto lines = readByVtk(isGrid ? "xml_unstructured_grid" : "xml_polydata", path, observe,
                            [](const std::string&) { return messages::vtkXmlDamaged(); });
-    const bool isDead = !lines && lines.error().message.is(messages::decoderDied);   // so the file is damaged
+    const bool isDead = !lines && lines.error().message.is(messages::decoderDied);   // hence the file is damaged
     return isDead ? fileError(path, messages::vtkXmlDamaged()) : std::move(lines);
 }
 

@@ -10,7 +10,7 @@
 namespace angiopose::io {
 
 /// Reads a legacy VTK file (ASCII or binary, up to format 5.1; PolyData or UnstructuredGrid) through VTK in a separate
-/// process. `content` is the content of the file.
+/// process. `content` holds all bytes of the file.
 core::Result<VtkLines> readLegacyVtk(std::string_view content, const std::string& path,
                                      const ReadObserver& observe = {});
 

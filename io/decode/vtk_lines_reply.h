@@ -27,7 +27,7 @@ inline std::string toReply(const VtkLines& lines)
     return std::move(writer).bytes();
 }
 
-/// Decodes the reply; returns nothing if the reply is incomplete.
+/// Decodes the reply; returns nullopt if the reply is incomplete.
 inline std::optional<VtkLines> linesFromReply(std::string_view bytes)
 {
     VtkLines lines;

@@ -57,7 +57,7 @@ constexpr std::array knownTerms{
     CodedTerm{"AP9", "99ANGIOPOSE", "Judgement of the registration"},
 };
 
-/// Permitted units. The list is closed because a unit in braces may be any text, and a name may look like a unit.
+/// Permitted units. The list is closed because a unit in braces may be any text and a name may look like a unit.
 constexpr std::array<std::string_view, 32> knownUnits{
     "%",  "1",   "cm",  "cm2", "cm3", "deg",      "g",         "Gy",      "Gy.m2",    "Gy.cm2", "dGy.m2",
     "h",  "Hz",  "keV", "kg",  "kV",  "m",        "mA",        "mAs",     "mGy",      "mL",     "ml",
@@ -73,7 +73,7 @@ bool isNumberOf(std::string_view value, std::size_t least, std::size_t most)
     return value.size() >= least && value.size() <= most && std::ranges::all_of(value, isCodeDigit);
 }
 
-/// Whether `value` has the format of a SNOMED 3 code, for example "T-D0050" or "R-10241".
+/// Returns whether `value` has the format of a SNOMED 3 code, for example "T-D0050" or "R-10241".
 bool isSnomedThree(std::string_view value)
 {
     const bool isHex = std::ranges::all_of(value.substr(std::min<std::size_t>(value.size(), 2)),
@@ -81,14 +81,14 @@ bool isSnomedThree(std::string_view value)
     return value.size() >= 6 && value.size() <= 8 && value[0] >= 'A' && value[0] <= 'Z' && value[1] == '-' && isHex;
 }
 
-/// Whether `value` has the format of a LOINC code, for example "18745-0".
+/// Returns whether `value` has the format of a LOINC code, for example "18745-0".
 bool isLoinc(std::string_view value)
 {
     return value.size() >= 4 && value.size() <= 8 && value[value.size() - 2] == '-' && isCodeDigit(value.back()) &&
            isNumberOf(value.substr(0, value.size() - 2), 2, 6);
 }
 
-/// Whether `value` has the format of a language code, for example "en" or "en-US".
+/// Returns whether `value` has the format of a language code, for example "en" or "en-US".
 bool isLanguage(std::string_view value)
 {
     const auto areBetween = [](std::string_view letters, char first, char last) {
@@ -129,7 +129,7 @@ const CodedTerm* knownTerm(const CodedEntry& term)
 }
 
 enum class ContentRule {
-    AsUsual,   ///< general rules apply: sequences, numbers, codes, UIDs
+    AsUsual,   ///< the general rules apply: sequences, numbers, codes, UIDs
     Empty,
     Label,
     Layer,
@@ -185,7 +185,7 @@ constexpr std::array contentElements{
     ContentElement{0x0040a730}, ContentElement{0x0040db00, ContentRule::Template}, ContentElement{0x0040db73},
     ContentElement{0x30060024}};
 
-/// Labels that AngioPose writes into free-text elements.
+/// Labels that AngioPose writes to free-text elements.
 constexpr std::array<std::string_view, 2> ownLabels{"ANGIOPOSE", "VESSELS"};
 constexpr std::array<std::string_view, 4> ownWords{"AngioPose", "Arteries", "trustworthy", "not trustworthy"};
 constexpr std::string_view programWord = "AngioPose ";
@@ -202,14 +202,14 @@ bool isAmong(const std::array<std::string_view, Count>& known, std::string_view 
     return std::ranges::find(known, value) != known.end();
 }
 
-/// Whether `text` is AngioPose's name with a version, for example "AngioPose 1.2.0".
+/// Returns whether `text` is AngioPose's name with a version, for example "AngioPose 1.2.0".
 bool isProgramWithVersion(std::string_view text)
 {
     return text.starts_with(programWord) && text.size() <= programWord.size() + 12 &&
            text.find_first_not_of("0123456789.", programWord.size()) == std::string_view::npos;
 }
 
-/// Whether `text` is a template identifier or mapping resource, for example "1500" or "DCMR".
+/// Returns whether `text` is a template identifier or mapping resource, for example "1500" or "DCMR".
 bool isTemplate(std::string_view text)
 {
     return text == "DCMR" ||

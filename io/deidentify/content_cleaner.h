@@ -11,7 +11,7 @@
 
 namespace angiopose::io {
 
-/// Coded term as read: value, scheme and meaning (PS3.3 8.8).
+/// Coded term as read: value, coding scheme and meaning (PS3.3 8.8).
 struct CodedEntry {
     std::string value;
     std::string scheme;
@@ -30,24 +30,24 @@ DeidentifiedTerm deidentifyTerm(const CodedEntry& term, const IdentityWords& wor
 
 /// De-identifies the content specific to objects other than images: segments, graphics, matrices, references, report
 /// trees (PS3.15 E.3.6, clean structured content; E.3.3, clean graphics). Keeps codes, numbers and structure but
-/// replaces words, so that required elements and item positions are preserved. Use one instance per object.
+/// replaces words, so that required elements and item positions are preserved. Each object requires its own instance.
 class ContentCleaner {
 public:
     explicit ContentCleaner(const IdentityWords& words) : words_(words) {}
 
-    /// Whether an element is copied; numbers and codes in it follow the general rules.
+    /// Returns whether an element is copied; the general rules apply to its numbers and codes.
     static bool has(DicomTag tag);
 
-    /// Whether the text of an element must be replaced by `replacementFor`.
+    /// Returns whether the text of an element must be replaced by `replacementFor`.
     static bool isReplaced(DicomTag tag);
     std::string replacementFor(DicomTag tag, const std::vector<std::string>& values);
 
-    /// Returns the replacement for a removed date or time that must be present; nothing if the element is optional.
+    /// Returns the replacement for a removed date or time that must be present; nullopt if the element is optional.
     static std::optional<std::string> replacementForTime(DicomTag tag, const std::string& vr);
 
     CodedEntry term(const CodedEntry& term);
 
-    /// Number of removed words, names and terms.
+    /// Returns the number of removed words, names and terms.
     std::size_t cleared() const { return removedCount_; }
 
 private:
@@ -56,7 +56,7 @@ private:
     std::string words(const std::string& text);
 
     const IdentityWords& words_;
-    std::map<std::string, std::string> layers_;   ///< graphics refer to layers by name
+    std::map<std::string, std::string> layers_;   ///< layer names, to which graphics refer
     std::size_t segments_ = 0;
     std::size_t removedCount_ = 0;
 };

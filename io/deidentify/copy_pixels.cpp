@@ -14,12 +14,12 @@
 namespace angiopose::io {
 namespace {
 
-constexpr int sampledFrameCount = 6;   ///< evenly spaced frames of a cine run, because burned-in text is in all frames
+constexpr int sampledFrameCount = 6;   ///< evenly spaced frames of a cine run, because all frames show burned-in text
 constexpr DicomTag positionTag = 0x00200032;
 constexpr DicomTag sharedGroupsTag = 0x52009229;
 constexpr DicomTag burnedInTag = 0x00280301;
 
-/// Returns the mask of burned-in text found in any of the sampled frames.
+/// Returns the mask of the burned-in text found in any of the sampled frames.
 core::Mask2d findBurnedInText(const std::vector<core::ImageF>& frames)
 {
     const int count = static_cast<int>(frames.size());
@@ -102,7 +102,7 @@ std::vector<std::uint16_t> wordsOf(const std::vector<core::ImageF>& frames, int 
 void describePixels(const PixelLayout& layout, DicomItem& to)
 {
     to.unsignedShort(0x00280002, 1);
-    to.remove(0x00280006);   // planar configuration applies only to color images
+    to.remove(0x00280006);   // the planar configuration applies only to color images
     to.text(0x00280004, "CS", layout.photometric == "MONOCHROME1" ? "MONOCHROME1" : "MONOCHROME2");
     to.unsignedShort(0x00280010, layout.rows);
     to.unsignedShort(0x00280011, layout.columns);

@@ -8,7 +8,7 @@
 
 namespace angiopose::io {
 
-/// Whether burned-in text is only reported or also masked.
+/// Specifies whether burned-in text is only reported or also masked.
 enum class BurnedInTextPolicy { Reported, Masked };
 
 /// Stores the pixels of `file` in `to`: decoded, in grayscale, and reduced to the visible values, because compressed

@@ -60,9 +60,9 @@ bool hasPixels(DeidentifiableClass freed)
     return freed == DeidentifiableClass::Image || freed == DeidentifiableClass::Segmentation;
 }
 
-/// Determines the kind of object from its SOP class; an image if the SOP class does not indicate otherwise. Fails,
-/// naming the file, if the texts or pages of the object cannot be cleared reliably, or if the object holds pixels
-/// unusual for its class, which would be lost.
+/// Determines the kind of object from its SOP class: an image unless the SOP class indicates otherwise. Fails and names
+/// the file if text or pages of the object cannot be cleared reliably, or if the object holds pixels that are unusual
+/// for its class and would be lost.
 core::Result<DeidentifiableClass> deidentifiableClassOf(const DicomFile& file, const std::string& path)
 {
     const auto freed = classOf(file.dataset, path);
@@ -119,7 +119,7 @@ void addDeidentificationMethod(DicomItem& root, const DeidentificationOptions& r
     root.text(0x00280303, "CS", areShifted ? "MODIFIED" : "REMOVED");
 }
 
-/// Limits a text to a single value of at most 64 characters, as required for names and IDs.
+/// Limits text to a single value of at most 64 characters, as required for names and IDs.
 std::string asOneValue(const std::string& requested)
 {
     std::string value = truncateUtf8(requested, 64);
@@ -127,7 +127,7 @@ std::string asOneValue(const std::string& requested)
     return value;
 }
 
-/// Returns what identifies the patient: the ID or, if there is no ID, the name.
+/// Returns the value that identifies the patient: the ID or, if there is no ID, the name.
 std::string patientOf(const DicomDataset& data)
 {
     const std::string_view id = data.text(0x00100020);
@@ -150,7 +150,7 @@ void addMissingUids(const DicomDataset& data, const std::string& path, const Rep
     }
 }
 
-/// Adds the patient, and required elements with unknown values.
+/// Adds the patient, and the required elements whose values are unknown.
 void addPatient(const DicomDataset& data, const std::string& patient, DicomItem& root)
 {
     root.text(0x00080005, "CS", "ISO_IR 192");

@@ -12,7 +12,7 @@ namespace angiopose::io {
 struct DeidentificationOptions {
     DatePolicy dates = DatePolicy::None;
     BurnedInTextPolicy letters = BurnedInTextPolicy::Reported;
-    std::string patientName{};   ///< also used as the patient ID; if empty, a pseudonym is used
+    std::string patientName{};   ///< replaces the patient name and ID; if empty, a pseudonym is used
 };
 
 /// A de-identified DICOM object.
@@ -24,9 +24,9 @@ struct DeidentifiedDicom {
 };
 
 /// De-identifies the image, segmentation, report, presentation state or spatial registration of a DICOM file by the
-/// Basic Application Level Confidentiality Profile (PS3.15 annex E): `copyKept`, `copyPixels`, pseudonyms for patient
-/// and study, and the applied methods as codes of the standard. Fails and names the file if it contains no image
-/// that can be stored again, or parts that cannot be cleared reliably.
+/// Basic Application Level Confidentiality Profile (PS3.15 annex E): applies `copyPermittedElements` and `copyPixels`,
+/// replaces patient and study by pseudonyms, and states the applied methods as standard codes. Fails and names the file
+/// if it contains no image that can be stored again, or if parts of it cannot be cleared reliably.
 core::Result<DeidentifiedDicom> deidentifyDicom(const DicomFile& file, const std::string& path,
                                                 const DeidentificationOptions& requested, const Pseudonyms& pseudonyms);
 

@@ -14,7 +14,7 @@ class IdentityWords {
 public:
     explicit IdentityWords(const DicomDataset& data);
 
-    /// Whether `text` contains one of the words, ignoring case.
+    /// Returns whether `text` contains one of the words, ignoring case.
     bool occurIn(std::string_view text) const;
 
 private:

@@ -17,7 +17,7 @@ namespace angiopose::io {
 std::string instanceFileName(std::size_t number);
 
 /// New or empty output folder of a de-identification, with files named `series-1/00001.dcm` and `picture-1.png`. The
-/// destructor deletes the content of the folder unless `keep` was called.
+/// destructor deletes the contents of the folder unless `keep` was called.
 class OutputFolder {
 public:
     explicit OutputFolder(std::string path) : path_(std::move(path)) {}

@@ -44,10 +44,10 @@ constexpr std::array<DicomTag, 24> keptOfIdentification{
     0x00080030, 0x00080031, 0x00080032, 0x00080033, 0x00080060, 0x00080064, 0x00080068, 0x00081140,
     0x00081150, 0x00081155, 0x00082112, 0x00082142, 0x00082143, 0x00082144, 0x00089007, 0x00089205};
 
-/// Short texts that are kept: the stack ID of an image; manufacturer and model, which determine the angle convention.
+/// Short strings that are kept: the stack ID of an image; manufacturer and model, which determine the angle convention.
 constexpr DicomTag stackTag = 0x00209056;
 constexpr std::array<DicomTag, 2> keptNames{0x00080070, 0x00081090};
-constexpr DicomTag rescaleTypeTag = 0x00281054;   ///< value is a defined term, although the VR permits free text
+constexpr DicomTag rescaleTypeTag = 0x00281054;   ///< the value is a defined term, although the VR permits free text
 constexpr DicomTag lookUpTableTag = 0x00283006;
 constexpr std::size_t maxNameLetters = 64;
 
@@ -189,7 +189,7 @@ private:
             } else {
                 copyAll(*sequence.getItem(n), *item);
             }
-            kept->append(item.release());   // append empty items as well, because references count items
+            kept->append(item.release());   // append empty items too, because references count items
         }
         const bool isEmpty = [&] {
             for (unsigned long n = 0; n < kept->card(); ++n) {
@@ -234,7 +234,7 @@ private:
         }
     }
 
-    /// Returns the de-identified value; nothing if the element must be removed.
+    /// Returns the de-identified value; nullopt if the element must be removed.
     std::optional<std::string> kept(DcmElement& element, const std::vector<std::string>& values) const
     {
         const auto as = [&](bool mayStay) {

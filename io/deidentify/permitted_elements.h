@@ -10,8 +10,8 @@
 
 namespace angiopose::io {
 
-/// Creates replacements for names, UIDs and dates. Equal originals get equal replacements, which keeps the files of an
-/// export consistent. The replacements are keyed hashes (HMAC-SHA-256) and cannot be reversed without the key.
+/// Creates replacements for names, UIDs and dates. Equal originals get equal replacements, so that the files of an
+/// export stay consistent. The replacements are keyed hashes (HMAC-SHA-256) and cannot be reversed without the key.
 class Pseudonyms {
 public:
     /// Creates pseudonyms with a random key, so that separate exports cannot be linked. Fails if the system provides no
@@ -48,7 +48,7 @@ struct Replacements {
 };
 
 /// Copies the elements that describe the image: numbers, codes and flags of acquisition, geometry and display, UIDs
-/// replaced, dates as requested, and sequences of these. Omits everything else: names, texts, private elements,
+/// replaced, dates as requested, and sequences of these. Omits everything else: names, text, private elements,
 /// overlays, curves and unknown elements; for objects other than images, `content` selects further elements and
 /// replaces their words. Stricter than PS3.15 table E.1-1 and therefore safe for future elements.
 void copyPermittedElements(const DicomDataset& from, DicomItem& to, const Replacements& replacements);

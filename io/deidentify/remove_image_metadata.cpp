@@ -62,7 +62,7 @@ constexpr unsigned char endOfImage = 0xd9;
 constexpr unsigned char jfif = 0xe0;
 constexpr unsigned char adobe = 0xee;
 constexpr unsigned char comment = 0xfe;
-constexpr std::size_t jfifBytes = 18;   ///< size of the JFIF segment with its marker, without a thumbnail
+constexpr std::size_t jfifBytes = 18;   ///< size of the JFIF segment including its marker, without a thumbnail
 
 bool isApplication(unsigned char marker)
 {

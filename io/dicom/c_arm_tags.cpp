@@ -36,7 +36,7 @@ core::Quantity millimeters(double value)
     return {std::round(value * 1e4) / 1e4, core::Quantity::significantDigits, "mm"};
 }
 
-/// Copies tags that are missing at the top level from the functional group sequences, down to two levels.
+/// Copies elements that are missing at the top level from the functional group sequences, up to two levels deep.
 void addFromGroups(DicomDataset& data, DicomTag groupsTag)
 {
     const std::vector<DicomDataset> groups = data.items(groupsTag);
@@ -59,7 +59,7 @@ bool isPositive(std::optional<double> value)
     return value && *value > 0.0;
 }
 
-/// Reads the isocenter distance as Siemens systems write it; nothing if it is implausible for a C-arm.
+/// Reads the isocenter distance as Siemens systems write it; nullopt if it is implausible for a C-arm.
 std::optional<double> privateIsocenterMm(const DicomDataset& data, const CArm& cArm, DicomTag tag)
 {
     const auto value = data.number(tag);
@@ -68,9 +68,9 @@ std::optional<double> privateIsocenterMm(const DicomDataset& data, const CArm& c
     return isOne ? value : std::nullopt;
 }
 
-/// Reads the distances from the source. The isocenter has its own tags. (0018,1111) gives the distance to the plane in
-/// which the system assumes the object, at some height above the table (PS3.3 C.8.19.6.9.1): the isocenter in older
-/// systems, often another plane in current ones.
+/// Reads the distances from the source. The isocenter has its own tags; (0018,1111) is the distance to the plane of the
+/// object that the system assumes at some height above the table (PS3.3 C.8.19.6.9.1): the isocenter in older systems,
+/// often another plane in current ones.
 void readDistances(const DicomDataset& data, CArm& cArm, core::Messages& warnings)
 {
     if (isPositive(data.number(sidTag))) {
@@ -110,7 +110,7 @@ std::optional<Eigen::Vector2d> positivePair(const DicomDataset& data, DicomTag t
     return isPositive(first) && isPositive(second) ? std::optional(Eigen::Vector2d(*first, *second)) : std::nullopt;
 }
 
-/// Pixel spacing (row, column), mm, derived from the field of view if it covers the whole image without distortion.
+/// Returns the pixel spacing (row, column), mm, derived from a field of view that covers the undistorted whole image.
 std::optional<Eigen::Vector2d> fieldSpacing(const DicomDataset& data)
 {
     const auto rows = data.number(rowsTag), columns = data.number(columnsTag);
@@ -120,14 +120,14 @@ std::optional<Eigen::Vector2d> fieldSpacing(const DicomDataset& data)
         data.text(0x00181147) != "RECTANGLE") {
         return std::nullopt;
     }
-    // PS3.3: "row dimension followed by column": the first extends along a row, that is, across the columns.
+    // PS3.3, "row dimension followed by column": the first value extends along a row, that is, across the columns.
     const Eigen::Vector2d spacing(*columnDimension / *rows, *rowDimension / *columns);
     const bool isPlausible = spacing.minCoeff() > 0.05 && spacing.maxCoeff() < 2.0;
     return isPlausible && std::abs(spacing.x() / spacing.y() - 1.0) < 0.01 ? std::optional(spacing) : std::nullopt;
 }
 
 /// Reads the pixel spacing from the first available of (ALGORITHMS §5.2): imager pixel spacing, calibrated pixel
-/// spacing, field of view. Otherwise the spacing remains unset.
+/// spacing, field of view. Leaves the spacing unset if none is available.
 void readSpacing(const DicomDataset& data, CArm& cArm, core::Messages& warnings)
 {
     if (const auto imager = positivePair(data, imagerSpacingTag)) {
@@ -180,7 +180,7 @@ void readPrincipalPoint(const DicomDataset& data, CArm& cArm)
     if (!element || !active || !originRow || !originColumn || !rows || !columns || !cArm.rowSpacingMm.value) {
         return;
     }
-    // Active dimensions and origins are relative to the top left corner of the active area.
+    // Active dimensions and origins refer to the top left corner of the active area.
     double cy = (0.5 * active->x() - *originRow * element->x()) / *cArm.rowSpacingMm.value - 0.5;
     double cx = (0.5 * active->y() - *originColumn * element->y()) / *cArm.columnSpacingMm.value - 0.5;
     double width = *columns, height = *rows;
@@ -202,7 +202,7 @@ void readPrincipalPoint(const DicomDataset& data, CArm& cArm)
     }
 }
 
-/// Returns the direction given by the letters of Patient Orientation, dominant direction first, for example "LA". Zero
+/// Returns the direction given by the letters of Patient Orientation, dominant direction first, for example "LA"; zero
 /// if a letter is invalid.
 Eigen::Vector3d directionOf(std::string_view letters)
 {
@@ -220,12 +220,12 @@ Eigen::Vector3d directionOf(std::string_view letters)
     return direction.stableNormalized();
 }
 
-/// Determines whether the image is shown as seen from the source, and its quarter turn: the one of all eight
+/// Determines whether the image is shown as seen from the source, and its quarter turn, from the one of all eight
 /// orientations whose rows and columns best match the letters of Patient Orientation. The flip tag is only a hint.
 void readOrientation(const DicomDataset& data, CArm& cArm, core::Messages& warnings)
 {
     constexpr DicomTag orientationTag = 0x00200020;
-    constexpr double minLetterAgreement = 0.45;   // minimum agreement; the letters give only coarse directions
+    constexpr double minLetterAgreement = 0.45;   // minimum agreement; the letters state only coarse directions
     const Eigen::Vector3d row = directionOf(data.text(orientationTag, 0));
     const Eigen::Vector3d column = directionOf(data.text(orientationTag, 1));
     CArm likeliest = cArm;

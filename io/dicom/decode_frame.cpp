@@ -24,8 +24,8 @@ namespace {
 
 constexpr std::string_view rleSyntax = "1.2.840.10008.1.2.5";
 
-/// Whether the stream declares the image that the header describes. A mismatch is rejected, because the decoders trust
-/// the stream; libjpeg converts color to gray.
+/// Returns whether the stream declares the image that the header describes. Streams that do not are rejected, because
+/// the decoders trust the stream; libjpeg converts color to gray.
 bool matchesLayout(const StreamHeader& head, const PixelLayout& layout)
 {
     return head.columns == layout.columns && head.rows == layout.rows &&
@@ -53,8 +53,8 @@ std::optional<DecodedPixels> decodeBaseline(std::string_view compressed, PixelLa
     return DecodedPixels{std::move(bytes), raster->isPartlyDamaged};
 }
 
-/// Whether a stream is complete, that is, contains its end marker, possibly followed by padding; DCMTK would fill
-/// missing parts with gray.
+/// Returns whether a stream is complete, that is, contains its end marker, possibly followed by padding; otherwise,
+/// DCMTK would fill missing parts with gray.
 bool isWhole(std::string_view compressed)
 {
     return !compressed.starts_with("\xff\xd8") || compressed.rfind("\xff\xd9") != std::string_view::npos;

@@ -9,14 +9,14 @@
 
 namespace angiopose::io {
 
-/// The result of decoding a compressed frame.
+/// Result of decoding a compressed frame.
 struct DecodedPixels {
     std::vector<char> bytes;   ///< pixels in the native form of the layout, little endian
-    bool isPartlyDamaged = false;   ///< partly damaged; contains the part that could be decoded
+    bool isPartlyDamaged = false;   ///< true if damaged in part; `bytes` then contains what could be decoded
 };
 
 /// Decodes one compressed frame (JPEG, JPEG-LS, JPEG 2000, RLE). Corrects `layout` if the compressed stream contradicts
-/// it. Returns nothing on failure. More than half of a lossy JPEG must be intact; other streams must be complete.
+/// it. Returns nullopt on failure. More than half of a lossy JPEG must be intact; other streams must be complete.
 std::optional<DecodedPixels> decodeFrame(std::string_view compressed, const std::string& transferSyntax,
                                          PixelLayout& layout);
 

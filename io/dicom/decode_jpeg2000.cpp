@@ -8,7 +8,7 @@
 namespace angiopose::io {
 namespace {
 
-/// In-memory input for OpenJPEG.
+/// In-memory input of OpenJPEG.
 struct Jpeg2000Source {
     std::string_view bytes;
     std::size_t at = 0;

@@ -76,7 +76,7 @@ std::string_view valueAt(std::string_view values, std::size_t index)
     return trimmed(values.substr(0, values.find('\\')));
 }
 
-/// Reads a number from a private element of unknown VR: as text, or as the binary type that its length suggests (little
+/// Reads a number from a private element of unknown VR: as text, or as the binary type that the length suggests (little
 /// endian, PS3.5 §6.2.2).
 std::optional<double> unknownNumber(DcmElement& element, std::size_t index)
 {
@@ -105,7 +105,7 @@ bool isBinaryVr(DcmEVR vr)
     return vr == EVR_US || vr == EVR_SS || vr == EVR_UL || vr == EVR_up || vr == EVR_SL || vr == EVR_FL || vr == EVR_FD;
 }
 
-/// Appends the items of a sequence; each appended item keeps the data set alive.
+/// Appends the items of a sequence; each appended item keeps the data set in memory.
 void appendItems(DcmElement& element, const std::shared_ptr<DcmItem>& owner, std::vector<DicomDataset>& items)
 {
     if (element.ident() != EVR_SQ) {

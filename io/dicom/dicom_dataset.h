@@ -32,14 +32,14 @@ public:
     explicit DicomDataset(std::shared_ptr<DcmItem> item) : layers_{std::move(item)} {}
 
     bool has(DicomTag tag) const { return find(tag) != nullptr; }
-    std::string_view text(DicomTag tag) const;   ///< trimmed bytes as stored; empty if absent or not a text
-    std::string_view text(DicomTag tag, std::size_t index) const;   ///< one of several values separated by `\`
+    std::string_view text(DicomTag tag) const;   ///< trimmed bytes as stored; empty if absent or not text
+    std::string_view text(DicomTag tag, std::size_t index) const;   ///< returns one of several values separated by `\`
     std::optional<double> number(
         DicomTag tag,
-        std::size_t index = 0) const;   ///< finite; interpreted by VR, for unknown private elements by content
+        std::size_t index = 0) const;   ///< finite; interpreted by VR or, for unknown private elements, by content
     std::optional<int> integer(DicomTag tag, std::size_t index = 0) const;
     bool isBinaryNumber(DicomTag tag) const;
-    std::vector<DicomDataset> items(DicomTag tag) const;   ///< items of a sequence; empty if absent
+    std::vector<DicomDataset> items(DicomTag tag) const;   ///< items of a sequence; empty if the sequence is absent
     std::vector<DicomDataset> itemsOfAllSequences() const;
 
     /// Returns the underlying DCMTK items, for copying elements unchanged; the first item that contains an element
@@ -52,10 +52,10 @@ public:
 private:
     DcmElement* find(DicomTag tag) const;
 
-    std::vector<std::shared_ptr<DcmItem>> layers_;   ///< the first one that contains an element takes precedence
+    std::vector<std::shared_ptr<DcmItem>> layers_;   ///< the first item that contains an element takes precedence
 };
 
-/// Reads complete elements that `passElements` has filtered. Omits elements that DCMTK cannot read.
+/// Reads complete elements that `filterElements` has filtered. Omits elements that DCMTK cannot read.
 DicomDataset readElements(std::string_view elements, DicomEncoding encoding);
 
 }   // namespace angiopose::io

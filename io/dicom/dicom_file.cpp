@@ -11,10 +11,10 @@ constexpr std::size_t preambleSize = 128;
 constexpr std::string_view magic = "DICM";
 constexpr std::string_view deflatedSyntax = "1.2.840.10008.1.2.1.99";
 constexpr std::string_view bigEndianSyntax = "1.2.840.10008.1.2.2";
-constexpr std::size_t maxDatasetBytes = std::size_t{128} << 20;   // uncompressed, as is the next
+constexpr std::size_t maxDatasetBytes = std::size_t{128} << 20;   // bytes, uncompressed, like the next constant
 constexpr std::size_t maxFileBytes = std::size_t{256} << 20;
 constexpr std::size_t packedStart =
-    4096;   // bytes to decompress for recognizing DICOM, so that large scans are not decompressed entirely
+    4096;   // bytes to decompress to recognize DICOM, so that large scans are not decompressed entirely
 constexpr DicomTag transferSyntaxTag = 0x00020010;
 
 bool hasPreamble(std::string_view content)
@@ -22,7 +22,7 @@ bool hasPreamble(std::string_view content)
     return content.size() > preambleSize + magic.size() && content.substr(preambleSize).starts_with(magic);
 }
 
-/// Whether `bytes` start with a data set: the first element has a small group number in one of the byte orders.
+/// Returns whether `bytes` start with a data set: the first element has a small group number in one of the byte orders.
 bool startsLikeDataset(std::string_view bytes)
 {
     if (bytes.size() < 8) {
@@ -36,7 +36,7 @@ bool startsLikeDataset(std::string_view bytes)
     return isPlausible(ByteOrder::Little) || isPlausible(ByteOrder::Big);
 }
 
-/// Determines the encoding of the data set. The presence of VR letters overrides a wrong or missing transfer syntax.
+/// Determines the encoding of the data set. VR letters in the data override a wrong or missing transfer syntax.
 DicomEncoding encodingOf(std::string_view bytes, std::string_view transferSyntax)
 {
     DicomEncoding encoding;

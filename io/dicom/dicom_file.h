@@ -9,7 +9,7 @@
 
 namespace angiopose::io {
 
-/// A parsed DICOM file. Its pixels refer to the bytes it was parsed from, or to `unpacked` for deflated files.
+/// A parsed DICOM file. Its pixels refer to the bytes from which it was parsed or, for deflated files, to `unpacked`.
 struct DicomFile {
     std::string transferSyntax;   ///< UID; empty if the file does not specify one
     DicomDataset dataset;
@@ -18,19 +18,19 @@ struct DicomFile {
     InputBytes unpacked;
 };
 
-/// Whether the content starts like a Part 10 file or a bare DICOM data set.
+/// Returns whether the content starts like a Part 10 file or a DICOM data set without a file header.
 bool looksLikeDicom(std::string_view content);
 
-/// Whether the content is gzip-compressed DICOM; decompresses only the beginning.
+/// Returns whether the content is gzip-compressed DICOM; decompresses only the beginning.
 bool isGzippedDicom(std::string_view content);
 
-/// Opens a DICOM file, which may be gzip-compressed. Fails like `openInput`, and if the content is not DICOM.
+/// Opens a DICOM file, which may be gzip-compressed. Fails as `openInput` does, and if the file is not DICOM.
 core::Result<InputBytes> openDicom(const std::string& path);
 
-/// Whether a file starts like DICOM (see `openDicom`).
+/// Returns whether a file starts like DICOM (see `openDicom`).
 bool isDicomFile(const std::string& path);
 
-/// Parses a DICOM file: filters it by `passElements`, then reads it through DCMTK. Fails if no element is readable.
+/// Parses a DICOM file: filters it with `filterElements`, then reads it through DCMTK. Fails if no element is readable.
 core::Result<DicomFile> parseDicom(std::string_view content, const std::string& path);
 
 }   // namespace angiopose::io

@@ -19,11 +19,11 @@ class DicomItem {
 public:
     explicit DicomItem(DcmItem& item) : item_(&item) {}
 
-    void text(DicomTag tag, const char* vr, const std::string& value);   ///< may be empty; values separated by `\`
+    void text(DicomTag tag, const char* vr, const std::string& value);   ///< may be empty; `\` separates values
     void textIfAbsent(DicomTag tag, const char* vr, const std::string& value);
-    void decimals(DicomTag tag, const std::vector<double>& values);   ///< DS, as precise as 16 characters permit
+    void decimals(DicomTag tag, const std::vector<double>& values);   ///< VR DS, as precise as 16 characters permit
     void unsignedShort(DicomTag tag, int value);
-    void unsignedShorts(DicomTag tag, const std::vector<std::uint16_t>& values);   ///< writes no element if empty
+    void unsignedShorts(DicomTag tag, const std::vector<std::uint16_t>& values);   ///< no values: no element
     void signedShort(DicomTag tag, int value);
     void signedLongs(DicomTag tag, const std::vector<std::int32_t>& values);
     void unsignedLongs(DicomTag tag, const std::vector<std::uint32_t>& values);
@@ -55,7 +55,7 @@ public:
 
     DicomItem root();
 
-    /// Returns the complete file content as explicit VR little endian. Fails if an element is invalid.
+    /// Returns the complete file as explicit VR little endian. Fails if an element is invalid.
     core::Result<std::string> content();
 
 private:

@@ -14,7 +14,7 @@ namespace {
 struct CharacterSet {
     std::string_view term;   ///< defined term of (0008,0005); also valid with "ISO 2022" instead of "ISO_"
     const char* iconvName;
-    std::string_view escape;   ///< characters after ESC that switch to this set within a string (PS3.3 C.12.1.1.2)
+    std::string_view escape;   ///< characters that follow ESC to switch to this set within a string (PS3.3 C.12.1.1.2)
 };
 
 constexpr std::array characterSets = {
@@ -77,7 +77,7 @@ std::string converted(std::string_view text, const char* from, std::string_view 
     return result;
 }
 
-/// Whether a set encodes characters as two bytes below 0x80, which only an escape sequence distinguishes from ASCII.
+/// Returns whether a set encodes characters as two bytes below 0x80, as ASCII does unless an escape sequence precedes.
 bool isDoubleByte(const CharacterSet& set)
 {
     return set.escape == "$B" || set.escape == "$(D";
@@ -95,7 +95,7 @@ std::string decodeWithCharacterSet(std::string_view bytes, const CharacterSet* s
     return converted(bytes, isGuess ? isUtf8(bytes) ? "UTF-8" : "ISO-8859-1" : set->iconvName);
 }
 
-/// Converts a string that switches character sets by escape sequences (PS3.5 6.1.2.5). After a delimiter the first set
+/// Converts a string that switches character sets by escape sequences (PS3.5 6.1.2.5). After a delimiter, the first set
 /// applies again; if that set is ASCII only, non-ASCII bytes belong to the previous set.
 std::string decodeWithEscapes(std::string_view text, const CharacterSet* first)
 {

@@ -15,7 +15,7 @@ constexpr DicomTag sequenceEndTag = 0xfffee0dd;
 constexpr std::uint32_t undefinedLength = 0xffffffff;
 constexpr std::size_t maxDepth = 32;
 constexpr std::size_t maxValueBytes = std::size_t{1} << 20;   // longer than any field that is read
-constexpr std::size_t maxPrivateBytes = 64;   // enough for numbers and names of private blocks
+constexpr std::size_t maxPrivateBytes = 64;   // sufficient for numbers and the names of private blocks
 
 // VRs with a 32-bit length field, followed by those with a 16-bit length field (PS3.5 §7.1.2).
 constexpr std::string_view longVrs = "OB OD OF OL OV OW SQ SV UC UN UR UT UV";
@@ -38,14 +38,14 @@ bool isPixelTag(DicomTag tag)
     return tag == pixelDataTag || tag == floatPixelsTag || tag == doublePixelsTag;
 }
 
-/// Whether the element is the Directory Record Sequence of a DICOMDIR. Its records are read one by one elsewhere,
-/// because DCMTK 3.6.7 corrects record types while reading and throws an exception for two values that are too long.
+/// Returns whether the element is the Directory Record Sequence of a DICOMDIR. Its records are read one by one
+/// elsewhere, because DCMTK 3.6.7 corrects record types while reading and throws for two values that are too long.
 bool isDirectory(const ElementHeader& head)
 {
     return head.tag == 0x00041220;
 }
 
-/// Whether DCMTK interprets the encoding of the element correctly.
+/// Returns whether DCMTK interprets the encoding of the element correctly.
 bool isReadable(const ElementHeader& head, DicomEncoding encoding)
 {
     const bool isVrKnown =
@@ -62,13 +62,13 @@ struct OpenLevel {
     bool isOpaque;   ///< whether the items are pixel fragments
 };
 
-/// Returns the nested level that an element's value opens; nothing if the value has no nested elements. The value is at
+/// Returns the nested level that an element's value opens; nullopt if the value has no nested elements. The value is at
 /// the start of `rest`; `rest` ends at `end`, where the enclosing level ends.
 std::optional<OpenLevel> levelOf(const ElementHeader& head, std::string_view rest, std::size_t end,
                                  DicomEncoding encoding)
 {
     const bool isOpen = head.length == undefinedLength;
-    const bool isUnknown = head.vr.empty() || head.vr == "UN";   // then the content decides
+    const bool isUnknown = head.vr.empty() || head.vr == "UN";   // in which case the content decides
     const auto first = isUnknown && !isOpen ? readElementHeader(rest.substr(0, head.length), encoding) : std::nullopt;
     const bool isSequence = head.vr == "SQ" || (isUnknown && (isOpen || (first && first->tag == itemTag)));
     if (!isSequence && !isOpen) {
@@ -176,7 +176,7 @@ std::optional<ElementHeader> readElementHeader(std::string_view bytes, DicomEnco
     head.size = 8;
     head.tag =
         static_cast<DicomTag>(readUint16(bytes, encoding.order)) << 16 | readUint16(bytes.substr(2), encoding.order);
-    // Item tags have no VR, and some writers omit the VR of single elements; the letters show which.
+    // Item tags have no VR, and some writers omit the VR of single elements; the two letters show whether there is one.
     if (!encoding.isExplicit || head.tag >> 16 == 0xfffe || !isUpper(bytes[4]) || !isUpper(bytes[5])) {
         head.length = readUint32(bytes.substr(4), encoding.order);
         return head;

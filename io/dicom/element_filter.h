@@ -18,12 +18,12 @@ inline constexpr DicomTag pixelDataTag = 0x7fe00010;
 /// Tag, VR and length of an element.
 struct ElementHeader {
     DicomTag tag = 0;
-    std::string_view vr;   ///< empty if the VR is implicit or omitted
+    std::string_view vr;   ///< value representation; empty if implicit or omitted
     std::uint32_t length = 0;
     std::size_t size = 0;   ///< size of tag, VR and length, bytes
 };
 
-/// Reads the head at the start of `bytes`; returns nothing if the head is truncated.
+/// Reads the element header at the start of `bytes`; returns nullopt if it is truncated.
 std::optional<ElementHeader> readElementHeader(std::string_view bytes, DicomEncoding encoding);
 
 /// Range of the file that contains pixel data.
@@ -33,9 +33,9 @@ struct DicomPixels {
     ByteOrder order = ByteOrder::Little;
 };
 
-/// Elements that are safe to pass to DCMTK, which does not verify lengths and nesting: complete standard elements at
-/// most 32 levels deep, and short non-sequence elements of the private group in which some systems store the gantry
-/// position. Other private elements, long values and pixels are skipped.
+/// Elements that are safe to pass to DCMTK, which does not verify lengths and nesting: complete standard elements
+/// nested at most 32 levels deep, and short non-sequence elements of the private group in which some systems store the
+/// gantry position. Other private elements, long values and pixels are skipped.
 struct FilteredElements {
     std::string elements;
     std::string withoutVr;   ///< elements that have no VR although the data set is explicit
@@ -47,7 +47,7 @@ struct FilteredElements {
 /// Filters the elements up to the end of `bytes` or to the first damaged element.
 FilteredElements filterElements(std::string_view bytes, DicomEncoding encoding);
 
-/// Fragments of encapsulated pixel data, the offset table first; nothing if one is truncated.
+/// Returns the fragments of encapsulated pixel data, the offset table first; nullopt if one is truncated.
 std::optional<std::vector<std::string_view>> fragmentsOf(const DicomPixels& pixels);
 
 }   // namespace angiopose::io

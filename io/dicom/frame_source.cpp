@@ -91,7 +91,7 @@ bool startsStream(std::string_view fragment)
            fragment.starts_with(std::string_view("\0\0\0\x0cjP", 6));
 }
 
-/// Groups fragments by frame: one fragment per frame, or all fragments from one stream start to the next.
+/// Groups fragments by frame: one fragment per frame, or all fragments from the start of a stream to the next start.
 std::vector<std::vector<std::string_view>> framesOfFragments(const std::vector<std::string_view>& fragments,
                                                              std::size_t frameCount, bool isRunLength)
 {
@@ -128,7 +128,7 @@ core::Result<FrameReader> FrameReader::open(const DicomFile& file, const PixelLa
         if (there == 0) {
             return fileError(path, messages::dicomPixelsCutShort(pixels.bytes.size(), (bits * count + 7) / 8));
         }
-        const bool areAllFrames = 8 * pixels.bytes.size() - bits * there <= 8;   // except for a padding byte
+        const bool areAllFrames = 8 * pixels.bytes.size() - bits * there <= 8;   // apart from a padding byte
         reader.frameCount_ = static_cast<int>(areAllFrames ? there : std::min(there, count));
         return reader;
     }
@@ -214,7 +214,7 @@ core::Result<DecodedRun> readFrames(const DicomFile& file, const PixelLayout& la
             if (frame.value().isPartlyDamaged) {
                 run.damagedFrames.push_back(k);
             }
-            run.frames.resize(static_cast<std::size_t>(k), frame.value().image);   // fills lost frames before it
+            run.frames.resize(static_cast<std::size_t>(k), frame.value().image);   // fills lost frames before this one
             run.frames.push_back(std::move(frame).value().image);
             continue;
         }

@@ -23,12 +23,12 @@ public:
     /// Opens the frames of a file; fails if the file contains no complete frame.
     static core::Result<FrameReader> open(const DicomFile& file, const PixelLayout& layout, const std::string& path);
 
-    /// Number of frames actually present, regardless of the header.
+    /// Returns the number of frames actually present, whatever the header states.
     int frameCount() const { return frameCount_; }
 
-    /// Decodes frame `index`; fails if the frame is absent or cannot be decoded completely.
+    /// Decodes frame `index`; fails if the frame is absent or cannot be decoded in full.
     core::Result<core::ImageF> frame(int index) const;
-    /// Decodes frame `index`; also returns a frame that can be decoded only partly.
+    /// Decodes frame `index`; also returns a frame that can be decoded only in part.
     core::Result<DecodedFrame> frameAllowingDamage(int index) const;
 
 private:
@@ -45,7 +45,7 @@ private:
     std::vector<std::vector<std::string_view>> streams_;   ///< fragments of each compressed frame
 };
 
-/// Decoded frames of a cine run, as many as are present.
+/// Decoded frames of a cine run, as many as the file contains.
 struct DecodedRun {
     std::vector<core::ImageF> frames;
     std::vector<int> damagedFrames;   ///< indices of partly damaged frames

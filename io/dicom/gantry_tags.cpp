@@ -76,7 +76,7 @@ constexpr std::array siemensGeometryTags{
     GeometryTag{siemensTable, "Siemens, Table Position"},
 };
 
-/// Formats the values for display, for example "200, 200"; a long list is truncated and ends with its length.
+/// Formats the values for display, for example "200, 200"; truncates a long list, which then ends with its length.
 std::string valueText(const DicomDataset& data, DicomTag tag)
 {
     const bool isBinary = data.isBinaryNumber(tag) || tag >> 16U == siemensBlock >> 16U;
@@ -123,9 +123,9 @@ std::optional<Eigen::Vector2d> positivePairIn(const DicomDataset& data, DicomTag
     return first && second ? std::optional(Eigen::Vector2d(*first, *second)) : std::nullopt;
 }
 
-/// Reads the field of view (PS3.3 C.8.7.3.1.3). If rectangular, the values are the row and column dimensions, the first
-/// along a row; if round, the value is the diameter. The image may be cropped from a round field of view, so the
-/// diameter does not determine the image's extent.
+/// Reads the field of view (PS3.3 C.8.7.3.1.3). If the field is rectangular, the values are the row and column
+/// dimensions, the first along a row; if it is round, the value is the diameter. The image may be cropped from a round
+/// field of view, so the diameter does not determine the extent of the image.
 void readFieldOfView(const DicomDataset& data, GantryHeader& header)
 {
     if (data.text(0x00181147) == "RECTANGLE") {
@@ -151,7 +151,7 @@ void readSpacings(const DicomDataset& data, GantryHeader& header)
         header.isPixelSpacingCalibrated = !data.text(0x00280a02).empty();
     }
     if (const auto aspect = positivePairIn(data, 0x00280034)) {
-        header.pixelAspect = aspect->x() / aspect->y();   // vertical divided by horizontal pixel size
+        header.pixelAspect = aspect->x() / aspect->y();   // vertical pixel size divided by the horizontal one
     }
 }
 
@@ -171,7 +171,7 @@ std::vector<Eigen::Vector2d> frameAngles(const DicomDataset& data)
     return angles;
 }
 
-/// Angle increments of classic XA: one per frame relative to the first frame, or a single one from frame to frame.
+/// Returns the angle increments of classic XA: one per frame, relative to the first, or a single one between frames.
 std::vector<Eigen::Vector2d> storedIncrements(const DicomDataset& data, std::size_t frameCount)
 {
     const auto valuesOf = [&](DicomTag tag) {
@@ -279,7 +279,7 @@ void readTable(const DicomDataset& data, GantryHeader& header)
         }
     }
     if (!header.patientPosition && !data.text(0x00185100).empty()) {
-        return;   // patient position not supported
+        return;   // unsupported patient position
     }
     const Eigen::Matrix3d patientFromTable =
         core::patientFromTable(header.patientPosition.value_or(core::PatientPosition::HFS));

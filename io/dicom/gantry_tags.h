@@ -11,7 +11,7 @@ namespace angiopose::io {
 
 /// Returns the gantry data of an X-ray header that cArmOf does not read (ALGORITHMS §5.1): data for plausibility
 /// checks, the angles of each frame relative to the first, and all geometry elements for display. Warns if the gantry
-/// moved and the header does not give its motion.
+/// moved but the header does not describe its motion.
 core::GantryHeader gantryHeaderOf(const DicomDataset& data, int frameCount, core::Messages& warnings);
 
 }   // namespace angiopose::io

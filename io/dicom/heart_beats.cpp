@@ -12,7 +12,7 @@ constexpr DicomTag rWaveTimeVector = 0x00186060;
 constexpr DicomTag rWavePointer = 0x00286040;
 constexpr std::size_t maxBeats = 10000;   // limit that protects against damaged headers
 
-/// Returns the start time of each frame relative to the first frame, ms; empty if unknown.
+/// Returns the start time of each frame relative to the first frame, ms; empty if the frame times are unknown.
 std::vector<double> frameStartsMs(const DicomDataset& data, int frameCount, double frameTimeMs)
 {
     const bool isListed = data.number(frameTimeVector, static_cast<std::size_t>(frameCount) - 1).has_value();

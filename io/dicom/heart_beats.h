@@ -6,7 +6,7 @@
 
 namespace angiopose::io {
 
-/// Returns the frames at the R waves of the ECG, counted from 0 in ascending order: those in the header (R Wave
+/// Returns the indices of the frames at the R waves of the ECG, in ascending order: those in the header (R Wave
 /// Pointer), otherwise the frames nearest to the R-wave times (R Wave Time Vector). Omits R waves outside the cine run.
 std::vector<int> rWaveFramesOf(const DicomDataset& data, int frameCount, double frameTimeMs);
 

@@ -13,7 +13,7 @@ namespace {
 
 constexpr DicomTag placeTag = 0x00200032;
 
-/// Whether a SOP class has slices: CT, MR, and reconstructions from projections (angiography, head, breast).
+/// Returns whether a SOP class has slices: CT, MR, and volumes reconstructed from projections (vessels, head, breast).
 bool isSliceClass(std::string_view sopClass)
 {
     static constexpr std::array<std::string_view, 9> classes{
@@ -23,7 +23,7 @@ bool isSliceClass(std::string_view sopClass)
     return std::ranges::find(classes, sopClass) != classes.end();
 }
 
-/// Whether a SOP class has projections: angiography, fluoroscopy, radiography. An absent class counts as one.
+/// Returns whether a SOP class has projections: angiography, fluoroscopy, radiography. True if the class is absent.
 bool isProjectionClass(std::string_view sopClass)
 {
     return sopClass.empty() || sopClass.starts_with("1.2.840.10008.5.1.4.1.1.12.") ||

@@ -4,8 +4,8 @@
 
 namespace angiopose::io {
 
-/// Whether a DICOM image is an X-ray projection. The modality decides, unless the images of the SOP class are slices or
-/// the frames have several positions in the patient, as in reconstructed rotational angiograms.
+/// Returns whether a DICOM image is an X-ray projection. The modality decides, unless the images of the SOP class are
+/// slices or the frames have several positions in the patient, as in reconstructed rotational angiograms.
 bool isProjection(const DicomDataset& data);
 
 }   // namespace angiopose::io

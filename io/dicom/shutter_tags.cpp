@@ -21,9 +21,9 @@ constexpr DicomTag shapeTag = 0x00181600;
 constexpr DicomTag frameShutterTag = 0x00189472;
 constexpr DicomTag verticesTag = 0x00181620;
 constexpr std::size_t maxCoordinates = 8192;
-constexpr double minOpenShare = 0.01;   // a smaller opening is an error in the header
+constexpr double minOpenShare = 0.01;   // a smaller opening is considered an error in the header
 
-/// Mask of the pixels for which `isOpen` is true; it receives column and row as DICOM counts them, from 1.
+/// Returns the mask of the pixels for which `isOpen` is true, given the column and row, which start at 1 as in DICOM.
 template <class IsOpen>
 Mask2d fieldWhere(int columns, int rows, const IsOpen& isOpen)
 {

@@ -7,7 +7,7 @@
 namespace angiopose::io {
 namespace {
 
-/// Replaces double spaces by single ones, as some PACS do in the private creator.
+/// Replaces double spaces by single ones, as some PACS do in private creators.
 std::string withSingleSpaces(std::string_view text)
 {
     std::string single(text);

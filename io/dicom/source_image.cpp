@@ -13,11 +13,11 @@ namespace {
 struct CopiedElement {
     DicomTag tag;
     const char* vr;
-    bool isType2;   ///< type 2: must be present, but may be empty
+    bool isType2;   ///< type 2: must be present but may be empty
 };
 
 /// Elements of the Patient, General Study and Patient Study modules (PS3.3 C.7.1.1, C.7.2.1, C.7.2.2) to copy; comments
-/// are omitted.
+/// are not copied.
 constexpr auto patientAndStudyElements = std::to_array<CopiedElement>({
     {0x00080020, "DA", true},
     {0x00080030, "TM", true},
@@ -45,7 +45,7 @@ bool isAllDigits(std::string_view text)
     return std::ranges::all_of(text, [](char c) { return c >= '0' && c <= '9'; });
 }
 
-/// Whether the standard permits a value. Readers reject other values, which some devices write; they are left empty.
+/// Returns whether the standard permits a value. Other values, which some devices write, are left empty.
 bool isAllowed(const CopiedElement& element, std::string_view value)
 {
     const std::string_view vr = element.vr;

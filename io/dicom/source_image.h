@@ -13,10 +13,10 @@ struct SourceImage {
     struct Text {
         DicomTag tag = 0;
         const char* vr = "";
-        std::string value;   ///< UTF-8
+        std::string value;   ///< value of the element, UTF-8
     };
     bool isDicom = false;   ///< false if the file is unreadable or not DICOM; all other members are then empty
-    std::vector<Text> patientAndStudy;   ///< without the study UID; values that the standard does not permit are empty
+    std::vector<Text> patientAndStudy;   ///< excludes the study UID; empty where the standard forbids the value
     std::string sopClassUid, sopInstanceUid;
     std::string studyUid, seriesUid;
     std::string frameOfReferenceUid;
@@ -28,10 +28,10 @@ struct SourceImage {
     bool declaresBurnedInText = false;   ///< whether the header declares burned-in text that identifies the patient
 
     bool isReferenceable() const { return !sopClassUid.empty() && !sopInstanceUid.empty() && !seriesUid.empty(); }
-    std::string patientText(DicomTag tag) const;   ///< value of one element of `patientAndStudy`
+    std::string patientText(DicomTag tag) const;   ///< returns the value of one element of `patientAndStudy`
 };
 
-/// Reads the header of a file; empty if the file is not DICOM. Fails if the file cannot be read.
+/// Reads the header of a file; the result is empty if the file is not DICOM. Fails if the file cannot be read.
 core::Result<SourceImage> readSourceImage(const std::string& path);
 
 SourceImage sourceImageOf(const DicomDataset& data);

@@ -42,7 +42,7 @@ StoredValues storedValuesOf(const std::vector<core::ImageF>& frames)
     StoredValues stored;
     double slope = 1.0, intercept = 0.0;
     if (!isWhole) {
-        // The header stores 16 characters per number; use these rounded numbers instead of the exact ones.
+        // The header stores 16 characters per number, so use these rounded numbers instead of the exact ones.
         stored.intercept = decimalString(low);
         intercept = parseNumber(stored.intercept).value_or(0.0);
         stored.slope = decimalString(high > low ? (high - intercept) / maxStored : 1.0);

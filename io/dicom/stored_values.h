@@ -8,7 +8,7 @@
 
 namespace angiopose::io {
 
-/// Frames as 16-bit stored values: `value = slope * stored + intercept`, with exactly the two numbers in the texts.
+/// Frames as 16-bit stored values: `value = slope * stored + intercept`, with exactly the numbers in the two strings.
 struct StoredValues {
     std::vector<std::uint16_t> pixels;   ///< stored values of all frames, one frame after another
     std::string slope = "1";

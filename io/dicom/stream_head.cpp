@@ -21,7 +21,7 @@ std::optional<StreamHeader> jpeg2000Head(std::string_view stream)
     return StreamHeader{static_cast<int>(columns), static_cast<int>(rows), components, bits, false};
 }
 
-/// Whether a marker starts a frame: SOF0…SOF15 except DHT, JPG and DAC, and SOF55 of JPEG-LS.
+/// Returns whether a marker starts a frame: SOF0…SOF15 except DHT, JPG and DAC, and SOF55 of JPEG-LS.
 bool isFrameStart(unsigned char marker)
 {
     const bool isSof = marker >= 0xc0 && marker <= 0xcf && marker != 0xc4 && marker != 0xc8 && marker != 0xcc;

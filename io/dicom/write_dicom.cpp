@@ -31,7 +31,7 @@ void addDecimal(DicomItem& out, DicomTag tag, const core::Sourced<double>& numbe
     }
 }
 
-/// Returns an error for an invalid distance or spacing.
+/// Returns an error for an invalid distance or spacing; nullopt if all are valid.
 std::optional<core::Message> findNoLength(const CArm& cArm)
 {
     const auto isNone = [](const core::Sourced<double>& length) {
@@ -79,7 +79,7 @@ std::string_view bytesOf(const StoredValues& stored)
     return {reinterpret_cast<const char*>(stored.pixels.data()), 2 * stored.pixels.size()};
 }
 
-/// Adds the identity of an image in a new series of the same study, which never collides with one in the archive.
+/// Adds the identity of an image in a new series of the same study, so that it never collides with an archived one.
 void addIdentity(DicomItem& out, const core::StudyIdentity& identity, const StoredValues& stored)
 {
     const std::string pixels = uidFromContent(bytesOf(stored));
@@ -124,7 +124,7 @@ std::string lettersOf(const Eigen::Vector3d& direction)
     return letters;
 }
 
-/// Adds Patient Orientation, whose row and column directions encode mirroring and quarter turns.
+/// Adds Patient Orientation, with row and column directions that encode mirroring and quarter turns.
 void addOrientation(DicomItem& out, const CArm& cArm)
 {
     const core::ImageAxes axes = imageAxesOf(cArm);
@@ -198,7 +198,7 @@ void addGeometry(DicomItem& out, const Angiogram& angiogram)
 {
     const CArm& cArm = angiogram.cArm;
     out.text(0x00180060, "DS", "");
-    for (const std::uint32_t unknown : {0x00181150U, 0x00181151U, 0x00181152U}) {   // exposure, unknown
+    for (const std::uint32_t unknown : {0x00181150U, 0x00181151U, 0x00181152U}) {   // exposure, which is unknown
         out.text(unknown, "IS", "");
     }
     out.text(0x00181155, "CS", "GR");

@@ -73,7 +73,7 @@ bool isFileWord(const std::string& text)
     });
 }
 
-/// Accesses the cells of one row; resolves paths relative to the manifest's folder.
+/// Accesses the cells of one row; resolves paths relative to the folder of the manifest.
 class CohortRow {
 public:
     CohortRow(const CsvTable& table, std::size_t row) : table_(table), row_(row) {}

@@ -17,8 +17,8 @@ core::Result<std::vector<Eigen::Vector3d>> readLandmarks(const std::string& path
 /// first pixel).
 core::Result<std::vector<core::PointPair>> readPointPairs(const std::string& path);
 
-/// User-supplied case with its reference data. Paths are absolute, or resolved relative to the manifest's folder;
-/// empty if not specified.
+/// User-supplied case with its reference data. Paths are absolute, resolved relative to the manifest's folder; empty if
+/// not specified.
 struct CohortEntry {
     int line = 0;   ///< line number in the manifest
     std::string casePath;
@@ -28,9 +28,9 @@ struct CohortEntry {
     std::string pointPairsPath;
     std::string initialPosePath;   ///< pose file with the initial pose; if empty, the pose of the case
     std::string condition = "all";
-    int patient = 0;   ///< patient number, in order of first appearance
+    int patient = 0;   ///< index of the patient, in order of first appearance
     std::map<std::string, std::string>
-        methodPosePaths;   ///< pose files, keyed by the name of the method that produced them
+        methodPosePaths;   ///< pose files, keyed by the name of the method that determined the poses
 };
 
 /// Reads a table with a header row: `case`, and one of `reference` and `pairs` in each row; optionally `bent`,

@@ -211,7 +211,7 @@ core::Status addOptional(const std::filesystem::path& path, const RunByKey& runs
 
 std::string cell(double value)
 {
-    return std::isnan(value) ? "nan" : toText(value);   // omits the sign of a NaN
+    return std::isnan(value) ? "nan" : toText(value);   // omits the sign of NaN
 }
 
 std::string keyOf(const core::RunRecord& run)

@@ -7,7 +7,7 @@
 
 namespace angiopose::io {
 
-/// Formats title, table and notes as Markdown (GitHub tables); published rows are in italics.
+/// Formats the title, the table and its notes as Markdown (GitHub tables); published rows are in italics.
 std::string toMarkdown(const core::ResultTable& table);
 
 /// Formats a table as LaTeX for \input (packages booktabs, graphicx); first column left-aligned, numbers right-aligned.

@@ -47,7 +47,7 @@ struct Box {
     double spread = 0.0;   ///< sum of squared deviations along that channel
 };
 
-/// Returns the square root of the count, so that long lines do not outweigh small objects of a distinct color.
+/// Returns the square root of the color count, so that long lines do not outweigh small objects of a distinct color.
 double weightOf(const Cell& cell)
 {
     return std::sqrt(cell.count);
@@ -89,7 +89,7 @@ Color meanOf(std::span<const Cell> cells)
     return color;
 }
 
-/// Median cut by spread: repeatedly splits the box with the largest spread at the point that best halves the spread.
+/// Returns colors by median cut: repeatedly splits the box with the largest spread where that best halves the spread.
 std::vector<Color> chosenColors(std::vector<Cell> cells, std::size_t most)
 {
     std::vector<Color> colors;
@@ -119,7 +119,7 @@ std::vector<Color> chosenColors(std::vector<Cell> cells, std::size_t most)
     return colors;
 }
 
-/// Returns all gray levels that occur, or evenly spaced ones if more than `most` occur.
+/// Returns all gray levels that occur, or evenly spaced ones if more than `most` levels occur.
 std::vector<int> chosenGrays(const std::array<std::size_t, 256>& counts, std::size_t most)
 {
     std::vector<int> grays;
@@ -151,7 +151,7 @@ int distance(const Color& a, const Color& b)
     return 3 * red * red + 4 * green * green + 2 * blue * blue;   // approximate perceptual weights
 }
 
-/// Histogram of the gray levels, and the cells of all other colors.
+/// Histogram of the gray levels, with the cells of all other colors.
 struct Counted {
     std::array<std::size_t, 256> grays{};
     std::vector<Cell> others;

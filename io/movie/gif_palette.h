@@ -9,7 +9,7 @@
 namespace angiopose::io {
 
 /// Palette of one GIF image: at most 255 colors, because one entry is reserved for "unchanged". Gray levels of the
-/// image and colors of the overlay have separate entries: gray levels are off by at most 2, and lines keep their
+/// image and colors of the overlay have separate entries: gray levels deviate by at most 2, and lines keep their
 /// colors.
 class GifPalette {
 public:
@@ -18,7 +18,7 @@ public:
     explicit GifPalette(const core::ColorImage& picture);
 
     using Color = std::array<std::uint8_t, 3>;
-    const std::vector<Color>& colors() const { return colors_; }   ///< at most 255
+    const std::vector<Color>& colors() const { return colors_; }   ///< palette, at most 255 colors
     std::uint8_t indexOf(const Color& color);   ///< index of the nearest palette color
 
 private:

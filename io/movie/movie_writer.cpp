@@ -23,7 +23,7 @@ constexpr std::int64_t minDelay = 2;   // viewers replace shorter delays by 0.1 
 constexpr std::int64_t maxDelay = 65535;
 constexpr int paletteSize = 256;
 
-/// Rectangle that differs from the previous image, px.
+/// Rectangle in which an image differs from the previous one, px.
 struct Part {
     int left = 0, top = 0, width = 0, height = 0;
 };
@@ -104,7 +104,7 @@ private:
     core::ColorImage
         pendingImage_;   ///< image not written yet, because its delay is known only when the next image arrives
     core::ColorImage writtenImage_;   ///< last image written to the file
-    core::ColorImage skippedImage_;   ///< image that arrived less than the minimum delay after the waiting image
+    core::ColorImage skippedImage_;   ///< image that arrived less than the minimum delay after the pending image
     std::unique_ptr<GifFileType, GifCloser> gif_;   ///< destroyed first, since that writes the trailer
 };
 
@@ -150,7 +150,7 @@ core::Status GifMovie::add(const core::ColorImage& picture, double ms)
     }
     if (pendingImage_.rgb == picture.rgb) {
         skippedImage_ = {};
-        return core::Done{};   // identical to the waiting image, which is shown longer instead
+        return core::Done{};   // identical to the pending image, which is shown longer instead
     }
     if (from - waitingFrom_ < minDelay) {
         skippedImage_ = picture;   // written only if no other image follows
@@ -218,8 +218,8 @@ core::Status GifMovie::finish()
     return file_.commit();
 }
 
-/// Creates a GIF through giflib: endless loop, delays in multiples of 1/100 s, a local palette per image; stores only
-/// the region that differs from the previous image.
+/// Creates a GIF through giflib, with an endless loop, delays in multiples of 1/100 s and a local palette for each
+/// image; stores only the region that differs from the previous image.
 core::Result<std::unique_ptr<MovieWriter>> createGif(const std::string& path, const MovieSize& size,
                                                      const MovieMetadata& facts)
 {

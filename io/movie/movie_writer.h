@@ -51,8 +51,7 @@ protected:
     MovieWriter() = default;
 };
 
-/// Converts the times of consecutive images to whole ticks. Rounds each time separately, so that errors do not
-/// accumulate.
+/// Converts the times of consecutive images to whole ticks. Rounds each time separately, so errors do not accumulate.
 class MovieClock {
 public:
     explicit MovieClock(double ticksPerSecond) : ticksPerMs_(ticksPerSecond / 1000.0) {}

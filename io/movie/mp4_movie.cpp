@@ -28,7 +28,7 @@ struct Mp4Sample {
 struct Mp4Track {
     MovieSize size;
     std::uint32_t ticksPerSecond = 90000;
-    std::string sequence;   ///< SPS (the next member is the PPS): NAL units 7 and 8 without start code
+    std::string sequence;   ///< SPS (the next member is the PPS): NAL units 7 and 8 without start codes
     std::string picture;
     std::vector<Mp4Sample> samples;
     MovieMetadata facts;
@@ -82,7 +82,7 @@ std::string fullBox(std::string_view type, std::uint32_t flags, std::initializer
     return box(type, {content});
 }
 
-/// Returns the identity matrix: 16.16 fixed point, except for the last element, which is 2.30.
+/// Returns the identity matrix in 16.16 fixed point, except for the last element, which is 2.30.
 std::string unityMatrix()
 {
     return u32(0x10000) + zeros(12) + u32(0x10000) + zeros(12) + u32(0x40000000);
@@ -218,8 +218,8 @@ std::string movieBox(const Mp4Track& track, std::uint64_t offset)
 }
 
 /// Returns everything that precedes the samples (ISO/IEC 14496-12 and -15: ftyp, moov, header of mdat), so that the
-/// file can be played while it downloads. The samples follow in order; each NAL unit is preceded by its length in four
-/// bytes. The samples must take less than 4 GB.
+/// file can be played while it downloads. The samples follow in order, with the length of each NAL unit in four bytes
+/// before it. The samples must take less than 4 GB.
 std::string mp4Head(const Mp4Track& track)
 {
     const std::uint64_t bytes =
@@ -289,7 +289,7 @@ core::Status Mp4Movie::add(const core::ColorImage& picture, double ms)
     return samples_.size() <= maxMovieBytes ? core::Status(core::Done{}) : fileError(path_, messages::movieTooLong());
 }
 
-/// Stores the parameter sets for the file header and all other NAL units as a sample.
+/// Stores the parameter sets for the file header, and all other NAL units as a sample.
 void Mp4Movie::take(const EncodedFrame& encoded, std::int64_t from)
 {
     const std::size_t before = samples_.size();

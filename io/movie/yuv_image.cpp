@@ -54,9 +54,9 @@ Rgb aroundPair(const core::ColorImage& picture, int x, int y)
 constexpr int blockPx = 16;
 constexpr int maxBlocks = 36864;   // maximum frame size in macroblocks (MAX_MBS_PER_FRAME of openh264)
 constexpr int maxSideBlocks = 543;   // maximum side in macroblocks (H.264 level 5.2): √(8 · 36,864)
-constexpr int quality = 16;   // quantization parameter, 0 (best) to 51; no visible loss at this value
+constexpr int quality = 16;   // quantization parameter, 0 (best) to 51; this value causes no visible loss
 constexpr unsigned keyFrameInterval = 30;   // key-frame interval, frames
-constexpr float nominalRate = 30.0F;   // for the encoder only; the file stores the actual times
+constexpr float nominalRate = 30.0F;   // used only by the encoder; the file stores the actual times
 constexpr std::size_t startCodeBytes = 4;
 
 int blocksOf(int px)

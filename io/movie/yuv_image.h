@@ -23,7 +23,7 @@ struct YuvImage {
 /// Converts an image; an odd side is padded by repeating its last column or row.
 YuvImage toYuvImage(const core::ColorImage& picture);
 
-/// Whether openh264 can encode images of this size: at most 36,864 macroblocks of 16 × 16 px.
+/// Returns whether openh264 can encode images of this size: at most 36,864 macroblocks of 16 × 16 px.
 bool canEncode(const MovieSize& size);
 
 /// An encoded image: NAL units without start codes.

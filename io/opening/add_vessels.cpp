@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Whether `path` is another slice of the series that is already being opened.
+/// Returns whether `path` is another slice of the series that is already being opened.
 bool isOfSameSeries(const LoadedInputs& inputs, const std::string& path)
 {
     return inputs.volume && inputs.vesselInput.kind == core::VesselInputKind::Volume &&
@@ -45,7 +45,7 @@ core::Status addScan(LoadedInputs& inputs, const std::string& path, const std::s
     return core::Done{};
 }
 
-/// Adds a scan in which nothing could be traced, so that the user can set seeds and the threshold in its slices.
+/// Adds a scan in which nothing could be traced, so that the user can set seeds and a threshold in its slices.
 core::Status addUntraced(LoadedInputs& inputs, const std::string& path, const std::string& seriesId,
                          const core::Error& problem, const ReadObserver& observe)
 {
@@ -57,7 +57,7 @@ core::Status addUntraced(LoadedInputs& inputs, const std::string& path, const st
 }
 
 /// Returns the extent of the vessels in file units if the file states no unit and the extent is implausible in mm;
-/// nullopt otherwise. Surfaces and most centerlines carry no unit; Slicer curves do.
+/// nullopt otherwise. Surfaces and most centerline files state no unit; Slicer curves do.
 std::optional<double> findImplausibleExtent(const std::string& path, core::VesselInputKind kind)
 {
     if (kind == core::VesselInputKind::Surface) {

@@ -15,7 +15,7 @@ std::string baseName(const std::string& path)
     return name.substr(0, name.size() - std::min(name.size(), extensionOf(path).size()));
 }
 
-/// Keeps the case's scan if the new vessels come from another file but lie within the scan.
+/// Keeps the scan of the case if the new vessels come from another file but lie within the scan.
 void updateScan(core::Vessels& vessels, const LoadedInputs& inputs)
 {
     if (!inputs.volume && vessels.scan && isInsideScan(vessels.scan->geometry, *inputs.tree)) {

@@ -55,7 +55,7 @@ InputKind kindOfJson(const std::string& path, std::string_view head)
     return isPose ? InputKind::Pose : InputKind::Centerline;   // the reader reports what is wrong with the file
 }
 
-/// X-ray runs are images; anything with a position in the patient (CT, MR, …) is a slice of a volume.
+/// Returns the kind of a DICOM file: an image for X-ray runs; a volume for anything with a position in the patient.
 InputKind kindOfDicom(const std::string& path, std::string_view head)
 {
     if (head.find(spatialRegistration) != std::string_view::npos) {

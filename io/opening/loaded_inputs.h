@@ -13,7 +13,7 @@
 
 namespace angiopose::io {
 
-/// The content of a set of files: a whole case, or parts of one.
+/// The contents of a set of files: a whole case, or parts of one.
 struct LoadedInputs {
     std::optional<core::Case> loadedCase;
     core::InputFile centerlineFile;
@@ -24,10 +24,10 @@ struct LoadedInputs {
     core::InputFile scanFile;   ///< scan that is only displayed: `volume` without a tree
     std::string scanSeriesId;   ///< series of `scanFile`, if the scan is a DICOM folder
     bool isStudyChoiceNeeded =
-        false;   ///< a folder or DICOMDIR was opened alone: nothing was read, see OpenHints::offersStudies
-    bool isScanUseUndecided = false;   ///< whether the file is a scan, from which nothing was read; see ScanUse::Ask
-    /// Extent, in file units, of vessels whose file states no unit and that are implausibly small or large if the unit
-    /// is mm; nothing else was read.
+        false;   ///< only a folder or DICOMDIR was opened and nothing was read; see OpenHints::offersStudies
+    bool isScanUseUndecided = false;   ///< whether the file is a scan of which nothing was read; see ScanUse::Ask
+    /// Extent, in file units, of vessels whose file states no unit, if they would be implausibly small or large in mm;
+    /// nothing else was read.
     std::optional<double> extentInUnknownUnits;
     std::shared_ptr<const core::VesselTree> tree;
     core::InputFile imageFile;
@@ -37,11 +37,11 @@ struct LoadedInputs {
     core::SubtractionPlan headerPlan;   ///< subtraction plan from the image header
     core::InputFile targetFile;
     std::shared_ptr<const core::Centerline2d> target;
-    std::optional<PoseWithCamera> pose;   ///< content of a pose file; nothing else was read
-    std::vector<Fiducial> fiducials;   ///< content of a point file; nothing else was read
+    std::optional<PoseWithCamera> pose;   ///< contents of a pose file; nothing else was read
+    std::vector<Fiducial> fiducials;   ///< contents of a point file; nothing else was read
     core::Messages warnings;
-    std::vector<DicomSeries> offered;   ///< series of a folder with several; nothing is read until one is chosen
-    std::vector<MissingInput> missing;   ///< inputs of the case that were not found; nothing else is read
+    std::vector<DicomSeries> offered;   ///< series of a folder with several; nothing is read before one is chosen
+    std::vector<MissingInput> missing;   ///< inputs of the case that were not found; nothing else was read
     MovedInputs moved;   ///< inputs of the case that were found elsewhere
 };
 
@@ -57,10 +57,10 @@ struct OpenHints {
     ScanUse scanUse = ScanUse::Trace;   ///< with `Ask`, a scan is only reported, not read
     std::optional<double> unitMm =
         std::nullopt;   ///< unit of the vessel files; if not set, mm if plausible, otherwise see `extentInUnknownUnits`
-    /// Settings for reading and tracing vessel files; if not set, the content decides.
+    /// Settings for reading and tracing vessel files; if not set, the file contents decide.
     std::optional<core::VesselInput> vessels = std::nullopt;
     bool offersStudies =
-        false;   ///< if true, a folder or DICOMDIR opened alone is not read but offered to the user to choose from
+        false;   ///< if true, a folder or DICOMDIR that is opened alone is not read; the user chooses from its series
     bool skipsOptionalInputs = false;   ///< if true, a case opens even if optional inputs are missing
 };
 

@@ -38,7 +38,7 @@ core::Result<Json> readResultJson(const std::string& path)
     return root;
 }
 
-/// Finds the inputs of a result by name and SHA-256. If an input is missing, fails and names the file.
+/// Finds the inputs of a result by name and SHA-256. Fails and names the file if an input is missing.
 core::Result<MovedInputs> locateInputs(const std::vector<core::InputFile>& files, const ResultLocation& place,
                                        const ReadObserver& observe)
 {
@@ -95,7 +95,7 @@ core::Result<core::Case> loadInputCase(const Json& root, const ResultLocation& p
     return loaded;
 }
 
-/// Copies the registration result that the JSON holds for a view into that view.
+/// Copies the registration result of a view from the JSON to that view.
 core::Messages applyResult(core::View& view, const Json& json)
 {
     ReadContext reading;

@@ -9,20 +9,20 @@
 
 namespace angiopose::io {
 
-/// Result file, and the folders in which to search for its inputs by name and content, including subfolders. The folder
+/// Result file with the folders in which to search for its inputs by name and content, including subfolders. The folder
 /// of the result comes first.
 struct ResultLocation {
     std::string path;   ///< result.json or joint.json
     std::vector<std::string> inputFolders;
 };
 
-/// Restores from a result the case at the start of the registration. Fails if an input with the recorded content is not
+/// Returns the case of a result as it was at the start of registration. Fails if an input with the recorded hash is not
 /// found.
 core::Result<core::Case> openInputCase(const ResultLocation& place, core::Messages& warnings,
                                        const ReadObserver& observe = {});
 
-/// Restores from a result the case at the end of the registration: shows the view of the result at the registered pose,
-/// with the deformed vessels, if any.
+/// Returns the case of a result as it was at the end of registration: shows the view of the result at the registered
+/// pose, with the deformed vessels, if any.
 core::Result<core::Case> openResultCase(const ResultLocation& place, core::Messages& warnings,
                                         const ReadObserver& observe = {});
 

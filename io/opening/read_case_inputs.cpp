@@ -17,7 +17,7 @@ std::string folderOf(const std::string& path)
     return fs::absolute(path).lexically_normal().parent_path().string();
 }
 
-/// Locates the missing inputs of a case through the hints and a search.
+/// Locates the missing inputs of a case through the hints and by a search.
 core::Status findInputs(LoadedInputs& inputs, const std::string& path, const OpenHints& hints,
                         const ReadObserver& observe)
 {
@@ -88,7 +88,7 @@ core::Result<core::Case> openCaseWithOptions(const CaseLoadOptions& request, con
     LoadedInputs inputs = std::move(read).value();
     if (!inputs.loadedCase) {
         return loadCaseWithOptions(request, path, warnings, observe,
-                                   inputs.moved);   // reports missing inputs, or opens without optional ones
+                                   inputs.moved);   // reports missing inputs, or opens the case without optional ones
     }
     warnings.insert(warnings.end(), inputs.warnings.begin(), inputs.warnings.end());
     return *std::move(inputs.loadedCase);

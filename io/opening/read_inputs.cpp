@@ -23,7 +23,7 @@ core::Error twice(const std::string& path, const core::MessageKind<1>& what)
     return what(std::filesystem::path(path).filename().string());
 }
 
-/// Subtracts the run as its header specifies; if the run lacks a named mask frame, it stays native with a warning.
+/// Subtracts the run as its header specifies; if it lacks a mask frame named there, keeps it native with a warning.
 void applyHeaderSubtraction(LoadedInputs& inputs, const core::RunProcessing& treatment)
 {
     auto run = core::processRun(*inputs.angiogram, treatment);
@@ -124,7 +124,7 @@ core::Status addFolder(LoadedInputs& inputs, const std::string& path, const Open
                               : addVessels(inputs, path, hints, found->id, progressPart(observe, 0.1, 1.0));
 }
 
-/// Reads a pose or a point file. Both apply to the open case and must be opened alone.
+/// Reads a pose or a point file. Both apply to the open case, so these files must be opened alone.
 core::Result<LoadedInputs> readPoseInput(const std::string& path)
 {
     const auto pose = readPoseWithCamera(path);

@@ -6,8 +6,8 @@
 namespace angiopose::io {
 
 /// Reads several files together: either one case file, or at most one input of each kind. Traces scans, segmentations
-/// and surfaces. Looks for moved inputs of a case in the case's folder and at the locations in the hints. The error of
-/// a failure is a single sentence.
+/// and surfaces. Looks for moved inputs of a case in the case's folder and at the locations in the hints. The error is
+/// always a single sentence.
 core::Result<LoadedInputs> readInputs(const std::vector<std::string>& paths, const OpenHints& hints = {},
                                       const ReadObserver& observe = {});
 

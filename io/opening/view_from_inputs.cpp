@@ -7,7 +7,7 @@
 namespace angiopose::io {
 namespace {
 
-/// Returns the opened image as a view of the case's vessels, at its initial pose.
+/// Returns a view of the case's vessels with the opened image, at its initial pose.
 core::View viewWithImage(const core::Case& session, const LoadedInputs& inputs)
 {
     core::Case blank = session;
@@ -29,7 +29,7 @@ core::Result<core::View> viewFromInputs(const core::Case& session, const LoadedI
     if (inputs.loadedCase && inputs.loadedCase->shown().angiogram) {
         core::View view = inputs.loadedCase->shown();
         view.caseFile = {path, {}};
-        core::discardResults(view);   // the other case's findings were obtained with other vessels
+        core::discardResults(view);   // the findings of the other case were obtained with other vessels
         return view;
     }
     if (!inputs.angiogram) {
@@ -39,7 +39,7 @@ core::Result<core::View> viewFromInputs(const core::Case& session, const LoadedI
     core::View view = viewWithImage(session, inputs);
     if (const auto fromShown = core::relativeViewPose(shown, view, session.vessels)) {
         view.cameraFromPatient = fromShown.value().viewFromFirst * shown.cameraFromPatient;
-        if (shown.initialCameraFromPatient) {   // the axes of the vessels may be unrelated to the gantry
+        if (shown.initialCameraFromPatient) {   // the coordinate axes of the vessels may be unrelated to the gantry
                                                 // angles from which the initial pose was computed
             view.initialCameraFromPatient = fromShown.value().viewFromFirst * *shown.initialCameraFromPatient;
         }

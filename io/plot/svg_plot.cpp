@@ -65,7 +65,7 @@ constexpr double characterWidth = 6.6;   // approximate width of a character in 
 
 /// Color-blind-safe palette (Okabe and Ito 2008); the first color is for the method under evaluation.
 constexpr std::array colors{"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#8a6d00", "#56b4e9", "#e69f00", "#555555"};
-constexpr std::array dashes{"", "7 3", "2 3", "9 3 2 3"};   // next dash pattern once all colors are used
+constexpr std::array dashes{"", "7 3", "2 3", "9 3 2 3"};   // next dash pattern once all colors have been used
 
 std::string number(double value)
 {
@@ -152,7 +152,7 @@ private:
         for (std::size_t k = 0; k < plot_.series.size(); ++k) {
             text += band(plot_.series[k], k);
         }
-        for (std::size_t k = plot_.series.size(); k-- > 0;) {   // the first series on top
+        for (std::size_t k = plot_.series.size(); k-- > 0;) {   // draws the first series on top
             text += plot_.series[k].areDots ? dots(plot_.series[k], k) : polyline(plot_.series[k], k);
         }
         return text;

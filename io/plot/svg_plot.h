@@ -15,7 +15,7 @@ struct PlotTick {
 /// Maps values to positions along an axis of a plot, and determines the ticks.
 class PlotScale {
 public:
-    /// Maps the minimum of the axis to `from` and its maximum to `to`, both px.
+    /// Maps the minimum of the axis to `from` and the maximum to `to`, both in px.
     PlotScale(const core::PlotAxis& axis, double from, double to) : axis_(axis), from_(from), to_(to) {}
 
     /// Returns the position of a value. Clamps values beyond the ends of the axis, because not every SVG viewer clips.
@@ -30,8 +30,8 @@ private:
     double to_;
 };
 
-/// Returns the plot as a stand-alone SVG: thin grid, distinct color and dash pattern per line, bands behind the lines,
-/// legend at the side.
+/// Returns the plot as a stand-alone SVG: thin grid, a distinct color and dash pattern for each line, bands behind the
+/// lines, legend at the side.
 std::string toSvg(const core::Plot& plot);
 
 }   // namespace angiopose::io

@@ -16,7 +16,7 @@ struct DiffDrrParts {
     std::optional<Eigen::Vector3d> volumeCenterInPatient;   ///< center of the volume, LPS mm
 };
 
-/// Parses JSON with the keys of DiffDRR, at the top level or in `drr` (FORMATS §3.4). Errors name the faulty key.
+/// Parses JSON with the keys of DiffDRR, at the top level or in `drr` (FORMATS §3.4). Errors name the invalid key.
 core::Result<DiffDrrParts> parseDiffDrrJson(std::string_view text, const std::string& path);
 
 /// Parses the last row of a table with the columns `r1,r2,r3,tx,ty,tz`, which xvr writes for its iterations: Euler

@@ -14,7 +14,7 @@
 namespace angiopose::io {
 namespace {
 
-/// The transform of an ITK file, as stored.
+/// Transform of an ITK file, as stored.
 struct ItkTransform {
     int count = 0;
     std::string type;
@@ -73,7 +73,7 @@ Eigen::Vector3d vectorAt(const std::vector<double>& values, std::size_t first)
     return {values[first], values[first + 1], values[first + 2]};
 }
 
-/// Returns rotation and translation from ITK's parameters; nullopt for non-rigid transforms or a wrong parameter count.
+/// Returns rotation and translation from ITK's parameters; nullopt if they are not rigid or their number is wrong.
 std::optional<core::RigidTransform> motionOf(const ItkTransform& transform)
 {
     const std::vector<double>& p = transform.parameters;
@@ -135,7 +135,7 @@ std::vector<double> numbersOf(std::string_view bytes)
     return {numbers.begin(), numbers.end()};
 }
 
-/// Consumes one matrix: the header (type, rows, columns, imaginary flag, name length), the name and the values.
+/// Consumes one matrix: header (type, rows, columns, imaginary flag, name length), name and values; nullopt if damaged.
 std::optional<MatlabMatrix> takeMatrix(std::string_view& rest)
 {
     constexpr std::size_t headSize = 20;

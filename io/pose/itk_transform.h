@@ -9,7 +9,7 @@
 namespace angiopose::io {
 
 /// Parses the single transform of an ITK text file: Euler3D, VersorRigid3D or affine (if rigid), including its center.
-/// The error message does not name the file.
+/// The error does not name the file.
 core::Result<core::RigidTransform> poseFromItkText(std::string_view text);
 
 /// Parses the transform of a `.mat` file. Does not use ITK's reader, which writes past its buffers on damaged files.

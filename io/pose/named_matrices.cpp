@@ -21,7 +21,7 @@ const Names rotationNames{"R", "rotation", "rotation_matrix", "rvec"};
 const Names translationNames{"t", "T", "tvec", "translation"};
 const Names distortionNames{"distortion_coefficients", "dist_coeffs", "distCoeffs", "distortion", "D"};
 
-/// Appends the numbers of nested arrays in order; returns false if the arrays contain anything else.
+/// Appends the numbers in nested arrays in order; returns false if the arrays contain anything else.
 bool appendNumbers(const MatrixJson& json, std::vector<double>& values)
 {
     if (json.is_number() && values.size() < maxValues) {

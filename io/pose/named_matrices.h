@@ -18,11 +18,11 @@ using NamedMatrices = std::map<std::string, std::vector<double>, std::less<>>;
 /// text must be valid JSON.
 NamedMatrices parseJsonMatrices(std::string_view json);
 
-/// Whether the matrices describe a camera with its pose, under any of the common names.
+/// Returns whether the matrices describe a camera with its pose, under any of the common names.
 bool describesCamera(const NamedMatrices& matrices);
 
 /// Builds the camera and pose from P alone, or from K with R (or rvec) and t; the image size is 0 if not stated. The
-/// error message does not name the file.
+/// error does not name the file.
 core::Result<core::PosedCamera> sightOf(const NamedMatrices& matrices);
 
 }   // namespace angiopose::io

@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t maxNumbers = 4096;
 constexpr std::string_view betweenNumbers = " \t\r\n,;[]";
 
-/// Appends the numbers of a text; returns false at the first word that is not a number. Skips the dashes of YAML lists.
+/// Appends the numbers in a string; returns false at the first word that is no number. Skips the dashes of YAML lists.
 bool appendTo(std::vector<double>& numbers, std::string_view part)
 {
     while (true) {
@@ -62,7 +62,7 @@ std::string joined(const double* values, std::size_t count, std::string_view bet
 
 using Rows3 = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 
-/// Matrix of a camera or pose to write; the files keep the order of the matrices.
+/// Matrix of a camera or pose to write; the files keep the order of these matrices.
 struct StoredMatrix {
     const char* name;
     int rows, columns;

@@ -7,7 +7,7 @@
 
 namespace angiopose::io {
 
-/// Pixels of a PNG, row-major: one sample (gray) or three (sRGB) of one byte, or of two bytes in big-endian order.
+/// Pixels of a PNG, row-major: one sample (gray) or three (sRGB), of one byte or two big-endian bytes each.
 struct PngPixels {
     int width = 0;
     int height = 0;
@@ -17,7 +17,7 @@ struct PngPixels {
     double dotsPerInch = 0.0;   ///< print resolution; 0 if not specified
 };
 
-/// Encodes a PNG through libpng, with the texts as iTXt chunks (UTF-8). Throws if libpng rejects the image (too many
+/// Encodes a PNG through libpng, with `texts` as iTXt chunks (UTF-8). Throws if libpng rejects the image (too many
 /// columns).
 std::string encodePng(const PngPixels& pixels, const std::map<std::string, std::string>& texts);
 

@@ -83,8 +83,8 @@ void copyRow(const std::vector<unsigned char>& row, std::size_t y, Raster& raste
     }
 }
 
-/// Fills rows that could not be decoded with the mean of the decoded rows, so that they resemble neither a vessel nor a
-/// shutter edge.
+/// Fills rows that could not be decoded with the mean of the decoded rows, so that they resemble neither vessels nor
+/// shutter edges.
 void fillFrom(std::size_t firstMissingRow, core::ImageF& frame)
 {
     const auto missing =

@@ -22,7 +22,7 @@ namespace {
 constexpr std::size_t maxTiffPixels = 100'000'000;
 constexpr std::uint32_t smallestPageSide = 8;
 
-/// Whether a page can be an angiogram: grayscale or color, and of plausible size.
+/// Returns whether a page can be an angiogram: grayscale or color, and of plausible size.
 bool isPicture(const TiffPage& page)
 {
     return (page.isGray() || page.isColor()) && page.width >= smallestPageSide && page.height >= smallestPageSide &&
@@ -79,8 +79,8 @@ bool appendPage(TIFF* file, const TiffPage& page, Raster& raster)
 }
 
 /// Reads the pages of a TIFF as frames, except thumbnails and masks: grayscale or RGB, 8 or 16 bits or float, in
-/// strips. Fails for any other kind of TIFF, for pages of different sizes, and for damaged or too large files. Uses
-/// libtiff directly, because ITK's reader does not detect a damaged directory.
+/// strips. Fails for any other kind of TIFF, for pages of different sizes, and for files that are damaged or too large.
+/// Uses libtiff directly, because ITK's reader does not detect a damaged directory.
 core::Result<Raster> readTiff(const std::string& path)
 {
     const TiffFile file(TIFFOpen(path.c_str(), "r"));
@@ -107,7 +107,7 @@ core::Result<Raster> readTiff(const std::string& path)
     return raster.frames.empty() ? core::Result<Raster>(fileError(path, messages::imageUnusual())) : raster;
 }
 
-constexpr std::size_t maxPngBytes = std::size_t{800} << 20;   // decoded samples plus their float copy
+constexpr std::size_t maxPngBytes = std::size_t{800} << 20;   // bytes of the decoded samples plus their float copy
 constexpr std::size_t maxPngSide = 32'768;
 constexpr std::size_t minPngSide = 8;
 
@@ -185,7 +185,7 @@ Raster grayFrom(const std::vector<png_byte>& bytes, int width, int height, std::
 }
 
 /// Decodes a PNG of any kind through libpng. Fails if a checksum is wrong, the file is truncated, or the image is too
-/// small or too large; allocates memory only after the header has passed the size limits.
+/// small or too large; allocates memory only after checking the header against the size limits.
 core::Result<Raster> readPng(std::string_view content, const std::string& path)
 {
     const PngReader reader;
@@ -221,7 +221,7 @@ constexpr std::string_view pngStart = "\x89PNG";
 constexpr std::string_view jpegStart = "\xff\xd8\xff";
 constexpr std::size_t maxJpegTrailer = 4096;
 
-/// Whether a JPEG is truncated; libjpeg would fill the missing part with gray.
+/// Returns whether a JPEG is truncated; libjpeg would fill the missing part with gray.
 bool isTruncated(std::string_view jpeg)
 {
     const std::size_t end = jpeg.rfind("\xff\xd9");

@@ -16,17 +16,17 @@ struct Raster {
     bool hadAlpha = false;   ///< whether transparency was ignored
     bool isPartlyDamaged = false;   ///< whether the image is partly damaged and only the intact part was decoded
     int orientation =
-        1;   ///< orientation tag of a frame, which was rotated or mirrored accordingly; 1 if stored as displayed
+        1;   ///< orientation tag by which the frames were rotated or mirrored; 1 if stored as displayed
 
     /// Converts a color to grayscale (Rec. 601), exactly if the channels are equal.
     float luminance(float red, float green, float blue);
 };
 
-/// Whether the content starts like a PNG, JPEG or TIFF.
+/// Returns whether the content starts like a PNG, JPEG or TIFF.
 bool looksLikeRaster(std::string_view content);
 
-/// Reads an image file; `content` is the content of the file at `path`, and some libraries read the file again. The
-/// frames have the display orientation specified in the file (EXIF, TIFF).
+/// Reads an image file. `content` holds all bytes of the file at `path`, which some libraries read again. The frames
+/// have the display orientation specified in the file (EXIF, TIFF).
 core::Result<Raster> readRaster(std::string_view content, const std::string& path);
 
 }   // namespace angiopose::io

@@ -19,17 +19,17 @@ struct TiffPage {
     std::uint16_t channels = 1, bits = 1, format = SAMPLEFORMAT_UINT, photometric = PHOTOMETRIC_MINISBLACK;
     std::uint16_t planes = PLANARCONFIG_CONTIG, compression = COMPRESSION_NONE, orientation = ORIENTATION_TOPLEFT;
 
-    bool isGray() const;   ///< grayscale, optionally with alpha
-    bool isColor() const;   ///< red, green, blue, optionally with alpha
-    bool isPalette() const;   ///< 256-color palette
+    bool isGray() const;   ///< whether the page is grayscale, optionally with alpha
+    bool isColor() const;   ///< whether the page is red, green, blue, optionally with alpha
+    bool isPalette() const;   ///< whether the page uses a 256-color palette
     std::size_t rowBytes() const { return std::size_t{width} * channels * bits / 8; }
 };
 
 /// Describes the current page. Returns nullopt unless the samples are interleaved 8-bit, 16-bit or float values of
-/// grayscale, color or palette indices and the page is not larger than any detector.
+/// grayscale, color or palette indices and the page is no larger than the largest detector.
 std::optional<TiffPage> readTiffPage(TIFF* file);
 
-/// Whether the current page is a reduced version or a mask of another page; false for the only page.
+/// Returns whether the current page is a reduced version or a mask of another page; false for the only page.
 bool isAuxiliaryPage(TIFF* file);
 
 }   // namespace angiopose::io

@@ -24,7 +24,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Adds the branch names of the tree to the branch IDs.
+/// Adds the names that branches have in the tree to their IDs.
 void nameBranches(Json& branches, const core::Case& session)
 {
     for (Json& branch : branches) {
@@ -50,7 +50,7 @@ Json uidsOf(const core::StudyIdentity& identity)
     return uids;
 }
 
-/// Stores file names only: results are passed on, and folder names may identify patients.
+/// Returns file names without folders, because results are shared and folder names may identify patients.
 Json inputsJson(const core::Case& session, const core::RegistrationResult& result)
 {
     Json inputs = Json::object();
@@ -113,7 +113,7 @@ std::string resultJson(const core::Case& session, const core::RegistrationResult
     root["view"] = session.shownView + 1;
     root["title"] = session.title;
     root.update(writeFields(result, resultFields(), {}));
-    for (const char* list : {"perBranch", "unfilled", "alternatives"}) {   // lists are present even if empty
+    for (const char* list : {"perBranch", "unfilled", "alternatives"}) {   // lists are present even if they are empty
         if (!root.contains(list)) {
             root[list] = Json::array();
         }

@@ -8,12 +8,12 @@
 
 namespace angiopose::io {
 
-/// Whether a result includes user-entered text, file names and UIDs.
+/// Specifies whether a result includes user-entered text, file names and UIDs.
 enum class ResultTexts { Kept, LeftOut };
 
 /// Returns the text of result.json (FORMATS §3). `inputCase` is the case at the start of the registration
-/// (case/asked_case.h), if known; the registration can be repeated or displayed from its result (opening/open_result.h)
-/// only if it is stored.
+/// (case/input_case.h), if known. Only a result that contains it can be used to repeat or display the registration
+/// (opening/open_result.h).
 std::string resultJson(const core::Case& session, const core::RegistrationResult& result,
                        const std::string& inputCase = {});
 
@@ -30,7 +30,7 @@ core::Status writeResult(const core::Case& session, const std::string& path);
 std::string registrationJson(const core::RegisteredCase& registered, const std::string& inputCase);
 
 /// Atomically writes joint.json: the values shared by all views, and for each view its result and the estimated
-/// geometry correction. Only for registrations of several views.
+/// geometry correction. Requires a registration of several views.
 core::Status writeJointResult(const core::RegisteredCase& registered, const std::string& path,
                               const std::string& inputCase);
 

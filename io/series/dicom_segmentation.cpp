@@ -35,7 +35,7 @@ bool isPlaced(const SliceRecord& frame, const SliceRecord& first)
            (*frame.axes - *first.axes).cwiseAbs().maxCoeff() < 5e-3;
 }
 
-/// Returns the smallest step between frames, refined over the whole stack; 0 if all frames lie in one plane.
+/// Returns the smallest spacing of frames, refined over the whole stack; 0 if all frames lie in one plane.
 double stepBetween(std::vector<double> depths)
 {
     std::sort(depths.begin(), depths.end());

@@ -20,7 +20,7 @@ using Slices = std::vector<SliceRecord>;
 
 constexpr double samePlaceMm = 0.01;
 
-/// Whether two slices lie in the same plane.
+/// Returns whether two slices lie in the same plane.
 bool isSamePosition(const SliceRecord& a, const SliceRecord& b)
 {
     return std::abs(normalOf(a).dot(*a.position - *b.position)) < samePlaceMm;
@@ -35,7 +35,7 @@ std::size_t placeCount(const Slices& sorted)
     return count;
 }
 
-/// Splits slices by one key. Empty if a resulting volume would have several slices at the same position.
+/// Splits slices by one key; returns nothing if a resulting volume would have several slices at the same position.
 std::vector<Slices> splitByKey(const Slices& slices, std::size_t key)
 {
     std::map<std::string, Slices> parts;
@@ -67,7 +67,7 @@ std::vector<Slices> splitByRecordingOrder(const Slices& sorted, std::size_t plac
     return parts;
 }
 
-/// Returns how many slices are missing from the regular grid of these slices; nullopt if they do not lie on a grid.
+/// Returns the number of slices missing from the regular grid of these slices; nullopt if they do not lie on a grid.
 std::optional<std::size_t> missingOnGrid(const Slices& sorted)
 {
     const SliceStack stack = planStack(sorted);
@@ -96,7 +96,7 @@ std::vector<Slices> splitAcquisitions(const Slices& sorted)
     return isVolume ? std::vector<Slices>{} : parts;
 }
 
-/// Sorts slices by position, then by recording, then by name, independently of the order of the files.
+/// Sorts slices by position, then by recording, then by name, whatever the order of the files.
 void sortAlongNormal(Slices& slices)
 {
     const Eigen::Vector3d normal = normalOf(slices.front());
@@ -155,7 +155,7 @@ std::vector<long> shapeKey(const SliceRecord& slice)
     return key;
 }
 
-/// Whether two slices agree well enough to belong to one volume, even if rounding in the key separates them.
+/// Returns whether two slices agree well enough to belong to one volume, even if rounding separates their keys.
 bool areSameShape(const SliceRecord& a, const SliceRecord& b)
 {
     const bool isPlaced = a.position && a.axes, isOtherPlaced = b.position && b.axes;
@@ -186,8 +186,8 @@ std::vector<Slices> byShape(const Slices& slices)
     return groups;
 }
 
-/// Removes duplicates: slices with the same SOP instance, frame, position and number. Reports the number of duplicates,
-/// and the number of images that differ from an earlier one with the same SOP Instance UID.
+/// Removes duplicates: slices with the same SOP instance, frame, position and number. Returns messages with the number
+/// of duplicates and the number of images that differ from an earlier one with the same SOP Instance UID.
 core::Messages removeDuplicates(Slices& slices)
 {
     using Instance = std::pair<std::string, int>;

@@ -52,7 +52,7 @@ std::optional<Eigen::Matrix<double, 3, 2>> orientationOf(const DicomDataset& dat
     return axes;
 }
 
-/// Reads position, pixel size and value scale from `data`, which is an image or a functional group.
+/// Reads position, pixel size and value scale from `data`, which is an image header or a functional group.
 void readPlace(const DicomDataset& data, SliceRecord& slice)
 {
     if (const auto position = threeNumbers(data, 0x00200032)) {
@@ -83,7 +83,7 @@ void readPhases(const DicomDataset& data, SliceRecord& slice)
     }
 }
 
-/// Reads the functional-group sequences that place a frame (PS3.3 C.7.6.16), each with one item.
+/// Reads the functional group sequences that determine the position of a frame (PS3.3 C.7.6.16), each with one item.
 void readFunctionalGroups(const DicomDataset& groups, SliceRecord& slice)
 {
     constexpr std::array<DicomTag, 6> sequences = {0x00209113, 0x00209116, 0x00289110,

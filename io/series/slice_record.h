@@ -12,7 +12,7 @@
 
 namespace angiopose::io {
 
-/// Number of keys that may distinguish images of a series at the same position: acquisition, temporal position, cardiac
+/// Number of keys that can distinguish images of a series at the same position: acquisition, temporal position, cardiac
 /// phase, trigger time, echo, stack.
 inline constexpr std::size_t phaseKeyCount = 6;
 

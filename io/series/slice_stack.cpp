@@ -14,9 +14,9 @@ namespace {
 
 constexpr std::size_t maxGapsNamed = 3;
 constexpr double slantToleranceMm = 0.05;   // offsets below this are rounding errors of the header
-constexpr double gridTolerance = 0.1;   // deviations below this fraction of a step are rounding errors of the header
+constexpr double gridTolerance = 0.1;   // deviations below this fraction of the spacing are rounding errors
 constexpr double wholeStepTolerance =
-    0.2;   // as a fraction of a step: slices are missing if a gap is this close to a whole multiple of the step
+    0.2;   // fraction of the spacing: slices are missing if a gap is this close to a multiple of the spacing
 
 double rounded(double length)
 {
@@ -44,7 +44,7 @@ double quantileOf(std::vector<double> values, double fraction)
     return values[static_cast<std::size_t>(at)];
 }
 
-/// Returns the step of slices that lie on a regular grid, possibly with missing slices; 0 if they do not lie on a grid.
+/// Returns the slice spacing if the slices lie on a regular grid, gaps allowed; 0 otherwise.
 double gridStep(const std::vector<double>& places)
 {
     const std::vector<double> distances = gapsOf(places);
@@ -65,7 +65,7 @@ double gridStep(const std::vector<double>& places)
     return isRegular ? step : 0.0;
 }
 
-/// Returns the slices on either side of each layer; the layers are `step` apart, starting at the first slice.
+/// Returns the slices on either side of each layer; the layers have the spacing `step` and start at the first slice.
 std::vector<StackLayer> layersOf(const std::vector<double>& places, double step)
 {
     std::vector<StackLayer> layers;
@@ -86,7 +86,7 @@ std::vector<StackLayer> layersOf(const std::vector<double>& places, double step)
     return layers;
 }
 
-/// Describes the positions of missing slices, for example "after slice 41".
+/// Describes where slices are missing, for example "after slice 41".
 core::Message gaps(const std::vector<double>& places, double step)
 {
     std::vector<std::string> before;

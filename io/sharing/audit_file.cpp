@@ -53,7 +53,7 @@ std::string timeNow()
 }
 
 constexpr std::size_t maxWaiting = 200;
-constexpr std::chrono::seconds maxWait{2};   // events that a killed program may fail to record
+constexpr std::chrono::seconds maxWait{2};   // maximum time for which events of a killed program may remain unrecorded
 
 }   // namespace
 

@@ -12,7 +12,7 @@ namespace angiopose::io {
 
 enum class AuditEvent { Opened, Saved, Registered, Exported, Packed, Sent, Retrieved, Received, Deidentified };
 
-/// Returns the event as written in the audit file: "opened", "saved", …
+/// Returns the name of the event in the audit file: "opened", "saved", …
 std::string_view toText(AuditEvent event);
 
 struct AuditRecord {
@@ -23,15 +23,15 @@ struct AuditRecord {
 };
 
 /// Appends a line of JSON to the audit file (FORMATS §4): UTC time, account, program and version, event, and the
-/// SHA-256 of every file (for a folder, of each file in it), for which it reads all files completely. Fails if the line
+/// SHA-256 of every file, including those in folders, which requires reading all files completely. Fails if the line
 /// cannot be written.
 core::Status recordAudit(const std::string& auditPath, const AuditRecord& record);
 
 /// Returns the path in `ANGIOPOSE_AUDIT_FILE`; if empty, no audit file is written.
 std::string auditFileFromEnvironment();
 
-/// Records files that arrive one after another: shortly after arrival, with many files per audit line. Records nothing
-/// if the path of the audit file is empty.
+/// Records files that arrive one after another, shortly after arrival and many per audit line. Records nothing if the
+/// path of the audit file is empty.
 class AuditBatch {
 public:
     AuditBatch(std::string auditPath, AuditRecord about);

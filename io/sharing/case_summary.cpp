@@ -119,7 +119,7 @@ const char* kindOf(core::VesselInputKind kind)
     return "volume";
 }
 
-/// Returns the extension, for example ".dcm"; empty for unusual extensions, which could be part of a name.
+/// Returns the extension, for example ".dcm"; empty if the extension is unusual and could be part of a name.
 std::string endingOf(const core::InputFile& file)
 {
     const std::string ending = std::filesystem::path(file.path).extension().string();

@@ -32,7 +32,7 @@ core::Status copied(const fs::path& from, const fs::path& to)
     return failed ? core::Status(fileError(from.string(), messages::fileNotRead(failed.message()))) : core::Done{};
 }
 
-/// Returns the files of a series and of other volumes with the same UID, since separating them again needs all files.
+/// Returns the files of a series and of other volumes with the same UID, which are all needed to separate the volumes.
 std::vector<std::string> seriesFiles(const std::vector<DicomSeries>& all, const DicomSeries& wanted)
 {
     std::set<std::string> files;
@@ -153,7 +153,7 @@ private:
             return copied(path, place);
         }
         std::error_code ignored;
-        fs::create_directories(place.parent_path(), ignored);   // an error is reported by the subsequent write
+        fs::create_directories(place.parent_path(), ignored);   // the subsequent write reports any error
         const auto done = deidentifyFile(path, place.string(), *request_.deidentification, request_.pseudonyms);
         if (!done) {
             return done.error();

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double sameLength = 0.002;   ///< relative tolerance of the length of a tree traced from re-encoded voxels
+constexpr double sameLength = 0.002;   ///< relative tolerance of the length of a tree traced in re-encoded voxels
 
 double lengthMm(const core::Case& session)
 {

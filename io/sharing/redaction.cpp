@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t minWordBytes = 3;
 constexpr std::size_t minSubstringBytes = 6;   // minimum length of identifiers that are removed even inside other words
-constexpr char hidden = '\x01';   // stands for a removed identifier until all identifiers are found
+constexpr char hidden = '\x01';   // marks removed identifiers until all have been found
 
 /// Technical words that are common in descriptions and file names.
 constexpr std::array<std::string_view, 64> technicalWords{

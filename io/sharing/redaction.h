@@ -6,8 +6,8 @@
 
 namespace angiopose::io {
 
-/// Removes from texts everything that could identify the patient or the user: known identifiers, the names of the user
-/// and the computer, folders, file names, UIDs and dates. Replaces them by bracketed placeholders.
+/// Removes everything from text that could identify the patient or the user: known identifiers, the names of the user
+/// and the computer, folders, file names, UIDs and dates. Replaces these by bracketed placeholders.
 class Redaction {
 public:
     /// Adds the identifiers of this computer: home folder, account, host name.
@@ -17,7 +17,7 @@ public:
     void addName(std::string_view name);
     /// Adds a description, which is removed as a whole and word by word, except technical words ("angiogram", "left").
     void addText(std::string_view text);
-    /// Adds every part of a path.
+    /// Adds every component of a path.
     void addPath(std::string_view path);
 
     std::string redact(std::string_view text) const;

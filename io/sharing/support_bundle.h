@@ -17,13 +17,13 @@ struct SupportFile {
 /// Returns AngioPose's diagnostics: `program.txt` with the versions and the computer, and the latest crash dumps.
 std::vector<SupportFile> diagnosticFiles(const std::string& additionalInfo = {});
 
-/// Returns the texts with the identifiers of the redaction removed.
+/// Returns the files with the identifiers of the redaction removed from their text.
 std::vector<SupportFile> redact(std::vector<SupportFile> texts, const Redaction& redaction);
 
-/// Joins all texts, each under its file name, so that the user can review them before the bundle is written.
+/// Joins the text of all files, each under its file name, so that the user can review it before the bundle is written.
 std::string joinTexts(const std::vector<SupportFile>& texts);
 
-/// Atomically writes the texts into a ZIP archive.
+/// Atomically writes the files into a ZIP archive.
 core::Status writeSupportBundle(const std::vector<SupportFile>& texts, const std::string& archivePath);
 
 }   // namespace angiopose::io

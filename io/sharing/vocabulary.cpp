@@ -62,7 +62,7 @@ std::size_t uidLength(std::string_view text)
     return std::ranges::count(run, '.') >= minUidDots ? run.size() : 0;
 }
 
-/// Whether the digits are a date like "19620314", optionally followed by a time.
+/// Returns whether the digits are a date like "19620314", optionally followed by a time.
 bool isPlainDate(std::string_view digits)
 {
     return (digits.size() == 8 || digits.size() == 12 || digits.size() == 14) &&

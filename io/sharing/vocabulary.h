@@ -22,7 +22,7 @@ inline std::string foldCase(std::string_view text)
     return folded;
 }
 
-/// Whether `c` belongs to a word: a digit or a letter of any script.
+/// Returns whether `c` belongs to a word: a digit or a letter of any script.
 inline bool isWordCharacter(char c)
 {
     const auto byte = static_cast<unsigned char>(c);
@@ -45,7 +45,7 @@ void forEachWord(std::string_view text, const Visit& visit)
     }
 }
 
-/// Words of the program's own messages; all other words are removed from texts that combine messages with user input.
+/// Words of the program's own messages; all other words are removed from text that combines messages with user input.
 class Vocabulary {
 public:
     void add(std::string_view sentence);

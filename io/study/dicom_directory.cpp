@@ -36,7 +36,7 @@ struct Record {
 
 using Records = std::map<std::size_t, Record>;   // records, keyed by the offset at which they start
 
-/// Returns the offset behind the delimiter `end` that closes the elements from `at` on; nullopt if it is missing.
+/// Returns the offset after the delimiter `end` that closes the elements starting at `at`; nullopt if it is missing.
 std::optional<std::size_t> closedAt(std::string_view bytes, std::size_t at, DicomTag end, int depth)
 {
     while (const auto head = at <= bytes.size() ? readElementHeader(bytes.substr(at), encoding) : std::nullopt) {

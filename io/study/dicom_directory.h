@@ -21,8 +21,8 @@ struct DirectoryEntry {
 /// inconsistently; the caller should then read the files themselves.
 core::Result<std::vector<DirectoryEntry>> readDicomDirectory(const std::string& path);
 
-/// Normalizes a file name so that names in the disc's file system and in its DICOMDIR compare equal: without version
-/// suffix and in a single letter case.
+/// Normalizes a file name so that names in the file system of a disc and in its DICOMDIR compare equal: removes the
+/// version suffix and unifies the letter case.
 std::string normalizedFileName(std::string name);
 
 }   // namespace angiopose::io

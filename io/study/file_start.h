@@ -8,7 +8,7 @@
 
 namespace angiopose::io {
 
-/// First bytes of a file. They are read rather than memory-mapped, because a read from a scratched disc fails, whereas
+/// First bytes of a file. They are read rather than memory-mapped, because reading from a scratched disc fails, whereas
 /// a mapping would crash the program.
 struct FileStart {
     std::string bytes;

@@ -22,9 +22,9 @@ using Clock = std::chrono::steady_clock;
 constexpr std::size_t maxFiles = 50'000;
 constexpr int maxFolderDepth = 12;
 constexpr auto listedEvery = std::chrono::milliseconds(300);
-constexpr int groupingShare = 10;   ///< minimum interval between regroupings, in multiples of the time that one takes
+constexpr int groupingShare = 10;   ///< minimum interval between regroupings, as a multiple of the time that one takes
 
-/// Whether a file may be an image; false for the viewers and web pages that discs contain in addition to images.
+/// Returns whether a file may be an image; false for the viewers and web pages that discs also contain.
 bool mayBeImage(const std::string& path)
 {
     static constexpr std::array<std::string_view, 24> others{
@@ -50,7 +50,7 @@ public:
         return core::Done{};
     }
 
-    /// Collects the files of a folder and its subfolders. Reports a folder that cannot be read (scratched disc) and
+    /// Collects the files of a folder and its subfolders. Reports folders that cannot be read (scratched disc) and
     /// continues with the others.
     void walk(const fs::path& folder, int depth)
     {
@@ -83,7 +83,7 @@ public:
         isFinished_ = files_.size() % 64 == 0 && isStopped();
     }
 
-    /// Keeps only files that the DICOMDIR lists, and records what is missing or not listed.
+    /// Keeps only files that the DICOMDIR lists, and records files that are missing or not listed.
     void keepListed(const std::string& directoryPath)
     {
         DirectoryCheck& check = tree_.directory.emplace();
@@ -189,7 +189,7 @@ private:
     const StudyObserver& observe_;
     std::vector<std::string> files_;
     bool isFinished_ =
-        false;   ///< whether the scan ends because it was canceled or reached the maximum number of files
+        false;   ///< set once the scan was canceled or has reached the maximum number of files
     StudyCollector collector_;
     StudyTree tree_;
     std::shared_ptr<const StudyTree> shown_;

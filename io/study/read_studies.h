@@ -11,25 +11,25 @@
 
 namespace angiopose::io {
 
-/// Which files are read: those that a DICOMDIR lists, if there is one, or all files of the folder.
+/// Files to read: those that a DICOMDIR lists, if there is one, or all files of the folder.
 enum class StudyScope { Listed, AllFiles };
 
 struct StudyProgress {
     std::size_t read = 0;
-    std::size_t found = 0;   ///< number of files found; increases while folders are searched, before any file is read
-    std::shared_ptr<const StudyTree> tree;   ///< content read so far; initially null
+    std::size_t found = 0;   ///< number of files found; grows while folders are searched, before any file is read
+    std::shared_ptr<const StudyTree> tree;   ///< what has been read so far; initially null
 };
 
 using StudyObserver = std::function<core::ObserverDecision(const StudyProgress&)>;
 
-/// Lists the content of a folder, a disc or a DICOMDIR (given by the file or its folder). Reads only headers. Reports
+/// Lists the contents of a folder, a disc or a DICOMDIR (given by the file or its folder). Reads only headers. Reports
 /// damaged files and skips them. On Stop, returns what was found so far. Fails if the folder itself cannot be read.
 core::Result<StudyTree> readStudies(const std::string& place, StudyScope reach, const StudyObserver& observe = {});
 
-/// Lists the content of several folders as if they were one; at least one folder is required.
+/// Lists the contents of several folders as if they were one; at least one folder is required.
 core::Result<StudyTree> readSeriesFolders(const std::vector<std::string>& folders, const StudyObserver& observe = {});
 
-/// Whether the file is named DICOMDIR.
+/// Returns whether the file is named DICOMDIR.
 bool isDicomDirectory(const std::string& path);
 
 }   // namespace angiopose::io

@@ -25,7 +25,7 @@ struct Range {
     double high = 1.0;
 };
 
-/// Returns how many bytes to read up to the end of an uncompressed frame; the size of the whole file if unknown.
+/// Returns the number of bytes up to the end of an uncompressed frame; the size of the whole file if unknown.
 std::size_t bytesUpTo(const DicomFile& file, const PixelLayout& layout, std::string_view start, int frame)
 {
     const auto pixels = file.pixels.find(pixelDataTag);
@@ -85,7 +85,7 @@ core::Result<ReadFrame> readFrame(const std::string& path, std::optional<int> wa
             continue;
         }
         if (needed != wholeFile) {
-            layout.frames = frame + 1;   // later frames were not read
+            layout.frames = frame + 1;   // later frames have not been read
         }
         return decoded(parsed.value(), layout, path, frame);
     }
@@ -138,7 +138,7 @@ core::Result<core::ImageF> seriesThumbnail(const DicomSeries& series, int sidePx
                                                                  (highestHu - middle.intercept) / middle.slope}
                                                          : there;
     const Range range =
-        there.high > ofVessels.low ? ofVessels : there;   // use the range of the slice if the slice shows only air
+        there.high > ofVessels.low ? ofVessels : there;   // if the slice shows only air, use its own range
     const auto low = static_cast<float>(range.low);
     const auto width = static_cast<float>(std::max(range.high - range.low, 1e-6));
     for (float& pixel : picture.pixels) {

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Whether a transfer syntax is video: MPEG-2, MPEG-4 or HEVC (PS3.5 A.4.5 to A.4.12).
+/// Returns whether a transfer syntax is video: MPEG-2, MPEG-4 or HEVC (PS3.5 A.4.5 to A.4.12).
 bool isVideo(const std::string& transferSyntax)
 {
     constexpr std::string_view family = "1.2.840.10008.1.2.4.1";
@@ -57,7 +57,7 @@ std::string wholeSeriesOf(const DicomSeries& series)
     return series.id.substr(0, series.id.find('#'));
 }
 
-/// Sets the path to open. For a volume, this is the folder with all parts of the series, so that part numbers agree.
+/// Sets the path to open. For a volume, this is the folder with all parts of its series, so that part numbers agree.
 void findPlaces(std::vector<StudySeries>& all)
 {
     std::map<std::string, fs::path> folders;
@@ -109,7 +109,7 @@ void StudyCollector::add(StudyFile file)
                          file.frames,
                          file.samples,
                          file.frameTimeMs};
-    if (file.images.slices.empty()) {   // keep the path of objects without an image
+    if (file.images.slices.empty()) {   // keep the path of an object without an image
         file.images.slices.emplace_back().path = file.path;
         withoutImage_.push_back(std::move(file.images));
         return;

@@ -16,7 +16,7 @@ public:
     void add(StudyFile file);
     void addMissing(const DirectoryEntry& file) { missing_.push_back(file); }
 
-    /// Returns the study tree of everything added so far. The caller sets the file counts.
+    /// Returns the study tree of all files added so far. The caller sets the file counts.
     StudyTree tree() const;
 
 private:

@@ -54,7 +54,7 @@ StudyFile studyFileOf(const DicomFile& file, const FileStart& start, const std::
     return result;
 }
 
-/// Reads a gzip file, which must be decompressed to determine whether it contains DICOM.
+/// Reads a gzip file, which must be decompressed to find out whether it contains DICOM.
 std::optional<StudyFile> readPacked(const std::string& path)
 {
     const auto input = openDicom(path);
@@ -98,7 +98,7 @@ core::Result<std::optional<StudyFile>> readStudyFile(const std::string& path)
         if (parsed && (isLast || !parsed.value().pixels.empty())) {
             return std::optional(studyFileOf(parsed.value(), start, path));
         }
-        if (isLast) {   // so few bytes may look like a data set by chance
+        if (isLast) {   // so few bytes may resemble a data set by chance
             return isSayingDicom(start.bytes) ? core::Result<std::optional<StudyFile>>(parsed.error())
                                               : std::optional<StudyFile>();
         }

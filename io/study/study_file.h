@@ -14,7 +14,7 @@ struct StudyFile {
     DicomImages images;   ///< images of the file; `damage` is set if the file is truncated
     std::string studyDescription;
     std::string bodyPart;
-    std::string imageType;   ///< "ORIGINAL\PRIMARY\LOCALIZER"
+    std::string imageType;   ///< image type, for example "ORIGINAL\PRIMARY\LOCALIZER"
     std::string transferSyntax;
     int frames = 1;
     int samples = 1;   ///< samples per pixel: 1 (grayscale) or 3 (color)

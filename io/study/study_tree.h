@@ -22,7 +22,7 @@ struct StudySeries {
     std::string bodyPart;
     int imageCount = 0;   ///< number of slices of a volume, frames of a run, or files of any other series
     double frameTimeMs = 0.0;   ///< frame interval, ms; 0 if unknown
-    /// Path to open: for a volume, the deepest folder that contains its whole series; for a run, its file.
+    /// Path to open: the deepest folder that contains the whole series of a volume, or the file of a run.
     std::string place;
     std::size_t missingFiles = 0;   ///< number of files listed in the DICOMDIR that do not exist
 };
@@ -45,14 +45,14 @@ struct DamagedFile {
 
 /// Comparison of a DICOMDIR with the files on the disc.
 struct DirectoryCheck {
-    std::optional<core::Message> damage;   ///< reason why it is unusable; the files were searched instead
+    std::optional<core::Message> damage;   ///< reason why the DICOMDIR is unusable; the files were searched instead
     std::size_t series = 0;   ///< number of series listed in the DICOMDIR
     std::size_t files = 0;
     std::size_t missingFiles = 0;
-    std::size_t unlistedFiles = 0;   ///< number of files that are not listed but may be images; they were not read
+    std::size_t unlistedFiles = 0;   ///< number of files that are not listed but may be images; these were not read
 };
 
-/// The content of a folder or disc.
+/// The contents of a folder or disc.
 struct StudyTree {
     std::vector<StudyPatient> patients;   ///< sorted by name
     std::size_t foundFiles = 0;
@@ -60,7 +60,7 @@ struct StudyTree {
     std::size_t otherFiles = 0;   ///< number of files that are not DICOM
     std::vector<DamagedFile> damaged;   ///< damaged files, including those that were read in part
     std::optional<DirectoryCheck> directory;
-    bool isStopped = false;   ///< whether the user canceled, so that the list may be incomplete
+    bool isStopped = false;   ///< whether the user canceled, in which case the list may be incomplete
     bool isTruncated = false;   ///< whether the folder contains more files than the maximum
 };
 

@@ -106,7 +106,7 @@ core::Result<AtomicFile> AtomicFile::create(const std::string& path)
     if (file < 0) {
         return writeError(path);
     }
-    ::flock(file, LOCK_EX | LOCK_NB);   // lock, so that other processes do not remove the file as a leftover
+    ::flock(file, LOCK_EX | LOCK_NB);   // locked, so that other processes do not remove the file as a leftover
     return AtomicFile(path, target.string(), std::move(temporary), file);
 }
 

@@ -22,7 +22,7 @@ public:
 private:
     AtomicFile(std::string path, std::string target, std::string temporary, int file);
 
-    std::string path_;   ///< path as specified by the caller, for messages
+    std::string path_;   ///< path as the caller specified it, for messages
     std::string target_;
     std::string temporary_;
     int file_ = -1;

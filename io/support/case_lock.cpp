@@ -16,7 +16,7 @@ constexpr auto longestTurnWait = std::chrono::seconds(2);
 
 CaseLock::CaseLock(const std::string& casePath) : path_(lockPathOf(casePath))
 {
-    constexpr int tries = 3;   // an attempt fails only if another program removes its lock at that moment
+    constexpr int tries = 3;   // an attempt fails only if another program is just removing its lock
     for (int i = 0; i < tries && !file_.isOpen(); ++i) {
         LockableFile file(path_, LockableFile::OpenMode::Write);
         if (!file.isOpen() || file.lockExclusive() != LockableFile::LockState::Acquired) {

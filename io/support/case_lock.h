@@ -8,12 +8,12 @@
 
 namespace angiopose::io {
 
-/// Shows other programs that a case is open, through a locked hidden file next to the case (FORMATS §2). The operating
-/// system releases the lock however the program ends. The lock is advisory and prevents nothing.
+/// Shows other programs that a case is open, by locking a hidden file next to the case (FORMATS §2). The operating
+/// system releases the lock however the program ends. The lock is advisory and does not prevent access.
 class CaseLock {
 public:
     CaseLock() = default;
-    /// Acquires the lock; acquires nothing if another program has the case open or the folder is not writable.
+    /// Acquires the lock unless another program has the case open or the folder is not writable.
     explicit CaseLock(const std::string& casePath);
     CaseLock(CaseLock&& other) noexcept;
     CaseLock& operator=(CaseLock&& other) noexcept;

@@ -7,9 +7,9 @@
 
 namespace angiopose::io {
 
-/// Parts of the name of a file that is stored next to a case file and named after it.
+/// Parts of the name of a file that is stored next to a case file and named after the case.
 struct CompanionName {
-    std::optional<std::size_t> otherView;   ///< index of another view of the case, from 0; not set for the case itself
+    std::optional<std::size_t> otherView;   ///< index of another view of the case, from 0; nullopt for the case itself
     std::string kind;   ///< kind of content, for example "curves"
     std::string extension;   ///< extension without dot, for example "csv"
 };

@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t keptDumps = 10;
 
-/// Returns true for "angiopose-20260131…" and the program `angiopose`, false for "angiopose-cli-20260131…".
+/// Returns whether a dump is of a program: for `angiopose`, "angiopose-20260131…", but not "angiopose-cli-20260131…".
 bool isDumpOf(const std::string& name, const std::string& program)
 {
     if (!name.ends_with(".txt") || !name.starts_with(program.empty() ? "angiopose" : program + "-")) {
@@ -25,7 +25,7 @@ bool isDumpOf(const std::string& name, const std::string& program)
     return next >= '0' && next <= '9';
 }
 
-/// Returns the file name after the program name, "2026-01-31T080509Z-1234.txt".
+/// Returns the part of the file name after the program name, "2026-01-31T080509Z-1234.txt".
 std::string timeIn(const fs::path& dump)
 {
     const std::string name = dump.filename().string();

@@ -6,7 +6,7 @@
 
 namespace angiopose::io {
 
-/// Returns the folder for persistent state of this user other than documents: `$XDG_STATE_HOME/angiopose`, or below
+/// Returns the folder for the user's persistent state other than documents: `$XDG_STATE_HOME/angiopose`, or below
 /// `~/.local/state`. The folder may not exist.
 std::filesystem::path stateFolder();
 

@@ -20,7 +20,7 @@ std::size_t endOfCell(std::string_view line, std::size_t start)
         for (std::size_t close = line.find('"', first + 1); close != std::string_view::npos;
              close = line.find('"', close + 1)) {
             if (line.substr(close + 1).starts_with('"')) {
-                ++close;   // a doubled quote represents one quote in the cell
+                ++close;   // a doubled quote stands for one quote in the cell
                 continue;
             }
             const std::size_t next = std::min(line.find_first_not_of(" \t\r", close + 1), line.size());

@@ -11,8 +11,8 @@
 
 namespace angiopose::io {
 
-/// Iterates over the trimmed lines of a text; skips empty lines and comments (`#`) but counts them. Usage:
-/// `for (TextLines lines(text); lines.next();) { use(lines.line(), lines.number()); }`
+/// Iterates over the trimmed lines of a text; skips empty lines and comments (`#`), which the line numbers include.
+/// Usage: `for (TextLines lines(text); lines.next();) { use(lines.line(), lines.number()); }`
 class TextLines {
 public:
     explicit TextLines(std::string_view text) : remaining_(text) {}
@@ -41,7 +41,7 @@ private:
 };
 
 /// Table of comma-separated values with a header row (names in lower case). Every row has as many cells as the header.
-/// A quoted comma is part of its cell; doubled quotes are not replaced.
+/// A comma inside quotes is part of the cell; doubled quotes are not replaced.
 struct CsvTable {
     std::string path;   ///< path of the file from which the table was read, for messages
     std::vector<std::string> columns;
@@ -55,7 +55,7 @@ struct CsvTable {
 /// Parses UTF-8 text. Fails if the text is not a table or if rows have different lengths; the error names the line.
 core::Result<CsvTable> parseCsv(std::string_view text, const std::string& path);
 
-/// Formats a text as a cell, quoted if necessary.
+/// Formats a string as a cell, quoted if necessary.
 std::string csvCell(std::string_view text);
 
 /// Returns the number in a cell; fails unless it is finite. The error names the line and the column.

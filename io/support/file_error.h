@@ -12,7 +12,7 @@ inline core::Error fileError(std::string_view path, const core::Message& problem
     return problemAndRemedy.about(path);
 }
 
-/// Adds the file name to an error that occurred while reading or writing; a cancellation remains a cancellation.
+/// Adds the file name to an error from reading or writing; a cancellation remains a cancellation.
 inline core::Error fileError(std::string_view path, const core::Error& error)
 {
     return error.about(path);

@@ -10,7 +10,7 @@ namespace angiopose::io {
 enum class FolderDepth { TopLevel, Recursive };
 
 /// Lists the regular files of a folder (and some levels of subfolders), sorted by name, without the DICOMDIR of a disc.
-/// Fails if the folder cannot be read or contains more files than any study.
+/// Fails if the folder cannot be read or contains more files than any study would.
 core::Result<std::vector<std::string>> filesInFolder(const std::string& folder, FolderDepth reach);
 
 }   // namespace angiopose::io

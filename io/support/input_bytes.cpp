@@ -14,7 +14,7 @@
 namespace angiopose::io {
 namespace {
 
-/// Returns why the path is not a readable file. Called before opening, since opening a pipe would block forever.
+/// Returns why the path is not a readable file, if so. Called before opening, since opening a pipe would block forever.
 std::optional<core::Message> findObstacle(const std::string& path)
 {
     const FileStatus facts = fileStatus(path);

@@ -11,11 +11,11 @@
 namespace angiopose::io {
 
 /// Makes the system read the first `size` bytes of a mapped file, and returns the reason on failure, for example a
-/// scratched disc, a disconnected drive, or a file truncated by another program; accessing such bytes would crash the
+/// scratched disc, a disconnected drive, or a file truncated by another program. Accessing such bytes would crash the
 /// program. On Linux before 5.14, which lacks this call, always returns nullopt.
 std::optional<core::Message> findReadError(const char* mapping, std::size_t size);
 
-/// Content of a whole file, read-only: memory-mapped, or owned if the file had to be decompressed.
+/// Contents of a whole file, read-only: memory-mapped, or owned if the file had to be decompressed.
 class InputBytes {
 public:
     InputBytes() = default;
@@ -33,9 +33,9 @@ private:
     std::string owned_;
 };
 
-/// Opens an input and makes the system read all of it, so that a failing drive causes an error here instead of a signal
-/// in a reader. Fails, with a remedy, for a missing, unreadable or empty file, a folder, a device, a read error, and a
-/// Git LFS pointer in place of the file itself.
+/// Opens an input and makes the system read all of it, so that a failing drive causes an error here rather than a
+/// signal in a reader. Fails, with a remedy, for a missing, unreadable or empty file, a folder, a device, a read error,
+/// and a Git LFS pointer in place of the file itself.
 core::Result<InputBytes> openInput(const std::string& path);
 
 /// Opens an input like `openInput`, for callers that access only the first `startBytes`. Later bytes are not read in
@@ -44,7 +44,7 @@ core::Result<InputBytes> openInputStart(const std::string& path);
 
 constexpr std::size_t startBytes = std::size_t{1} << 20;
 
-/// Whether the path is a folder; false if the path is inaccessible.
+/// Returns whether the path is a folder; false if the path is inaccessible.
 bool isFolder(const std::string& path);
 
 /// Returns the lower-case extension including the dot; ".nii.gz" counts as one extension. Empty if there is none.

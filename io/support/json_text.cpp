@@ -13,7 +13,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr int maxNesting = 64;
 
-/// Returns the maximum nesting depth of braces and brackets; ignores those in strings.
+/// Returns the maximum nesting depth of braces and brackets outside strings.
 int nestingOf(std::string_view text)
 {
     int depth = 0, deepest = 0;

@@ -14,7 +14,7 @@ std::string prettyJson(std::string_view json);
 core::Status checkJson(std::string_view text, const std::string& path);
 
 /// Returns the members of `json` that are not in `known` (an object of keys, with nested objects for nested keys); ""
-/// if there are none.
+/// if all are known.
 std::string unknownKeys(std::string_view json, std::string_view known);
 
 /// Returns `json` with those keys of `extra` added that are missing, at every level.

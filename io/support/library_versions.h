@@ -4,7 +4,7 @@
 
 namespace angiopose::io {
 
-/// Returns the compiler, the build type and the libraries of this layer and those below as "key: value" lines.
+/// Returns the compiler, the build type and the libraries of this layer and the layers below as "key: value" lines.
 std::string buildInfo();
 
 }   // namespace angiopose::io

@@ -6,8 +6,8 @@ namespace angiopose::io {
 
 /// Local time in DICOM format, to the second.
 struct LocalTime {
-    std::string date;   ///< yyyymmdd
-    std::string time;   ///< hhmmss
+    std::string date;   ///< date, yyyymmdd
+    std::string time;   ///< time of day, hhmmss
 };
 LocalTime localTimeNow();
 

@@ -98,7 +98,7 @@ core::Severity severityOf(const std::string& text)
     return core::Severity::Warning;
 }
 
-/// Restores a message. If this version lacks it or expects other arguments, keeps only its English sentence.
+/// Restores a message. If this version lacks that message or expects other arguments, keeps only the English sentence.
 core::Message messageOf(const MessageJson& json)
 {
     const core::Severity severity = severityOf(json.value("severity", std::string()));

@@ -39,14 +39,14 @@ bool isLockName(const fs::path& path)
     return name.starts_with('.') && name.ends_with(lockEnding);
 }
 
-/// Returns the ID of the process on this computer that created a temporary file; 0 if the file was created otherwise.
+/// Returns the ID of the process on this computer that created a temporary file; 0 if it was created in another way.
 int creatorProcess(std::string_view name, std::string_view tag)
 {
     const std::size_t at = name.rfind(temporaryMark);
     if (!name.starts_with('.') || at == std::string_view::npos || at == 0) {
         return 0;
     }
-    name.remove_prefix(at + temporaryMark.size());   // the rest has the format tag-process-XXXXXX
+    name.remove_prefix(at + temporaryMark.size());   // the rest of the name has the format tag-process-XXXXXX
     constexpr std::size_t randomLetters = 6;
     if (!name.starts_with(tag) || name.size() < tag.size() + randomLetters + 3 || name[tag.size()] != '-' ||
         name[name.size() - randomLetters - 1] != '-') {
@@ -56,7 +56,7 @@ int creatorProcess(std::string_view name, std::string_view tag)
     return process && *process > 0 ? *process : 0;
 }
 
-/// Whether a lock file names a process of this computer that is no longer running.
+/// Returns whether a lock file names a process of this computer that is no longer running.
 bool isStaleLock(const LockableFile& lockFile)
 {
     const auto holder = parseLock(lockFile.text());

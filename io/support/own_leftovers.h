@@ -23,8 +23,8 @@ struct LockHolder {
     std::string machine;
 };
 
-/// `lockText` returns the content of a lock file for this process; `parseLock` parses the content of any lock file, and
-/// returns nullopt if the text is not a lock or is still being written.
+/// `lockText` returns the text of a lock file for this process; `parseLock` parses the text of any lock file and
+/// returns nullopt if that is not a lock or is still being written.
 std::string lockText();
 std::optional<LockHolder> parseLock(std::string_view text);
 

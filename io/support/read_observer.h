@@ -9,8 +9,8 @@
 
 namespace angiopose::io {
 
-/// Called several times per second while a large input is read, with the completed fraction (0…1, never decreasing).
-/// Returning Stop cancels reading and discards what was read.
+/// Called several times per second while a large input is read. Receives the completed fraction (0…1, never
+/// decreasing). Returning Stop cancels reading and discards what was read.
 using ReadObserver = std::function<core::ObserverDecision(double fraction)>;
 
 inline bool isStopRequested(const ReadObserver& observe, double fraction)
@@ -24,7 +24,7 @@ inline core::Cancellation readingCanceled(const std::string& path)
     return {messages::readingStopped().about(path)};
 }
 
-/// Returns an observer that maps its progress to the part of `observe` from `first` to `last`.
+/// Returns an observer that maps progress from 0…1 to the range `first` to `last` and passes it to `observe`.
 inline ReadObserver progressPart(const ReadObserver& observe, double first, double last)
 {
     if (!observe) {

@@ -7,7 +7,7 @@
 
 namespace angiopose::io {
 
-/// Temporary folder next to the target file, hence on the same volume; the destructor removes it.
+/// Temporary folder next to the target file and hence on the same drive; the destructor removes it.
 class ScratchFolder {
 public:
     explicit ScratchFolder(const std::string& targetFile);

@@ -14,9 +14,9 @@ public:
     bool isAtEnd() const;
     std::size_t left() const { return remaining_.size(); }   ///< number of remaining bytes
 
-    std::string_view line();   ///< text up to the next line end, trimmed
+    std::string_view line();   ///< text up to the end of the line, trimmed
     std::string_view word();   ///< next word, delimited by blanks; empty at the end
-    std::optional<Eigen::Vector3d> point();   ///< point from the next three words
+    std::optional<Eigen::Vector3d> point();   ///< point whose coordinates are the next three words
 
 private:
     std::string_view taken(std::size_t count);

@@ -72,7 +72,7 @@ LineSet chainSegments(const LineSet& set)
     if (!onlySegments) {
         return set;
     }
-    std::map<std::pair<int, std::size_t>, std::set<Segment>> segmentsOf;   // by id and by the first line with that name
+    std::map<std::pair<int, std::size_t>, std::set<Segment>> segmentsOf;   // by ID and by the first line with that name
     std::map<std::string_view, std::size_t> firstOfName;
     for (std::size_t i = 0; i < set.lines.size(); ++i) {
         const std::string_view name = set.names.empty() ? std::string_view() : set.names[i];

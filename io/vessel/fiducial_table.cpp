@@ -14,10 +14,10 @@ namespace {
 /// Columns and coordinate system of a fiducial table.
 struct FiducialLayout {
     std::size_t x = 1, label = 11, description = 12;
-    bool isRas = true;   // files that do not state their coordinate system come from older Slicer versions
+    bool isRas = true;   // files that state no coordinate system come from older Slicer versions
 };
 
-/// Splits a line into cells; quoted cells may contain commas, and a doubled quote represents one quote.
+/// Splits a line into cells; quoted cells may contain commas, and a doubled quote stands for one quote.
 std::vector<std::string> cellsOf(std::string_view line)
 {
     std::vector<std::string> cells(1);
@@ -88,7 +88,7 @@ std::optional<Fiducial> pointOf(const std::vector<std::string>& cells, const Fid
     return fiducial;
 }
 
-/// Returns the name without line breaks, because a line break would start another point.
+/// Returns the name without line breaks, which would start another point.
 std::string cellOf(std::string name)
 {
     std::ranges::replace_if(

@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Returns how to convert the control points of a Slicer markup to LPS mm. Accepts the unit as a word or as [code,
+/// Returns the conversion of the control points of a Slicer markup to LPS mm. Accepts the unit as a word or as [code,
 /// scheme, meaning], and the axes in upper or lower case. The error for an unsupported unit or axes names the value.
 core::Result<CoordinateConversion> ruleOf(const Json& markup, const std::string& path)
 {
@@ -38,7 +38,7 @@ core::Result<CoordinateConversion> ruleOf(const Json& markup, const std::string&
     return rule;
 }
 
-/// Returns the point; nullopt if the point is not placed. Throws if the JSON does not describe a point.
+/// Returns the point; nullopt if it is not placed. Throws if the JSON does not describe a point.
 std::optional<Eigen::Vector3d> placedPoint(const Json& control, const CoordinateConversion& rule)
 {
     const auto position = control.find("position");
@@ -50,7 +50,7 @@ std::optional<Eigen::Vector3d> placedPoint(const Json& control, const Coordinate
     return rule({numbers.at(0), numbers.at(1), numbers.at(2)});
 }
 
-/// Returns the content of a Slicer file with these markups.
+/// Returns a Slicer file with these markups as text.
 std::string markupsFile(Json markups)
 {
     Json root;
@@ -118,7 +118,7 @@ core::Result<LineSet> parseMarkups(std::string_view json, const std::string& pat
             set.warnings.push_back(messages::markupsNotPlaced(notPlaced));
         }
         return set;
-    } catch (const std::exception&) {   // missing keys, wrong types, too few coordinates
+    } catch (const std::exception&) {   // a key is missing, a type is wrong, or there are too few coordinates
         return fileError(path, messages::markupsNone());
     }
 }
@@ -162,7 +162,7 @@ core::Result<std::vector<Fiducial>> parseFiducialMarkups(std::string_view json, 
             }
             appendFiducials(markup, rule.value(), fiducials);
         }
-    } catch (const std::exception&) {   // missing keys, wrong types, too few coordinates
+    } catch (const std::exception&) {   // a key is missing, a type is wrong, or there are too few coordinates
         fiducials.clear();
     }
     return fiducials.empty() ? core::Result<std::vector<Fiducial>>(fileError(path, messages::fiducialsNone()))

@@ -7,7 +7,7 @@
 namespace angiopose::io {
 namespace {
 
-/// Returns the point index of a face vertex: "12/3/4" is point 12 (counted from 1), "-1" the last point so far. An
+/// Returns the point index of a face vertex: "12/3/4" is point 12, starting at 1, and "-1" the last point so far. An
 /// invalid index is detected later.
 std::size_t pointIndex(std::string_view word, std::size_t pointCount)
 {

@@ -16,7 +16,7 @@ namespace angiopose::io {
 namespace {
 
 constexpr std::size_t headBytes = 8192;
-constexpr std::size_t longestLine = 200;   // longer lines are not prose, and recurse deeply in std::regex
+constexpr std::size_t longestLine = 200;   // longer lines are not prose and recurse deeply in std::regex
 
 struct StatedUnit {
     double unitMm = 1.0;
@@ -91,7 +91,7 @@ std::optional<StatedUnit> unitIn(const std::string& line)
     return std::nullopt;
 }
 
-/// Returns the axis directions in capital letters, from "SPACE=RAS" or "coordinate system: LPS".
+/// Returns the axis directions in capital letters, as in "SPACE=RAS" or "coordinate system: LPS".
 std::string axesIn(const std::string& line)
 {
     static const std::regex form(

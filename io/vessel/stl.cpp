@@ -27,7 +27,7 @@ std::size_t heldTriangles(std::string_view content)
     return (content.size() - headSize) / triangleSize;
 }
 
-/// Whether the content is ASCII STL. Binary files may also start with "solid", but contain null bytes.
+/// Returns whether the content is ASCII STL. Binary files may also start with "solid" but contain null bytes.
 bool isText(std::string_view content)
 {
     const std::string head = lowered(content.substr(0, 512));

@@ -107,7 +107,7 @@ double runLengthMm(const VesselBranch& line, const Run& run)
     return length;
 }
 
-/// Removes contacts over less than minSharedLengthMm: lines that only touch or cross do not share a trunk.
+/// Removes contacts shorter than minSharedLengthMm: lines that only touch or cross do not share a trunk.
 void dropShortContacts(const VesselBranch& line, std::vector<std::optional<Contact>>& contacts)
 {
     for (std::size_t first = 0; first < contacts.size();) {
@@ -174,9 +174,9 @@ void appendPieces(const VesselBranch& line, Run run, std::vector<std::size_t> cu
     pieces.push_back(piece(line, run));
 }
 
-/// Removes repeated trunks: VMTK writes one line per outlet, each starting at the inlet, so that the trunk is repeated
-/// for every outlet. Returns pieces that cover every vessel once, cut at the bifurcations; lines that share nothing are
-/// returned unchanged, with their ids. Two lines share a stretch if they stay closer than 0.1 mm for 3 mm or more.
+/// Removes repeated trunks: VMTK writes one line per outlet, each starting at the inlet, so every line repeats the
+/// trunk. Returns pieces that cover every vessel once, cut at the bifurcations; lines that share nothing are returned
+/// unchanged, with their IDs. Two lines share a section if they stay closer than 0.1 mm for at least 3 mm.
 std::vector<VesselBranch> splitSharedTrunks(const std::vector<VesselBranch>& lines)
 {
     std::vector<CurveIndex> indices;
@@ -253,7 +253,7 @@ double stepMm(const LineSet& set, const std::vector<std::size_t>& line, std::siz
     return (set.points[line[next]] - set.points[line[next - 1]]).norm();
 }
 
-/// Steps of a line that are much longer than its median step; `at` holds the indices of the points after these steps.
+/// Segments of a line that are much longer than its median segment; `at` holds the indices of the points after them.
 struct Jumps {
     std::vector<std::size_t> at;
     double usualMm = 0.0;
@@ -285,8 +285,8 @@ Jumps findJumps(const LineSet& set, const std::vector<std::size_t>& line)
     return leaps;
 }
 
-/// Repairs leaps: if the start of a line is stored after its end, rotates the point order; otherwise cuts the line at
-/// its leaps, which connect separate vessels. Two-point segments are not changed.
+/// Repairs jumps: if the start of a line is stored after its end, rotates the point order; otherwise cuts the line at
+/// its jumps, which connect separate vessels. Two-point segments are not changed.
 void repairJumps(LineSet& set)
 {
     constexpr double joiningSteps = 3.0;
@@ -361,7 +361,7 @@ core::Result<LoadedTree> treeFromLines(LineSet set, const std::string& path)
     core::VesselTree tree;
     for (std::size_t i = 0; i < set.lines.size(); ++i) {
         VesselBranch branch = branchOf(set, i);
-        if (branch.pointsInPatient.size() > 1 && branch.lengthMm() != 0.0) {   // NaN is kept, to be reported
+        if (branch.pointsInPatient.size() > 1 && branch.lengthMm() != 0.0) {   // keeps NaN, which is reported later
             branch.id = set.ids.empty() ? static_cast<int>(i) + 1 : set.ids[i];
             tree.branches.push_back(std::move(branch));
         }

@@ -70,7 +70,7 @@ core::Result<TreeRow> parseRow(const CsvTable& table, std::size_t row, const Tre
     return content;
 }
 
-/// Joins consecutive rows with the same branch ID into a line; if a branch ID recurs later, it starts another line.
+/// Joins consecutive rows with the same branch ID into a line; a branch ID that recurs later starts another line.
 void joinRows(LineSet& set, const std::vector<int>& ids, const std::vector<std::string>& labels, bool hasIds)
 {
     for (std::size_t i = 0; i < set.points.size(); ++i) {

@@ -11,7 +11,7 @@
 
 namespace angiopose::io {
 
-/// Point indices as in the file; they may be out of range.
+/// Triangle of point indices as stored in the file, which may be out of range.
 using Triangle = std::array<std::uint32_t, 3>;
 
 /// Splits a polygon into triangles that share its first corner.
@@ -24,7 +24,7 @@ struct VtkLines {
     std::map<std::string, std::vector<double>> pointArrays;   ///< single-component arrays by name
     std::map<std::string, std::vector<double>> cellArrays;
     std::vector<std::string> cellNames;   ///< one name per cell, or empty
-    std::string header;   ///< text of the field data, one "name = words" per line
+    std::string header;   ///< text of the field data, one "name = value" per line
     std::vector<Triangle> triangles;   ///< surface triangles, from triangles, quads, polygons and strips
 };
 

@@ -16,7 +16,7 @@ namespace {
 
 using PointIds = std::vector<std::size_t>;
 
-/// Whether the offsets of a cell array are consistent, which VTK's readers do not check.
+/// Returns whether the offsets of a cell array are consistent, which VTK's readers do not check.
 bool hasSoundOffsets(vtkCellArray* array)
 {
     vtkDataArray* offsets = array->GetOffsetsArray();
@@ -114,7 +114,7 @@ std::map<std::string, std::vector<double>> scalarArrays(vtkFieldData* data)
     return arrays;
 }
 
-/// Returns the text of the field data, in which Slicer stores the axes and other programs store their unit.
+/// Returns the text of the field data, in which Slicer stores the axes and other programs the unit.
 std::string headerIn(vtkFieldData* data)
 {
     constexpr std::size_t longest = 80;

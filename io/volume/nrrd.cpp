@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::size_t longestSegmentName = 80;
 constexpr std::size_t longestHeader = std::size_t{1} << 20;
-constexpr std::size_t maxFieldBytes = 400;   // the library quotes unreadable text into a fixed-size buffer
+constexpr std::size_t maxFieldBytes = 400;   // the library copies unreadable text to a fixed-size buffer
 
 struct FreeNrrd {
     void operator()(Nrrd* nrrd) const { nrrdNuke(nrrd); }
@@ -36,18 +36,18 @@ struct NrrdHeader {
     std::string problem;   ///< error text of the library; empty on success
 };
 
-/// Header text for the library, without the data file field, because the library would open the data file while reading
-/// the header.
+/// Header text for the library, without the data file field, because the library would open that file while reading the
+/// header.
 struct HeaderText {
     std::string text;
     std::string dataFile;   ///< empty if the data follow the header
     int lineSkip = 0;
     int byteSkip = 0;
-    std::size_t end = 0;   ///< offset in the file after the blank line
+    std::size_t end = 0;   ///< offset in the file, after the blank line
 };
 
 /// Returns the value of a line that contains the field `name`, spelled with or without blanks; nullopt for other lines.
-/// Also accepts fields written as key/value pairs (":="), as some writers do.
+/// Also accepts fields that some programs write as key/value pairs (":=").
 std::optional<std::string> fieldValue(std::string_view line, std::string_view name)
 {
     const std::size_t colon = std::min(line.find(':'), line.size());
@@ -60,8 +60,8 @@ std::optional<std::string> fieldValue(std::string_view line, std::string_view na
     return std::string(trimmed(line.substr(line.starts_with('=') ? 1 : 0)));
 }
 
-/// Reads the lines up to the first blank line and corrects common errors of writers: space directions without a `space`
-/// field, or with vectors between vertical bars.
+/// Reads the lines up to the first blank line and corrects common errors of other programs: space directions without a
+/// `space` field, or with vectors between vertical bars.
 HeaderText splitHeader(std::string_view content)
 {
     HeaderText header;
@@ -299,7 +299,7 @@ std::string keyValue(const Nrrd& nrrd, const std::string& key)
 }
 
 /// Returns the segments that 3D Slicer declares: `Segment3_LabelValue:=4`, `Segment3_Name:=Aorta`. If segments in
-/// different layers share a value, keeps the first.
+/// different layers share a value, keeps the first one.
 LabelNames slicerSegments(const Nrrd& nrrd)
 {
     LabelNames names;

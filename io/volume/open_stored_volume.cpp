@@ -89,8 +89,8 @@ Raw rawHeader(std::string_view head)
     return raw;
 }
 
-/// Returns the NIfTI version, 1 or 2, or 0 for Analyze, of the first decompressed bytes of a file, in either byte
-/// order; nullopt for other content.
+/// Returns the NIfTI version (1 or 2, 0 for Analyze) from the first decompressed bytes of a file, in either byte order;
+/// nullopt for other content.
 std::optional<int> niftiVersionOf(std::string_view head)
 {
     if (head.size() < sizeof(nifti_1_header) ||
@@ -123,7 +123,7 @@ NiftiHeader headerOf(std::string_view head, int version)
         header = fieldsOf(raw);
         header.isPair = head.substr(344, 3) != "n+1";
     }
-    if (version == 0) {   // Analyze uses for other purposes the fields that NIfTI added
+    if (version == 0) {   // Analyze uses the fields that NIfTI added for other purposes
         header.slope = 0.0;
         header.units = header.intent = header.qformCode = header.sformCode = 0;
         header.dataOffset = std::isfinite(header.dataOffset) ? std::abs(header.dataOffset) : 0.0;
@@ -210,7 +210,7 @@ double largestDifference(const NiftiMap& a, const NiftiMap& b, const NiftiHeader
     return largest;
 }
 
-/// Selects the map that places the voxels in the patient, sform or qform. Codes above 2 denote an atlas.
+/// Selects the sform or the qform as the map that places the voxels in the patient. Codes above 2 denote an atlas.
 NiftiMap mapOf(const NiftiHeader& header, core::Messages& warnings)
 {
     const NiftiMap& qform = header.qform;
@@ -242,7 +242,7 @@ std::string sizeText(const Eigen::Vector3d& size)
     return rounded(size.x()) + " x " + rounded(size.y()) + " x " + rounded(size.z());
 }
 
-/// Warns if the header states the same property twice with different values: names both values and the one used.
+/// Warns if the header states the same property twice with different values, and names both values and the one used.
 void findContradictions(const NiftiHeader& header, const NiftiMap& map, core::Messages& warnings)
 {
     const Eigen::Vector3d stated(header.pixdim[1], header.pixdim[2], header.pixdim[3]);
@@ -257,7 +257,7 @@ void findContradictions(const NiftiHeader& header, const NiftiMap& map, core::Me
     }
 }
 
-/// Returns "scan.img" for "scan.hdr"; also handles compressed files.
+/// Returns the voxel file of a header file, "scan.img" for "scan.hdr"; also handles compressed files.
 std::string pairedPath(const std::string& path)
 {
     std::filesystem::path base(path);
@@ -303,7 +303,7 @@ LabelNames labelTable(std::string_view text)
 
 /// Parses the header of a NIfTI volume (single file or .hdr/.img pair) with the structures of nifti_clib and converts
 /// RAS to LPS; `head` is decompressed. Scanner coordinates take precedence if the file has several coordinate systems.
-/// A volume without any, such as every Analyze volume, causes a warning.
+/// Warns if the volume has none, as is the case for all Analyze volumes.
 core::Result<StoredVolume> parseNifti(std::string_view head, const std::string& path)
 {
     const NiftiHeader header = headerOf(head, *niftiVersionOf(head));

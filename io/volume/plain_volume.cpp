@@ -135,7 +135,7 @@ VoxelSource metaSource(std::string_view content, const std::string& path)
 }
 
 /// Reads as many numbers as `numbers` can hold from the value of the first key that is present. Leaves `numbers`
-/// unchanged if no key is present; returns false if the value is not numeric.
+/// unchanged if no key is present. Returns false if the value is not numeric.
 bool readNumbers(std::string_view content, std::initializer_list<std::string_view> keys, std::span<double> numbers)
 {
     for (const std::string_view key : keys) {

@@ -15,7 +15,7 @@ enum class PlainFormat { MetaImage, VtkImage, Gipl };
 /// Determines the format from the first bytes and, if these are ambiguous, from the extension.
 std::optional<PlainFormat> plainFormatOf(std::string_view content, const std::string& path);
 
-/// Reads the header of such a volume (patient LPS) from `content`, the whole file. Warns if it has no orientation.
+/// Parses the header of such a volume (patient LPS); `content` is the whole file. Warns if it states no orientation.
 core::Result<StoredVolume> openPlainVolume(PlainFormat format, std::string_view content, const std::string& path);
 
 }   // namespace angiopose::io

@@ -49,7 +49,7 @@ struct Quantization {
     }
 };
 
-/// Keeps whole numbers that span at most 16 bits; maps other values to the 65536 levels.
+/// Keeps whole numbers that span at most 16 bits; maps other values to 65536 levels.
 inline Quantization quantizationOf(const ValueRange& range)
 {
     if (range.isInteger && range.low >= minStoredValue && range.high <= minStoredValue + storedLevels) {

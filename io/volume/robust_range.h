@@ -16,7 +16,7 @@ ValueRange robustRange(const ValueRange& range, std::size_t count, const ValueAt
     constexpr std::size_t sampleSize = 200'000;
     constexpr std::size_t minSample = 100;
     constexpr double maxRangeRatio = 1000.0;   // ratio beyond which nearly all values would share 65 levels
-    constexpr double margin = 10.0;   // in multiples of that span, on both sides: keeps metal and bright vessels
+    constexpr double margin = 10.0;   // on both sides, in multiples of that span: keeps metal and bright vessels
     if (range.high - range.low <= storedLevels) {
         return range;
     }

@@ -28,7 +28,7 @@ constexpr std::string_view nameOf(VoxelType type)
     return names[static_cast<int>(type)];
 }
 
-/// Calls `work` with a value of the C++ type that corresponds to `type`.
+/// Calls `work` with a value of the C++ type that corresponds to `type`, and returns its result.
 template <class Work>
 auto visitVoxelType(VoxelType type, const Work& work)
 {
@@ -64,7 +64,7 @@ public:
     VoxelReader& operator=(const VoxelReader&) = delete;
     virtual ~VoxelReader() = default;
 
-    /// Fails if the file is too short for what its header declares. Reads no voxels and allocates no memory for them.
+    /// Fails if the file is too short for the voxels that the header declares. Reads no voxels and allocates no memory.
     virtual core::Status check() const = 0;
     /// Reads all voxels, from the first to the last.
     virtual core::Status read(char* voxels, const ReadObserver& observe) const = 0;

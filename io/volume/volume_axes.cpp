@@ -12,7 +12,7 @@
 namespace angiopose::io {
 namespace {
 
-constexpr double exactCosine = 1e-7;   // axes with a smaller cosine count as perpendicular
+constexpr double exactCosine = 1e-7;   // axes with a smaller cosine are considered perpendicular
 constexpr double roundedCosine = 1.75e-3;   // cosine of the maximum deviation from a right angle, 0.1°
 
 std::optional<core::Message> findBadSize(const Eigen::Vector3i& size)

@@ -19,11 +19,11 @@ struct AxesResult {
 };
 
 /// Builds a geometry from `steps`: column k is the LPS vector (mm) from a voxel to its neighbor along axis k. Corrects
-/// axes up to 0.1° from orthogonal; larger deviations, sizes below 2, and zero-length or non-finite steps are errors.
+/// axes that are up to 0.1° from orthogonal; larger deviations, sizes below 2 and zero or non-finite steps are errors.
 AxesResult geometryFromSteps(const Eigen::Vector3i& size, const Eigen::Matrix3d& steps,
                              const Eigen::Vector3d& originInPatient);
 
-/// Returns the millimeters per unit that a header names. Warns if the unit is unknown, and assumes millimeters.
+/// Returns the length in mm of the unit that a header names. Warns if the unit is unknown, and assumes mm.
 double millimetersPer(std::string_view unit, core::Messages& warnings);
 
 /// Converts the steps or the origin of a RAS file to LPS.

@@ -46,7 +46,7 @@ public:
         inflater_.avail_out = static_cast<uInt>(size);
         while (inflater_.avail_out > 0 && !isDamaged_ && (inflater_.avail_in > 0 || refill())) {
             const int status = inflate(&inflater_, Z_NO_FLUSH);
-            if (status == Z_STREAM_END) {   // another archive may follow, since parallel compressors write several
+            if (status == Z_STREAM_END) {   // another archive may follow: parallel compressors write several
                 isDamaged_ = (inflater_.avail_in == 0 && !refill()) || inflateReset(&inflater_) != Z_OK;
             } else {
                 isDamaged_ = status != Z_OK && status != Z_BUF_ERROR;
@@ -55,7 +55,7 @@ public:
         return size - inflater_.avail_out;
     }
 
-    /// Whether a read error of the drive occurred.
+    /// Returns whether a read error of the drive occurred.
     bool hasReadError() const { return file_.bad(); }
 
     /// Skips up to `size` bytes and returns the number of skipped bytes.
@@ -85,9 +85,9 @@ private:
     bool isDamaged_ = false;
 };
 
-/// Whether the size field at the end of a gzip file (RFC 1952) shows, without decompression, that the content has fewer
-/// than `bytes` bytes. Returns false if uncertain: if there are several gzip members, as parallel compressors write
-/// them, or above 4 GiB, which the field cannot represent.
+/// Returns whether the size field at the end of a gzip file (RFC 1952) shows, without decompression, that the content
+/// has fewer than `bytes` bytes. Returns false if this is uncertain: if there are several gzip members, as parallel
+/// compressors write them, or above 4 GiB, which the field cannot represent.
 bool declaresFewerThan(std::string_view packed, std::uint64_t bytes)
 {
     constexpr std::size_t minArchive = 18;   // header and trailer of an empty gzip file, bytes
@@ -126,8 +126,8 @@ private:
     std::uint64_t needed_;
 };
 
-/// Whether a detached header refers to a complete volume file without skipping the header of that file, which would be
-/// displayed as voxels.
+/// Returns whether a detached header refers to a complete volume file without skipping that file's header, which would
+/// be displayed as voxels.
 bool VoxelStream::isHeaderAmongVoxels() const
 {
     if (source_.path == path_ || source_.isAtEnd || source_.offset + source_.skip > 0) {
@@ -140,7 +140,7 @@ bool VoxelStream::isHeaderAmongVoxels() const
 
 core::Status VoxelStream::check() const
 {
-    std::error_code unknown;   // an error is reported when the file is opened below
+    std::error_code unknown;   // opening the file below reports any error
     if (!std::filesystem::exists(source_.path, unknown) && !unknown) {
         return fileError(path_,
                          messages::volumeVoxelsNotThere(std::filesystem::path(source_.path).filename().string()));

@@ -6,7 +6,7 @@
 
 namespace angiopose::io {
 
-/// Location of the voxels: in `path` from `offset`, decompressed if packed (gzip, zlib), after skipping `skip` bytes.
+/// Location of the voxels: in `path` from `offset`, decompressed if packed (gzip, zlib), after the first `skip` bytes.
 struct VoxelSource {
     std::string path;
     std::uint64_t offset = 0;

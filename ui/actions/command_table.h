@@ -29,7 +29,7 @@ enum class Menu {
 /// Command with its label, shortcuts (separated by "; ") and traits.
 struct CommandRow {
     Command command;
-    const char* name;   ///< object name and settings key, e.g. "copy-pose-as-matrix"; never changes
+    const char* name;   ///< object name and settings key, e.g. "copy-pose-as-matrix"; must never change
     const char* text;   ///< English source text, translated by CommandTable::tr
     const char* keys = "";
     unsigned traits = 0;
@@ -41,14 +41,14 @@ struct MenuRows {
     std::span<const CommandRow> commands;
 };
 
-/// Single list of all commands; menus, shortcuts and the shortcut sheet are built from it.
+/// Single list of all commands, from which menus, shortcuts and the shortcut sheet are built.
 class CommandTable {
     Q_DECLARE_TR_FUNCTIONS(angiopose::ui::CommandTable)
 public:
     enum Trait : unsigned {
-        Switch = 1,   ///< checkable action: stays on until triggered again
-        StartsGroup = 2,   ///< preceded by a separator
-        Repeats = 4   ///< auto-repeats while the key is held
+        Switch = 1,   ///< checkable command, which stays on until it is triggered again
+        StartsGroup = 2,   ///< command preceded by a separator
+        Repeats = 4   ///< command that repeats while its key is held
     };
 
     /// Menus in menu-bar order; Exports is a submenu of File, and Brightness to Mouse are submenus of View.

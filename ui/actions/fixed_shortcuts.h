@@ -11,7 +11,7 @@ namespace angiopose::ui {
 
 /// One line of the shortcut sheet.
 struct ShortcutRow {
-    QString heading;   ///< mode or view in which the shortcut works
+    QString heading;   ///< mode or view in which the shortcuts work
     QString keys;
     QString effect;
     QAction* action = nullptr;   ///< action with an editable shortcut; null for fixed keys

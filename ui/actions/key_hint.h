@@ -12,7 +12,7 @@ class QPushButton;
 namespace angiopose::ui {
 
 /// Sets the user-defined shortcuts as portable text ("" for no shortcut); commands without an entry keep the shortcuts
-/// of the command table. Applies to the whole program, like theme and language; see `speakAgain`.
+/// of the command table. Applies to the whole program, like theme and language; see `retranslate`.
 void setCustomShortcuts(std::map<Command, QString> chosen);
 
 QString keyOf(Command command);   ///< "" if the command has no shortcut
@@ -23,7 +23,7 @@ QString withShortcut(const QString& words, Command command);
 /// Appends the shortcut to a tooltip, e.g. "Finds the pose. (R)".
 QString tooltipWithShortcut(const QString& sentence, Command command);
 
-/// Creates a button that switches a mode on and off, with the shortcut in its tooltip; see `follow`.
+/// Creates a button that switches a mode on and off, with the shortcut in the tooltip; see `follow`.
 QPushButton* makeModeButton(const LocalizedText& text, Command command);
 
 /// Makes a button trigger an action and mirror its checked and enabled state.

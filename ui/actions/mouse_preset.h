@@ -29,11 +29,11 @@ struct MousePreset {
     }
 };
 
-/// As in most viewers (Weasis, OHIF): left adjusts window/level, middle pans, right zooms.
+/// As in most viewers (Weasis, OHIF): the left button adjusts window/level, the middle one pans, the right one zooms.
 inline constexpr MousePreset radiologyMouse{};
-/// As in 3D Slicer: left only picks, Shift+left and middle pan, right zooms.
+/// As in 3D Slicer: the left button only picks; Shift+left and the middle one pan, the right one zooms.
 inline constexpr MousePreset slicerMouse{DragAction::None, DragAction::Pan, DragAction::Pan, DragAction::Zoom};
-/// Default of IHE Basic Image Review: left scrolls through the frames, Shift+left pans.
+/// Default of IHE Basic Image Review: the left button scrolls through the frames, Shift+left pans.
 inline constexpr MousePreset scrollMouse{DragAction::Frames, DragAction::Pan, DragAction::Pan, DragAction::Zoom};
 
 }   // namespace angiopose::ui

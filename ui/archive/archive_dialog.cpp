@@ -65,7 +65,7 @@ QLayout* ArchiveDialog::makeButtons()
     row->addWidget(close);
     row->addWidget(retrieve_);
     for (QPushButton* button : {partial_, close, retrieve_}) {
-        button->setAutoDefault(false);   // Return in a field starts the search instead
+        button->setAutoDefault(false);   // instead, Return in a field starts the search
     }
     connect(close, &QPushButton::clicked, this, &QDialog::reject);
     connect(partial_, &QPushButton::clicked, this, &ArchiveDialog::partialSeriesRequested);

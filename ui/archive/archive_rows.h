@@ -9,7 +9,7 @@ namespace angiopose::ui {
 /// PACS settings as entered by the user. For keys and passwords, only file paths are stored.
 struct ArchiveEntry {
     QString name;   ///< display name chosen by the user
-    QString host;   ///< empty if only DICOMweb is used
+    QString host;   ///< empty if the node supports DICOMweb only
     int port = 104;
     QString title = QStringLiteral("ANY-SCP");   ///< called AE title
     QString ownAeTitle = QStringLiteral("ANGIOPOSE");   ///< calling AE title
@@ -35,7 +35,7 @@ struct ArchiveSearch {
     QString modality;
 };
 
-/// Display texts of a study or series found in an archive.
+/// One study or series found in an archive, as displayed in the list.
 struct MatchRow {
     QString key;
     QString what;   ///< patient of the study, or number of the series

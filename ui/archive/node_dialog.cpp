@@ -22,7 +22,7 @@ constexpr int maxAeLetters = 16;
 constexpr int maxNameLetters = 64;
 constexpr int nodeFieldWidth = 400;
 
-/// Gives the labels of all forms in the dialog the same width, which aligns their fields.
+/// Gives the labels of all forms in the dialog the same width, so that their fields are aligned.
 void alignNames(const QDialog& dialog)
 {
     int widest = 0;

@@ -45,7 +45,7 @@ public:
     TransferLine& line() { return *line_; }
 
 signals:
-    void saveRequested(const ui::ArchiveEntry& entry);   ///< the receiver calls `accept` or shows a problem
+    void saveRequested(const ui::ArchiveEntry& entry);   ///< the receiver calls `accept` or shows the problem
     void testRequested(const ui::ArchiveEntry& entry);
 
 private:

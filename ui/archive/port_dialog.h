@@ -24,7 +24,7 @@ public:
     TransferLine& line() { return *line_; }
 
 signals:
-    void saveRequested(const ui::ScpSettings& entry);   ///< the receiver calls `accept` or shows a problem
+    void saveRequested(const ui::ScpSettings& entry);   ///< the receiver calls `accept` or shows the problem
 
 private:
     QFormLayout* makeForm();

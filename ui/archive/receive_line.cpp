@@ -42,7 +42,7 @@ ReceiveLine::ReceiveLine(QWidget* parent)
     security_->setAutoDefault(false);
     security_->setToolTip(tr("Sets which applications may connect to this port, and encryption (TLS)"));
     label_->setObjectName(QStringLiteral("receiveWords"));
-    label_->setTextFormat(Qt::PlainText);   // calling AE titles come from the network: no rich text
+    label_->setTextFormat(Qt::PlainText);   // calling AE titles come from the network, so no rich text
     label_->setWordWrap(true);
     open_->setAutoDefault(false);
     open_->setToolTip(tr("Select from the received objects"));

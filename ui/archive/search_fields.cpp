@@ -12,7 +12,7 @@
 namespace angiopose::ui {
 namespace {
 
-/// Creates a layout with the field below its label.
+/// Returns a layout with the field below its label.
 QVBoxLayout* namedField(const QString& name, QWidget* field)
 {
     auto* label = roleLabel("label", name);

@@ -15,7 +15,7 @@ public:
     explicit TransferLine(QWidget* parent = nullptr);
 
     void showHint(const QString& statusText);   ///< shows what to do next
-    void showBusy(const QString& statusText);   ///< shows indeterminate progress
+    void showBusy(const QString& statusText);   ///< shows progress of unknown duration
     void showProgress(const QString& statusText, qsizetype done, qsizetype all);
     void showDone(const QString& statusText);
     void showProblem(const QString& statusText);   ///< shows the problem and its remedy

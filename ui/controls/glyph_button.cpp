@@ -10,7 +10,7 @@ namespace {
 
 using Glyph = GlyphButton::Glyph;
 
-/// Adds an arrowhead with its point at `tip`; `along` is the unit vector in which it points.
+/// Adds an arrowhead with its point at `tip`; `along` is the unit vector of its direction.
 void addHead(QPainterPath& path, const QPointF& tip, const QPointF& along)
 {
     constexpr double length = 3.2;
@@ -20,7 +20,7 @@ void addHead(QPainterPath& path, const QPointF& tip, const QPointF& along)
     path.lineTo(tip - length * along - length * across);
 }
 
-/// Glyph outline centered on the origin, at most 12 px wide.
+/// Returns the outline of a glyph, centered on the origin and at most 12 px wide.
 QPainterPath pathOf(Glyph glyph)
 {
     QPainterPath path;

@@ -4,7 +4,7 @@
 
 namespace angiopose::ui {
 
-/// Tool button with a vector glyph in the text color, sharp at any scale. Needs an accessible name.
+/// Tool button with a vector glyph in the text color, sharp at any scale. Requires an accessible name.
 class GlyphButton : public QToolButton {
     Q_OBJECT
 public:

@@ -22,7 +22,7 @@ namespace {
 
 constexpr QChar fieldMinusSign{0x2212};
 
-/// Returns `watched` if it is a combo box, spin box or slider, whose value the wheel changes; otherwise null.
+/// Returns `watched` if it is a combo box, spin box or slider, whose value the wheel would change; otherwise null.
 QWidget* guardedWidget(QObject* watched)
 {
     const bool holdsValue = qobject_cast<QComboBox*>(watched) || qobject_cast<QAbstractSpinBox*>(watched) ||

@@ -19,13 +19,13 @@ struct NumberFormat {
 };
 
 /// Number field that shows its unit in a muted color. Accepts '.' and ','. The wheel changes the value only while the
-/// field has focus; Enter or losing focus commits it, Esc reverts it.
+/// field has focus; Enter or losing focus commits the value, Esc reverts it.
 class NumberField : public QLineEdit {
     Q_OBJECT
 public:
     explicit NumberField(NumberFormat format, QWidget* parent = nullptr);
 
-    void showValue(std::optional<double> value);   ///< emits no signal; does not overwrite text being typed
+    void showValue(std::optional<double> value);   ///< emits no signal; does not overwrite a value being typed
     std::optional<double> value() const { return value_; }
     void setUnit(const QString& unit);
     void setDecimals(int decimals) { format_.decimals = decimals; }   ///< takes effect at the next update
@@ -52,8 +52,8 @@ private:
     std::optional<double> value_;
 };
 
-/// Lets the wheel change a combo box, spin box or slider only while it has focus; otherwise the wheel scrolls the
-/// surrounding area, which prevents accidental edits. Applies to the whole application, including dialogs.
+/// Lets the wheel change a combo box, spin box or slider only while it has focus; otherwise, to prevent accidental
+/// edits, the wheel scrolls the surrounding area. Applies to the whole application, including dialogs.
 class WheelGuard : public QObject {
     Q_OBJECT
 public:

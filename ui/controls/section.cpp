@@ -9,7 +9,7 @@
 namespace angiopose::ui {
 namespace {
 
-/// Label that caches its height per width: layouts request the height whenever a column folds or unfolds, and each
+/// Label that caches its height per width: layouts request the height whenever a column folds or unfolds, and every
 /// request would lay out the text again.
 class WrappedLabel : public QLabel {
 public:

@@ -24,7 +24,7 @@ protected:
 
 enum class Folding { Fixed, Foldable };
 
-/// Part of a column: heading, hint at its right, content below. Shade and spacing separate sections, not lines.
+/// Part of a column: heading, hint at its right, content below. Shading and spacing separate sections, not lines.
 class Section : public QWidget {
     Q_OBJECT
 public:
@@ -51,7 +51,7 @@ private:
     QVBoxLayout* contentLayout_;
 };
 
-/// Creates a label of the given role ("heading", "label", "hint", "strong", "attention"); the theme sets its color.
+/// Creates a label with the given role ("heading", "label", "hint", "strong", "attention"); the theme sets its color.
 QLabel* roleLabel(const char* role, const QString& text = {}, QWidget* parent = nullptr);
 
 /// Changes the role of a widget and restyles it at once.

@@ -81,7 +81,7 @@ void SimulatedView::paintEvent(QPaintEvent*)
 
 void SimulatedView::paintBranch(QPainter& painter, const core::VesselBranch& branch, double scale) const
 {
-    const Palette& colors = ui::palette(ThemeMode::Dark);   // the background is dark in every theme
+    const Palette& colors = ui::palette(ThemeMode::Dark);   // the background of the view is dark in every theme
     QPen pen(toQColor(branch.id == branchId_ ? colors.accent : colors.label));
     pen.setCapStyle(Qt::RoundCap);
     std::optional<Eigen::Vector2d> before;

@@ -22,7 +22,7 @@ class SimulatedView : public QWidget {
 public:
     explicit SimulatedView(QWidget* parent = nullptr);
 
-    /// Shows the vessels; leaves the view empty if `sight` has no value.
+    /// Shows the vessels; leaves the view empty if there is no camera and pose.
     void showVessels(std::shared_ptr<const core::VesselTree> tree, int branchId,
                      const std::optional<core::PosedCamera>& sight);
     QSize sizeHint() const override { return {230, 230}; }
@@ -48,8 +48,8 @@ struct GantryLimits {
     core::AngleRange secondary;
 };
 
-/// Dialog that finds C-arm angles showing a branch well: angle map, best angles and a simulated view at the selected
-/// angles. Non-modal passive view: displays the given state and emits signals for user actions.
+/// Dialog that finds C-arm angles at which a branch is well visible: angle map, best angles and a simulated view at the
+/// selected angles. Non-modal passive view: displays the given state and emits signals for user actions.
 class AngleDialog : public QDialog {
     Q_OBJECT
 public:
@@ -65,7 +65,7 @@ public:
     GantryLimits limits() const;
 
 signals:
-    void criteriaChanged();   ///< origin-only option or gantry limits changed
+    void criteriaChanged();   ///< emitted when the origin-only option or the gantry limits have changed
     void picked(const core::GantryAngles& angles);
 
 private:

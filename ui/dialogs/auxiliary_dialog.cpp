@@ -127,7 +127,7 @@ void AuxiliaryDialog::showAdvice(const AuxiliaryAdvice& advice)
     for (std::size_t row = 0; row < cells_.size(); ++row) {
         const bool isKnown = row < advice.steps.size();
         const ParameterConstraint step = isKnown ? advice.steps[row] : ParameterConstraint{};
-        const bool isAngle = step.unit == QStringLiteral("°");   // degrees take no space before the unit
+        const bool isAngle = step.unit == QStringLiteral("°");   // no space before the degree sign
         const auto plusMinus = [&step, isAngle](double std) {
             return (isAngle ? QStringLiteral("±%1%2") : QStringLiteral("±%1 %2")).arg(numberText(std, 2), step.unit);
         };

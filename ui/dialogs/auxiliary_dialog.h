@@ -14,7 +14,7 @@ namespace angiopose::ui {
 
 class NumberField;
 
-/// Constraint of one pose parameter: expected standard deviations and the branches that determine it.
+/// Constraint on one pose parameter: expected standard deviations, and the branches that constrain it best.
 struct ParameterConstraint {
     QString name;   ///< e.g. "depth"
     QString unit;
@@ -28,9 +28,9 @@ struct AuxiliaryAdvice {
     std::vector<ParameterConstraint> steps;
     QString suggestion;   ///< names of the suggested branches; empty if there is no suggestion
     QString preview;   ///< branches that the alternating method would use now
-    QString otherMethod;   ///< method that uses the subset throughout; empty if it is already selected
+    QString otherMethod;   ///< method that uses only the auxiliary branches throughout; empty if already selected
     int generations = 0;   ///< highest known generation + 1; 0 if unknown
-    std::optional<double> largestRadiusMm;   ///< empty if the tree has no radii
+    std::optional<double> largestRadiusMm;   ///< nullopt if the tree has no radii
 };
 
 /// Dialog that selects the auxiliary branches and shows how well they constrain the pose. Non-modal passive view:

@@ -19,7 +19,7 @@ struct BlindTrialSetup {
     std::uint64_t seed = 1;
     double rangeMm = 15.0;
     double rangeDeg = 8.0;
-    QString logPath;   ///< CSV file, one row per trial
+    QString logPath;   ///< path of a CSV file with one row per trial
 };
 
 /// Asks for the observer, the range of initial poses, the seed and the log file of a blind trial.

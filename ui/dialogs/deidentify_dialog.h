@@ -14,10 +14,10 @@ class QPushButton;
 namespace angiopose::ui {
 
 struct ShareOptions {
-    Toggle identity = Toggle::Off;   ///< keeps the patient identity
-    Toggle shiftedDates = Toggle::Off;   ///< shifts dates instead of removing them
-    Toggle maskText = Toggle::Off;   ///< masks burned-in text
-    QString pseudonym;   ///< generated if empty
+    Toggle identity = Toggle::Off;   ///< whether to keep the patient identity
+    Toggle shiftedDates = Toggle::Off;   ///< whether to shift dates instead of removing them
+    Toggle maskText = Toggle::Off;   ///< whether to mask burned-in text
+    QString pseudonym;   ///< if empty, a pseudonym is generated
 };
 
 /// Dialog for sharing a case, which is de-identified unless the user keeps the identity. Emits `chosen` on Pack.

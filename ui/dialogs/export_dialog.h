@@ -25,11 +25,11 @@ struct OverlayExportOptions {
     int widthPx = 1024;
     Toggle residualColors = Toggle::On;
     Toggle identity = Toggle::Off;
-    Toggle english = Toggle::Off;   ///< English labels even if the window uses another language
-    Toggle cutout = Toggle::Off;   ///< includes the swipe or lens if active in the window
-    Toggle startBeside = Toggle::Off;   ///< adds a second image with the vessels at the initial pose
+    Toggle english = Toggle::Off;   ///< whether to use English labels even if the UI language is another
+    Toggle cutout = Toggle::Off;   ///< whether to include the swipe or lens that is active in the window
+    Toggle startBeside = Toggle::Off;   ///< whether to add a second image with the vessels at the initial pose
     ImageFileFormat format = ImageFileFormat::Png;
-    ImageContent part = ImageContent::Overlay;   ///< Frame16 (16-bit gray values) exists only as PNG at native size
+    ImageContent part = ImageContent::Overlay;   ///< Frame16 (16-bit gray values) requires PNG at native size
     int dotsPerInch = 300;
 };
 
@@ -73,7 +73,7 @@ enum class DicomPart { Picture, Run, Report, State, Registration, Segmentation, 
 
 struct DicomExportOptions {
     std::vector<DicomPart> parts;
-    Toggle identity = Toggle::Off;   ///< burns the patient identity into images and report
+    Toggle identity = Toggle::Off;   ///< whether to burn the patient identity into images and report
 };
 
 enum class DicomPurpose { Export, Send };
@@ -94,7 +94,7 @@ signals:
 private:
     void showState();
 
-    std::vector<QCheckBox*> boxes_;   ///< in the order of DicomPart
+    std::vector<QCheckBox*> boxes_;   ///< one per object, in the order of DicomPart
     QCheckBox* identity_;
     QPushButton* export_;
 };

@@ -9,11 +9,11 @@ class QLabel;
 
 namespace angiopose::ui {
 
-/// Examples of correct and wrong fits, including fits that only look wrong; correct ones first.
+/// Examples of correct and wrong fits, including correct fits that look wrong; correct ones first.
 enum class FitExample { Right, Unopacified, Deformed, Shifted, Turned, Tilted };
 inline constexpr int fitExampleCount = 6;
 
-/// "What a good fit looks like": three good and three bad fits with one sentence each. Images appear as they are
+/// "What a good fit looks like": three good and three bad fits with one sentence each. Images appear once they are
 /// rendered. Deletes itself when closed.
 class GoodFit : public QDialog {
     Q_OBJECT

@@ -36,7 +36,7 @@ bool isModifier(int key)
     return std::ranges::find(modifiers, key) != modifiers.end();
 }
 
-/// Returns the key as written in shortcuts: "?" instead of "Shift+?", and digits without distinguishing the keypad.
+/// Returns the key as in shortcuts: "?" instead of "Shift+?", and digits without distinction of the keypad.
 QKeySequence keyOf(const QKeyEvent& event)
 {
     Qt::KeyboardModifiers modifiers = event.modifiers() & ~Qt::KeypadModifier;
@@ -136,7 +136,7 @@ void KeySheet::showMatching()
         items.append(new QTreeWidgetItem({line.keys, line.effect}));
         items.back()->setData(0, lineRole, static_cast<int>(i));
     }
-    list_->addTopLevelItems(items);   // one call, since every addition updates the layout
+    list_->addTopLevelItems(items);   // one call, since every addition would update the layout
     for (QTreeWidgetItem* heading : headings) {
         heading->setFirstColumnSpanned(true);
     }

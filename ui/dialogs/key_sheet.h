@@ -45,7 +45,7 @@ private:
     QTreeWidget* list_;
     QLabel* status_;   ///< instruction, or outcome of the last assignment
     QAction* recordedAction_ = nullptr;
-    QKeySequence warnedKey_;   ///< conflicting key after its first press, which only warns
+    QKeySequence warnedKey_;   ///< conflicting key that was pressed once, which only causes a warning
 };
 
 }   // namespace angiopose::ui

@@ -6,7 +6,7 @@
 
 namespace angiopose::ui {
 
-/// Error or notice: a heading, one sentence stating problem and remedy, and details that can be copied.
+/// Error or notice: a heading, one sentence that states problem and remedy, and details that can be copied.
 struct Message {
     QString heading;
     QString text;
@@ -22,8 +22,8 @@ public:
     static void show(const Message& message, QWidget* parent);
 };
 
-/// Question with labeled answer buttons; Enter selects the first. `answered` carries the index of the selected answer;
-/// by default, closing the dialog selects the last.
+/// Question with labeled answer buttons; Enter selects the first answer. `answered` carries the index of the selected
+/// answer; by default, closing the dialog selects the last one.
 class QuestionDialog : public QDialog {
     Q_OBJECT
 public:

@@ -14,14 +14,14 @@ namespace angiopose::ui {
 class MissingInputs : public QDialog {
     Q_OBJECT
 public:
-    /// `missing` holds full paths; `startFolder` is the folder in which the file dialog opens.
+    /// `missing` holds full paths; `startFolder` is the folder that the file dialog shows first.
     MissingInputs(const QString& caseName, const QStringList& missing, const QString& startFolder, QWidget* parent);
 
     void offerOpenWithout(bool possible);   ///< offers to open the case without the missing files
 
 signals:
     void openWithoutRequested();
-    void located(const std::map<QString, QString>& newPathOfMissing);   ///< holds some or all of the missing files
+    void located(const std::map<QString, QString>& newPathOfMissing);   ///< locations of some or all missing files
     void searchRequested(const QString& folder);
 
 private:

@@ -18,20 +18,20 @@ struct MovieOptions {
     int widthPx = 1024;
     double framesPerSecond = 15.0;
     Toggle identity = Toggle::Off;
-    Toggle english = Toggle::Off;   ///< English labels even if the window uses another language
-    Toggle residualColors = Toggle::Off;   ///< used in convergence movies only
+    Toggle english = Toggle::Off;   ///< whether to use English labels even if the UI language is another
+    Toggle residualColors = Toggle::Off;   ///< whether to show residual colors; used in convergence movies only
 };
 
-/// Movie content that is available, and the result that given options would produce.
+/// Movie content that is available, and what the selected options would produce.
 struct AvailableMovies {
-    bool hasRun = false;   ///< the angiogram has more than one frame
+    bool hasRun = false;   ///< true if the angiogram has more than one frame
     bool hasConvergence = false;
     std::function<double(MoviePart)> defaultFrameRate;
     struct Outcome {
         std::size_t imageCount = 0;
         double seconds = 0.0;
         QSize size;
-        QString words;   ///< description of the frame range and poses used
+        QString words;   ///< description of the frame range and of the poses used
         QString problem;   ///< reason why the movie cannot be written; empty if it can
     };
     std::function<Outcome(const MovieOptions&)> outcomeOf;
@@ -43,7 +43,7 @@ class MovieDialog : public QDialog {
 public:
     MovieDialog(AvailableMovies offer, QWidget* parent);
 
-    void showChoice(const MovieOptions& choice);   ///< shows the options; replaces unavailable ones
+    void showChoice(const MovieOptions& choice);   ///< shows the options; replaces those that are unavailable
     MovieOptions choice() const;
 
 signals:

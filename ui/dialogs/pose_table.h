@@ -19,7 +19,7 @@ class QTreeWidgetItem;
 
 namespace angiopose::ui {
 
-/// Row of the comparison: a snapshot (or the current pose with ID 0) and its difference from the reference.
+/// Row of the comparison: a snapshot, or the current pose (ID 0), with its difference from the reference.
 struct PoseRow {
     core::PoseSnapshot snapshot;
     core::PoseDifference difference;
@@ -39,11 +39,11 @@ public:
     QTreeWidget* table() const { return table_; }
 
 signals:
-    void snapshotPicked(int snapshotId);   ///< snapshot to display; 0 is the current pose
+    void snapshotPicked(int snapshotId);   ///< emitted with the snapshot to display; 0 is the current pose
     void referenceRequested(int snapshotId);
     void restoreRequested(int snapshotId);
     void removeRequested(const std::set<int>& snapshotIds);
-    void textEdited(const core::PoseSnapshot& edited);   ///< the user edited name, author or note
+    void textEdited(const core::PoseSnapshot& edited);   ///< emitted when the user has edited name, author or note
     void runRequested(const std::vector<std::string>& methodIds);
     void stopRequested();
     void exportRequested();

@@ -11,7 +11,7 @@
 namespace angiopose::ui {
 namespace {
 
-/// Returns the number in the field, or `before` while the text is not a valid number.
+/// Returns the number in the field, or `before` if the text is not a valid number.
 double numberIn(const QLineEdit& field, double before)
 {
     const auto typed = numberFrom(field.text());

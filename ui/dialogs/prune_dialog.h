@@ -20,7 +20,7 @@ struct PruneLimits {
 class PruneDialog : public QDialog {
     Q_OBJECT
 public:
-    /// `countPruned` returns the number of branches to remove; negative: no branch would remain.
+    /// `countPruned` returns the number of branches that would be removed, or a negative number if none would remain.
     PruneDialog(std::function<int(const PruneLimits&)> countPruned, QWidget* parent = nullptr);
 
 signals:

@@ -11,7 +11,7 @@ class QTreeWidget;
 
 namespace angiopose::ui {
 
-/// Display texts of one series in a DICOM folder.
+/// One series of a DICOM folder, as displayed in the list.
 struct SeriesRow {
     QString id;
     QString description;

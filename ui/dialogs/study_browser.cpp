@@ -135,7 +135,7 @@ void StudyBrowser::showProgress(qsizetype read, qsizetype total)
     allFiles_->hide();
     damaged_->hide();
     damagedFiles_->hide();
-    progress_->setRange(0, read > 0 ? static_cast<int>(total) : 0);   // indeterminate while folders are scanned
+    progress_->setRange(0, read > 0 ? static_cast<int>(total) : 0);   // duration unknown while folders are scanned
     progress_->setValue(static_cast<int>(read));
     status_->setText(read > 0 ? tr("%1 of %2 files").arg(locale.toString(read), locale.toString(total))
                               : tr("%1 files found").arg(locale.toString(total)));
@@ -191,7 +191,7 @@ void StudyBrowser::showChoice()
     open_->setEnabled(!isReading_ && (hasChoice || (current && current->use != StudySeriesRow::Use::None)));
 }
 
-/// Emits the checked series, or the selected row if none is checked. While files are still being read, a series may be
+/// Emits the checked series or, if none is checked, the selected row. While files are still being read, a series may be
 /// incomplete.
 void StudyBrowser::acceptChoice()
 {

@@ -15,8 +15,8 @@ namespace angiopose::ui {
 
 class StudyList;
 
-/// Browser for the content of a folder or disc: the user selects one series for the vessels and cine runs for the
-/// views. Updates while scanning; deletes itself when closed.
+/// Browser for the contents of a folder or disc: in which the user selects one series for the vessels and cine runs for
+/// the views. Updates while the folder is scanned; deletes itself when closed.
 class StudyBrowser : public QDialog {
     Q_OBJECT
 public:
@@ -26,7 +26,7 @@ public:
     void showThumbnail(const QString& key, const QImage& image);
     void showProgress(qsizetype read, qsizetype total);
     /// Shows that scanning has ended. `words` summarizes the result, `damaged` lists damaged files, and `offer`
-    /// describes files that were not read (empty if none).
+    /// describes files that were not read; it is empty if there are none.
     void showEnd(const QString& words, const QStringList& damaged, const QString& offer);
     void choose(const QString& key);
     StudyList& list() { return *list_; }

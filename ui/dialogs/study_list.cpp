@@ -15,7 +15,7 @@ namespace {
 constexpr int keyRole = Qt::UserRole;
 constexpr int studyOrderRole = Qt::UserRole + 1;
 constexpr int wordsRole = Qt::UserRole + 2;
-constexpr int thumbnailDelayMs = 60;   // rows visible for less time while scrolling need no thumbnail
+constexpr int thumbnailDelayMs = 60;   // rows that are visible for less time during scrolling need no thumbnail
 constexpr int headingHeight = 30;
 
 enum Column { Description, Number, Modality, Images, Size, Pace, BodyPart, ColumnCount };
@@ -36,7 +36,7 @@ public:
     }
 };
 
-/// Centers the image on a square tile; without an image, the tile is empty.
+/// Returns the image centered on a square tile, which is empty without an image.
 QIcon thumbnailOf(const QImage& image, double ratio)
 {
     const auto side = static_cast<int>(StudyList::thumbnailSize * ratio);
@@ -82,7 +82,7 @@ StudyList::StudyList(QWidget* parent) : QTreeWidget(parent)
     connect(this, &QTreeWidget::itemCollapsed, this, [this] { thumbnailTimer_.start(); });
 }
 
-/// Returns the item with this key below `parent` (null for patients) and creates it if needed.
+/// Returns the item with this key below `parent` (null for patients), and creates it if necessary.
 QTreeWidgetItem* StudyList::itemFor(const QString& key, QTreeWidgetItem* parent, int place)
 {
     QTreeWidgetItem*& item = items_[key];
@@ -183,7 +183,7 @@ void StudyList::removeOthers(const std::set<QString>& currentKeys)
     const QSignalBlocker quiet(this);   // rows are inconsistent until the caller emits choiceChanged
     for (const QString& key : items_.keys()) {
         QTreeWidgetItem* item = currentKeys.contains(key) ? nullptr : items_.value(key);
-        if (item) {   // false if already deleted with its parent
+        if (item) {   // null if already deleted with its parent
             forget(*item);
             delete item;
         }

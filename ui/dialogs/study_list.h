@@ -11,11 +11,11 @@
 
 namespace angiopose::ui {
 
-/// Display texts of one series of a study.
+/// One series of a study, as displayed in the list.
 struct StudySeriesRow {
     enum class Use { Vessels, View, None };
 
-    QString key;   ///< unique; for parts of a split series, changes as more files are found
+    QString key;   ///< unique; the key of a part of a series changes as more files are found
     Use use = Use::None;
     int number = 0;
     QString modality;
@@ -54,8 +54,8 @@ public:
     void showThumbnail(const QString& key, const QImage& image);
     void search(const QString& words);
 
-    QString chosenVessels() const { return vessels_; }   ///< series key; empty if none
-    QStringList chosenViews() const;   ///< in list order
+    QString chosenVessels() const { return vessels_; }   ///< key of the series; empty if none
+    QStringList chosenViews() const;   ///< keys of the series, in list order
     const StudySeriesRow* currentRow() const;
     const StudySeriesRow* rowOf(const QString& key) const;
     void choose(const QString& key);
@@ -81,7 +81,7 @@ private:
     void showMatches();
     void requestThumbnails();
 
-    QHash<QString, QTreeWidgetItem*> items_;   ///< index of the items by key
+    QHash<QString, QTreeWidgetItem*> items_;   ///< items by key
     QHash<QString, StudySeriesRow> series_;
     QHash<QString, QImage> thumbnails_;
     QString vessels_;

@@ -15,7 +15,7 @@ struct SupportPart {
     QString text;
 };
 
-/// Dialog that shows every text of a support bundle before the bundle is written; emits `saveRequested` on Save.
+/// Dialog that shows all text of a support bundle before the bundle is written; emits `saveRequested` on Save.
 class SupportDialog : public QDialog {
     Q_OBJECT
 public:

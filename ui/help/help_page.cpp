@@ -30,7 +30,7 @@ QString pageOfClass(const QWidget& widget)
     return QStringLiteral("panels/") + name.replace(wordStart, QStringLiteral("_")).toLower();
 }
 
-/// Adds what Markdown does not provide: paragraph spacing, and headings that differ in weight more than in size.
+/// Adds formatting that Markdown lacks: paragraph spacing, and headings that differ in weight more than in size.
 void setType(QTextDocument& document, const QFont& font)
 {
     constexpr double gapPx = 8.0;

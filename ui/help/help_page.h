@@ -6,7 +6,7 @@ class QWidget;
 
 namespace angiopose::ui {
 
-/// Shows a page of the built-in help in the language of the window. Deletes itself when closed.
+/// Shows a page of the built-in help in the UI language. Deletes itself when closed.
 class HelpPage : public QDialog {
     Q_OBJECT
 public:

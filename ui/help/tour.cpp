@@ -160,7 +160,7 @@ void Tour::keyPressEvent(QKeyEvent* event)
         case Qt::Key_Escape:
             end();
             break;
-        case Qt::Key_Return:   // Enter presses the focused button, as in a dialog
+        case Qt::Key_Return:   // Enter triggers the focused button, as in a dialog
         case Qt::Key_Enter:
             if (auto* button = qobject_cast<QPushButton*>(focusWidget())) {
                 button->click();

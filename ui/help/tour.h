@@ -11,7 +11,7 @@ class QPushButton;
 
 namespace angiopose::ui {
 
-/// Stop of the tour: a widget and its explanation.
+/// Stop of the tour: a widget with its explanation.
 struct TourStop {
     QPointer<QWidget> target;
     QString heading;
@@ -20,7 +20,7 @@ struct TourStop {
     std::function<void()> onLeave{};   ///< called when that button is pressed; may be empty
 };
 
-/// Guided tour: a bubble that moves from widget to widget and explains each. The window remains usable meanwhile.
+/// Guided tour: a bubble that moves from widget to widget and explains each one. The window remains usable meanwhile.
 /// Deletes itself at the end.
 class Tour : public QWidget {
     Q_OBJECT
@@ -45,7 +45,7 @@ private:
     void showNextStop();
     void place();
     void end();
-    QRect targetRect() const;   ///< target in window coordinates
+    QRect targetRect() const;   ///< rectangle of the target in window coordinates
 
     std::vector<TourStop> stops_;
     int current_ = 0;

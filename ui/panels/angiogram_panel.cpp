@@ -129,7 +129,7 @@ void AngiogramPanel::buildBrightness()
 void AngiogramPanel::showWindowLevel(double window, double level)
 {
     for (NumberField* field : {window_, level_}) {
-        field->setDecimals(std::abs(window) < 10.0 ? 3 : 0);   // small ranges are logarithms of intensities
+        field->setDecimals(std::abs(window) < 10.0 ? 3 : 0);   // small ranges are those of logarithms of intensities
     }
     window_->showValue(window);
     level_->showValue(level);

@@ -17,13 +17,13 @@ namespace angiopose::ui {
 struct RunState {
     core::RunProcessing treatment;
     core::Polarity polarity = core::Polarity::VesselsDark;   ///< polarity in use
-    std::vector<int> maskFrames;   ///< mask frames in use, otherwise the suggested ones; empty if there are none
-    bool hasRun = false;   ///< the angiogram has more than one frame
+    std::vector<int> maskFrames;   ///< mask frames in use, or else the suggested ones; empty if there are none
+    bool hasRun = false;   ///< true if the angiogram has more than one frame
     bool isComputing = false;
 };
 
-/// Panel for the preprocessing of frames before tracing (mask subtraction, min-IP composite, meaning of the pixel
-/// values) and for the main tracing options.
+/// Panel for the preprocessing of frames before tracing (mask subtraction, min-IP, interpretation of the pixel values)
+/// and for the main tracing options.
 class AngiogramPanel : public Section {
     Q_OBJECT
 public:
@@ -31,7 +31,7 @@ public:
 
     void showRun(const RunState& state);   ///< emits no signal
     void showWindowLevel(double window, double level);   ///< shows window and level in gray values; emits no signal
-    void showTracing(const core::TraceOptions& options, double widestPx);   ///< `widestPx`: radius in use
+    void showTracing(const core::TraceOptions& options, double widestPx);   ///< `widestPx` is the maximum radius in use
 
 signals:
     void windowLevelTyped(double window, double level);

@@ -13,7 +13,7 @@ class QPushButton;
 
 namespace angiopose::ui {
 
-/// Bottom strip of the window: autosave and undo on the left, frames in the middle, the running task on the right.
+/// Bottom strip of the window: autosave and undo on the left, frames in the middle, the current task on the right.
 class BottomStrip : public QWidget {
     Q_OBJECT
 public:
@@ -28,7 +28,7 @@ public:
     void showSaveState(const QString& text);
     void showUndoState(const QString& text);
     void showStatus(const QString& text);   ///< shows the current activity, or "Ready"
-    void showBusy(const QString& text);   ///< shows a task with indeterminate progress
+    void showBusy(const QString& text);   ///< shows a task of unknown duration
     void showProgress(const QString& text, double fraction);
     void showIdle(const QString& text);
     void remember(const QString& text) { messageLog_.add(text); }   ///< logs a message that is shown elsewhere

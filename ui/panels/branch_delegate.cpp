@@ -89,7 +89,7 @@ QRect nameRectIn(const QStyleOptionViewItem& option, int right)
     return {left, option.rect.top(), right - left - generationWidth, option.rect.height()};
 }
 
-/// Paints the name, followed by the generation if the full name fits beside it.
+/// Paints the name and, if the full name leaves space, the generation.
 void paintName(QPainter& painter, QRect area, const QFont& font, const QModelIndex& index)
 {
     const Palette& colors = activePalette();
@@ -121,7 +121,7 @@ void paintName(QPainter& painter, QRect area, const QFont& font, const QModelInd
 
 void BranchDelegate::setEditorData(QWidget* editor, const QModelIndex& index) const
 {
-    // Prevents updates of marks and residuals from overwriting a name being typed.
+    // Prevents updates of marks and residuals from overwriting a name that is being typed.
     const auto* field = qobject_cast<QLineEdit*>(editor);
     if (!field || !field->isModified()) {
         QStyledItemDelegate::setEditorData(editor, index);

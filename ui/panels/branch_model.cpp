@@ -102,7 +102,7 @@ bool BranchModel::setData(const QModelIndex& index, const QVariant& value, int r
     if (role == Qt::EditRole) {
         emit renamed(rows_[static_cast<std::size_t>(index.row())].id, value.toString());
     }
-    return false;   // no change yet: the owner replies with a new tree
+    return false;   // no change yet: the owner responds with a new tree
 }
 
 Qt::ItemFlags BranchModel::flags(const QModelIndex& index) const

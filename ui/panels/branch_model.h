@@ -25,20 +25,20 @@ public:
         HiddenRole,
         HoveredRole,
         ResidualRole,
-        ResidualScaleRole   ///< upper end of the residual scale, mm; 0 if there is none
+        ResidualScaleRole   ///< maximum of the residual scale, mm; 0 if there is none
     };
 
     using QAbstractListModel::QAbstractListModel;
 
     void setTree(const core::VesselTree& tree);
     void setMarks(const BranchMarks& marks);
-    void setResiduals(const std::map<int, double>& residualMm, double scaleMaximumMm);   ///< medians by branch id
+    void setResiduals(const std::map<int, double>& residualMm, double scaleMaximumMm);   ///< medians by branch ID
 
     int rowOf(int branchId) const;   ///< −1 if the tree has no such branch
 
     int rowCount(const QModelIndex& parent = {}) const override;
     QVariant data(const QModelIndex& index, int role) const override;
-    bool setData(const QModelIndex& index, const QVariant& value, int role) override;   ///< request only: see `renamed`
+    bool setData(const QModelIndex& index, const QVariant& value, int role) override;   ///< only emits `renamed`
     Qt::ItemFlags flags(const QModelIndex& index) const override;
 
 signals:

@@ -94,7 +94,7 @@ BranchPanel::BranchPanel(QWidget* parent)
             [this](int id) { emit auxiliaryToggled(affectedBy(id)); });
     connect(delegate, &BranchDelegate::excludeClicked, this, [this](int id) { emit excludedToggled(affectedBy(id)); });
     connect(list_, &QListView::entered, this, [this](const QModelIndex& index) { emit hovered(idAt(index)); });
-    // Queued, because the owner replies with a new tree, which would delete the editor while it is in use.
+    // Queued, because the owner responds with a new tree, which would delete the editor while it is in use.
     connect(model_, &BranchModel::renamed, this, &BranchPanel::renamed, Qt::QueuedConnection);
     connect(list_->selectionModel(), &QItemSelectionModel::selectionChanged, this, &BranchPanel::reportSelection);
     connect(list_, &QWidget::customContextMenuRequested, this, &BranchPanel::showContextMenu);
@@ -108,7 +108,7 @@ QWidget* BranchPanel::makeFilterRow()
     keepTranslated(filter_, [this] { filter_->setPlaceholderText(tr("Find a branch")); });
     withAccessibleName(filter_, [] { return tr("Find a branch"); });
     filter_->setClearButtonEnabled(true);
-    order_->setSizeAdjustPolicy(QComboBox::AdjustToContents);   // fits the texts in every language
+    order_->setSizeAdjustPolicy(QComboBox::AdjustToContents);   // fits the item text in every language
     withAccessibleName(order_, [] { return tr("Branch order"); });
     withToolTip(order_, [] { return tr("Branch order"); });
     keepTranslated(order_, [this] {

@@ -19,8 +19,8 @@ namespace angiopose::ui {
 
 class BranchModel;
 
-/// Panel with the branch list. Reports hovering and selection immediately; toggling auxiliary or excluded branches only
-/// requests a change, to which the owner replies with `showMarks`.
+/// Panel with the branch list. Reports hovering and selection immediately. Toggling auxiliary or excluded branches only
+/// requests a change, to which the owner responds with `showMarks`.
 class BranchPanel : public Section {
     Q_OBJECT
 public:
@@ -29,7 +29,7 @@ public:
     void showTree(const core::VesselTree& tree);
     void showMarks(const BranchMarks& marks);   ///< emits no signal
     void showResiduals(const std::map<int, double>& residualMm, double scaleMaximumMm);
-    /// Shows a defect of the tree ("" if there is none); `isRepairable` offers a button that repairs it.
+    /// Shows a defect of the tree ("" if there is none); if `isRepairable` is true, offers a button that repairs it.
     void showAdvice(const QString& text, bool isRepairable);
     void setEditActions(const QList<QAction*>& actions);   ///< sets the actions of the context menu
     void editName(int branchId);
@@ -57,7 +57,7 @@ private:
     QWidget* makeAdviceRow();
     void sortBy(int choice);
     void selectMarked();
-    QModelIndex indexOf(int branchId) const;   ///< index in the sorted and filtered list
+    QModelIndex indexOf(int branchId) const;   ///< index of the branch in the sorted and filtered list
     std::set<int> selectedIds() const;
     std::set<int> affectedBy(int branchId) const;   ///< the selection if it contains the branch, otherwise the branch
     void showContextMenu(const QPoint& position);

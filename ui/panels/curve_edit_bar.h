@@ -27,7 +27,7 @@ public:
         bool operator==(const Counts&) const = default;
     };
     void showCurves(const Counts& counts);
-    void setEdited(bool edited);   ///< enables Trace again, which discards edits
+    void setEdited(bool edited);   ///< enables "Trace again", which discards edits
 
 signals:
     void editChosen(ui::CurveEdit edit);

@@ -5,8 +5,8 @@
 
 namespace angiopose::ui {
 
-/// Bar above the views after a crash: reports that the program crashed last time and where the crash data is stored,
-/// and offers to share the data. Hidden otherwise.
+/// Bar above the views after a crash: reports that the program crashed last time and where the crash data are stored,
+/// and offers to share them. Hidden otherwise.
 class FaultBar : public QWidget {
     Q_OBJECT
 public:

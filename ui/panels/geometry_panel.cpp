@@ -26,7 +26,7 @@ QString originText(core::Origin origin)
     return GeometryPanel::tr("missing");
 }
 
-/// True for required values the user should check: missing, assumed, or a spacing derived from the header.
+/// Returns whether the user should check a required value: missing, assumed, or a spacing derived from the header.
 bool needsAttention(GeometryValue value, core::Origin origin)
 {
     const bool isRequired = infoOf(value).isRequired;

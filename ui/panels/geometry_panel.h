@@ -13,8 +13,8 @@ class QGridLayout;
 
 namespace angiopose::ui {
 
-/// Distances, spacing, angles, roll, beam center, isocenter and mirroring of the C-arm, each with its source, and the
-/// header values. Values missing in the image can be entered; every edit is reported as a complete C-arm.
+/// Distances, spacing, angles, roll, beam center, isocenter and mirroring of the C-arm, each with its origin, and the
+/// header values. Values missing from the image can be entered; every edit is reported as a complete C-arm.
 class GeometryPanel : public Section {
     Q_OBJECT
 public:

@@ -16,9 +16,9 @@ namespace angiopose::ui {
 struct GeometryState {
     core::CArm cArm;
     std::vector<core::HeaderTag> headerTags;
-    Eigen::Vector2i imageSizePx = Eigen::Vector2i::Zero();   ///< columns, rows; zero without an image
+    Eigen::Vector2i imageSizePx = Eigen::Vector2i::Zero();   ///< columns and rows; zero without an image
     Eigen::Vector2d gantryRotationDeg =
-        Eigen::Vector2d::Zero();   ///< gantry rotation of this frame relative to the first
+        Eigen::Vector2d::Zero();   ///< gantry rotation of this frame relative to the first one
     std::optional<Eigen::Vector3d> vesselCentroidMm;   ///< used in place of an unknown isocenter
     std::optional<core::ProjectionCamera> cameraOverride;   ///< from the case file; overrides distances and spacing
     std::optional<double> vesselMmPerPx;   ///< scale at the vessels; requires a pose
@@ -44,17 +44,17 @@ enum class GeometryValue {
 inline constexpr std::size_t geometryValueCount = 12;
 inline constexpr GeometryValue firstAdvancedValue = GeometryValue::Roll;   ///< first value of the collapsed section
 
-/// Label and number format of a value, and the typical value assumed while it is unknown.
+/// Label and number format of a value, and the typical value assumed if it is unknown.
 struct GeometryValueInfo {
     const char* label;
     const char* help;
     NumberFormat format;
     double usual;
-    bool isRequired;   ///< required for the camera or the initial pose
+    bool isRequired;   ///< whether the camera or the initial pose requires the value
 };
 const GeometryValueInfo& infoOf(GeometryValue value);
 
-/// Returns the value in use: from the case, or its substitute.
+/// Returns the value in use: that of the case, or its substitute.
 core::Sourced<double> shownValue(const GeometryState& state, GeometryValue value);
 
 /// Returns the C-arm of `state` with `value` set to `number`, either entered or assumed.

@@ -9,7 +9,7 @@
 namespace angiopose::ui {
 namespace {
 
-/// Styles the overflow button of the menu bar; Qt's own icon suits only light windows.
+/// Styles the overflow button of the menu bar, since Qt's own icon suits only light windows.
 void showOverflow(QMenuBar& menuBar)
 {
     if (auto* extension = menuBar.findChild<QToolButton*>(QStringLiteral("qt_menubar_ext_button"))) {

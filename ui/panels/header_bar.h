@@ -13,7 +13,7 @@ class HeaderBar : public QWidget {
 public:
     explicit HeaderBar(QWidget* parent = nullptr);
 
-    void showTitle(const QString& title);   ///< the title includes `*` if there are unsaved changes
+    void showTitle(const QString& title);   ///< `title` includes `*` if there are unsaved changes
     void showStudy(const QString& study);
     QMenuBar* menuBar() const { return menuBar_; }
 

@@ -17,11 +17,11 @@ struct LandmarkState {
     std::vector<core::Landmark> landmarks;
     std::vector<double> errorPx;   ///< reprojection error of each pair at the current pose, px; empty without a pose
     QString verdict;   ///< pose parameters that the pairs determine, or what is still missing
-    bool isEnough = false;   ///< the pairs suffice to determine a pose
+    bool isEnough = false;   ///< true if the pairs suffice to determine a pose
 };
 
 /// Panel for the landmark pairs that determine the initial pose: lists each pair with its residual, removes pairs, and
-/// registers from them.
+/// determines the pose from them.
 class LandmarkPanel : public Section {
     Q_OBJECT
 public:

@@ -208,7 +208,7 @@ bool MarkPanel::eventFilter(QObject* watched, QEvent* event)
         return Section::eventFilter(watched, event);
     }
     const int key = static_cast<QKeyEvent*>(event)->key();
-    if (event->type() == QEvent::ShortcutOverride) {   // these keys act on marks, not branches
+    if (event->type() == QEvent::ShortcutOverride) {   // these keys apply to marks here, not to branches
         event->setAccepted(key == Qt::Key_Delete || key == Qt::Key_F2);
         return event->isAccepted();
     }

@@ -18,12 +18,12 @@ namespace angiopose::ui {
 struct MarkRow {
     QString name;
     QString value;   ///< error, width or type of the mark
-    QString basis;   ///< full sentences on how the value was obtained
-    bool isDoubtful = false;   ///< the error exceeds the pose uncertainty
+    QString basis;   ///< how the value was obtained, in full sentences
+    bool isDoubtful = false;   ///< true if the error exceeds the pose uncertainty
 };
 
-/// Panel for target points, ostium rings, arrows and texts: buttons for the modes that create them, and a list to
-/// select, rename and remove them.
+/// Panel for target points, ostium rings, arrows and text annotations: buttons for the modes that create them, and a
+/// list to select, rename and remove them.
 class MarkPanel : public Section {
     Q_OBJECT
 public:
@@ -35,7 +35,7 @@ public:
     void choose(int index);
 
 signals:
-    void selectionChanged();   ///< the selection changed, see `chosen`
+    void selectionChanged();   ///< emitted when the selection has changed; see `chosen`
     void renamed(int index, const QString& name);
     void removeRequested(const std::set<int>& places);
     void exportRequested();

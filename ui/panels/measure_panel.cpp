@@ -223,7 +223,7 @@ bool MeasurePanel::eventFilter(QObject* watched, QEvent* event)
         return Section::eventFilter(watched, event);
     }
     const int key = static_cast<QKeyEvent*>(event)->key();
-    if (event->type() == QEvent::ShortcutOverride) {   // these keys act on measurements, not branches
+    if (event->type() == QEvent::ShortcutOverride) {   // these keys apply to measurements here, not to branches
         event->setAccepted(key == Qt::Key_Delete || key == Qt::Key_F2);
         return event->isAccepted();
     }

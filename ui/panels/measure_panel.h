@@ -19,16 +19,16 @@ namespace angiopose::ui {
 
 /// Row of the measurement list.
 struct MeasureRow {
-    QString name;   ///< user-defined name, or the type of measurement
+    QString name;   ///< user-defined name, or the type of the measurement
     QString value;   ///< measured value, or the reason why it is missing
-    QString basis;   ///< full sentences on how the value was obtained
-    bool isDoubtful = false;   ///< the value is missing or based on assumptions
+    QString basis;   ///< how the value was obtained, in full sentences
+    bool isDoubtful = false;   ///< true if the value is missing or based on assumptions
 };
 
 /// Values shown by the measurement panel.
 struct MeasureState {
     std::vector<MeasureRow> rows;
-    core::MeasurementPlane plane = core::MeasurementPlane::Vessels;   ///< of the selected measurements, or the next one
+    core::MeasurementPlane plane = core::MeasurementPlane::Vessels;   ///< plane of the selected or the next measurement
     QString basis;   ///< explanation of the plane
     std::optional<double> enteredMmPerPx;
 };
@@ -46,8 +46,8 @@ public:
 
 signals:
     void planePicked(core::MeasurementPlane plane);
-    void scaleTyped(double mmPerPx);   ///< 0 if the user cleared the scale
-    void selectionChanged();   ///< the selection changed, see `chosen`
+    void scaleTyped(double mmPerPx);   ///< emitted with 0 if the user cleared the scale
+    void selectionChanged();   ///< emitted when the selection has changed; see `chosen`
     void renamed(int place, const QString& name);
     void removeRequested(const std::set<int>& places);
     void exportRequested();

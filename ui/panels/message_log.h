@@ -13,7 +13,7 @@ struct LoggedMessage {
     QString text;
 };
 
-/// Log of the most recent messages; repeated messages are listed once.
+/// Log of the most recent messages, which lists repeated messages only once.
 class MessageLog {
 public:
     static constexpr std::size_t maxCount = 500;

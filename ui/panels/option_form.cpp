@@ -27,7 +27,7 @@ QString choiceText(std::string_view key)
     return termText(fromView(key).replace(QLatin1Char('_'), QLatin1Char(' ')));
 }
 
-/// Returns a step size that suits the number of decimals: 1, 0.1, …, but at least one unit of the last displayed digit.
+/// Returns an increment that suits the number of decimals: 1, 0.1, …, but at least one unit of the last digit shown.
 double stepOf(const core::NumberOption& number)
 {
     return std::max(std::pow(10.0, -number.decimals), std::min(1.0, std::pow(10.0, 1 - number.decimals)));

@@ -8,7 +8,7 @@ namespace angiopose::ui {
 
 class ElidedLabel;
 
-/// Texts of the patient bar, shown in one line.
+/// Parts of the patient bar, which are shown in one line.
 struct PatientLine {
     QString warning;   ///< problem with the patient identity, shown first; empty if none
     QString name;

@@ -12,13 +12,13 @@ namespace angiopose::ui {
 
 class GlyphButton;
 
-/// Playback speeds, relative to the acquisition frame rate.
+/// Playback speeds relative to the acquisition frame rate.
 inline constexpr std::array playSpeeds{0.25, 0.5, 1.0, 2.0, 4.0};
 
 /// Frame time of a run.
 struct FrameTime {
     double ms = 0.0;
-    bool isAssumed = false;   ///< the DICOM header does not state the frame time
+    bool isAssumed = false;   ///< true if the DICOM header does not state the frame time
 };
 
 /// Playback controls: play/pause, speed, and whether playback loops or reverses at the end. Passive view: displays the

@@ -124,7 +124,7 @@ void PosePanel::showDepthUncertainty(std::optional<double> depthSigmaMm)
     mark();
 }
 
-/// Returns the axis label; a large depth uncertainty is appended, e.g. "depth ±4".
+/// Returns the axis label, to which it appends a large depth uncertainty, e.g. "depth ±4".
 QString PosePanel::wordsOf(PoseAxis axis) const
 {
     return axis == PoseAxis::AlongRay && depthSigmaMm_
@@ -132,7 +132,7 @@ QString PosePanel::wordsOf(PoseAxis axis) const
                : labelOf(axis);
 }
 
-/// Shows the labels of locked axes, and of depth if it is poorly constrained, in amber.
+/// Shows the labels of locked axes, and that of depth if depth is poorly constrained, in amber.
 void PosePanel::mark()
 {
     for (const PoseAxis axis : poseAxes) {

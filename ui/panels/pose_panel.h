@@ -17,11 +17,11 @@ public:
 
     void showOffset(const std::optional<core::PoseOffset>& offset);   ///< without a value, there is no pose to edit yet
     void showLocks(const PoseLocks& locks);
-    void showPickedPivot(bool isPicked);   ///< otherwise the rotation center is the centroid
+    void showPickedPivot(bool isPicked);   ///< if false, the rotation center is the centroid
     void showNudgeMode(bool on);
     void setActiveAxis(std::optional<PoseAxis> axis);   ///< highlights the axis in use
     void showDepthUncertainty(
-        std::optional<double> depthSigmaMm);   ///< depth uncertainty of a single view, marked in amber
+        std::optional<double> depthSigmaMm);   ///< depth uncertainty of a single view, which is shown in amber
 
 signals:
     void offsetEdited(const core::PoseOffset& offset);

@@ -16,7 +16,7 @@
 namespace angiopose::ui {
 namespace {
 
-constexpr double straightFromMm = 200.0;   // a larger radius of curvature is shown as straight
+constexpr double straightFromMm = 200.0;   // a vessel with a larger radius of curvature is shown as straight
 
 QString numberOrNone(std::optional<double> value, int decimals, const QString& pattern)
 {

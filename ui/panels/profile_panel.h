@@ -19,7 +19,7 @@ public:
     explicit ProfilePanel(QWidget* parent = nullptr);
 
     void showProfile(const core::VesselBranch& branch, const core::BranchProfile& profile);
-    void showNothing(const QString& why, bool hasBranches);   ///< `hasBranches` enables the export of the table
+    void showNothing(const QString& why, bool hasBranches);   ///< `hasBranches` enables exporting the table
     ProfilePlot& plot() { return *plot_; }
 
 signals:

@@ -25,7 +25,7 @@ namespace {
 constexpr int tileSize = 44;
 constexpr int listWidth = 480;
 constexpr int rowHeight = 54;
-constexpr std::size_t maxVisibleRows = 5;   // further rows are reached by scrolling or searching
+constexpr std::size_t maxVisibleRows = 5;   // scrolling or searching shows further rows
 
 /// Returns the central square of the thumbnail, sharp at any scale, or a tile with the program icon.
 QIcon thumbnailOf(const QImage& picture, double ratio)
@@ -48,7 +48,7 @@ QIcon thumbnailOf(const QImage& picture, double ratio)
     return tile;
 }
 
-/// Button that elides a case name wider than the list.
+/// Button that elides a case name that is wider than the list.
 class RecentButton : public QPushButton {
 public:
     explicit RecentButton(const QString& name) : QPushButton(name), name_(name) { setAccessibleName(name); }

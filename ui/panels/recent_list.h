@@ -18,12 +18,12 @@ struct RecentCase {
     enum class State { Present, Missing, InputsMissing };
 
     QString path;
-    QImage picture;   ///< thumbnail; null if none was saved
+    QImage picture;   ///< thumbnail; null if none was stored
     State state = State::Present;
     bool isPinned = false;
 };
 
-/// List of recent cases with thumbnails and pins; marks missing files and offers a search field if long.
+/// List of recent cases with thumbnails and pins; marks missing files and offers a search field for long lists.
 class RecentList : public QWidget {
     Q_OBJECT
 public:

@@ -79,7 +79,7 @@ RegistrationPanel::RegistrationPanel(QWidget* parent)
     keepTranslated(this, [this] { updateTexts(); });
 }
 
-/// Updates the texts that depend on the language and on the current state.
+/// Updates the text that depends on the language and on the current state.
 void RegistrationPanel::updateTexts()
 {
     int index = 0;
@@ -91,7 +91,7 @@ void RegistrationPanel::updateTexts()
     updateButtons();
 }
 
-/// Creates the method selection with a button that explains the selected method.
+/// Creates the method selector and a button that explains the selected method.
 QHBoxLayout* RegistrationPanel::methodRow()
 {
     auto* about = new QToolButton;

@@ -21,9 +21,9 @@ public:
     explicit RegistrationPanel(QWidget* parent = nullptr);
 
     void showOptions(const core::RegistrationOptions& options);   ///< emits no signal
-    void showAuxiliary(int branchCount);   ///< number of auxiliary branches; at 0, the auxiliary problem uses the nodes
-    void showViewCount(int count);   ///< number of views available for joint registration; 1 hides the option
-    void showBlockingReason(const QString& whyNot);   ///< reason why Register is disabled; empty enables it
+    void showAuxiliary(int branchCount);   ///< number of auxiliary branches; if 0, the auxiliary problem uses the nodes
+    void showViewCount(int count);   ///< number of views for joint registration; 1 hides the option
+    void showBlockingReason(const QString& whyNot);   ///< reason why Register is disabled; if empty, it is enabled
     void setRunning(bool running);
     QPushButton* registerButton() const { return register_; }
 

@@ -35,7 +35,7 @@ void setSentences(QLabel* box, const QStringList& sentences)
     box->setVisible(!sentences.isEmpty());
 }
 
-/// Keeps the layout stable while the user moves the pose and sentences appear and disappear.
+/// Keeps the layout stable while sentences appear and disappear as the user moves the pose.
 void reserveHeight(QLabel* box, bool isKept)
 {
     const int heightPx = isKept && box->isVisible() ? box->height() : box->minimumHeight();

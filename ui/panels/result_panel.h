@@ -19,7 +19,7 @@ enum class PoseSource {
     Start,
     Edited,
     Run,
-    EarlierRegistration,   ///< registered earlier; the inputs may have changed since
+    EarlierRegistration,   ///< registered earlier; the inputs may have changed since then
     Tracked
 };
 
@@ -30,19 +30,19 @@ struct AssessedPose {
     std::vector<double> residualsMm;   ///< residuals of all tree points in use
     double scaleMaximumMm = 0.0;
     double millimetersPerPixel = 0.0;   ///< scale at the vessels
-    double assessedShare = 1.0;   ///< fraction of the tree covered by the residuals
+    double assessedShare = 1.0;   ///< fraction of the tree to which the residuals refer
     double wholeMedianMm = 0.0;   ///< median residual of the whole tree
-    core::Messages basis;   ///< branches the residuals cover if not the whole tree: excluded, auxiliary
+    core::Messages basis;   ///< parts to which the residuals refer, if not the whole tree: excluded, auxiliary branches
 };
 
-/// One-line verdict on the confidence in a pose, shown on the image, above the numbers and in the status.
+/// One-line verdict on the confidence in a pose, shown on the image, above the key figures and in the status strip.
 struct FitVerdict {
     VerdictTone tone = VerdictTone::Doubtful;
     QString words;
 };
 FitVerdict verdictOf(const AssessedPose& assessed);
 
-/// Three key figures, their interpretation in sentences, and the two plots. Displays the values it is given.
+/// Panel with three key figures, their interpretation in sentences, and two plots. Displays the values it is given.
 class ResultPanel : public QWidget {
     Q_OBJECT
 public:
@@ -50,7 +50,7 @@ public:
 
     void showAssessment(const AssessedPose& assessed, const core::VesselTree& tree);
     void showNothing(const QString& why);
-    void setDimmed(bool dimmed);   ///< true while another pose is previewed
+    void setDimmed(bool dimmed);   ///< dims the panel while another pose is previewed
     void startRun();   ///< clears the convergence plot
     void showProgress(const core::IterationReport& report);
     void showHistory(const std::vector<core::IterationReport>& history);

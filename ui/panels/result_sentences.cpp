@@ -18,7 +18,7 @@ namespace {
 
 constexpr double agreeingMm = 0.5;   ///< branches with a median residual up to this value count as agreeing
 
-/// Translation context of the sentences in this file.
+/// Translation context for the sentences in this file.
 struct ResultWords {
     Q_DECLARE_TR_FUNCTIONS(angiopose::ui::ResultSentences)
 };
@@ -28,7 +28,7 @@ QString resultNumber(double value)
     return numberText(value, value < 9.95 ? 1 : 0);
 }
 
-/// Returns the standard deviations for an exact geometry, the only ones in results of earlier versions.
+/// Returns the standard deviations for an exact geometry, which are the only ones in results of earlier versions.
 core::PoseSigmas byImage(const core::PoseUncertainty& uncertainty)
 {
     const bool isKnown = uncertainty.imageCovariance.diagonal().maxCoeff() > 0.0;
@@ -69,7 +69,7 @@ QString percentText(double probability)
     return numberText(std::clamp(100.0 * probability, 1.0, 99.0), 0);
 }
 
-/// States the calibrated probability if available; omits it where results saved by earlier versions contradict it.
+/// States the calibrated probability if available; omits it if it contradicts a result of an earlier version.
 QString likelihood(const core::RegistrationResult& result)
 {
     constexpr double trusted = 0.8;
@@ -77,11 +77,11 @@ QString likelihood(const core::RegistrationResult& result)
     return result.probabilityWithin2Mm && agrees
                ? ResultWords::tr("%1 % probability that the overlay is within 2 mm of the vessels.")
                      .arg(percentText(*result.probabilityWithin2Mm))
-                     .replace(QStringLiteral(" %"), QStringLiteral("\u00a0%"))   // non-breaking space
+                     .replace(QStringLiteral(" %"), QStringLiteral("\u00a0%"))   // no-break space
                : QString();
 }
 
-/// True if geometry errors contribute clearly more depth uncertainty than the image.
+/// Returns whether geometry errors contribute clearly more to the depth uncertainty than the image does.
 bool dependsOnGeometry(const core::PoseUncertainty& uncertainty)
 {
     return uncertainty.depthMm > 1.5 * byImage(uncertainty).depthMm && uncertainty.depthMm > 1.0;
@@ -116,7 +116,7 @@ QString depthText(const core::RegistrationResult& result)
                : ResultWords::tr("Depth ±%1 mm: not determined by a single view.").arg(resultNumber(*depthMm));
 }
 
-/// Names the branches with large residuals that are not reported as unopacified, not explained by deformation and not
+/// Names the branches with large residuals that are neither reported as unopacified nor explained by deformation nor
 /// near a guidewire.
 QString disagreement(const core::RegistrationResult& result, const core::VesselTree& tree, double mmPerPx)
 {

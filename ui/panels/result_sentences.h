@@ -19,7 +19,7 @@ ResultSentences sentencesOf(const core::RegistrationResult& result, const core::
                             double millimetersPerPixel);
 
 /// Returns the standard deviation in depth, mm, if the image constrains depth much less than the other parameters;
-/// otherwise empty.
+/// otherwise nullopt.
 std::optional<double> uncertainDepthMm(const core::PoseUncertainty& uncertainty);
 
 /// Returns the branch name, e.g. "LAD", or "Branch 3" if unnamed.

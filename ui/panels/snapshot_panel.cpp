@@ -194,7 +194,7 @@ void SnapshotPanel::showMarks(const SnapshotMarks& marks)
     color();
 }
 
-/// Sets the item colors; called again when the theme changes.
+/// Sets the colors of the items; called again when the theme changes.
 void SnapshotPanel::color()
 {
     const QScopedValueRollback quiet(isUpdating_, true);
@@ -252,7 +252,7 @@ bool SnapshotPanel::eventFilter(QObject* watched, QEvent* event)
         return Section::eventFilter(watched, event);
     }
     const int key = static_cast<QKeyEvent*>(event)->key();
-    if (event->type() == QEvent::ShortcutOverride) {   // these keys act on snapshots, not branches
+    if (event->type() == QEvent::ShortcutOverride) {   // these keys apply to snapshots here, not to branches
         event->setAccepted(key == Qt::Key_Delete || key == Qt::Key_F2);
         return event->isAccepted();
     }

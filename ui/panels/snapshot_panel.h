@@ -13,7 +13,7 @@ class QTreeWidgetItem;
 
 namespace angiopose::ui {
 
-/// Snapshots that the A/B key toggles between, and the one on screen. Empty `a` means the current pose.
+/// Snapshots between which the A/B key toggles, and the one on screen. If `a` has no value, it is the current pose.
 struct SnapshotMarks {
     std::optional<int> a;
     std::optional<int> b;
@@ -37,11 +37,11 @@ public:
 signals:
     void snapshotRequested();
     void compareRequested();
-    void snapshotPicked(int snapshotId);   ///< snapshot to display
+    void snapshotPicked(int snapshotId);   ///< emitted with the snapshot to display; 0 is the current pose
     void restoreRequested(int snapshotId);
     void renamed(int snapshotId, const QString& name);
     void removeRequested(const std::set<int>& snapshotIds);
-    void markRequested(int snapshotId, bool isA);   ///< marks the snapshot as A if `isA`, otherwise as B
+    void markRequested(int snapshotId, bool isA);   ///< marks the snapshot as A if `isA` is true, otherwise as B
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

@@ -9,7 +9,7 @@ class QListWidget;
 
 namespace angiopose::ui {
 
-/// Texts of one candidate pose: a one-line summary, and details for the tooltip.
+/// One candidate pose as displayed: a one-line summary, and details for the tooltip.
 struct SolutionLine {
     QString words;
     QString toolTip;
@@ -25,11 +25,11 @@ public:
     void showSolutions(const std::vector<SolutionLine>& solutions);   ///< emits no signal; thumbnails follow
     void showThumbnail(int index, const core::ColorImage& picture);
     void showCurrent(int index);   ///< emits no signal
-    int thumbnailWidthPx() const;   ///< thumbnail width in device pixels
+    int thumbnailWidthPx() const;   ///< width of a thumbnail, device px
     QListWidget* list() const { return list_; }
 
 signals:
-    void solutionPicked(int index);   ///< solution to display; 0 is the registered pose
+    void solutionPicked(int index);   ///< emitted with the solution to display; 0 is the registered pose
     void acceptRequested(int index);
 
 private:

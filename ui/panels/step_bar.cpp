@@ -60,7 +60,7 @@ void StepBar::resizeEvent(QResizeEvent* event)
 
 void StepBar::fitHints()
 {
-    // Hides hints one by one, from the right, before any step name is clipped.
+    // Hides hints one by one, from the right, before a step name is clipped.
     int needed = 16 + 4 * (stepCount - 1);
     for (const StepButton* button : buttons_) {
         needed += button->widthWith(HintVisibility::Shown);

@@ -18,7 +18,7 @@ enum class StepMark { Open, Done, Attention };
 struct StepState {
     StepMark mark = StepMark::Open;
     QString hint;
-    QString whyNotReady;   ///< tooltip that explains why the step is not ready
+    QString whyNotReady;   ///< tooltip that states why the step is not ready
 
     bool operator==(const StepState&) const = default;
 };

@@ -113,7 +113,7 @@ bool ViewStrip::eventFilter(QObject* watched, QEvent* event)
     if (watched != list_ || !isKey || static_cast<QKeyEvent*>(event)->key() != Qt::Key_Delete) {
         return QWidget::eventFilter(watched, event);
     }
-    event->accept();   // Delete acts on views, not branches
+    event->accept();   // Delete applies to views here, not to branches
     if (event->type() == QEvent::KeyPress) {
         emit removeRequested(list_->currentRow());
     }
@@ -173,7 +173,7 @@ int ViewStrip::textWidthPx(int index) const
     return viewThumbnailSize + viewItemPadding + widest;
 }
 
-/// Shows text on the toggle buttons if text still fits beside every thumbnail, otherwise icons.
+/// Shows text on the toggle buttons if the captions still fit beside every thumbnail, otherwise icons.
 void ViewStrip::fit()
 {
     const int count = std::min(list_->count(), static_cast<int>(views_.size()));
@@ -207,7 +207,7 @@ void ViewStrip::fitSwitches(bool hasText)
     }
 }
 
-/// Sets the text and width of an item; with `widthPx` 0, a number replaces the text.
+/// Sets the text and the width of an item; if `widthPx` is 0, a number replaces the text.
 void ViewStrip::fitItem(int index, int widthPx)
 {
     const ViewLine& view = views_[static_cast<std::size_t>(index)];

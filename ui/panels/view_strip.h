@@ -12,22 +12,22 @@ class QToolButton;
 
 namespace angiopose::ui {
 
-/// Texts of one view in the strip.
+/// One view as displayed in the strip.
 struct ViewLine {
-    QString words;   ///< two lines: gantry angles, and agreement of the view
+    QString words;   ///< two lines: the gantry angles, and the agreement of the view
     QString toolTip;
 };
 
-/// Thumbnails of the views of a case, with the current view marked; hidden if there is only one. If the texts do not
-/// fit beside the thumbnails, numbers replace the texts, which then appear in the tooltips.
+/// Thumbnails of the views of a case, with the current view marked; hidden if there is only one. If the captions do not
+/// fit beside the thumbnails, numbers replace them, and the captions appear in tooltips.
 class ViewStrip : public QWidget {
     Q_OBJECT
 public:
     explicit ViewStrip(QWidget* parent = nullptr);
 
-    void showViews(const std::vector<ViewLine>& views, int shown);   ///< keeps thumbnails if the count is unchanged
+    void showViews(const std::vector<ViewLine>& views, int shown);   ///< keeps thumbnails if their number is unchanged
     void showThumbnail(int index, const core::ColorImage& picture);
-    int thumbnailWidthPx() const;   ///< thumbnail width in device pixels
+    int thumbnailWidthPx() const;   ///< width of a thumbnail, device px
     int count() const;
     void showSideBySide(bool on);   ///< sets the state of the side-by-side toggle
     void showCrosshair(bool on);   ///< sets the state of the linked crosshair toggle
@@ -50,7 +50,7 @@ private:
     void fit();
     void fitSwitches(bool hasText);
     void fitItem(int index, int widthPx);
-    int textWidthPx(int index) const;   ///< width of the item with thumbnail and full text
+    int textWidthPx(int index) const;   ///< width of an item with thumbnail and full text
 
     std::vector<ViewLine> views_;
     QListWidget* list_;

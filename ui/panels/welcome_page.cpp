@@ -50,7 +50,7 @@ WelcomePage::WelcomePage(QWidget* parent)
 
     auto* list = new QHBoxLayout;
     list->addStretch(1);
-    list->addWidget(recent_, 1000);   // large stretch factor: the list grows to its maximum width first
+    list->addWidget(recent_, 1000);   // large stretch factor, so that the list first grows to its maximum width
     list->addStretch(1);
     auto* layout = new QVBoxLayout(page_);
     layout->setSpacing(12);
@@ -63,7 +63,7 @@ WelcomePage::WelcomePage(QWidget* parent)
     layout->addSpacing(16);
     layout->addLayout(list);
     layout->addStretch(3);
-    auto* area = new QScrollArea;   // scrolls where the screen is too small, e.g. at 200 %
+    auto* area = new QScrollArea;   // scrolls if the screen is too small, e.g. at 200 %
     area->setWidget(page_);
     area->setWidgetResizable(true);
     area->setFrameShape(QFrame::NoFrame);

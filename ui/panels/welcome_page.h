@@ -7,7 +7,7 @@
 
 namespace angiopose::ui {
 
-/// Start page, shown while no case is open: supported file types, the sample case and recent cases.
+/// Start page, shown if no case is open: supported file types, the sample case and recent cases.
 class WelcomePage : public QWidget {
     Q_OBJECT
 public:

@@ -192,7 +192,7 @@ bool FoldingColumn::isRail() const
     return isFolded_ && !isHeldOpen_;
 }
 
-/// Called before the content is shown and after it is hidden; the content is laid out only once, at its final width.
+/// Called before the content is shown and after it is hidden, so that it is laid out only once, at its final width.
 void FoldingColumn::placeRail()
 {
     const bool isRail = this->isRail();
@@ -221,14 +221,14 @@ ColumnLayout defaultColumns(Activity work, int windowWidth)
 {
     ColumnLayout columns;
     switch (work) {
-        case Activity::Tracing:   // enlarges the slices and the 3-D view
+        case Activity::Tracing:   // more space for the slices and the 3-D view
             columns.leftWidth = shareOf(windowWidth, 0.34, 300, 760);
             columns.cornerShare = 0.68;
             columns.isRightFolded = true;
             break;
         case Activity::Registering:
             break;
-        case Activity::Reviewing:   // enlarges the image and the result panel
+        case Activity::Reviewing:   // more space for the image and the result panel
             columns.rightWidth = shareOf(windowWidth, 0.28, 320, 480);
             columns.isLeftFolded = true;
             break;

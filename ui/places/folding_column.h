@@ -21,7 +21,7 @@ public:
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override { return {sizeHint().width(), 80}; }
-    static int maxTextLengthPx(int height);   ///< length available for text on a rail of this height
+    static int maxTextLengthPx(int height);   ///< maximum length of text on a rail of this height
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -30,7 +30,7 @@ private:
     ColumnSide side_;
 };
 
-/// Paints a chevron that points to `side`, centered at `at`, with the current pen of the painter.
+/// Paints a chevron that points to `side` and is centered at `at`, with the current pen of the painter.
 void paintChevron(QPainter& painter, const QPointF& at, ColumnSide side);
 
 /// Button on the border of a column with a chevron that points to the side toward which the column folds.
@@ -48,16 +48,16 @@ private:
     ColumnSide side_;
 };
 
-/// Window column that folds into a rail and remembers its width. Folding hides the content without destroying it.
+/// Window column that folds into a rail and remembers its width. Folding hides the content but does not destroy it.
 class FoldingColumn : public QWidget {
     Q_OBJECT
 public:
-    /// Takes ownership of the content, whose display name is `contentName`.
+    /// Takes ownership of `content`, which users see named `contentName`.
     FoldingColumn(ColumnSide side, QWidget& content, const LocalizedText& contentName, QWidget* parent = nullptr);
 
     bool isFolded() const { return isFolded_; }
     void setFolded(bool folded);
-    void setHeldOpen(bool hold);   ///< while true, shows the content even if folded
+    void setHeldOpen(bool hold);   ///< if true, shows the content even if the column is folded
 
     int openWidth() const { return openWidth_; }   ///< current width, or the width before folding
     void setOpenWidth(int width) { openWidth_ = width; }
@@ -88,7 +88,7 @@ private:
 
 inline constexpr int columnBorderWidth = 9;   ///< leaves room for the fold button
 
-/// Widths and folding of the columns beside the image, and the share of the left column's height used by the 3-D view.
+/// Widths and folding of the columns beside the image, and the fraction of the left column's height for the 3-D view.
 struct ColumnLayout {
     int leftWidth = 300;
     int rightWidth = 320;
@@ -114,7 +114,7 @@ struct ActivityLayout {
     bool operator==(const ActivityLayout&) const = default;
 };
 
-/// Serialize and restore a layout; `activityLayoutFromBytes` returns no value for invalid bytes.
+/// Serialize and restore a layout; `activityLayoutFromBytes` returns nullopt for invalid bytes.
 QByteArray toBytes(const ActivityLayout& layout);
 std::optional<ActivityLayout> activityLayoutFromBytes(const QByteArray& bytes);
 

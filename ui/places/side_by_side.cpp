@@ -46,7 +46,7 @@ void PaneTitle::showTexts(const QString& title, const QString& note, const QStri
     }
 }
 
-/// Shows the note only if the pane is wide enough for the view name too.
+/// Shows the note only if the pane is wide enough for both the view name and the note.
 void PaneTitle::showNote()
 {
     constexpr int narrowPx = 220;
@@ -171,7 +171,7 @@ void SideBySide::setPaneCount(std::size_t count)
     place();
 }
 
-/// Arranges the panes in a grid with the number of columns that makes them most nearly square.
+/// Arranges the panes in a grid whose number of columns makes them most nearly square.
 void SideBySide::place()
 {
     const std::size_t columns = count_ > panesInOneColumn ? 2 : 1;

@@ -12,8 +12,8 @@ namespace angiopose::ui {
 
 class ElidedLabel;
 
-/// Title above an image in the side-by-side layout: name of the view, and how its pose relates to the current view. A
-/// click selects the view.
+/// Title above an image in the side-by-side layout: name of the view, and the relation of its pose to that of the
+/// current view. A click selects the view.
 class PaneTitle : public QWidget {
     Q_OBJECT
 public:
@@ -21,7 +21,7 @@ public:
 
     /// Shows the title with `note` on the right; `tip` explains the note in full sentences.
     void showTexts(const QString& title, const QString& note, const QString& tip);
-    void setShown(bool shown);   ///< marks the title of the current view: bold and not clickable
+    void setShown(bool shown);   ///< marks the title as that of the current view: bold and not clickable
     QString title() const;
     QString note() const;
 
@@ -54,11 +54,11 @@ public:
 
     AngiogramView& image() { return *image_; }
     PaneTitle& title() { return *title_; }
-    void showFrame(int frame, int count);   ///< `frame` counts from 0; the slider is hidden if `count` < 2
+    void showFrame(int frame, int count);   ///< `frame` is an index from 0; the slider is hidden if `count` < 2
 
 signals:
     void chosen();   ///< emitted on a click on the title or a double-click in the image
-    void frameRequested(int frame);   ///< `frame` is always within the run
+    void frameRequested(int frame);   ///< emitted with a frame that is always within the run
     void menuRequested(const QPoint& globalPosition);
 
 private:
@@ -73,7 +73,7 @@ class AngiogramView;
 class PaneTitle;
 class ViewPane;
 
-/// The current image and panes for additional views: one beside it, or several in a grid at its right.
+/// The current image and panes for additional views: one pane beside it, or several in a grid at its right.
 class SideBySide : public QWidget {
     Q_OBJECT
 public:
@@ -85,7 +85,7 @@ public:
     ViewPane& pane(std::size_t index) { return *panes_[index]; }
     PaneTitle& title() { return *title_; }   ///< title of the current image
     AngiogramView& shown() { return *shown_; }
-    std::vector<AngiogramView*> images();   ///< current image first, then the images of the panes
+    std::vector<AngiogramView*> images();   ///< the current image, followed by the images of the panes
 
 signals:
     void paneCreated(ui::ViewPane* pane);   ///< emitted once per pane, since hidden panes are reused
@@ -98,7 +98,7 @@ private:
     QWidget* paneArea_;
     QGridLayout* grid_;
     QSplitter* splitter_;
-    std::vector<ViewPane*> panes_;   ///< includes hidden panes kept for reuse
+    std::vector<ViewPane*> panes_;   ///< panes, including hidden ones kept for reuse
     std::size_t count_ = 0;
 };
 

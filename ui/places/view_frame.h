@@ -9,14 +9,14 @@
 namespace angiopose::ui {
 
 /// Window of a popped-out view, on another screen if available. The shortcuts of the main window also work here.
-/// Closing the window only emits `closeRequested`; its owner then docks the view.
+/// Closing the window only emits `closeRequested`, on which the owner docks the view.
 class ViewWindow : public QWidget {
     Q_OBJECT
 public:
     ViewWindow(QWidget* mainWindow, const LocalizedText& title);
 
     void setView(QWidget& view);
-    void goToAnotherScreen();   ///< no effect if there is only one screen
+    void goToAnotherScreen();   ///< has no effect if there is only one screen
 
 signals:
     void closeRequested();
@@ -37,9 +37,9 @@ public:
 
     bool isPoppedOut() const { return isPoppedOut_; }
     void setPoppedOut(bool out);
-    void setFullScreen(bool on);   ///< applies to the popped-out window; no effect while docked
+    void setFullScreen(bool on);   ///< applies to the popped-out window; has no effect while the view is docked
 
-    QByteArray savedGeometry() const;   ///< last geometry of its window; empty if never popped out
+    QByteArray savedGeometry() const;   ///< last geometry of the window; empty if the view was never popped out
     void setSavedGeometry(const QByteArray& place) { savedGeometry_ = place; }
 
 signals:

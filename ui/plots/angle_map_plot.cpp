@@ -143,7 +143,7 @@ void AngleMapPlot::paintAxes(QPainter& painter) const
     });
     ticks(map_->secondaryDeg, secondaryTickDeg, [&](double deg) {
         const double pos = positionOf({map_->primaryDeg.front(), deg}).y();
-        const double y = std::clamp(pos, map.top() + 6.0, map.bottom() - 6.0);   // avoids the other axis
+        const double y = std::clamp(pos, map.top() + 6.0, map.bottom() - 6.0);   // avoids the label of the other axis
         painter.drawText(QRectF(0, y - 10, angleLabelWidth - 8, 20), Qt::AlignRight | Qt::AlignVCenter,
                          tickText(deg, "CAU", "CRA"));
     });

@@ -8,8 +8,8 @@
 
 namespace angiopose::ui {
 
-/// Map of how well a vessel segment is visible at each pair of gantry angles: RAO to LAO horizontally, CAU to CRA
-/// upward, colored from well visible to hidden with the residual color ramp. A click or the arrow keys select angles.
+/// Map of the visibility of a vessel segment at each pair of gantry angles: RAO to LAO horizontally, CAU to CRA upward,
+/// colored with the residual color ramp from well visible to hidden. A click or the arrow keys select angles.
 class AngleMapPlot : public QWidget {
     Q_OBJECT
 public:

@@ -17,7 +17,7 @@ constexpr double captionHeight = 17.0;
 constexpr double sampleWidth = 18.0;   // length of the line sample next to the caption
 constexpr double maxDecades = 4.0;   // maximum number of decades; smaller values are negligible
 
-/// Paints the caption of a lane above it, after a sample of the line.
+/// Paints the caption of a lane above the lane, after a sample of the line.
 void paintCaption(QPainter& painter, const QRectF& area, const LogLane& lane)
 {
     const double middle = std::round(area.top() + captionHeight / 2.0) + 0.5;

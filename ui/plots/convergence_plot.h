@@ -13,7 +13,7 @@ class QPainter;
 
 namespace angiopose::ui {
 
-/// Lane of the convergence plot: a curve over decade grid lines, with caption and line sample above.
+/// Lane of the convergence plot: a curve over decade grid lines, below a caption and a line sample.
 struct LogLane {
     QString caption;
     QString unit;
@@ -33,7 +33,7 @@ void paintLane(QPainter& painter, const QRectF& area, const LogLane& lane);
 class StableMinimumHeight;
 
 /// Plot of the convergence of a registration in two logarithmic lanes with separate scales: median distance between the
-/// tree and the traced vessels, and movement of the tree, per step.
+/// tree and the traced vessels, and displacement of the tree, per step.
 class ConvergencePlot : public QWidget {
     Q_OBJECT
 public:

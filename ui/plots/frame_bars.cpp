@@ -206,7 +206,7 @@ std::optional<FrameBars::LoopEnd> FrameBars::loopEndAt(const QPointF& pos) const
 void FrameBars::dragLoop(int frame)
 {
     core::FrameRange range = loop_;
-    if (range.count() == 1) {   // the drag direction selects one of two coincident grips
+    if (range.count() == 1) {   // the direction of the drag selects one of two coincident grips
         draggedEnd_ = frame < range.first ? LoopEnd::First : LoopEnd::Last;
     }
     if (*draggedEnd_ == LoopEnd::First) {
@@ -288,7 +288,7 @@ void FrameBars::mouseDoubleClickEvent(QMouseEvent* event)
     }
 }
 
-/// Marks mask frames by keyboard: starts at the current frame, or extends a range that ends there.
+/// Marks mask frames with the keyboard: starts at the current frame, or extends a range that ends there.
 void FrameBars::extendMask(int step)
 {
     const int last = static_cast<int>(curve_.opacification.size()) - 1;

@@ -12,16 +12,16 @@ namespace angiopose::ui {
 
 /// Opacification and timing of the frames of a run.
 struct FrameCurve {
-    std::vector<double> opacification;   ///< contrast opacification per frame, 0…1
+    std::vector<double> opacification;   ///< opacification of each frame, 0…1
     int suggested = 0;
-    double frameTimeMs = 0.0;   ///< time between frames; 0 if unknown
+    double frameTimeMs = 0.0;   ///< time between frames, ms; 0 if unknown
     std::vector<int> rWaves = {};   ///< indices of the frames at ECG R waves
 };
 
 /// Describes a frame, e.g. "Frame 5 · 0.33 s · 80 % · mask": time, opacification and role.
 QString describeFrame(const FrameCurve& curve, const std::vector<int>& masks, int frame);
 
-/// Frames of a run as opacification bars; a click or ← → selects a frame. Shift marks mask frames: by dragging, or with
+/// Frames of a run as opacification bars; a click or ← → selects a frame. Shift marks mask frames, by dragging or with
 /// ← → from the current frame. The lane above the bars shows the playback range, whose ends can be dragged.
 class FrameBars : public QWidget {
     Q_OBJECT

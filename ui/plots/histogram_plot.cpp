@@ -46,7 +46,7 @@ void HistogramPlot::paintEvent(QPaintEvent*)
     painter.setPen(toQColor(colors.line));
     painter.drawLine(area.bottomLeft(), area.bottomRight());
     const double tallest = std::max(1, *std::ranges::max_element(counts_));
-    // Leaves one slot empty between the scale and the bar for larger values.
+    // Leave one slot empty between the scale and the bar for larger values.
     const double slot = area.width() / (binCount + 2);
     for (int i = 0; i <= binCount; ++i) {
         const double height = counts_[static_cast<std::size_t>(i)] / tallest * area.height();

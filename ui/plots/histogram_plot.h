@@ -8,8 +8,7 @@ namespace angiopose::ui {
 
 class StableMinimumHeight;
 
-/// Histogram of the residuals of all points, in the colors of the overlay; the last bar counts the values above the
-/// scale.
+/// Histogram of the residuals of all points, in the colors of the overlay; the last bar counts values above the scale.
 class HistogramPlot : public QWidget {
     Q_OBJECT
 public:

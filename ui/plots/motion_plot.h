@@ -10,7 +10,7 @@ namespace angiopose::ui {
 struct FrameMotion {
     int frame = 0;
     double inPlaneMm = 0.0;
-    double depthMm = 0.0;   ///< positive away from the X-ray source
+    double depthMm = 0.0;   ///< displacement in depth; positive away from the X-ray source
     double rotationDeg = 0.0;
     bool isTrustworthy = false;
 };

@@ -15,7 +15,7 @@ public:
     void showMasks(const std::vector<int>& frames);
     void showCurrent(int frame);
     std::optional<int> hoveredFrame() const { return hovered_; }
-    QPointF pointOf(int frame) const;   ///< returns the point on the curve in widget px
+    QPointF pointOf(int frame) const;   ///< returns a point of the curve in widget px
     QSize sizeHint() const override { return {720, 320}; }
 
 signals:

@@ -14,8 +14,8 @@ std::vector<StrokeLine> visibleParts(const StrokeLine& line, const BeamStyle& st
     return clipped(line, -margin, style.sizePx + margin);
 }
 
-/// Returns the visible dashes of `line`. The pattern starts at the beginning of the line, which keeps the dashes
-/// fixed when the view moves.
+/// Returns the visible dashes of `line`. The pattern starts at the beginning of the line, so that the dashes stay fixed
+/// when the view moves.
 std::vector<StrokeLine> visibleDashes(const StrokeLine& line, const DashPattern& pattern, const BeamStyle& style)
 {
     std::vector<StrokeLine> dashes;

@@ -18,7 +18,7 @@ struct Beam {
     bool hasDetector() const { return sourceToDetectorMm > 0.0 && !core::findProblem(camera); }
     Eigen::Vector3d source() const { return patientFromCamera.translation; }
 
-    /// Returns the map from (u, v, 0), image px, to the point on the detector, patient mm.
+    /// Returns the matrix that maps (u, v, 0), image px, to the point on the detector, patient mm.
     Eigen::Matrix4d patientFromImagePlane() const;
 
     /// Returns the image corners on the detector in patient space, mm, in order around the image border.

@@ -8,8 +8,8 @@ namespace angiopose::ui {
 enum class LinePattern { Solid, Dashed };
 enum class Glow { None, Faint, Strong };
 
-/// Style of one branch. Color is never the only cue: excluded branches are dashed, auxiliary branches have dots at
-/// their ends, and hovered or selected branches are thicker and glow.
+/// Style of one branch. Color is never the only distinction: excluded branches are dashed, auxiliary branches have dots
+/// at their ends, and hovered or selected branches are thicker and glow.
 struct BranchStyle {
     Color color;
     double widthFactor = 1.0;
@@ -20,7 +20,7 @@ struct BranchStyle {
     int zOrder = 0;   ///< drawing order: higher values are drawn on top
 };
 
-/// Returns the style of a branch on a background whose palette is `colors`; images have a black background in every
+/// Returns the style of a branch on a background with the palette `colors`; images have a black background in every
 /// theme.
 BranchStyle branchStyle(int branchId, const BranchMarks& marks, const Palette& colors = palette(ThemeMode::Dark));
 

@@ -38,7 +38,7 @@ void addMarks(StrokeMesh& mesh, const std::vector<ImageMark>& marks, const Pixel
     }
 }
 
-/// Returns the map from angiogram px to px of an exported image that shows `part`.
+/// Returns the mapping from angiogram px to px of an exported image that shows `part`.
 PixelMapping placeIn(const auto& image, const ViewRect& part)
 {
     const Eigen::Vector2d scale(image.width / part.width(), image.height / part.height());
@@ -47,7 +47,7 @@ PixelMapping placeIn(const auto& image, const ViewRect& part)
     };
 }
 
-/// Returns the image corners that are reserved for the corner texts.
+/// Returns the image corners that are reserved for corner text.
 std::vector<ViewRect> cornersOf(const auto& image, const BurnSizes& sizes)
 {
     const double wide = 0.3 * image.width;

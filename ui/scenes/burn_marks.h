@@ -8,7 +8,7 @@
 namespace angiopose::ui {
 
 /// Draws marks with their labels onto an exported image that shows `part` of the angiogram. Labels stay inside the
-/// image and avoid each other, the corner texts, and the vessel points `avoided` (angiogram px).
+/// image and avoid each other, the corner text and the vessel points `avoided` (angiogram px).
 void burnMarks(core::ColorImage& image, const std::vector<ImageMark>& marks, const ViewRect& part,
                const BurnSizes& sizes, const std::vector<Eigen::Vector2d>& avoided = {});
 

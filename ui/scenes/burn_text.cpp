@@ -53,7 +53,7 @@ void fill(VectorImage& image, const Rect& rect, const Color& color, double share
         {{1.0 * rect.left, 1.0 * rect.left + rect.width, 1.0 * rect.top, 1.0 * rect.top + rect.height}, color, share});
 }
 
-/// Lines of text with their rendered mask, whose size is the size of the block.
+/// Lines of text with their rendered mask, whose size is that of the block.
 struct TextBlock {
     TextBlock(std::vector<std::string> textLines, int px, TextAlign side)
         : lines(std::move(textLines)), sizePx(px), align(side), mask(textMask(lines, px, side))
@@ -143,7 +143,7 @@ void drawVerdict(auto& image, const std::string& text, const BurnSizes& sizes)
     TextBlock block({text}, 2 * sizes.textPx, TextAlign::Left);
     block.tone = palette(ThemeMode::Dark).attention;
     drawText(image, block, std::max(4, (image.width - block.mask.width) / 2),
-             sizes.marginPx + 6 * sizes.textPx);   // starts below the corner texts
+             sizes.marginPx + 6 * sizes.textPx);   // starts below the corner text
 }
 
 void drawScale(auto& image, const BurnScale& scale, const BurnSizes& sizes)

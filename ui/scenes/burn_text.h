@@ -18,7 +18,7 @@ BurnSizes burnSizes(int width, int height);
 void burnTexts(core::ColorImage& image, const CornerTexts& texts, const BurnSizes& sizes);
 void burnTexts(VectorImage& image, const CornerTexts& texts, const BurnSizes& sizes);
 
-/// Draws one line of text with its upper left corner at `at`, shifted as needed to stay inside the image.
+/// Draws one line of text with its upper left corner at `at`, shifted if necessary to stay inside the image.
 void burnLabel(core::ColorImage& image, const std::string& text, const Eigen::Vector2d& at, const BurnSizes& sizes);
 void burnLabel(VectorImage& image, const std::string& text, const Eigen::Vector2d& at, const BurnSizes& sizes);
 
@@ -26,18 +26,18 @@ void burnLabel(VectorImage& image, const std::string& text, const Eigen::Vector2
 void burnVerdict(core::ColorImage& image, const std::string& text, const BurnSizes& sizes);
 void burnVerdict(VectorImage& image, const std::string& text, const BurnSizes& sizes);
 
-/// Returns the size in px of a burned-in line of text; zero if the text is empty.
+/// Returns the size in px of a burned-in line of text; zero if there is no text.
 Eigen::Vector2d burnedSize(const std::string& text, const BurnSizes& sizes);
 
-/// End value and heading of the color ramp.
+/// Maximum and heading of the color ramp.
 struct BurnScale {
     double maximumPx = 0.0;
-    double maximumMm = 0.0;   ///< labels are in px if 0
+    double maximumMm = 0.0;   ///< maximum; if 0, the labels are in px
     char decimalSign = '.';
-    std::string heading = {};   ///< only the unit is shown if empty
+    std::string heading = {};   ///< if empty, only the unit is shown
 };
 
-/// Draws the color ramp with labeled end values at the right edge.
+/// Draws the color ramp, with its ends labeled, at the right edge.
 void burnScale(core::ColorImage& image, const BurnScale& scale, const BurnSizes& sizes);
 void burnScale(VectorImage& image, const BurnScale& scale, const BurnSizes& sizes);
 

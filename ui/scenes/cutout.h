@@ -12,7 +12,7 @@ namespace angiopose::ui {
 
 /// Region of the image where the overlay is hidden, for comparison with the plain angiogram.
 struct Cutout {
-    enum class Shape { None, RightOf, Disc };   ///< RightOf is the swipe, Disc the lens
+    enum class Shape { None, RightOf, Disc };   ///< `RightOf` is the swipe, `Disc` the lens
     Shape shape = Shape::None;
     Eigen::Vector2d at = Eigen::Vector2d::Zero();   ///< edge of the swipe or center of the lens, image px
     double radiusPx = 0.0;   ///< radius of the lens, image px

@@ -15,9 +15,9 @@ inline constexpr double maxTintOpacity = 0.75;   ///< the angiogram stays visibl
 /// Tints the angiogram with the DRR of the vessels in the accent color, most strongly at the densest vessel.
 class DrrTint {
 public:
-    /// Sets the DRR, which covers the whole frame at any resolution, with bright vessels on 0. Empty: no tint.
+    /// Sets the DRR, which covers the whole frame at any resolution, with bright vessels on 0; empty for no tint.
     void setDrr(const core::ImageF& drr);
-    const core::ImageF& share() const { return share_; }   ///< tint strength per pixel, 0 … 1
+    const core::ImageF& share() const { return share_; }   ///< strength of the tint at each pixel, 0…1
     std::uint64_t revision() const { return revision_; }   ///< changes with the DRR
     bool isEmpty() const { return share_.pixels.empty(); }
 

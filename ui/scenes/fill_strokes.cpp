@@ -8,7 +8,7 @@
 namespace angiopose::ui {
 namespace {
 
-/// Vertex on the canvas: y down, pixel k spans k … k + 1.
+/// Vertex on the canvas: y points down, and pixel k spans k … k + 1.
 struct StrokeCorner {
     float x, y;
     std::array<float, 4> rgba;
@@ -27,12 +27,12 @@ StrokeCorner cornerOf(const StrokeMesh& mesh, std::int32_t vertex, float top)
 /// Returns the first pixel whose center is at or beyond `edge`.
 int firstInside(float edge)
 {
-    constexpr float farPx = 1e6F;   // beyond any canvas, but safely within the range of int
+    constexpr float farPx = 1e6F;   // beyond any canvas but safely within the range of int
     return static_cast<int>(std::ceil(std::clamp(edge, -farPx, farPx) - 0.5F));
 }
 
-/// Returns the x coordinate of the edge a→b (a above b) at height y. Both triangles sharing the edge compute the value
-/// from the same vertices in the same order, hence bit-identically.
+/// Returns the x coordinate of the edge a→b (a above b) at height y. Both triangles that share the edge compute the
+/// value from the same vertices in the same order, hence bit-identically.
 float crossing(const StrokeCorner& a, const StrokeCorner& b, float y)
 {
     return a.x + (y - a.y) * ((b.x - a.x) / (b.y - a.y));
@@ -133,7 +133,7 @@ void fillTriangle(StrokeCorner a, StrokeCorner b, StrokeCorner c, Canvas canvas,
     }
 }
 
-/// True if the triangle overlaps the height range `lower` … `upper`, measured upward from the origin of the mesh.
+/// Returns whether the triangle overlaps the height range `lower` … `upper`, measured upward from the mesh origin.
 bool reaches(const StrokeMesh& mesh, const std::int32_t* triangle, float lower, float upper)
 {
     const auto y = [&](int corner) { return mesh.points[3 * static_cast<std::size_t>(triangle[corner]) + 1]; };

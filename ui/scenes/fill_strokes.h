@@ -6,8 +6,8 @@
 
 namespace angiopose::ui {
 
-/// Blends the triangles of a mesh onto the canvas, in order. `topOfMesh` is the y of the mesh at the upper edge of the
-/// canvas (equal to the canvas height if both cover the same area). A pixel belongs to the triangle that contains its
+/// Blends the triangles of a mesh onto the canvas, in order. `topOfMesh` is the mesh's y coordinate at the upper edge
+/// of the canvas (the canvas height if both cover the same area). A pixel belongs to the triangle that contains its
 /// center; triangles that share an edge therefore neither overlap nor leave gaps.
 void fillStrokes(const StrokeMesh& mesh, double topOfMesh, Canvas canvas);
 

@@ -40,7 +40,7 @@ int halvingsFor(double devicePxPerImagePx)
     return std::clamp(static_cast<int>(std::floor(-std::log2(devicePxPerImagePx))), 0, most);
 }
 
-/// Returns a texture size that is not a power of two, since OpenGL would compile a separate program for those.
+/// Returns a texture size that is not a power of two, since OpenGL would compile a separate program for such sizes.
 int textureSize(int sizePx)
 {
     return std::has_single_bit(static_cast<unsigned>(sizePx)) ? sizePx + 1 : sizePx;
@@ -74,7 +74,7 @@ FrameQuad::FrameQuad()
     actor_->PickableOff();
     actor_->VisibilityOff();
     texture_->RepeatOff();
-    texture_->EdgeClampOn();   // prevents the opposite border from bleeding in at the edges
+    texture_->EdgeClampOn();   // keeps the opposite border from bleeding in at the edges
     texture_->SetColorModeToDirectScalars();
     texture_->InterpolateOn();
     texture_->SetInputData(image_);

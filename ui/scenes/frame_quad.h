@@ -12,8 +12,8 @@
 namespace angiopose::ui {
 
 /// Angiogram frame as a textured rectangle from −0.5 to size − 0.5, with pixel centers at integers. Uses the same kind
-/// of texture for every frame and zoom, because software OpenGL compiles a program for each kind, which takes longer
-/// than the time budget of a frame.
+/// of texture for every frame and zoom, because software OpenGL compiles a program for each kind, and compiling takes
+/// longer than the time budget of a frame.
 class FrameQuad {
 public:
     FrameQuad();

@@ -11,7 +11,7 @@
 namespace angiopose::ui {
 namespace {
 
-// Debian builds GLEW for GLX. On an EGL context it loads every entry point and only then fails to find a GLX display.
+// Debian builds GLEW for GLX. On an EGL context, it loads every entry point and only then fails to find a GLX display.
 constexpr GLenum glewNoGlxDisplay = 4;
 
 }   // namespace

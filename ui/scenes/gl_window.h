@@ -13,7 +13,7 @@ public:
     vtkTypeMacro(GlWindow, vtkGenericOpenGLRenderWindow)
 
         void OpenGLInitContext() override;
-    void Frame() override {}   // no-op: the base class would swap buffers of a nonexistent display
+    void Frame() override {}   // does nothing: the base class would swap buffers of a nonexistent display
 
     /// Call before every rendering, because other code may have changed the OpenGL state that VTK caches.
     void resetState();
@@ -21,8 +21,8 @@ public:
     /// Copies the last rendered image to a canvas of the same size as the window.
     void readPixels(Canvas canvas);
 
-    /// Call when rendering pauses. Software OpenGL keeps several scenes in flight, each with buffers of any earlier
-    /// window size, until its slot is reused; drawing a few empty scenes releases them.
+    /// Call when rendering pauses. Software OpenGL keeps several scenes in flight, whose buffers of earlier window
+    /// sizes persist until their slots are reused; drawing a few empty scenes releases these buffers.
     void releaseOldBuffers();
 
 protected:

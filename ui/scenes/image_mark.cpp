@@ -14,7 +14,7 @@ std::optional<Eigen::Vector2d> directionBetween(const Eigen::Vector2d& from, con
     return length > 0.0 ? std::optional<Eigen::Vector2d>((to - from) / length) : std::nullopt;
 }
 
-/// Adds a bar across the `end` of the segment that starts at `inner`.
+/// Adds a bar across the end, `end`, of the segment that starts at `inner`.
 void addEndBar(std::vector<PixelLine>& lines, const Eigen::Vector2d& inner, const Eigen::Vector2d& end, double sizePx)
 {
     if (const auto direction = directionBetween(inner, end)) {

@@ -11,7 +11,7 @@ namespace angiopose::ui {
 
 enum class MarkShape {
     Length,   ///< polyline with a bar across each end
-    Angle,   ///< two legs with an arc at their vertex, the second point
+    Angle,   ///< two legs with an arc at their vertex, which is the second point
     Outline,   ///< closed polyline
     Line,   ///< open polyline
     Point,   ///< circle around each point
@@ -20,7 +20,7 @@ enum class MarkShape {
     Text,   ///< label only, at the first point
 };
 
-/// Plain is used for manual measurements and drawings, Place for locations on the vessels.
+/// Plain is for manual measurements and drawings, Place for locations on the vessels.
 enum class MarkTone { Plain, Place };
 
 /// Shape drawn on an image, with a label next to it.
@@ -28,7 +28,7 @@ struct ImageMark {
     MarkShape shape = MarkShape::Length;
     std::vector<Eigen::Vector2d> pixels;   ///< points in image px
     std::string label;   ///< UTF-8; may be empty
-    bool isChosen = false;   ///< selected, drawn highlighted
+    bool isChosen = false;   ///< true if selected and therefore highlighted
     MarkTone tone = MarkTone::Plain;
 };
 
@@ -43,7 +43,7 @@ std::vector<PixelLine> linesOf(const ImageMark& mark, const PixelMapping& positi
 /// Samples lines at intervals of `stepPx`; labels avoid the resulting points.
 std::vector<Eigen::Vector2d> pointsAlong(const std::vector<PixelLine>& lines, double stepPx);
 
-/// Returns the anchor of the label: the vertex of an angle, the tail of an arrow, otherwise the last point.
+/// Returns the anchor point of the label: the vertex of an angle, the tail of an arrow, otherwise the last point.
 Eigen::Vector2d labelAnchor(const ImageMark& mark, const PixelMapping& positionOf);
 
 /// Returns the color of a mark on a background whose palette is `colors`.

@@ -8,7 +8,7 @@ namespace angiopose::ui {
 namespace {
 
 constexpr double edgePx = 4.0;
-constexpr double marginPx = 2.0;   // margin kept free around labels
+constexpr double marginPx = 2.0;   // margin to keep free around labels
 constexpr double overlapCost = 30.0;   // cost per px² of overlap with other text
 constexpr double vesselCost = 40.0;   // cost per covered vessel point
 constexpr double gapCost = 3.0;   // cost per px of distance from the anchor

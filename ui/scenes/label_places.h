@@ -18,12 +18,12 @@ struct LabelRequest {
 struct LabelObstacles {
     double width = 0.0;   ///< image size; labels stay inside
     double height = 0.0;
-    std::vector<ViewRect> occupied;   ///< areas of other texts
-    std::vector<Eigen::Vector2d> avoided;   ///< vessel points, covered only if unavoidable
+    std::vector<ViewRect> occupied;   ///< areas of other text
+    std::vector<Eigen::Vector2d> avoided;   ///< vessel points, to be covered only if unavoidable
 };
 
-/// Returns the upper left corner of each label, next to its anchor: at the lower right if free, otherwise where the
-/// label covers no other text and as few vessel points as possible.
+/// Returns the upper left corner of each label, next to its anchor: at the lower right if that is free, otherwise where
+/// the label covers no other text and as few vessel points as possible.
 std::vector<Eigen::Vector2d> placeLabels(const std::vector<LabelRequest>& labels, const LabelObstacles& obstacles);
 
 }   // namespace angiopose::ui

@@ -20,7 +20,7 @@ struct LinePoint {
     Eigen::Vector3d direction = Eigen::Vector3d::Zero();   ///< direction of the vessel, perpendicular to its edges
     double radiusMm = 0.0;
     Color tone;
-    std::array<float, 3> arcLengthPx{};   ///< length from the start along left edge, center and right edge, image px
+    std::array<float, 3> arcLengthPx{};   ///< lengths from the start along left edge, center and right edge, image px
 };
 
 struct LineStyle {
@@ -28,17 +28,17 @@ struct LineStyle {
     double opacity = 1.0;
     bool isDashed = false;
     bool hasEndDots = false;
-    bool hasEdges = false;   ///< radii are known, so both edges can be drawn
+    bool hasEdges = false;   ///< true if the radii are known, so that both edges can be drawn
 };
 
-/// Lines in space as VTK poly data. Every point also stores its neighbors, from which a shader joins the segments for
+/// Lines in space as VTK poly data. Every point also stores its neighbors, with which a shader joins the segments for
 /// any camera; the data therefore do not depend on pose or zoom.
 class LineData {
 public:
     LineData();
     void clear();
     void add(const std::vector<LinePoint>& line, const LineStyle& style);
-    void commit();   ///< publishes the data; call after adding the last line
+    void commit();   ///< publishes the data; call it after adding the last line
     vtkPolyData* polyData() { return polyData_; }
     bool isEmpty() const { return points_->GetNumberOfPoints() == 0; }
 

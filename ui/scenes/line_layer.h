@@ -10,7 +10,7 @@ namespace angiopose::ui {
 /// Drawing parameters of a line layer; lengths in device px.
 struct LinePass {
     enum class Shape { Center, Edges, Inside };
-    Shape shape = Shape::Center;   ///< Edges and Inside require known radii
+    Shape shape = Shape::Center;   ///< `Edges` and `Inside` require known radii
     double lineWidthPx = 2.0;   ///< width of a line with width factor 1
     double widthGain = 1.0;   ///< width = widthGain × line width × factor + widthExtraPx
     double widthExtraPx = 0.0;
@@ -21,10 +21,10 @@ struct LinePass {
     std::optional<Color> shade;   ///< color that replaces the colors of the lines
     std::array<float, 2> dashPx{0.0F, 0.0F};   ///< dash and gap lengths of dashed lines
     bool hasEndDots = false;
-    std::optional<DepthRange> depth;   ///< blends near points towards white, far points towards the background
+    std::optional<DepthRange> depth;   ///< if set, blends near points toward white and far points toward the background
 };
 
-/// Layer of lines (halos, cores, …); several layers draw the same data.
+/// Layer of lines, such as halos or cores; several layers draw the same data.
 class LineLayer : public ShaderActor {
 public:
     explicit LineLayer(LineData& data);

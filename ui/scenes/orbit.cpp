@@ -32,7 +32,7 @@ Eigen::AlignedBox3d boxOf(const Beam& beam, const core::VesselTree& tree)
     return box;
 }
 
-/// Returns the points that a view with this extent must contain.
+/// Returns the points that a view of this extent must contain.
 std::vector<Eigen::Vector3d> landmarks(const Beam& beam, const core::VesselTree& tree, ViewExtent extent)
 {
     std::vector<Eigen::Vector3d> points;

@@ -27,11 +27,11 @@ struct ScreenFromPatient {
 
 ScreenFromPatient screenFromPatient(vtkCamera& camera, int width, int height);
 
-/// Content that a view is framed to: beam and tree, or the tree only.
+/// Content to which a view is framed: beam and tree, or only the tree.
 enum class ViewExtent { Everything, Vessels };
 
-/// Points a parallel camera at beam and tree from behind the detector, so left and right match the angiogram; source at
-/// the top, the extent fitted to a view of this aspect ratio (width/height).
+/// Points a parallel camera at beam and tree from behind the detector, so that left and right match the angiogram; the
+/// source is at the top, and the extent fits a view with this aspect ratio (width/height).
 void frameBeam(vtkCamera& camera, const Beam& beam, const core::VesselTree& tree, double aspect,
                ViewExtent extent = ViewExtent::Everything);
 

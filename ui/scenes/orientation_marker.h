@@ -9,8 +9,7 @@
 
 namespace angiopose::ui {
 
-/// Orientation marker in the lower right corner: three arms from a common point toward the patient's left, back and
-/// head.
+/// Orientation marker in the lower right corner: three arms from a common point toward left, posterior and superior.
 struct OrientationMarker {
     ScreenFromPatient toScreen;
     int widthPx = 0;   ///< width of the view, device px
@@ -28,8 +27,8 @@ struct OrientationLetter {
 
 void addOrientationMarker(StrokeMesh& mesh, const OrientationMarker& sign, const Palette& colors);
 
-/// Returns the letters at the tips of the arms, except those whose arm points along the viewing direction and those
-/// that would cover another letter.
+/// Returns the letters at the tips of the arms, except where an arm points along the viewing direction or a letter
+/// would cover another.
 std::vector<OrientationLetter> lettersOf(const OrientationMarker& sign);
 
 }   // namespace angiopose::ui

@@ -33,7 +33,7 @@ struct BranchMarks {
 
 enum class OverlayMode { Centerline, Outline, Tube, Hidden };
 
-/// NearBright brightens vessels close to the X-ray source.
+/// `NearBright` brightens vessels close to the X-ray source.
 enum class DepthCue { None, NearBright };
 
 /// Depth of the nearest and of the farthest point of a projected tree.
@@ -58,16 +58,16 @@ struct OverlayContent {
 
     BranchMarks marks;
     OverlayMode mode = OverlayMode::Centerline;
-    bool isOverlayHidden = false;   ///< hides the tree and the traced curves
+    bool isOverlayHidden = false;   ///< whether the tree and the traced curves are hidden
     DepthCue depthCue = DepthCue::None;
     double opacity = 1.0;
     double lineWidthPx = 2.0;   ///< line width, device px
     core::Centerline2d traced;
     bool isTracedShown = false;
     std::map<int, std::vector<double>> residualPx;
-    double scaleMaximumPx = 0.0;   ///< end of the residual scale; if 0, branches have their own colors
+    double scaleMaximumPx = 0.0;   ///< maximum of the residual scale; if 0, branches have their own colors
 
-    std::uint64_t revision = nextRevision();   ///< changes with all but frame, cutout, interpolation and view rect
+    std::uint64_t revision = nextRevision();   ///< changes with all but frame, cutout, interpolation and view rectangle
     std::uint64_t linesRevision = nextRevision();   ///< changes with points, marks and colors, but not with the pose
 };
 

@@ -12,8 +12,8 @@ namespace {
 
 using ArcLengths = std::vector<std::array<float, 3>>;
 
-/// Returns, for every tree point, the length along left edge, center and right edge, image px, from the first point
-/// of the visible run to which the point belongs.
+/// Returns for every tree point the lengths along left edge, center and right edge, image px, from the first point of
+/// the visible run to which the tree point belongs.
 ArcLengths arcLengthsOf(const ProjectedTree& tree, int branchId, std::size_t pointCount)
 {
     ArcLengths arcLengths(pointCount, {0.0F, 0.0F, 0.0F});

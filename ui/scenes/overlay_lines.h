@@ -11,7 +11,7 @@ void fillTreeLines(LineData& lines, const OverlayContent& content);
 /// Fills `lines` with the branches that glow, in their own colors.
 void fillGlowLines(LineData& lines, const OverlayContent& content);
 
-/// Adds the traced curves in the camera's frame, mm, on the plane at depth 1000: they project onto themselves.
+/// Adds the traced curves in camera coordinates, mm, on the plane at depth 1000, where they project onto themselves.
 void fillTracedLines(LineData& lines, const core::Centerline2d& traced, const core::ProjectionCamera& camera);
 
 }   // namespace angiopose::ui

@@ -9,8 +9,8 @@
 
 namespace angiopose::ui {
 
-/// Draws the angiogram and its overlay on the CPU, without OpenGL or Qt, with identical pixels in windows without a
-/// graphics card, in exported PNG files and in tests. Caches the resampled angiogram while only the tree moves.
+/// Draws the angiogram and its overlay on the CPU, without OpenGL or Qt, with identical pixels in windows (without a
+/// graphics card), in exported PNG files and in tests. Caches the resampled angiogram while only the tree moves.
 class OverlayPainter {
 public:
     /// Draws the view rectangle of the scene over the whole canvas.

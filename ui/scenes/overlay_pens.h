@@ -4,7 +4,7 @@
 
 #include <array>
 
-/// Widths and opacities of the overlay's layers, the same for every renderer; widths in line widths unless noted.
+/// Widths and opacities of the overlay's layers, the same for every renderer; widths are in line widths unless noted.
 namespace angiopose::ui {
 
 inline constexpr double edgeWidth = 0.7;   ///< outline of a vessel
@@ -18,7 +18,7 @@ inline constexpr double endDotRadius = 1.15;   ///< in branch widths
 inline constexpr std::array<double, 2> branchDashes{3.5, 3.0};   ///< dash and gap
 inline constexpr double tracedWidth = 0.85;
 inline constexpr std::array<double, 2> tracedDots{0.1, 2.6};   ///< dash and gap, in widths of the traced curve
-inline constexpr double tracedShadePx = 1.5;   ///< dark border around the dots: extra width, and fade
+inline constexpr double tracedShadePx = 1.5;   ///< dark border around the dots: extra width and fade
 inline constexpr double tracedShadeOpacity = 0.6;
 
 constexpr double glowOpacity(Glow glow)

@@ -10,7 +10,7 @@
 namespace angiopose::ui {
 
 /// Scene with the angiogram and the projected tree: content, visible part and hit testing. Setters only store values
-/// and mark them as changed; the renderers OverlayPainter and VtkOverlay draw the content.
+/// and mark them as changed; OverlayPainter and VtkOverlay render the content.
 class OverlayScene {
 public:
     OverlayScene();
@@ -30,16 +30,16 @@ public:
     void setOverlayHidden(bool veiled);   ///< temporarily hides tree and traced curves
     void setDepthCue(DepthCue cue);
     void setOpacity(double opacity);
-    /// Sets the DRR of the vessels, bright on 0, which covers the whole frame at any resolution and is shown in every
+    /// Sets the DRR of the vessels, bright on 0, which covers the whole frame at any resolution and is visible in every
     /// mode. An empty image removes the DRR.
     void setDrr(const core::ImageF& drr);
     void setCutout(const Cutout& cutout);
     void setLineWidthPx(double devicePixels);
-    void setTracedCenterline(const core::Centerline2d& traced);   ///< drawn as thin dotted curves; hidden by default
+    void setTracedCenterline(const core::Centerline2d& traced);   ///< drawn as thin dotted lines; hidden by default
     void showTracedCenterline(bool shown);
 
     /// Colors the tree by the distance to the traced vessels; `residualPx[branch id]` holds one value per tree point.
-    /// Also works for other values per point if both arguments have the same unit.
+    /// Other values per point are possible if both arguments have the same unit.
     void setResiduals(const std::map<int, std::vector<double>>& residualPx, double scaleMaximumPx);
     void recolor();   ///< call after a change of the color scheme
     void clearResiduals();
@@ -60,7 +60,7 @@ public:
     /// Returns the content with the tree projected for the current camera and pose.
     const OverlayContent& content() const;
 
-    /// State that determines the rendered image besides its size: equal stamps of one scene give equal images.
+    /// State that determines the rendered image, apart from its size: equal stamps of one scene mean equal images.
     struct Stamp {
         std::uint64_t overlay = 0;
         std::uint64_t frame = 0;
@@ -75,10 +75,10 @@ public:
     /// Returns the nearest branch whose projection passes within `tolerancePx` (image px) of an image point.
     std::optional<int> branchAt(const Eigen::Vector2d& imagePoint, double tolerancePx) const;
 
-    /// Returns the bounding box of a branch in its current projection; empty if it is not in front of the source.
+    /// Returns the bounding box of a branch in its current projection; nullopt if it is not in front of the source.
     std::optional<ViewRect> extentOf(int branchId) const;
 
-    /// True if the visible projected tree passes through this part of the image.
+    /// Returns whether the visible projected tree passes through this part of the image.
     bool treeIntersects(const ViewRect& part) const;
 
 private:

@@ -63,7 +63,7 @@ void main()
 }
 )";
 
-// Expands a line segment to a quad as wide as the line with its fade, longer at ends and round joints.
+// Expands a line segment to a quad that is as wide as the line with its fade, and longer at ends and round joints.
 constexpr const char* lineGeometryText = R"(//VTK::System::Dec
 //VTK::CustomUniforms::Dec
 layout(lines) in;

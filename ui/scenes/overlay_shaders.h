@@ -4,7 +4,7 @@
 
 namespace angiopose::ui {
 
-/// GLSL that draws lines in space with the same result as the painter: projected by VTK's camera, given a width on the
+/// GLSL that draws lines in space with the same result as the painter: projected by VTK's camera, with a width on the
 /// screen, mitered up to 60°, rounded at sharper turns and at the ends, with faded edges.
 struct ShaderSources {
     std::string vertex;

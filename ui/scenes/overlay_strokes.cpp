@@ -11,7 +11,7 @@ namespace angiopose::ui {
 namespace {
 
 constexpr double clipMarginPx = 64.0;
-constexpr double farPx = 4e4;   // dashes extend beyond the view, so that adjacent tiles match
+constexpr double farPx = 4e4;   // dashes extend beyond the view so that adjacent tiles match
 
 /// Lines that draw a branch, its centerline or its two edges, in device px.
 struct BranchLines {
@@ -197,7 +197,7 @@ void addOverlay(StrokeMesh& mesh, const OverlayContent& content, const DeviceFro
         if (content.mode == OverlayMode::Tube) {
             addTubes(mesh, branches, content, device);
         }
-        // Draws the dark borders of all branches first; otherwise, at bifurcations, they would cut into other branches.
+        // Draw the dark borders of all branches first; otherwise, they would cut into other branches at bifurcations.
         for (const BranchLines& branch : branches) {
             addGlow(mesh, branch, widthOf(branch));
         }

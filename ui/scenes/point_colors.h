@@ -8,7 +8,7 @@
 
 namespace angiopose::ui {
 
-/// Determines the color of each point of a branch: the branch color, or a color by residual or depth.
+/// Determines the color of each point of a branch: the branch color, or a color by residual or by depth.
 class PointColors {
 public:
     PointColors(const OverlayContent& content, int branchId, const Color& plain);

@@ -71,7 +71,7 @@ void addCross(StrokeMesh& mesh, const PoseHandleState& state)
     }
 }
 
-/// Adds a line with arrowheads at both ends, which indicates that the handle can be dragged in both directions.
+/// Adds a line with arrowheads at both ends, to indicate that the handle can be dragged in both directions.
 void addDoubleArrow(StrokeMesh& mesh, const StrokeLine& shaft, double widthPx, double pixelScale)
 {
     addWithShade(mesh, shaft, widthPx);
@@ -89,7 +89,7 @@ void addDoubleArrow(StrokeMesh& mesh, const StrokeLine& shaft, double widthPx, d
     addHead(shaft.back(), shaft[shaft.size() - 2]);
 }
 
-/// Returns the shaft of an outer handle, from its left or lower end.
+/// Returns the shaft of an outer handle, starting at its left or lower end.
 StrokeLine outerShaft(const PoseHandleState& state, PoseHandle handle, const Color& tone)
 {
     constexpr double below = -0.5 * std::numbers::pi;
@@ -103,7 +103,7 @@ StrokeLine outerShaft(const PoseHandleState& state, PoseHandle handle, const Col
     return arc(state.center, radius, middle - outerHandleHalfRad, 2.0 * outerHandleHalfRad, tone);
 }
 
-/// Position of the knob of the active handle: at the center, moved by the drag within the shaft.
+/// Returns the position of the active handle's knob: at the center, displaced by the drag within the shaft.
 Eigen::Vector2d knobOf(const PoseHandleState& state, PoseHandle handle)
 {
     const double radius = state.radius + outerHandleGapPx * state.pixelScale;

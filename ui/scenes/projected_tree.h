@@ -13,7 +13,7 @@ namespace angiopose::ui {
 struct ProjectedPoint {
     Eigen::Vector2d px;
     Eigen::Vector2d along = Eigen::Vector2d::Zero();   ///< unit direction in the image; zero along the ray
-    double radiusPx = 0.0;   ///< 0 if unknown
+    double radiusPx = 0.0;   ///< radius of the vessel; 0 if unknown
     double depthMm = 0.0;   ///< depth from the source along the central ray
     std::size_t index = 0;   ///< index of the point in its branch
 

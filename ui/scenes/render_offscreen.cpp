@@ -17,7 +17,7 @@ constexpr int maxImagePx = 16384;
 constexpr int bandHeight = 1024;
 constexpr double lineWidthShare = 0.0022;   // as a fraction of the shorter side
 
-/// Restores view rectangle and line width of the scene on destruction.
+/// Restores the view rectangle and the line width of the scene on destruction.
 class ViewRestorer {
 public:
     explicit ViewRestorer(OverlayScene& scene)
@@ -47,7 +47,7 @@ void copyRows(const std::vector<std::uint32_t>& rows, std::size_t pixelCount, st
     }
 }
 
-/// Draws the view rectangle of the scene in bands, which limits memory use at any image size.
+/// Draws the view rectangle of the scene in bands, which limits the memory use at any image size.
 core::ColorImage drawBands(const OverlayScene& scene, int width, int height)
 {
     core::ColorImage image{width, height, {}};

@@ -8,10 +8,10 @@
 
 namespace angiopose::ui {
 
-/// Smooth interpolates between pixels; Nearest shows each pixel as a square.
+/// `Smooth` interpolates between pixels; `Nearest` shows each pixel as a square.
 enum class Interpolation { Smooth, Nearest };
 
-/// Draws the part `rect` of a gray image over the whole canvas, with `around` as the color outside the image. Smooth
+/// Draws the part `rect` of a gray image over the whole canvas, with `around` as the color outside the image. `Smooth`
 /// interpolates linearly when magnifying; when minifying, every source pixel contributes (tent filter as wide as a
 /// canvas pixel), which avoids flicker.
 void resampleFrame(const core::Image2d<std::uint8_t>& gray, const ViewRect& rect, Interpolation interpolation,

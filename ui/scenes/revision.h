@@ -5,7 +5,7 @@
 
 namespace angiopose::ui {
 
-/// Returns a number never used before: equal revisions mean equal content across all objects.
+/// Returns a number that was never used before: equal revisions mean equal content across all objects.
 inline std::uint64_t nextRevision()
 {
     static std::atomic<std::uint64_t> last{0};

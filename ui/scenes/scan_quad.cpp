@@ -27,7 +27,7 @@ ScanQuad::ScanQuad()
     mapper->SetInputData(rectangle_);
     actor_->SetMapper(mapper);
     actor_->GetProperty()->LightingOff();
-    actor_->ForceOpaqueOn();   // blending stays on; VTK would sort translucent actors in a separate pass
+    actor_->ForceOpaqueOn();   // keeps blending on, because VTK would sort translucent actors in a separate pass
     actor_->PickableOff();
     actor_->VisibilityOff();
     texture_->RepeatOff();

@@ -13,7 +13,7 @@ ShaderActor::ShaderActor(vtkPolyData* data, const ShaderSources& shaders)
     mapper_->ScalarVisibilityOff();
     mapper_->StaticOn();
     actor_->SetMapper(mapper_);
-    actor_->ForceOpaqueOn();   // draws actors in the order added; the shaders set the opacity
+    actor_->ForceOpaqueOn();   // draws actors in the order in which they were added; the shaders set the opacity
     actor_->PickableOff();
     actor_->UseBoundsOff();   // prevents culling of lines by their spatial bounds
     vtkShaderProperty* property = actor_->GetShaderProperty();

@@ -42,7 +42,7 @@ protected:
     vtkUniforms& geometryUniforms();
     vtkUniforms& fragmentUniforms();
 
-    /// Sets the uniforms of cutout and view, which every fragment shader uses.
+    /// Sets the uniforms for cutout and view, which every fragment shader uses.
     void setPlacementUniforms(const Cutout& cutout, const ImagePlacement& placement);
 
 private:

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double sharpTurnCosine = 0.5;   // sharper turns than 60° get a round joint instead of a miter
 
-/// Half widths and opacity across a stroke: solid up to `inner`, fully faded at `outer`.
+/// Half widths and opacity across a stroke, which is solid up to `inner` and fully faded at `outer`.
 struct Profile {
     double inner;
     double outer;
@@ -108,7 +108,7 @@ StrokePoint between(const StrokePoint& a, const StrokePoint& b, double fraction)
     return {a.at + fraction * (b.at - a.at), mixed(a.color, b.color, fraction)};
 }
 
-/// Fractions of a→b between which the segment lies inside a box (Liang and Barsky 1984); no part does if `from` > `to`.
+/// Fractions of a→b between which the segment lies inside a box (Liang and Barsky 1984); none does if `from` > `to`.
 struct MeshSpan {
     double from = 0.0;
     double to = 1.0;
@@ -207,7 +207,7 @@ void addRibbon(StrokeMesh& mesh, const StrokeLine& left, const StrokeLine& right
 std::vector<StrokeLine> clipped(const StrokeLine& line, const Eigen::Vector2d& lower, const Eigen::Vector2d& upper)
 {
     std::vector<StrokeLine> parts;
-    bool isOpen = false;   // the last part continues into the next segment
+    bool isOpen = false;   // true if the last part continues in the next segment
     for (std::size_t i = 1; i < line.size(); ++i) {
         const MeshSpan span = insideBox(line[i - 1].at, line[i].at, lower, upper);
         if (span.from > span.to) {

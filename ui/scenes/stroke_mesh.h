@@ -17,10 +17,10 @@ using StrokeLine = std::vector<StrokePoint>;
 struct Pen {
     double widthPx = 2.0;
     double opacity = 1.0;
-    double fadePx = 1.0;   ///< width of the soft edge; large values produce a glow
+    double fadePx = 1.0;   ///< width of the soft edge; large values give a glow
 };
 
-/// Line or ribbon before triangulation, for vector export. A line with one point is a dot.
+/// Line or ribbon before triangulation, for vector export. A line with a single point is a dot.
 struct StrokeShape {
     enum class Kind { Line, Ribbon };
     Kind kind = Kind::Line;
@@ -51,16 +51,16 @@ void addLine(StrokeMesh& mesh, const StrokeLine& raw, const Pen& pen);
 
 void addDot(StrokeMesh& mesh, const StrokePoint& center, double radiusPx, double opacity);
 
-/// Fills the area between two lines with the same number of points, with the colors of `left`.
+/// Fills the area between two lines with equal numbers of points, in the colors of `left`.
 void addRibbon(StrokeMesh& mesh, const StrokeLine& left, const StrokeLine& right, double opacity);
 
-/// Returns the parts of the line inside the box `lower` … `upper`.
+/// Returns the parts of the line inside the box from `lower` to `upper`.
 std::vector<StrokeLine> clipped(const StrokeLine& line, const Eigen::Vector2d& lower, const Eigen::Vector2d& upper);
 
 /// Splits a line into dashes.
 std::vector<StrokeLine> dashed(const StrokeLine& line, const DashPattern& pattern);
 
-/// Removes points closer than `minimumStepPx` to the previous point; keeps both ends.
+/// Removes points closer than `minimumStepPx` to the previous point; keeps both end points.
 StrokeLine thinned(const StrokeLine& line, double minimumStepPx);
 
 }   // namespace angiopose::ui

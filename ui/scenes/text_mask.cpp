@@ -44,7 +44,7 @@ FcPattern* patternOf(const char* name)
     return FcNameParse(reinterpret_cast<const FcChar8*>(name));
 }
 
-/// Returns the font for text in images: Inter if installed, otherwise the sans-serif font of the system.
+/// Returns the font for text in images: Inter if it is installed, otherwise the sans-serif font of the system.
 const FontFace& interfaceFont()
 {
     static const FontFace face = faceFor(patternOf("Inter,sans-serif:style=Regular:outline=true"));

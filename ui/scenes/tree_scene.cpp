@@ -49,7 +49,7 @@ core::VesselTree cornersOf(const Eigen::AlignedBox3d& box)
     return corners;
 }
 
-/// True if both trees lie in the same place, so that the view can stay; this is the case while a tree is edited.
+/// Returns whether both trees lie in the same place, so that the view can stay, as when a tree is being edited.
 bool lieTogether(const core::VesselTree& shown, const core::VesselTree& next)
 {
     const Eigen::AlignedBox3d before = boxOf(shown);
@@ -61,7 +61,7 @@ bool lieTogether(const core::VesselTree& shown, const core::VesselTree& next)
 
 struct TreeScene::Parts {
     vtkNew<vtkRenderer> ground;   // detector, beam and source, always drawn behind the tree
-    vtkNew<vtkRenderer> middle;   // scan rendering
+    vtkNew<vtkRenderer> middle;   // rendering of the scan
     vtkNew<vtkRenderer> front;   // tree
     FrameQuad detector;
     StrokeActor strokes;
@@ -77,10 +77,10 @@ struct TreeScene::Parts {
     Palette colors = palette(ThemeMode::Dark);
     double pixelScale = 1.0;
     bool isTreeStale = false;
-    bool isGrayStale = false;   // the gray range still belongs to the previous frame
-    bool isViewStale = true;   // the camera must be framed again
+    bool isGrayStale = false;   // true if the gray range still belongs to the previous frame
+    bool isViewStale = true;   // true if the camera must be framed again
     ViewExtent extent = ViewExtent::Everything;
-    bool isTouched = false;   // the user rotated, moved or zoomed the view since framing
+    bool isTouched = false;   // true if the user has rotated, moved or zoomed the view since framing
     double framedAspect = 0.0;   // aspect ratio for which the view was framed
     unsigned long observerTag = 0;
 
@@ -120,7 +120,7 @@ StrokeMesh TreeScene::Parts::groundStrokes(const ScreenFromPatient& toScreen) co
 {
     StrokeMesh mesh;
     if (isEmpty()) {
-        return mesh;   // without vessels and scan, no beam is shown
+        return mesh;   // without vessels or a scan, no beam is shown
     }
     addBeamStrokes(mesh, beam, toScreen, {colors, 2.0 * toScreen.centerPx, pixelScale});
     addOrientationMarker(mesh, sign(toScreen), colors);
@@ -190,7 +190,7 @@ TreeScene::TreeScene() : parts_(std::make_unique<Parts>())
     p.ground->InteractiveOff();
     p.ground->AddActor(p.detector.actor());
     p.ground->AddActor2D(p.strokes.actor());
-    p.detector.actor()->GetProperty()->SetColor(0.55, 0.55, 0.55);   // dimmed to make the tree stand out
+    p.detector.actor()->GetProperty()->SetColor(0.55, 0.55, 0.55);   // dimmed so that the tree stands out
     p.middle->SetLayer(1);
     p.middle->InteractiveOff();
     p.middle->AddActor(p.scan.actor());
@@ -273,7 +273,7 @@ core::ParallelProjection TreeScene::sight(int maxPx) const
     const int* size = parts_->ground->GetSize();
     const double wholePx = std::max(1.0, 1.0 * size[0] * size[1]);
     const double share = std::min(1.0, std::sqrt(maxPx / wholePx));
-    const auto sideOf = [share](int px) {   // powers of two would need a separate OpenGL program
+    const auto sideOf = [share](int px) {   // powers of two would require a separate OpenGL program
         const int side = std::max(3, static_cast<int>(std::lround(share * px)));
         return std::has_single_bit(static_cast<unsigned>(side)) ? side + 1 : side;
     };

@@ -18,14 +18,14 @@ class vtkRenderWindow;
 
 namespace angiopose::ui {
 
-/// Position picked on the tree.
+/// Position that was picked on the tree.
 struct TreePick {
     int branchId = 0;
     Eigen::Vector3d pointInPatient = Eigen::Vector3d::Zero();
 };
 
 /// 3-D scene in patient space: tree, X-ray source, beam, detector plane with the image, and the scan behind the tree.
-/// Uses VTK without Qt; attached to one window for its lifetime.
+/// Uses VTK without Qt; attached to a single window for its lifetime.
 class TreeScene {
 public:
     TreeScene();
@@ -34,7 +34,7 @@ public:
     TreeScene& operator=(const TreeScene&) = delete;
 
     void setTree(const core::VesselTree& tree);   ///< keeps the view unless the new tree lies elsewhere
-    void setCamera(const core::ProjectionCamera& camera, double sourceToDetectorMm);   ///< 0 hides the detector
+    void setCamera(const core::ProjectionCamera& camera, double sourceToDetectorMm);   ///< distance 0: no detector
     void setPose(const core::RigidTransform& cameraFromPatient);
     void setFrame(const core::ImageF& frame);
     /// Replaces the frame with an image of any resolution that covers it completely; empty restores the frame.
@@ -48,9 +48,9 @@ public:
     void setMarks(const BranchMarks& marks);
     void setColors(const Palette& colors);
     void setPixelScale(double devicePxPerPx);   ///< scales the line widths and the orientation marker
-    void attachTo(vtkRenderWindow* window);   ///< call once
+    void attachTo(vtkRenderWindow* window);   ///< call this once
 
-    /// Views the beam from the side, with the X-ray source at the top and everything in view; the next call shows only
+    /// Shows the beam from the side, with the X-ray source at the top and everything in view; the next call shows only
     /// the vessels.
     void nextView();
     void reframe();   ///< brings all content into view unless the user has changed the view
@@ -58,7 +58,7 @@ public:
     void zoomBy(double factor);
     void panBy(double rightDevicePx, double upDevicePx);
 
-    bool isEmpty() const;   ///< true without vessels and scan; nothing is drawn then
+    bool isEmpty() const;   ///< true without vessels and scan, when nothing is drawn
     std::optional<TreePick> pickAt(int xDevicePx, int yDevicePxFromBottom) const;
     Eigen::Vector2d deviceFromPatient(const Eigen::Vector3d& pointInPatient) const;   ///< px from the bottom left
     std::vector<OrientationLetter> orientationLetters() const;

@@ -31,7 +31,7 @@ double extentMm(const core::VesselTree& tree)
     return box.isEmpty() ? 1.0 : std::max(1e-3, box.diagonal().norm());
 }
 
-/// Lines with a radius and color per point, which the tube filter takes as input.
+/// Lines with a radius and a color for each point, which the tube filter takes as input.
 struct TubeLines {
     vtkNew<vtkPoints> points;
     vtkNew<vtkCellArray> cells;

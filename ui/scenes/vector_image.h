@@ -25,7 +25,7 @@ struct VectorFill {
     double opacity = 1.0;
 };
 
-/// Line of text; `at` is the point on the baseline where the text starts (or ends, with TextAlign::Right).
+/// Line of text; `at` is the point on the baseline at which the text starts, or ends with TextAlign::Right.
 struct VectorText {
     std::string text;   ///< UTF-8
     Eigen::Vector2d at;
@@ -34,7 +34,7 @@ struct VectorText {
     Color tone = palette(ThemeMode::Dark).textStrong;
 };
 
-/// Exported image as vector graphics, in drawing order: backdrops, shapes, fills, texts. Coordinates are px of the
+/// Exported image as vector graphics, in drawing order: backdrops, shapes, fills, text. Coordinates are px of the
 /// corresponding raster image, with y up in shapes and y down elsewhere.
 struct VectorImage {
     int width = 0;

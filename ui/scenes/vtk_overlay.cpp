@@ -144,7 +144,7 @@ void FrameLayer::showTint(const OverlayContent& content)
 }
 
 /// Places a VTK camera at the X-ray source: a point in patient space (mm) appears at the pixel given by
-/// `core::project`, and the part `rect` of the image fills the view.
+/// `core::project`, and so that the part `rect` of the image fills the view.
 void setPinhole(vtkCamera& view, const core::ProjectionCamera& camera, const core::RigidTransform& cameraFromPatient,
                 const ViewRect& rect)
 {
@@ -156,8 +156,8 @@ void setPinhole(vtkCamera& view, const core::ProjectionCamera& camera, const cor
     view.SetFocalPoint(ahead.x(), ahead.y(), ahead.z());
     view.SetViewUp(up.x(), up.y(), up.z());
 
-    // Half extent of the view at depth 1, and offset of its center from the central ray in half extents; in mirrored
-    // images, fx > 0.
+    // Half extent of the view at depth 1, and offset of its center from the central ray in half extents; fx > 0 in
+    // mirrored images.
     const double halfWidth = 0.5 * rect.width();
     const double halfHeight = 0.5 * rect.height();
     view.SetViewAngle(2.0 * std::atan(halfHeight / camera.fy) * 180.0 / std::numbers::pi);
@@ -167,7 +167,7 @@ void setPinhole(vtkCamera& view, const core::ProjectionCamera& camera, const cor
                          (camera.cy - 0.5 * (rect.top + rect.bottom)) / halfHeight);
 }
 
-/// Camera for traced curves if none is known: any camera works because the curves lie on the image.
+/// Returns a camera for the traced curves if none is known: any camera works, because the curves lie on the image.
 core::ProjectionCamera usableCamera(const core::ProjectionCamera& camera)
 {
     return !core::findProblem(camera) ? camera : core::ProjectionCamera{1000.0, 1000.0, 0.0, 0.0, 1, 1};

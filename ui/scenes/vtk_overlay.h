@@ -11,7 +11,7 @@ namespace angiopose::ui {
 
 /// Draws the angiogram and its overlay with VTK and OpenGL: the frame as a texture, the tree in space through a camera
 /// at the X-ray source. A new pose, zoom or brightness changes only the camera and a few uniforms; points and pixels
-/// are uploaded when they change. Matches the painter's output (tests/ui/scenes/renderers_agree_test.cpp).
+/// are uploaded when they change. Matches the painter's output (tests/ui/views/renderers_agree_test.cpp).
 class VtkOverlay {
 public:
     VtkOverlay();
@@ -19,7 +19,7 @@ public:
     VtkOverlay(const VtkOverlay&) = delete;
     VtkOverlay& operator=(const VtkOverlay&) = delete;
 
-    void attachTo(vtkRenderWindow* window);   ///< call once; `window` must outlive this object
+    void attachTo(vtkRenderWindow* window);   ///< call this once; `window` must outlive this object
 
     /// Sets the content of the next image; `above` holds strokes drawn on top, device px, y up.
     void show(const OverlayScene& scene, bool isMirrored = false, const StrokeMesh& above = {});

@@ -90,7 +90,7 @@ QToolButton* CornerViews::makeTab(const LocalizedText& text, std::optional<core:
     auto* tab = new QToolButton;
     withText(tab, text);
     tab->setProperty("role", "tab");
-    tab->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Fixed);   // never clips the name
+    tab->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Fixed);   // keeps the name from being clipped
     tab->setCheckable(true);
     connect(tab, &QToolButton::clicked, this, [this, plane] { showPlane(plane); });
     return tab;

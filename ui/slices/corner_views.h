@@ -24,7 +24,7 @@ public:
     CornerViews(TreeView* treeView, SliceModel& model, QWidget* parent = nullptr);
 
     std::optional<core::BodyPlane> shownPlane() const;
-    void showPlane(std::optional<core::BodyPlane> plane);   ///< the 3-D view if empty; requires a scan
+    void showPlane(std::optional<core::BodyPlane> plane);   ///< if not set, shows the 3-D view; requires a scan
     void showNext();
     SliceView& slice() { return *slice_; }
     ScanBar& scanBar() { return *scanBar_; }   ///< bar above the 3-D view, shown if there is a scan
@@ -50,7 +50,7 @@ private:
     TreeView* treeView_;
     SliceView* slice_;
     ScanBar* scanBar_;
-    std::array<QToolButton*, 4> tabs_{};   ///< 3-D first, then in the order of `core::bodyPlanes`
+    std::array<QToolButton*, 4> tabs_{};   ///< 3-D view first, then planes in the order of `core::bodyPlanes`
     std::optional<core::BodyPlane> requestedPlane_;
 };
 

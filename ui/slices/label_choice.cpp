@@ -21,7 +21,7 @@ namespace {
 
 constexpr int maxLabelRows = 10;   // maximum number of visible rows
 constexpr int minRows = 3;
-constexpr int filteredFrom = 9;   // the filter is shown from this number of labels on
+constexpr int filteredFrom = 9;   // the filter field is shown from this number of labels on
 constexpr int rowPadding = 8;
 constexpr int swatchPx = 10;
 constexpr int labelRole = Qt::UserRole;

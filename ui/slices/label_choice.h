@@ -27,9 +27,9 @@ struct LabelRow {
     bool operator==(const LabelRow&) const = default;
 };
 
-QString textOf(const LabelRow& row);   ///< formats a row, e.g. "4  celiac_trunk", or "Label 4" if unnamed
+QString textOf(const LabelRow& row);   ///< returns the text of a row, e.g. "4  celiac_trunk", or "Label 4" if unnamed
 
-/// List with check boxes that selects the vessel labels of a label image; long lists have a filter. Passive view:
+/// List with check boxes that selects the vessel labels of a label image; long lists have a filter field. Passive view:
 /// displays the given state and emits signals for user actions.
 class LabelChoice : public QWidget {
     Q_OBJECT
@@ -48,7 +48,7 @@ public:
 
 signals:
     void selectionEdited(const std::set<int>& labels);
-    void currentRowChanged(int row);   ///< the current row changed
+    void currentRowChanged(int row);   ///< emitted when the current row has changed
 
 private:
     QLayout* headRow();
@@ -56,7 +56,7 @@ private:
     void fill();
     void filter(const QString& text);
     void readCheckStates();
-    void choose(std::optional<bool> ticked);   ///< for all filtered rows; empty checks the suggested ones
+    void choose(std::optional<bool> ticked);   ///< for all filtered rows; if not set, checks the suggested ones
     void applyCheckStates();
     void scrollToFirstChecked();
     void updateTexts();

@@ -22,8 +22,8 @@ enum class CutDepth { Slice, Range, Whole };
 struct MaskSettings {
     double opacity = 0.28;   ///< opacity of the mask on the slices
     double radiusMm = 2.0;   ///< brush radius
-    bool is3d = false;   ///< 3-D brush: also paints neighboring slices
-    bool isAboveThreshold = false;   ///< paints only voxels above the threshold
+    bool is3d = false;   ///< 3-D brush: whether to paint neighboring slices too
+    bool isAboveThreshold = false;   ///< whether to paint only voxels above the threshold
     CutDepth depth = CutDepth::Slice;
     double rangeMm = 10.0;   ///< depth of a range cut on each side of the slice
 
@@ -33,8 +33,8 @@ struct MaskSettings {
 /// State of mask editing.
 struct MaskState {
     int pendingStrokes = 0;   ///< number of strokes not yet included in the traced vessels
-    bool isRunning = false;   ///< tracing is running
-    bool isEdited = false;   ///< the vessels were traced from a manually edited mask
+    bool isRunning = false;   ///< true while tracing is running
+    bool isEdited = false;   ///< true if the vessels were traced from a manually edited mask
 };
 
 /// Panel for the lumen mask on the slices: its opacity, brush and scissors, and tracing of the edited mask. Passive

@@ -128,7 +128,7 @@ bool MaskBrushTool::undoStep()
 {
     const bool wasStroking = std::exchange(isStroking_, false);
     if (wasStroking) {
-        emit strokeEnded();   // makes the partial stroke one undo step
+        emit strokeEnded();   // makes the unfinished stroke one undo step
     }
     return wasStroking;
 }
@@ -145,7 +145,7 @@ void MaskBrushTool::paint(QPainter& painter, SliceView& view) const
     painter.setPen(QPen(toQColor(colors().canvas, 0.7), 3.0));
     painter.drawEllipse(pointer_, radiusPx, radiusPx);
     const bool erases =
-        (isStroking_ ? strokeAim_ : aim_) == BrushMode::Erase;   // erasing is shown by dashes as well as color
+        (isStroking_ ? strokeAim_ : aim_) == BrushMode::Erase;   // dashes as well as color show erasing
     painter.setPen(
         QPen(toQColor(erases ? colors().attention : colors().accent), 1.5, erases ? Qt::DashLine : Qt::SolidLine));
     painter.drawEllipse(pointer_, radiusPx, radiusPx);

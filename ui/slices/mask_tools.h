@@ -9,7 +9,7 @@
 namespace angiopose::ui {
 
 /// Round brush for the mask, shown as a circle of the brush size under the pointer. Ctrl swaps painting and erasing;
-/// Shift+wheel, + and − change the size.
+/// Shift+wheel, + and − change the brush size.
 class MaskBrushTool : public SliceTool {
     Q_OBJECT
 public:
@@ -41,15 +41,15 @@ private:
     void brushTo(const SlicePointer& pointer);
 
     core::BrushMode aim_;
-    core::BrushMode strokeAim_;   ///< paint or erase, fixed for the current stroke
+    core::BrushMode strokeAim_;   ///< paints or erases; fixed during a stroke
     double radiusMm_ = 2.0;
     bool isStroking_ = false;
     Eigen::Vector3d last_ = Eigen::Vector3d::Zero();
-    const SliceView* hoveredView_ = nullptr;   ///< slice view under the pointer; null outside
+    const SliceView* hoveredView_ = nullptr;   ///< slice view under the pointer; null if there is none
     QPointF pointer_;
 };
 
-/// Scissors: a lasso drawn in a slice, inside which the mask is removed. With Shift, the outside is removed instead.
+/// Scissors: removes the mask inside a lasso drawn in a slice or, with Shift, outside it.
 class MaskCutTool : public SliceTool {
     Q_OBJECT
 public:

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double endRadiusPx = 5.0;
 constexpr double pathWidthPx = 2.0;
-constexpr double visibleSlices = 1.5;   // in slice thicknesses; more distant points are drawn fainter
+constexpr double visibleSlices = 1.5;   // in slice spacings; points farther away are drawn fainter
 constexpr double faintPathOpacity = 0.35;
 
 }   // namespace

@@ -14,7 +14,7 @@ class PathTool : public SliceTool {
 public:
     explicit PathTool(SliceModel& model);
 
-    void showPath(std::vector<Eigen::Vector3d> pointsInPatient);   ///< path to the mouse position of the request
+    void showPath(std::vector<Eigen::Vector3d> pointsInPatient);   ///< path to the pointer position of the request
 
     QString caption() const override;
     void end() override { drop(); }
@@ -27,7 +27,7 @@ public:
 signals:
     void pathRequested(const Eigen::Vector3d& fromInPatient, const Eigen::Vector3d& toInPatient);   ///< for the preview
     void chosen(const Eigen::Vector3d& fromInPatient, const Eigen::Vector3d& toInPatient);
-    void begun();   ///< the first point was set or removed, which makes earlier paths obsolete
+    void begun();   ///< emitted when the first point is set or removed, which makes earlier paths obsolete
 
 private:
     void drop();

@@ -35,7 +35,7 @@ QString pointText(const QString& kind, const Eigen::Vector3d& point)
         .arg(numberText(point.z(), 1));
 }
 
-constexpr double typicalHu = 200.0;   // HU; initial manual threshold without an automatic one
+constexpr double typicalHu = 200.0;   // HU; initial manual threshold if there is no automatic one
 
 }   // namespace
 

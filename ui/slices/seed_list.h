@@ -43,7 +43,7 @@ private:
     void fill();
     void choose(int row);
     void removeChosen();
-    Points& listOf(int& row);   ///< returns the list that contains the row, and makes `row` an index into that list
+    Points& listOf(int& row);   ///< returns the list that contains the row, and makes `row` an index into it
 
     Points seeds_;
     Points avoid_;
@@ -65,7 +65,7 @@ public:
 
     /// Sets the range of the threshold in HU, or in the intensity units of the scan.
     void showRange(std::pair<double, double> range, bool isHounsfield);
-    void showChosen(std::optional<double> threshold);   ///< manual threshold; automatic without a value
+    void showChosen(std::optional<double> threshold);   ///< manual threshold; if not set, the threshold is automatic
     void showAutomatic(std::optional<double> threshold);   ///< shows the automatic threshold, if known
     bool isPreviewWanted() const;
     std::optional<double> shown() const;   ///< threshold in use, manual or automatic

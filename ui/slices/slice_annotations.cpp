@@ -120,7 +120,7 @@ void paintMark(QPainter& painter, const QPointF& at, SliceMarkKind kind, const Q
     }
 }
 
-/// Returns the middle of an edge; moves right if a corner text reaches it, or inwards if that text fills the edge.
+/// Returns the box at the middle of an edge, moved right if corner text reaches it, or inward if that fills the edge.
 QRectF letterBox(const QRectF& area, double top, const QRectF& occupied)
 {
     QRectF box(area.center().x() - 0.5 * letterWidthPx, top, letterWidthPx, letterHeightPx);

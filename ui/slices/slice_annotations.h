@@ -28,7 +28,7 @@ void paintBranches(QPainter& painter, const SliceOverlay& overlay);
 void paintPoints(QPainter& painter, const SliceOverlay& overlay);
 void paintCrosshair(QPainter& painter, const SliceOverlay& overlay);
 
-/// Areas covered by the corner texts.
+/// Areas covered by corner text.
 struct CornerAreas {
     QRectF top;
     QRectF bottom;
@@ -37,7 +37,7 @@ struct CornerAreas {
 /// Draws lines of text in the upper left and lower left corners, readable on any image; returns the areas covered.
 CornerAreas paintTexts(QPainter& painter, const QRectF& area, const QStringList& top, const QStringList& bottom);
 
-/// Draws the orientation letters (patient's sides) at the middle of the edges, clear of the corner texts.
+/// Draws the orientation letters (patient's sides) at the middle of the edges, clear of corner text.
 void paintSides(QPainter& painter, const SliceOverlay& overlay, const CornerAreas& occupied);
 
 }   // namespace angiopose::ui

@@ -12,7 +12,7 @@
 
 namespace angiopose::ui {
 
-/// Gray window in values of the scan (HU): black below its lower end, white above its upper end.
+/// Window in values of the scan (HU): black below its lower end, white above its upper end.
 struct GrayWindow {
     double width = 600.0;
     double level = 200.0;
@@ -35,7 +35,7 @@ struct MaskTint {
 };
 
 struct SliceTints {
-    std::vector<MaskTint> mask;   ///< tints of mask values 1, 2, …; the last applies to all higher values
+    std::vector<MaskTint> mask;   ///< tints of mask values 1, 2, …; the last one applies to all higher values
     MaskTint preview;
     std::optional<double> previewFrom;   ///< threshold preview: values at or above this one are tinted
 };
@@ -44,11 +44,11 @@ struct SliceTints {
 double pixelSizeMm(const core::SliceGrid& grid);
 
 /// Renders an interpolated slice, black outside the scan. `size` is in device px, `viewport` in device-independent px;
-/// the image px of the viewport are `pixelSizeMm(grid)` wide.
+/// image px of the viewport are `pixelSizeMm(grid)` wide.
 QImage sliceImage(const SliceContent& content, const GrayWindow& window, const SliceTints& tints,
                   const ImageViewport& viewport, const QSize& deviceSize, double devicePxPerPx);
 
-/// Repaints the given rows (last one excluded) after their content changed.
+/// Repaints the given rows (the last one excluded) after their content has changed.
 void repaintSliceRows(QImage& image, std::pair<int, int> deviceRows, const SliceContent& content,
                       const GrayWindow& window, const SliceTints& tints, const ImageViewport& viewport,
                       double devicePxPerPx);

@@ -85,7 +85,7 @@ bool SliceMeasureTool::startDrag(const SlicePointer& pressed)
     if (isDrawing_) {
         addPoint(pressed);
     }
-    return true;   // accepts every drag, to keep measuring from moving the crosshair
+    return true;   // accepts every drag, so that measuring does not move the crosshair
 }
 
 void SliceMeasureTool::drag(const SlicePointer& pointer)
@@ -103,7 +103,7 @@ void SliceMeasureTool::finishDrag(const SlicePointer& pointer)
         const bool exists = stillExists(*dragged);
         const bool isInPlace = exists && isInSlice(model().measured()[dragged->measurement].measurement,
                                                    pointer.view.plane(), pointer.view.grid());
-        if (!isInPlace) {   // the measurement was removed by undo or is no longer in the displayed slice
+        if (!isInPlace) {   // undo removed the measurement, or it is no longer in the displayed slice
             drop();
             return;
         }
@@ -117,7 +117,7 @@ void SliceMeasureTool::finishDrag(const SlicePointer& pointer)
     }
 }
 
-/// True if the measurement being dragged still exists unchanged.
+/// Returns whether the measurement being dragged still exists unchanged.
 bool SliceMeasureTool::stillExists(const DraggedPoint& dragged) const
 {
     const auto& measurements = model().measured();
@@ -204,7 +204,7 @@ bool SliceMeasureTool::undoStep()
     return hadPoints;
 }
 
-/// Completes the measurement; with too few points, does nothing, and further clicks add points.
+/// Completes the measurement; does nothing if it has too few points, so that further clicks add points.
 void SliceMeasureTool::finish()
 {
     if (next_.pointsInPatient.size() < (kind_ == MeasurementKind::Length ? 2U : 3U)) {

@@ -9,7 +9,7 @@
 namespace angiopose::ui {
 
 /// Measuring tool for slices, operated like MeasureTool: clicks set points, and a drag draws a whole length or moves an
-/// existing point; a click on its first point, a double-click or Enter closes an area. All points lie in one slice: a
+/// existing point; a click on the first point, a double-click or Enter closes an area. All points lie in one slice: a
 /// click in another slice starts over.
 class SliceMeasureTool : public SliceTool {
     Q_OBJECT
@@ -39,7 +39,7 @@ public:
 signals:
     void drawn(const core::SliceMeasurement& measurement);
     void pointMoved(int measurement, int point, const Eigen::Vector3d& pointInPatient);
-    void removeRequested();   ///< requests removal of the selected measurement, or of the last one without a selection
+    void removeRequested();   ///< requests removal of the selected measurement or, without a selection, of the last one
 
 private:
     struct DraggedPoint {
@@ -62,7 +62,7 @@ private:
     core::SliceMeasurement next_;   ///< measurement being drawn, with the points set so far
     std::optional<Eigen::Vector3d> pointer_;
     std::optional<DraggedPoint> dragged_;
-    bool isDrawing_ = false;   ///< a length is being drawn by dragging
+    bool isDrawing_ = false;   ///< true while a length is being drawn by dragging
 };
 
 }   // namespace angiopose::ui

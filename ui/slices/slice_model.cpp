@@ -9,13 +9,13 @@ namespace angiopose::ui {
 namespace {
 
 constexpr std::size_t sampledVoxels = 40000;
-constexpr double airHu = -500.0;   // lower values occur only as air in CT
+constexpr double airHu = -500.0;   // only air in CT has lower values
 
 /// Returns values sampled at regular intervals from the whole scan, in ascending order.
 std::vector<double> sampledValues(const core::Volume& volume)
 {
     const std::size_t count = volume.voxels.size();
-    const std::size_t step = std::max<std::size_t>(1, count / sampledVoxels) | 1U;   // odd to sample varying columns
+    const std::size_t step = std::max<std::size_t>(1, count / sampledVoxels) | 1U;   // odd, to sample varying columns
     std::vector<double> values;
     for (std::size_t i = 0; i < count; i += step) {
         values.push_back(volume.value(i));

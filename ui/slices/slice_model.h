@@ -25,7 +25,7 @@ enum class SliceMarkKind { Seed, Avoid, Landmark, Place };
 struct SliceMark {
     Eigen::Vector3d pointInPatient = Eigen::Vector3d::Zero();
     QString label;
-    std::vector<Eigen::Vector3d> ring{};   ///< closed outline in patient mm, drawn where a slice cuts it
+    std::vector<Eigen::Vector3d> ring{};   ///< closed outline in patient mm, drawn where a slice intersects it
 
     bool operator==(const SliceMark&) const = default;
 };
@@ -41,7 +41,7 @@ struct LabeledMeasurement {
 
 /// Labels of a label image, tinted in different colors in the slices.
 struct LabelLayer {
-    std::shared_ptr<const core::VoxelMask> rows;   ///< 1 + index into `tints`; larger values use the last
+    std::shared_ptr<const core::VoxelMask> rows;   ///< 1 + index into `tints`; larger values use the last tint
     std::vector<MaskTint> tints;
     QStringList names;   ///< one name per tint
 
@@ -55,7 +55,7 @@ public:
     using QObject::QObject;
 
     /// Sets scan and lumen, either of which may be null; without a scan, only the lumen is shown. A new scan centers
-    /// the crosshair and resets the window.
+    /// the crosshair and resets window/level.
     void setScan(std::shared_ptr<const core::Volume> volume, std::shared_ptr<const core::VoxelMask> lumen);
     void setLabels(LabelLayer labels);   ///< shows labels in place of the lumen; empty `rows` shows the lumen again
     /// Shows a mask being edited in place of lumen and labels; null shows lumen and labels again.
@@ -66,13 +66,13 @@ public:
     void setMarks(const BranchMarks& marks);
     void setPoints(SliceMarkKind kind, std::vector<SliceMark> points);   ///< replaces all points of this kind
     void setMeasurements(std::vector<LabeledMeasurement> measured);
-    void setTool(SliceTool* tool);   ///< tool for the left button in all slices; null for the crosshair
+    void setTool(SliceTool* tool);   ///< sets the tool for the left button in all slices; null for the crosshair
     void setCrosshair(const Eigen::Vector3d& pointInPatient);   ///< clamps the point to the scan
     void setWindow(const GrayWindow& window);
     void setPreviewFrom(std::optional<double> threshold);   ///< tints values at or above the threshold
 
     bool hasScan() const { return geometry() != nullptr; }
-    const core::VolumeGeometry* geometry() const;   ///< geometry of the scan or lumen; null without either
+    const core::VolumeGeometry* geometry() const;   ///< geometry of the scan or lumen; null if there is neither
     const std::shared_ptr<const core::Volume>& volume() const { return volume_; }
     const std::shared_ptr<const core::VoxelMask>& lumen() const { return lumen_; }
     const core::VoxelMask* mask() const;   ///< mask that the slices tint
@@ -93,13 +93,13 @@ public:
 
 signals:
     void scanChanged();
-    void maskChanged();   ///< lumen, labels or draft were replaced
-    void maskEdited(const core::BoundingBox& box);   ///< the mask changed in place, inside `box`
+    void maskChanged();   ///< emitted when lumen, labels or draft were replaced
+    void maskEdited(const core::BoundingBox& box);   ///< emitted when the mask has changed in place, inside `box`
     void crosshairChanged();
-    void lookChanged();   ///< window or threshold preview changed
-    void overlayChanged();   ///< branches, points or measurements changed
+    void lookChanged();   ///< emitted when the window or the threshold preview has changed
+    void overlayChanged();   ///< emitted when branches, points or measurements have changed
     void toolChanged();
-    void toolAppearanceChanged();   ///< the tool draws something else
+    void toolAppearanceChanged();   ///< emitted when the tool draws something else
 
 private:
     std::shared_ptr<const core::Volume> volume_;

@@ -25,7 +25,7 @@ struct SlicePointer {
     Qt::KeyboardModifiers modifiers;
 };
 
-/// Tool that handles the left button, the wheel and the keys in all slices while its mode is on; only one tool is
+/// Tool that handles the left button, the wheel and the keys in all slices while its mode is on. Only one tool is
 /// active (`SliceModel::setTool`). The view handles events that the tool does not accept: drags and clicks set the
 /// crosshair, the wheel scrolls the slices. Esc cancels the current action, or else ends the mode.
 class SliceTool : public QObject {
@@ -36,7 +36,7 @@ public:
     virtual QString caption() const = 0;   ///< describes the current mouse action
     virtual void end() {}   ///< discards the current action
 
-    /// Starts when the left button moves beyond a click, from `pressed` on; false leaves the drag to the view.
+    /// Called when the left button moves farther than in a click, from `pressed` on; false leaves the drag to the view.
     virtual bool startDrag(const SlicePointer&) { return false; }
     virtual void drag(const SlicePointer&) {}
     virtual void finishDrag(const SlicePointer&) {}
@@ -46,9 +46,9 @@ public:
     virtual void leave() {}
     virtual bool wheel(const SlicePointer&, double /*steps*/) { return false; }
 
-    virtual bool takesKey(const QKeyEvent&) const { return false; }   ///< takes precedence over window shortcuts
+    virtual bool takesKey(const QKeyEvent&) const { return false; }   ///< true if it precedes window shortcuts
     virtual void keyPress(const QKeyEvent&) {}   ///< called only for keys accepted by `takesKey`
-    virtual bool undoStep() { return false; }   ///< called on Esc; true if this canceled an action
+    virtual bool undoStep() { return false; }   ///< called on Esc; returns true if this canceled an action
 
     virtual QCursor cursor() const { return Qt::CrossCursor; }
     virtual void paint(QPainter&, SliceView&) const {}   ///< draws in widget px, on top of everything else

@@ -130,7 +130,7 @@ SliceTints SliceView::tints() const
     const Palette& colors = ui::palette(ThemeMode::Dark);
     const double opacity = content_.values.empty() ? aloneOpacity : model_.maskOpacity();
     std::vector<MaskTint> mask = model_.labelTints();
-    for (MaskTint& tint : mask) {   // label opacities apply to display without a scan
+    for (MaskTint& tint : mask) {   // label opacities are those for display without a scan
         tint.opacity *= opacity / aloneOpacity;
     }
     if (mask.empty()) {
@@ -205,7 +205,7 @@ QString SliceView::sliceText() const
         .arg(core::sliceCount(geometry, plane_));
 }
 
-/// Returns the texts with slice position and mouse action of the current mode.
+/// Returns text with the slice position and the mouse action of the current mode.
 QStringList SliceView::topTexts() const
 {
     QStringList texts{sliceText()};
@@ -215,7 +215,7 @@ QStringList SliceView::topTexts() const
     return texts;
 }
 
-/// Returns the texts with value and position at the pointer, or at the crosshair if the pointer is elsewhere.
+/// Returns text with the value and position at the pointer or, if the pointer is elsewhere, at the crosshair.
 QStringList SliceView::placeTexts() const
 {
     const Eigen::Vector3d at = pointer_ ? patientFromWidget(*pointer_) : model_.crosshair();

@@ -83,7 +83,7 @@ void SliceView::mouseMoveEvent(QMouseEvent* event)
     update();
 }
 
-/// Adjusts window/level by a drag: right widens the window, down darkens. The step is proportional to the window width.
+/// Adjusts window/level by a drag: rightward widens the window, downward darkens, in proportion to the window width.
 void SliceView::changeWindow(const QPointF& step)
 {
     const GrayWindow& current = model_.window();
@@ -202,7 +202,7 @@ void SliceView::contextMenuEvent(QContextMenuEvent* event)
         const QPointF at = widgetFromPatient(model_.crosshair());
         emit menuRequested(model_.crosshair(), mapToGlobal(at.toPoint()));
     }
-    event->accept();   // with the mouse, the menu opens on releasing the right button without a drag
+    event->accept();   // with the mouse, the menu opens when the right button is released without a drag
 }
 
 void SliceView::leaveEvent(QEvent*)
@@ -228,7 +228,7 @@ std::optional<int> SliceView::branchAt(const QPointF& position) const
             const double beforeMm = content_.grid.distanceMm(point);
             const QPointF offset = widgetFromPatient(point) - position;
             const double distancePx = std::hypot(offset.x(), offset.y());
-            const double farPx = std::hypot(distancePx, beforeMm * pxPerMm);   // prefers points in the slice
+            const double farPx = std::hypot(distancePx, beforeMm * pxPerMm);   // prefers points that lie in the slice
             if (std::abs(beforeMm) <= reach && distancePx < slicePickTolerancePx && farPx < least) {
                 least = farPx;
                 nearest = branch.id;

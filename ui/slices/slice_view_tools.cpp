@@ -13,7 +13,7 @@ SlicePointer SliceView::pointerAt(const QPointF& position, Qt::KeyboardModifiers
     return {*this, position, patientFromWidget(position), modifiers};
 }
 
-/// True if the tool handles the drag.
+/// Returns whether the tool handles the drag.
 bool SliceView::dragTool(const QMouseEvent& event, bool isStart)
 {
     SliceTool* tool = model_.tool();
@@ -29,7 +29,7 @@ bool SliceView::dragTool(const QMouseEvent& event, bool isStart)
     return isToolDrag_;
 }
 
-/// True if a tool is active and accepts the key.
+/// Returns whether a tool is active and accepts the key.
 bool SliceView::wantsToolKey(const QKeyEvent& event) const
 {
     const SliceTool* tool = model_.tool();

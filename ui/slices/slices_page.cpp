@@ -51,7 +51,7 @@ SlicesPage::SlicesPage(SliceModel& model, QWidget* parent)
 void SlicesPage::setSidePanel(QWidget* panel)
 {
     panel_ = panel;
-    panelArea_ = new QScrollArea;   // scrolls where the panel is taller than the page
+    panelArea_ = new QScrollArea;   // scrolls if the panel is taller than the page
     panelArea_->setProperty("role", "column");
     panelArea_->setWidget(panel);
     panelArea_->setWidgetResizable(true);

@@ -14,7 +14,7 @@ namespace angiopose::ui {
 class WindowBar;
 
 /// Page that replaces the angiogram with the three planes of the scan, with window presets above and a panel at the
-/// side, or below if the page is narrow.
+/// side or, if the page is narrow, below.
 class SlicesPage : public QWidget {
     Q_OBJECT
 public:

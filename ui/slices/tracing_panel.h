@@ -33,8 +33,8 @@ public:
     void bindPath(QAction& action);   ///< connects the action for tracing between two clicks
     void showAutomatic(std::optional<double> threshold);   ///< shows the automatic threshold, if known
     void showPick(TracingPick pick);
-    void showFalseLumen(const QString& warning);   ///< an empty text hides the warning
-    void showBlockingReason(const QString& reason);   ///< reason why tracing is disabled; an empty text enables it
+    void showFalseLumen(const QString& warning);   ///< an empty string hides the warning
+    void showBlockingReason(const QString& reason);   ///< reason why tracing is disabled; if empty, tracing is enabled
     void setRunning(bool running);
     bool isPreviewWanted() const;
     std::optional<double> thresholdShown() const;   ///< threshold in use, manual or automatic
@@ -46,7 +46,7 @@ signals:
     void pointSelected(const Eigen::Vector3d& pointInPatient);
     void traceRequested();
     void stopRequested();
-    void falseLumenRequested();   ///< requests display of the possible false lumen
+    void falseLumenRequested();   ///< requests showing the possible false lumen
     void falseLumenSeedRequested();
 
 private:

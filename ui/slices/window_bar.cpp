@@ -74,7 +74,7 @@ void WindowBar::fillPresets()
                     return tr("W %1 L %2 HU").arg(numberText(window.width, 0)).arg(numberText(window.level, 0));
                 },
                 [this, window = preset.window] { model_.setWindow(window); });
-        const auto followScan = [this, button = button, action = action] {   // presets are in HU, hence only for CT
+        const auto followScan = [this, button = button, action = action] {   // presets are in HU and hence only for CT
             button->setVisible(model_.isHounsfield());
             action->setVisible(model_.isHounsfield());
         };

@@ -17,7 +17,7 @@ public:
     explicit WindowBar(SliceModel& model, QWidget* parent = nullptr);
 
     bool isFolded() const { return presets_->isHidden(); }
-    QSize minimumSizeHint() const override;   ///< size with the menu instead of buttons
+    QSize minimumSizeHint() const override;   ///< size with the menu instead of the buttons
 
 signals:
     void closeRequested();

@@ -141,7 +141,7 @@ QPalette qtPalette(const Palette& colors)
 QFont interfaceFont(QFont font)
 {
     QStringList families;
-    // Inter has no Chinese glyphs. The fallback font is fixed, since a font chosen by the system might show Japanese
+    // Inter has no Chinese glyphs. The fallback font is fixed, since a font that the system selects might show Japanese
     // glyph variants.
     for (const QString& preferredFont : {QStringLiteral("Inter"), QStringLiteral("Noto Sans CJK SC")}) {
         if (QFontDatabase::families().contains(preferredFont)) {

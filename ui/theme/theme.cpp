@@ -23,7 +23,7 @@ constexpr Palette dark{.title = {0x0f, 0x11, 0x14},
                        .error = {0xf0, 0x6a, 0x5f},
                        .canvas = {0x00, 0x00, 0x00}};
 
-// Not an inverted dark theme: paper-gray panels, black image background, signal colors dark enough for text.
+// Not an inverted dark theme: paper-gray panels, black image background, and signal colors dark enough for text.
 constexpr Palette light{.title = {0xdb, 0xdf, 0xe4},
                         .window = {0xe6, 0xe9, 0xed},
                         .panel = {0xf0, 0xf2, 0xf4},

@@ -16,8 +16,8 @@ struct Color {
     std::array<double, 3> unit() const { return {red / 255.0, green / 255.0, blue / 255.0}; }   ///< 0…1, for VTK
 };
 
-/// All colors of the user interface, defined once to keep Qt and VTK consistent; a theme is one such table.
-/// Black around the image, neutral grays elsewhere and no pure white keep the focus on the image.
+/// All colors of the user interface, defined once to keep Qt and VTK consistent; a theme is one such table. Black
+/// around the image, neutral grays elsewhere and the absence of pure white keep the focus on the image.
 struct Palette {
     Color title, window, panel, field, line;
     Color textStrong, text, label, hint;
@@ -38,7 +38,7 @@ Color mixed(const Color& a, const Color& b, double fractionOfB);
 /// Color scheme of vessels and residuals. Every scheme is safe for color-blind users; the last uses brightness only.
 enum class ColorScheme { BlueAmber, BlueRed, Brightness };
 
-/// Returns the color scheme of the program; may be called by background renderers.
+/// Returns the color scheme of the program. Background renderers may call it.
 ColorScheme colorScheme();
 void setColorScheme(ColorScheme scheme);
 
@@ -55,13 +55,13 @@ ScanColors scanColors();
 /// Returns the colors of branches on a background whose palette is `colors`.
 BranchColors branchColors(const Palette& colors);
 
-/// Residual color for `fraction` 0…1 in the current scheme: by default from accent blue over green-gray to amber.
+/// Returns the residual color for `fraction` 0…1 in the current scheme: by default accent blue, green-gray, amber.
 Color residualColor(double fraction);
 
 /// Returns the color of residuals beyond the end of the scale.
 Color residualColorAboveScale();
 
-/// Returns the color of a label by its index in the list, distinguishable on black and on panels. Colors repeat only at
+/// Returns the color of a label by its index in the list, distinguishable on black and on panels. Colors recur only at
 /// distant indices.
 Color labelColor(std::size_t index);
 

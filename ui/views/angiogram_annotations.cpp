@@ -17,7 +17,7 @@
 namespace angiopose::ui {
 namespace {
 
-/// Translation context of the texts in this file.
+/// Translation context for the strings in this file.
 struct AnnotationWords {
     Q_DECLARE_TR_FUNCTIONS(angiopose::ui::AngiogramAnnotations)
 };
@@ -98,8 +98,8 @@ QRectF scaleArea(const QRectF& bar)
     return bar.adjusted(-58.0, -34.0, 6.0, 12.0);
 }
 
-/// Returns the rectangle of the residual scale: in the middle of the right edge, or at the nearest position along the
-/// edge where it covers no vessels.
+/// Returns the rectangle of the residual scale: in the middle of the right edge, or the nearest position along the edge
+/// at which it covers no vessels.
 QRectF scaleBar(const QSizeF& size, const ViewContent& content, const std::vector<QRectF>& corners)
 {
     const double height = std::round(std::clamp(0.2 * size.height(), 80.0, 180.0));
@@ -185,7 +185,7 @@ void paintMode(QPainter& painter, const QSizeF& size, const ModeLabel& mode, con
                      QFontMetricsF(painter.font()).elidedText(mode.text, Qt::ElideRight, box.width() - 8.0), tone);
 }
 
-/// Returns the y at which the top or bottom letter avoids the corner texts, searched in steps.
+/// Returns the y at which the top or bottom letter avoids the corner text, searched in small steps.
 double clearHeight(double middle, double centerY, const std::vector<QRectF>& occupied, double step)
 {
     const auto covers = [&](const QRectF& block) {
@@ -196,7 +196,7 @@ double clearHeight(double middle, double centerY, const std::vector<QRectF>& occ
 }
 
 /// Returns the y of the orientation letter at the right edge: in the middle, or above or below the residual scale,
-/// where it avoids the corner texts.
+/// where it avoids the corner text.
 double besideScale(const QSizeF& size, const QRectF& scale, const std::vector<QRectF>& occupied)
 {
     if (scale.isEmpty()) {

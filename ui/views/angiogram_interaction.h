@@ -34,15 +34,15 @@ struct AngiogramView::Interaction {
     QPointer<ImageTool> tool;
     MousePreset mouse;
     Qt::MouseButton pressed = Qt::NoButton;
-    DragAction dragAction = DragAction::None;   // action of the current drag, unless the tool handles it
+    DragAction dragAction = DragAction::None;   // action of the current drag unless the tool handles it
     bool isDragging = false;
-    bool isToolDragging = false;   // the tool handles the current drag
-    bool isCancelled = false;   // the drag was canceled; ignores its remaining events
+    bool isToolDragging = false;   // true if the tool handles the current drag
+    bool isCancelled = false;   // true if the drag was canceled, whose remaining events are ignored
     QPointF pressedAt;
     Qt::KeyboardModifiers pressedWith;
     QPointF lastAt;
     std::optional<int> hovered;
-    double wheelSteps = 0.0;   // fraction of a frame accumulated from touch pads and drags
+    double wheelSteps = 0.0;   // fractions of a frame accumulated from touch pads and drags
 
     ToolPoint toolPoint(const QPointF& position, Qt::KeyboardModifiers modifiers) const;
     double mmPerImagePx() const;   ///< scale at the pivot; 0 if unknown

@@ -21,7 +21,7 @@ namespace angiopose::ui {
 class GlOverlay;
 class ImageTool;
 
-/// Working is the current image, on which all tools act; Secondary is another image next to it.
+/// `Working` is the current image, on which all tools act; `Secondary` is another image next to it.
 enum class ImageRole { Working, Secondary };
 
 /// Linked crosshair in this image, mapped from the pointer position in this or another image.
@@ -43,12 +43,12 @@ public:
 
     OverlayScene& scene() { return scene_; }   ///< call redraw() after changing the scene
     void redraw();   ///< schedules a new rendering; update() only copies the last one
-    void setPivot(const Eigen::Vector3d& pivotInPatient);   ///< centroid of the tree, where the handles appear
+    void setPivot(const Eigen::Vector3d& pivotInPatient);   ///< centroid of the tree, at which the handles appear
     void setPickedPivot(const std::optional<Eigen::Vector3d>& pickedInPatient);   ///< replaces the centroid
     void setPose(const core::RigidTransform& cameraFromPatient);
     void setCamera(const core::ProjectionCamera& camera);
     void setFrame(const core::ImageF& frame);   ///< keeps zoom and window/level if the size is unchanged
-    void setFramePosition(int index, int count);   ///< shown bottom left, counted from 0; hidden if count < 2
+    void setFramePosition(int index, int count);   ///< at the bottom left; `index` starts at 0; hidden if count < 2
     void setCornerTexts(const CornerTexts& texts);   ///< the view adds its own lines in the lower left corner
     void setTool(ImageTool* tool);   ///< null for no tool
     ImageTool* tool() const;
@@ -56,25 +56,25 @@ public:
     bool filterToolKey(QKeyEvent& event);   ///< true if the tool handles the key, or if Esc cancels or ends the tool
     void setExcludedArea(const core::Mask2d& fieldMask);   ///< hatches pixels with value 0; empty hatches none
     void setMousePreset(const MousePreset& preset);
-    void setResidualScale(double maximumPx, double maximumMm);   ///< `maximumPx` = 0 hides the scale
+    void setResidualScale(double maximumPx, double maximumMm);   ///< a `maximumPx` of 0 hides the scale
     void setLineWidth(double px);   ///< width in device-independent px
     void setCrosshair(const ImageCrosshair& crosshair);
     const ImageCrosshair& crosshair() const;
     void setMarks(std::vector<ImageMark> marks);   ///< sets the measurements, drawn above the tree and below the tool
     const std::vector<ImageMark>& marks() const;
-    void setPlacedMarks(std::vector<ImageMark> marks);   ///< vessel locations, arrows and texts, drawn like marks
+    void setPlacedMarks(std::vector<ImageMark> marks);   ///< locations, arrows and text annotations, drawn like marks
     const std::vector<ImageMark>& placedMarks() const;
     void setPlaceholderText(const QString& text);   ///< sets the text shown without an image
     void copyAppearance(
-        const AngiogramView& other);   ///< copies lines, marks, mirroring, mouse preset; not the content
+        const AngiogramView& other);   ///< copies lines, marks, mirroring and mouse preset, but not the content
     void setCutout(Cutout::Shape shape);   ///< the cutout follows the pointer
     Cutout::Shape cutout() const { return cutout_; }
-    void setOrientationKnown(bool known);   ///< if known, orientation letters appear at the edges
+    void setOrientationKnown(bool known);   ///< if true, orientation letters appear at the edges
     void setFromSource(bool fromSource);   ///< mirrors the display only, not the data
     bool isFromSource() const;
     void fitToWindow();
-    void zoomTo(const ViewRect& part);   ///< `part` in image px; leaves a margin around it
-    void showPart(const ViewRect& part);   ///< `part` in image px; shown as large as possible
+    void zoomTo(const ViewRect& part);   ///< `part` is in image px; leaves a margin around it
+    void showPart(const ViewRect& part);   ///< `part` is in image px; shown as large as possible
     void autoWindowLevel();
     void setWindowLevel(double window, double level);
     core::DisplayRange shownRange() const;
@@ -85,7 +85,7 @@ public:
     const core::RigidTransform& cameraFromPatient() const;
     const Eigen::Vector3d& pivotInPatient() const;   ///< picked pivot, or the centroid
     std::optional<QPointF> positionOf(
-        const Eigen::Vector3d& pointInPatient) const;   ///< widget px; empty if not visible
+        const Eigen::Vector3d& pointInPatient) const;   ///< returns widget px; nullopt if not visible
     int renderCount() const { return renderCount_; }   ///< number of renderings so far
     QSize sizeHint() const override { return {480, 360}; }
     QSize minimumSizeHint() const override { return {80, 80}; }
@@ -93,14 +93,14 @@ public:
     QPointF widgetFromImage(const Eigen::Vector2d& imagePoint) const;
 
 signals:
-    void frameStepRequested(int step);   ///< ±1 or ±10 frames; INT_MIN is the first frame, INT_MAX the last
-    void pointed(const std::optional<Eigen::Vector2d>& imagePx);   ///< mouse position; empty outside the image
+    void frameStepRequested(int step);   ///< ±1 or ±10 frames; INT_MIN stands for the first frame, INT_MAX for the last
+    void pointed(const std::optional<Eigen::Vector2d>& imagePx);   ///< pointer position; nullopt outside the image
     void branchHovered(std::optional<int> branchId);
     void branchClicked(int branchId, Qt::KeyboardModifiers modifiers);
     void backgroundClicked();
     void enlargeRequested();   ///< emitted on a double-click that no tool handles, to toggle maximizing
     void menuRequested(const QPoint& globalPosition, std::optional<int> branchId);
-    void toolChanged();   ///< `tool` returns the new tool
+    void toolChanged();   ///< emitted when `tool` returns another tool
     void windowLevelChanged(double window, double level);
     void zoomChanged(double zoom);
 
@@ -147,7 +147,7 @@ private:
     void adjustWindowLevel(const QPointF& step);
     void scrollFrames(double frames);
     void zoomAt(const QPointF& position, double factor);
-    bool cancelDrag();   ///< true if a drag was canceled
+    bool cancelDrag();   ///< returns true if a drag was canceled
     bool escape();
     void click(const QPointF& position, Qt::KeyboardModifiers modifiers);
     std::optional<int> branchAt(const QPointF& position) const;
@@ -156,7 +156,7 @@ private:
     void showCursor();
 
     OverlayScene scene_;
-    /// State of scene and view for which the image was rendered.
+    /// State of the scene and the view for which the image was rendered.
     struct ImageState {
         OverlayScene::Stamp scene;
         bool isMirrored = false;
@@ -167,12 +167,12 @@ private:
     std::unique_ptr<GlOverlay> gl_;   ///< replaces the painter if VTK renders
     bool isRendererKnown_ = false;
     QImage image_;   ///< angiogram with tree and handles, in device px
-    std::optional<ImageState> drawn_;   ///< empty while a tool is active, since its strokes change at any time
+    std::optional<ImageState> drawn_;   ///< nullopt while a tool is active, since its strokes change at any time
     QImage annotated_;   ///< image with annotations, as painted; null if not drawn since the view was hidden
     std::vector<QRectF> annotatedBars_;   ///< areas of the bars when `annotated_` was drawn
     QTimer drawTimer_;
     DrawStep nextStep_ = DrawStep::Image;
-    bool isRedrawDue_ = false;   ///< content changed since the last rendering started
+    bool isRedrawDue_ = false;   ///< true if the content has changed since the last rendering started
     int renderCount_ = 0;
     std::unique_ptr<Interaction> interaction_;
     Cutout::Shape cutout_ = Cutout::Shape::None;

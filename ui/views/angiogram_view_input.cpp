@@ -16,7 +16,7 @@ namespace angiopose::ui {
 namespace {
 
 constexpr double framePickTolerancePx = 7.0;
-constexpr double clickReachPx = 4.0;   // widget px; smaller movements count as a click
+constexpr double clickReachPx = 4.0;   // widget px; smaller movements count as clicks
 constexpr double frameZoomPerWheelStep = 1.2;
 
 }   // namespace
@@ -61,7 +61,7 @@ void AngiogramView::mouseMoveEvent(QMouseEvent* event)
     i.lastAt = event->position();
 }
 
-/// Requests a step by whole frames and keeps the remaining fraction.
+/// Requests a change by whole frames and keeps the remaining fraction.
 void AngiogramView::scrollFrames(double frames)
 {
     double& collected = interaction_->wheelSteps;
@@ -132,7 +132,7 @@ std::optional<int> AngiogramView::branchAt(const QPointF& position) const
     return scene_.branchAt(imageFromWidget(position), framePickTolerancePx / zoom());
 }
 
-/// Handles the menu key; with the mouse, the menu opens on releasing the right button without a drag.
+/// Handles the menu key; with the mouse, the menu opens when the right button is released without a drag.
 void AngiogramView::contextMenuEvent(QContextMenuEvent* event)
 {
     event->accept();

@@ -21,7 +21,7 @@ QPainterPath cutoutPath(const Cutout& cutout, const ImageViewport& viewport, con
     QPainterPath path;
     const Eigen::Vector2d at = viewport.widgetFromImage(cutout.at);
     const double width = size.width();
-    constexpr double outside = 4.0;   // extends beyond the widget, so that only the swipe edge is visible
+    constexpr double outside = 4.0;   // extends beyond the widget, so that only the edge of the swipe is visible
     const double height = size.height() + 2.0 * outside;
     if (cutout.shape == Cutout::Shape::Disc) {
         const double radius = cutout.radiusPx * viewport.zoom();
@@ -98,7 +98,7 @@ void AngiogramView::paintCrosshair(QPainter& painter) const
     }
 }
 
-/// Returns measurements and placed marks in one list, since their labels must avoid each other and the vessels.
+/// Returns measurements and placed marks in one list, since all labels must avoid each other and the vessels.
 std::vector<ImageMark> AngiogramView::visibleMarks() const
 {
     if (!interaction_->hasFrame || (interaction_->tool && interaction_->tool->hidesOverlay())) {
@@ -151,7 +151,7 @@ void AngiogramView::paintPlaceholder(QPainter& painter) const
 /// Returns the review shortcuts if vessels are shown; they apply to the working image.
 QString AngiogramView::keyText() const
 {
-    constexpr int narrowPx = 360;   // the text would be clipped in narrower views
+    constexpr int narrowPx = 360;   // narrower views would clip the text
     if (interaction_->role == ImageRole::Working && width() >= narrowPx && showsVessels()) {
         return tr("flicker %1 · swipe %2 · hide H · outline %3")
             .arg(keyOf(Command::Flicker), keyOf(Command::Swipe), keyOf(Command::Outline));

@@ -33,7 +33,7 @@ void AngiogramView::redraw()
     }
 }
 
-/// Completes an update in progress first; otherwise continuous mouse movement would block all updates.
+/// Completes an update in progress first; otherwise, continuous mouse movement would block all updates.
 void AngiogramView::drawNext()
 {
     if (nextStep_ == DrawStep::Image) {

@@ -47,7 +47,7 @@ void AngiogramView::addBar(QWidget* bar)
     bars->addWidget(bar, 0, Qt::AlignHCenter);
 }
 
-/// Handles Esc: cancels the drag, otherwise the current action of the tool, otherwise ends the tool.
+/// Handles Esc: cancels the drag or, without one, the current action of the tool, or else ends the tool.
 bool AngiogramView::escape()
 {
     if (cancelDrag()) {

@@ -72,7 +72,7 @@ struct Block {
     QRectF rect;
 };
 
-/// Returns the laid-out block, or empty if its lines would cover vessels, other items or (at full font size) the image.
+/// Returns the block with its layout; nullopt if it would cover vessels, other items or (at full font size) the image.
 std::optional<Block> placed(const QSizeF& size, Corner corner, const QStringList& lines, const QFont& font,
                             const ViewContent& content, const QRectF& occupied)
 {
@@ -96,7 +96,7 @@ void paint(QPainter& painter, const Block& block)
     }
 }
 
-/// Lays out all blocks in one font size. If a block does not fit, returns empty, unless `mayFold` is set: then the
+/// Lays out all blocks in one font size. If a block does not fit, returns nullopt unless `mayFold` is set: then the
 /// block collapses to one line or is omitted.
 std::optional<std::vector<Block>> layOut(const QSizeF& size, const CornerLines& lines, const QFont& font,
                                          const ViewContent& content, const QRectF& mode, bool mayFold)

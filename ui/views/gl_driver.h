@@ -14,11 +14,11 @@ struct GlDriver {
     bool isAccelerated() const;   ///< true if a graphics card renders, false if the CPU does
 };
 
-/// Returns the OpenGL driver, queried once on the UI thread.
+/// Returns the OpenGL driver, which is queried once, on the GUI thread.
 const GlDriver& glDriver();
 
 /// User's choice of the renderer for the angiogram with overlay. Auto selects VTK if OpenGL is accelerated, otherwise
-/// the painter, since software OpenGL takes several times as long for the same image.
+/// the painter, since software OpenGL takes several times as long to render the same image.
 enum class RendererChoice { Auto, Vtk, Painter };
 void chooseRenderer(RendererChoice choice);   ///< call before the first rendering
 

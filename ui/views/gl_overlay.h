@@ -7,8 +7,8 @@
 
 namespace angiopose::ui {
 
-/// Renders an overlay scene to pixels with VTK. Use on the UI thread only. The OpenGL context belongs to this object
-/// and not to a window, so it remains valid when a view moves to another window.
+/// Renders an overlay scene to pixels with VTK. Use it on the GUI thread only. The OpenGL context belongs to this
+/// object and not to a window, so it remains valid when a view moves to another window.
 class GlOverlay {
 public:
     GlOverlay();

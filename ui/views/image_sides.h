@@ -7,8 +7,8 @@
 
 namespace angiopose::ui {
 
-/// Orientation letters at the edges of the image: L, R, A, P, H (head), F (feet), or two letters in oblique views, the
-/// dominant one first.
+/// Orientation letters at the edges of the image: L, R, A, P, H (head), F (feet), or two letters in oblique views,
+/// dominant direction first.
 struct ImageSides {
     std::string left, right, top, bottom;
 };

@@ -7,15 +7,15 @@ namespace angiopose::ui {
 /// Visible part of an image in a widget. Widget positions are device-independent px from the top left.
 class ImageViewport {
 public:
-    void setImageSize(int width, int height);   ///< fits the image to the widget if the image size changed
-    void setWidgetSize(double width, double height);   ///< keeps a fitted image fitted
+    void setImageSize(int width, int height);   ///< fits the image to the widget if the image size has changed
+    void setWidgetSize(double width, double height);   ///< a fitted image stays fitted
     void fit();
     void show(const ViewRect& rect);   ///< centers `rect` and shows it as large as the widget allows
     void zoomAt(const Eigen::Vector2d& position, double factor);   ///< keeps the image point under `position` fixed
     void panBy(const Eigen::Vector2d& step);   ///< moves the image with the pointer
     void setMirrored(bool mirrored);   ///< swaps left and right in the widget; the visible part is unchanged
     bool isMirrored() const { return mirrored_; }
-    bool isFitted() const { return isFitted_; }   ///< remains true when the widget is resized
+    bool isFitted() const { return isFitted_; }   ///< stays true when the widget is resized
 
     double zoom() const { return zoom_; }   ///< widget px per image px
     ViewRect rect() const;

@@ -14,8 +14,8 @@ struct MarkCanvas {
     double pixelRatio = 1.0;   ///< device px per px at 100 % scale
 };
 
-/// Returns the lines of marks as strokes with a colored outline; `positionOf` returns px at 100 % scale, y down.
-/// QPainter would take ten times as long for crossing lines.
+/// Returns the lines of marks as strokes with a colored outline; `positionOf` returns px at 100 % scale, y down. For
+/// crossing lines, QPainter would take ten times as long.
 StrokeMesh markStrokes(const std::vector<ImageMark>& marks, const PixelMapping& positionOf, const MarkCanvas& image,
                        const Palette& colors, const Color& rim);
 

@@ -16,13 +16,13 @@ inline constexpr double markRimOpacity = 0.6;
 
 /// Background on which marks are drawn, with the obstacles for their labels.
 struct MarkBackground : LabelObstacles {
-    Palette colors = palette(ThemeMode::Dark);   ///< default: images, whose background is black in every theme
+    Palette colors = palette(ThemeMode::Dark);   ///< by default that of images, which is black in every theme
     Color rim = palette(ThemeMode::Dark).canvas;   ///< outline of lines and letters
     bool hasLines = false;   ///< if true, markStrokes has drawn the lines; only labels are painted
 };
 
 /// Draws marks with their labels; `positionOf` returns widget px. Labels avoid the obstacles in `background`, whose
-/// size defaults to the size of the paint device.
+/// size is by default that of the paint device.
 void paintMarks(QPainter& painter, const std::vector<ImageMark>& marks, const PixelMapping& positionOf,
                 MarkBackground background = {});
 

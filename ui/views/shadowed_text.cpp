@@ -34,7 +34,7 @@ void drawOutlined(QPainter& painter, const QRectF& box, int flags, const QString
                   const Color& rim)
 {
     painter.setPen(colorOf(rim, 0.6));
-    for (const double y : {-rimPx, 0.0, rimPx}) {   // an outline on all sides keeps text readable
+    for (const double y : {-rimPx, 0.0, rimPx}) {   // an outline on all sides keeps the text readable
         for (const double x : {-rimPx, 0.0, rimPx}) {
             painter.drawText(box.translated(x, y), flags, text);
         }
@@ -57,8 +57,8 @@ QString cacheKey(const QFont& font, const QSizeF& size, double ratio, int flags,
         .arg(text);
 }
 
-/// Returns the text on a transparent image with margins for the outline. Cached: the text rarely changes, and laying it
-/// out and drawing its ten passes costs more than all other annotations.
+/// Returns the text on a transparent image with margins for the outline. The image is cached: the text rarely changes,
+/// and its layout and ten drawing passes cost more than all other annotations.
 QImage outlinedText(const QFont& font, const QSizeF& size, double ratio, int flags, const QString& text,
                     const QColor& color, const Color& rim)
 {

@@ -8,9 +8,9 @@
 
 namespace angiopose::ui {
 
-inline constexpr double annotationMarginPx = 12.0;   ///< margin between image edges and text
+inline constexpr double annotationMarginPx = 12.0;   ///< margin between the edges of the image and text
 
-/// Colors of annotations on the image: those of the dark theme, because the angiogram background is always black.
+/// Returns the colors of annotations on the image: those of the dark theme, because the image background is black.
 const Palette& annotationTones();
 
 QColor colorOf(const Color& color, double opacity = 1.0);

@@ -145,14 +145,14 @@ void TreeView::prepareFrame()
     scene_.setPixelScale(devicePixelRatio());
 }
 
-/// Emits `sightChanged` if the view changed; called after drawing, since drawing may frame the view.
+/// Emits `sightChanged` if the view changed; called after drawing, which may frame the view.
 void TreeView::reportSight()
 {
     constexpr int anyPx = 1'000'000'000;
     const core::ParallelProjection sight = scene_.sight(anyPx);
     if (sight != renderedSight_) {
         renderedSight_ = sight;
-        QMetaObject::invokeMethod(this, &TreeView::sightChanged, Qt::QueuedConnection);   // outside of painting
+        QMetaObject::invokeMethod(this, &TreeView::sightChanged, Qt::QueuedConnection);   // not during painting
     }
 }
 
@@ -290,7 +290,7 @@ void TreeView::keyPressEvent(QKeyEvent* event)
     requestRender();
 }
 
-/// Handles the menu key; with the mouse, the menu opens on releasing the right button without a drag.
+/// Handles the menu key; with the mouse, the menu opens when the right button is released without a drag.
 void TreeView::contextMenuEvent(QContextMenuEvent* event)
 {
     event->accept();

@@ -11,7 +11,7 @@ namespace angiopose::ui {
 /// Labeled place on the vessels in the 3-D view: a point or a ring.
 struct TreeMark {
     Eigen::Vector3d pointInPatient = Eigen::Vector3d::Zero();
-    std::vector<Eigen::Vector3d> ringInPatient;   ///< the place is a point if empty
+    std::vector<Eigen::Vector3d> ringInPatient;   ///< if empty, the place is a point
     QString label;
 };
 
@@ -29,7 +29,7 @@ public:
 
     TreeScene& scene() { return scene_; }   ///< call requestRender() after changing the scene
     void setTheme(ThemeMode mode);
-    void nextView();   ///< toggles between everything and only the vessels
+    void nextView();   ///< toggles between showing everything and only the vessels
     void setCrosshair(const std::optional<Eigen::Vector3d>& pointInPatient);   ///< position shown in the slices
     void setPointedPosition(
         const std::optional<Eigen::Vector3d>& pointInPatient);   ///< position pointed at in an image
@@ -39,12 +39,12 @@ public:
     void setPickedPivot(const std::optional<Eigen::Vector3d>& pointInPatient);   ///< rotation center of the vessels
 
 signals:
-    void sightChanged();   ///< rotated, moved, zoomed, resized or shown; requires a new scan rendering
+    void sightChanged();   ///< emitted when rotated, moved, zoomed, resized or shown; requires a new scan rendering
     void enlargeRequested();   ///< requests maximizing, or restoring the layout
     void branchHovered(std::optional<int> branchId);
     void branchClicked(int branchId, Qt::KeyboardModifiers modifiers);
     void backgroundClicked();
-    void pointPicked(const Eigen::Vector3d& pointInPatient);   ///< carries the picked point on the clicked branch
+    void pointPicked(const Eigen::Vector3d& pointInPatient);   ///< emitted with the picked point on the clicked branch
     void branchMenuRequested(int branchId, const Eigen::Vector3d& pointInPatient, const QPoint& globalPosition);
     void menuRequested(const QPoint& globalPosition, std::optional<int> branchId);
 

@@ -13,7 +13,7 @@ class VerdictChip : public QLabel {
 public:
     explicit VerdictChip(QWidget& image);
 
-    void showVerdict(VerdictTone tone, const QString& fullText);   ///< empty text hides the chip
+    void showVerdict(VerdictTone tone, const QString& fullText);   ///< an empty string hides the chip
     VerdictTone tone() const { return tone_; }
     const QString& fullText() const { return fullText_; }
 

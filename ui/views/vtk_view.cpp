@@ -22,7 +22,7 @@ using namespace std::chrono_literals;
 
 constexpr int frameMs = 16;
 
-/// Subpixel offsets, in px, of the renderings averaged at rest: one per quarter of a pixel, on four rows and columns.
+/// Subpixel offsets, in px, of renderings averaged at rest: one in each quarter of a pixel, on four rows and columns.
 const std::array<QPointF, 4> sampleOffsetsPx{{{-0.125, -0.375}, {0.375, -0.125}, {0.125, 0.375}, {-0.375, 0.125}}};
 
 /// Replaces `image` by the mean of two images of the same size.
@@ -120,7 +120,7 @@ QSize VtkView::deviceSize() const
 
 void VtkView::requestRender()
 {
-    // On slow computers, limits this view to half of the time, in favor of input and the angiogram.
+    // On slow computers, limit this view to half of the time, in favor of input and the angiogram.
     if (!renderTimer_.isActive()) {
         renderTimer_.start(vtk_->lastRenderMs > frameMs ? vtk_->lastRenderMs : 0);
     }
@@ -164,11 +164,11 @@ void VtkView::drawDraft()
     settleTimer_.start(250ms);
 }
 
-/// Renders the next of the offset passes; after the last one, shows the mean of all passes.
+/// Renders the next pass with an offset; after the last one, shows the mean of all passes.
 void VtkView::settle()
 {
     if (!isVisible() || renderTimer_.isActive() || image_.size() != deviceSize() || !prepareContext()) {
-        samples_.clear();   // discards the passes; the next rendering starts over
+        samples_.clear();   // discards the passes, so that the next rendering starts over
         return;
     }
     samples_.push_back(drawn(sampleOffsetsPx[samples_.size()]));

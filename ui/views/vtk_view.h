@@ -12,10 +12,10 @@ class vtkRenderWindow;
 
 namespace angiopose::ui {
 
-/// VTK view in a plain widget: VTK renders off screen, and the widget paints the image. Without OpenGL widgets, a
-/// window needs no composition, which without a graphics card takes as long as a whole frame. requestRender() schedules
-/// a single rendering after more urgent work. When the view comes to rest, edges are smoothed by averaging renderings
-/// with subpixel offsets, in several short steps that any change interrupts.
+/// VTK view in a plain widget: VTK renders off screen, and the widget paints the image. A window without OpenGL widgets
+/// needs no composition, which takes as long as a whole frame without a graphics card. requestRender() schedules a
+/// single rendering after more urgent work. When the view comes to rest, it smooths edges by averaging renderings with
+/// subpixel offsets, in several short steps that any change interrupts.
 class VtkView : public QWidget {
     Q_OBJECT
 public:
@@ -53,7 +53,7 @@ private:
     QTimer renderTimer_;
     QTimer settleTimer_;
     QImage image_;
-    std::vector<QImage> samples_;   ///< offset renderings completed since the view came to rest
+    std::vector<QImage> samples_;   ///< renderings with offsets completed since the view came to rest
     int renderCount_ = 0;
 };
 

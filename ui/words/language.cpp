@@ -16,7 +16,7 @@ static void loadTranslations()
 namespace angiopose::ui {
 namespace {
 
-/// Treats "zh-Hans-CN", "zh-CN" and "zh-SG" as the same script, "zh-TW" and "zh-Hant" as different.
+/// Returns whether codes denote the same script, as do "zh-Hans-CN", "zh-CN" and "zh-SG", but not "zh-TW", "zh-Hant".
 bool matchesLanguage(const QString& requestedCode, const QString& code)
 {
     const QLocale locale(requestedCode);

@@ -9,10 +9,10 @@ namespace angiopose::ui {
 /// Returns the codes of the available languages, English first: "en", "de", "zh_CN".
 QStringList languages();
 
-/// Returns the first available language of the desktop's language list; English if none is available.
+/// Returns the first language in the desktop's list that is available; English if none is.
 QString desktopLanguage();
 
-/// Sets the language of all texts, including Qt's own dialogs; see `speakAgain`.
+/// Sets the language of all UI text, including Qt's own dialogs; see `retranslate`.
 void applyLanguage(const QString& code);
 
 /// Returns the language code set by the last call of `applyLanguage`.

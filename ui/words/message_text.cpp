@@ -15,7 +15,7 @@ QString fromText(const std::string& text)
     return QString::fromStdString(text);
 }
 
-/// Joins texts as sentences if any ends with a full stop, otherwise as list items.
+/// Joins strings as sentences if any ends with a period, otherwise as list items.
 QString rowOf(const QStringList& texts)
 {
     const bool areSentences = std::ranges::any_of(

@@ -26,7 +26,7 @@ void setItemTexts(QComboBox& box, const QStringList& choices)
     for (int i = 0; i < choices.size(); ++i) {
         box.setItemText(i, choices[i]);
     }
-    QEvent styleChange(QEvent::StyleChange);   // makes Qt discard the cached minimum width of the previous texts
+    QEvent styleChange(QEvent::StyleChange);   // makes Qt discard the cached minimum width of the previous text
     QApplication::sendEvent(&box, &styleChange);
 }
 

@@ -11,7 +11,7 @@ class QObject;
 
 namespace angiopose::ui {
 
-/// Signal that makes all registered objects update their texts.
+/// Signal on which all registered objects update their text.
 class RetranslateSignal : public QObject {
     Q_OBJECT
 public:
@@ -27,15 +27,15 @@ signals:
 
 using LocalizedText = std::function<QString()>;
 
-/// Calls `updateText` at once, and on every change of language or shortcuts while `owner` exists. Each later call is
-/// a separate event, to keep the window responsive.
+/// Calls `updateText` at once, and on every change of language or shortcuts while `owner` exists. Every later call is a
+/// separate event, which keeps the window responsive.
 void keepTranslated(QObject* owner, std::function<void()> updateText);
 
-/// Updates all texts after the language or shortcuts have changed.
+/// Updates all UI text after the language or shortcuts have changed.
 void retranslate();
 
-/// Gives a widget a text that follows the language, and returns the widget; the functions below do the same for tooltip
-/// and accessible name.
+/// Gives a widget text that follows the UI language, and returns the widget; the functions below do the same for the
+/// tooltip and the accessible name.
 template <class Widget>
 Widget* withText(Widget* widget, LocalizedText text)
 {
@@ -57,7 +57,7 @@ Widget* withAccessibleName(Widget* widget, LocalizedText name)
     return widget;
 }
 
-/// Replaces the item texts of a combo box, keeping its selection.
+/// Replaces the item text of a combo box and keeps its selection.
 void setItemTexts(QComboBox& box, const QStringList& choices);
 
 }   // namespace angiopose::ui

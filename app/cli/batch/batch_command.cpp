@@ -28,9 +28,9 @@ namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
 constexpr auto tableInterval =
-    std::chrono::seconds(1);   // minimum interval between rewrites of the tables, which may have thousands of rows
+    std::chrono::seconds(1);   // minimum interval between rewrites of the tables, which can have thousands of rows
 
-/// Outcomes in the order of the manifest's rows; empty where unknown.
+/// Outcomes in the order of the rows in the manifest; nullopt where unknown.
 using BatchOutcomes = std::vector<std::optional<BatchOutcome>>;
 
 enum class MissingOutcomes { LeftOut, Reported };
@@ -51,7 +51,7 @@ std::string milliseconds(double value)
     return std::isfinite(value) ? "," + core::fixedText(value, 1) : ",";
 }
 
-/// Columns of reproducible results: header row, and row of one case (`outcome` is null if it is missing).
+/// Return columns of reproducible results: header row, and row of one case (`outcome` is null if it is missing).
 std::string summaryHeader()
 {
     std::string header = "row,name,case,status,method,views";
@@ -74,7 +74,7 @@ std::string summaryRow(const io::BatchEntry& entry, const BatchOutcome* outcome)
     return row + "," + quoted(outcome ? outcome->message : messages::batchRowMissing().text()) + "\n";
 }
 
-/// Columns of computing times, which differ between runs.
+/// Return the columns of computing times, which differ between runs.
 std::string timesHeader()
 {
     return "row,name,read_ms,trace_ms,register_ms,write_ms,finished\n";
@@ -117,8 +117,8 @@ BatchOutcomes readOutcomes(const std::string& folder, const std::vector<io::Batc
     return outcomes;
 }
 
-/// Reads the stored outcomes in several folders, whatever their common settings. Fails if the folders differ in these
-/// settings, and names two that do.
+/// Reads the stored outcomes in several folders, whatever their common settings. If the folders differ in these
+/// settings, fails and names two that do.
 core::Result<BatchOutcomes> mergeOutcomes(const std::vector<std::string>& folders,
                                           const std::vector<io::BatchEntry>& entries)
 {
@@ -206,7 +206,7 @@ void printOutcome(const BatchOutcome& outcome)
 /// Parsed batch request.
 struct BatchPlan {
     std::vector<io::BatchEntry> entries;
-    io::CaseSettings settings;   ///< common to all rows
+    io::CaseSettings settings;   ///< settings common to all rows
     core::Shard shard;
     std::string folder;
 };
@@ -298,7 +298,7 @@ private:
     const BatchPlan& plan_;
     const BatchArguments& arguments_;
     BatchOutcomes outcomes_;
-    std::vector<std::size_t> rows_;   ///< manifest row of each job
+    std::vector<std::size_t> rows_;   ///< row in the manifest of each job
     std::size_t done_ = 0;
     Clock::time_point written_ = Clock::now();
 };

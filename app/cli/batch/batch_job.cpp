@@ -8,7 +8,7 @@ namespace {
 
 using JobJson = nlohmann::ordered_json;
 
-/// Serializes to JSON; invalid UTF-8 in file names and texts is replaced.
+/// Serializes to JSON; replaces invalid UTF-8 in file names and other strings.
 std::string textOf(const JobJson& json)
 {
     return json.dump(-1, ' ', false, JobJson::error_handler_t::replace);
@@ -80,7 +80,7 @@ BatchJob makeJob(const io::BatchEntry& entry, const io::CaseSettings& common, co
     job.frame = entry.frame;
     job.settings = common.assignments();
     for (const std::string& own :
-         entry.settings.assignments()) {   // the row's own settings come last and override the common ones
+         entry.settings.assignments()) {   // the row's own settings come last, to override the common ones
         job.settings.push_back(own);
     }
     job.folder = (std::filesystem::absolute(outputFolder) / entry.name).string();

@@ -10,22 +10,22 @@
 
 namespace angiopose::app {
 
-/// Batch row as sent to a worker.
+/// A batch row as sent to a worker.
 struct BatchJob {
     std::string name;
     std::string casePath;   ///< if empty, the two inputs below are used
     std::string vesselsPath;
     std::string angiogramPath;
     std::string method;   ///< if empty, the method of the case
-    std::optional<int> frame;   ///< if empty, the frame of the case
+    std::optional<int> frame;   ///< if not set, the frame of the case
     std::vector<std::string> settings;   ///< "name=value" pairs; see io::CaseSettings
     std::string folder;   ///< output folder used by this row only
-    std::string request;   ///< everything except the inputs that determines the outcome, as JSON; see serializeRequest
-    bool isResumed = false;   ///< keep an existing outcome that is up to date
+    std::string request;   ///< everything that determines the outcome, except the inputs, as JSON; see serializeRequest
+    bool isResumed = false;   ///< whether to keep an existing outcome that is up to date
     bool skipImages = false;
 };
 
-/// Serializes the request of a row without file locations, so that the text does not depend on where the manifest is
+/// Serializes the request of a row without file paths, so that the text does not depend on where the manifest is
 /// stored. `common` applies to all rows.
 std::string serializeRequest(const io::BatchEntry& entry, const io::CaseSettings& common);
 

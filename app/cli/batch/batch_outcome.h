@@ -14,14 +14,14 @@ namespace angiopose::app {
 
 /// Computing times of one case; they differ between runs.
 struct BatchTimes {
-    double readMs = 0.0;   ///< includes vessel tracing
-    double traceMs = 0.0;   ///< for the displayed frame
+    double readMs = 0.0;   ///< includes the time for vessel tracing
+    double traceMs = 0.0;   ///< time for the shown frame
     double registerMs = 0.0;
     double writeMs = 0.0;
-    std::string finished;   ///< ISO 8601, UTC
+    std::string finished;   ///< time of completion, ISO 8601, UTC
 };
 
-/// Output file of a case; the path is relative to the folder of the case.
+/// An output file of a case, with its path relative to the folder of the case.
 struct WrittenFile {
     std::string path;
     std::uint64_t size = 0;
@@ -37,7 +37,7 @@ struct BatchOutcome {
     std::vector<double> figures;   ///< in the order of figureNames(); empty if the case has no result
     std::string message;   ///< warnings of the result, or the reason why there is no result
     std::vector<std::string> notes;   ///< warnings from opening the case
-    std::string request;   ///< see askedOf
+    std::string request;   ///< see serializeRequest
     std::vector<io::InputFingerprint> inputs;
     std::vector<WrittenFile> files;
     BatchTimes times;
@@ -45,7 +45,7 @@ struct BatchOutcome {
     bool hasResult() const { return !figures.empty(); }
 };
 
-/// Names of the table columns that hold the figures of a result.
+/// Returns the names of the table columns that hold the figures of a result.
 const std::vector<std::string_view>& figureNames();
 
 /// Copies the results of a registration into the outcome.
@@ -57,11 +57,11 @@ BatchOutcome parseOutcome(const std::string& json);
 
 /// Stores the outcome in the folder of its case, creating the folder if needed.
 core::Status writeOutcome(const BatchOutcome& outcome, const std::string& folder);
-/// Reads a stored outcome; empty if it is missing or incomplete.
+/// Reads a stored outcome; nullopt if it is missing or incomplete.
 std::optional<BatchOutcome> readOutcome(const std::string& folder);
 
-/// Returns whether a new run would give the same outcome: same request, same inputs and all files present. A crash or
-/// timeout is never up to date, since a retry may succeed.
+/// Returns whether a new run would give the same outcome: same request, same inputs and all files present. Outcomes
+/// that are crashes or timeouts are never up to date, since a retry may succeed.
 bool isUpToDate(const BatchOutcome& outcome, const std::string& request, const std::string& folder);
 
 }   // namespace angiopose::app

@@ -14,11 +14,11 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr int askedEveryMs = 200;   // polling interval for an interrupt by the user
+constexpr int askedEveryMs = 200;   // interval between checks for an interrupt by the user
 constexpr auto stopPatience = std::chrono::seconds(2);
 
 /// Returns the environment of a worker: the thread count for libraries that read it from a variable, and allocator
-/// settings that retain memory between cases instead of returning it to the system.
+/// settings that keep memory between cases instead of returning it to the system.
 std::vector<std::string> workerEnvironment(int threads)
 {
     std::vector<std::string> environment{"MALLOC_MMAP_THRESHOLD_=67108864", "MALLOC_TRIM_THRESHOLD_=268435456",
@@ -39,7 +39,7 @@ std::unique_ptr<io::WorkerProcess> startWorker(int threads)
 
 }   // namespace
 
-/// Slot for a worker and its current job.
+/// Slot of a worker, with its current job.
 struct BatchPool::WorkerSlot {
     std::unique_ptr<io::WorkerProcess> worker;
     std::optional<std::size_t> job;
@@ -111,7 +111,7 @@ void BatchPool::assign(WorkerSlot& seat, std::size_t job)
         seat.deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(
                                            std::chrono::duration<double>(*options_.timeLimitSeconds));
     }
-    seat.worker->sendLine(toJsonLine(jobs_[job]));   // if the worker has died, the next read from it detects this
+    seat.worker->sendLine(toJsonLine(jobs_[job]));   // if the worker has died, the next read detects this
 }
 
 void BatchPool::finishJob(WorkerSlot& seat, BatchOutcome outcome)
@@ -149,8 +149,8 @@ void BatchPool::receiveLine(WorkerSlot& seat)
     }
 }
 
-/// Handles a worker that ended. The cause may lie in one of its earlier cases, so the job is repeated in a new worker,
-/// unless the ended worker was new itself.
+/// Handles a worker that ended. The cause may lie in one of its earlier cases, so the job is repeated in a new worker
+/// unless the ended one was itself new.
 void BatchPool::handleWorkerExit(WorkerSlot& seat)
 {
     const std::string how = seat.worker->end();
@@ -192,8 +192,8 @@ int BatchPool::waitMs() const
     return static_cast<int>(ms);
 }
 
-/// Asks all workers to stop. Outcomes that arrive within `stopPatience` are recorded; workers that do not respond are
-/// killed.
+/// Requests all workers to stop. Outcomes that arrive within `stopPatience` are recorded; workers that do not respond
+/// are killed.
 void BatchPool::stop()
 {
     for (const auto& seat : slots_) {

@@ -17,8 +17,8 @@ struct PoolOptions {
     std::optional<double> timeLimitSeconds;   ///< time limit per case, s
 };
 
-/// Pool of worker processes that each run cases one after the other. A worker that crashes, or is killed at the time
-/// limit, loses only its current case; a new worker replaces it.
+/// Pool of worker processes that each run cases one after the other. If a worker crashes or is killed at the time
+/// limit, only its current case is lost, and a new worker replaces it.
 class BatchPool {
 public:
     BatchPool(std::vector<BatchJob> jobs, PoolOptions options);

@@ -59,7 +59,7 @@ core::Result<core::Case> openRow(const BatchJob& job, core::Messages& warnings)
     return session;
 }
 
-/// Lists the input files of the row. If the case could not be opened, lists the files that the row names.
+/// Lists the input files of the row. If the case cannot be opened, lists the files that the row names.
 std::vector<io::InputFingerprint> inputsOf(const BatchJob& job, const core::Case* opened)
 {
     std::vector<core::InputFile> files;
@@ -142,7 +142,7 @@ BatchOutcome makeOutcome(const BatchJob& job)
     return outcome;
 }
 
-/// Waits until no other process writes into the folder; the outcome of that process can then be read from the folder.
+/// Waits until no other process writes to the folder; the outcome of that process can then be read there.
 void waitForTurn(const io::LockableFile& folder)
 {
     using namespace std::chrono_literals;
@@ -151,9 +151,9 @@ void waitForTurn(const io::LockableFile& folder)
     }
 }
 
-/// Registers one batch row, with all views of its case jointly, and writes the outputs of `register` into the folder of
-/// the row, the outcome last. Any failure becomes the outcome. Returns an empty value if stopped; the files written so
-/// far then count as no outcome.
+/// Registers one batch row, with all views of its case jointly, and writes the outputs of `register` to the folder of
+/// the row, the outcome last. Any failure becomes the outcome. Returns nullopt if canceled; the files written so far
+/// are then not an outcome.
 std::optional<BatchOutcome> processRow(const BatchJob& job)
 {
     BatchOutcome outcome = makeOutcome(job);

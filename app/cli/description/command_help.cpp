@@ -42,7 +42,7 @@ std::vector<std::string> allowedValuesOf(const std::string& name)
     return choices;
 }
 
-/// Parses the allowed values, which CLI11 writes as "TEXT:{minimum,maximum}".
+/// Parses the allowed values, which CLI11 formats as "TEXT:{minimum,maximum}".
 std::vector<std::string> choicesIn(const std::string& value)
 {
     const std::size_t open = value.find('{');

@@ -32,7 +32,7 @@ std::string bashCommands(const ProgramHelp& program)
     return joinedBySpaces(names);
 }
 
-/// Writes the completions for options with a value. For options without known choices, files are completed.
+/// Writes the completions for options with a value, which are files for options without known choices.
 void writeBashValues(std::ostream& out, const CommandHelp& command)
 {
     for (const OptionHelp& option : command.options) {
@@ -124,7 +124,7 @@ void writeFishOption(std::ostream& out, const std::string& condition, const Opti
     out << " -d " << fishQuoted(option.help) << "\n";
 }
 
-/// Escapes text for a single-quoted zsh field, which an unescaped colon or bracket would end.
+/// Escapes text for a single-quoted field of zsh, which an unescaped colon or bracket would end.
 std::string zshEscaped(const std::string& text)
 {
     std::string out;

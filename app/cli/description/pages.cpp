@@ -52,7 +52,7 @@ void writeOption(std::ostream& out, const OptionHelp& option)
         << (option.mayRepeat && help.find("repeated") == std::string::npos ? " (may be repeated)" : "") << "\n";
 }
 
-/// Writes the footer line by line. A line with a word followed by two spaces becomes a list item.
+/// Writes the footer line by line. A line that starts with a word and two spaces becomes a list item.
 void writeFooter(std::ostream& out, const std::string& footer)
 {
     std::istringstream lines(footer);
@@ -83,7 +83,7 @@ void writeCommand(std::ostream& out, const std::string& program, const CommandHe
         writeOption(out, operand);
     }
     for (const OptionHelp& option : command.options) {
-        if (option.names.back() != "--help") {   // the same for all commands, described once elsewhere
+        if (option.names.back() != "--help") {   // the same for all commands, so described once elsewhere
             writeOption(out, option);
         }
     }
@@ -130,7 +130,7 @@ void writeSection(std::ostream& out, const std::string& program, const CommandHe
         writeRow(out, operand);
     }
     for (const OptionHelp& option : command.options) {
-        if (option.names.back() != "--help") {   // the same for all commands, described once elsewhere
+        if (option.names.back() != "--help") {   // the same for all commands, so described once elsewhere
             writeRow(out, option);
         }
     }

@@ -21,12 +21,11 @@ struct OwnGroundTruth {
     std::optional<RigidTransform> cameraFromPatient;
     std::vector<Eigen::Vector3d> landmarksInPatient;   ///< targets of mTRE and mRPD; empty: the tree's, see targetsOf
     std::vector<PointPair> pairs;
-    /// Optional, in addition to a reference pose: true positions of non-rigidly displaced vessels (see Truth).
+    /// Optional, in addition to a reference pose: true positions of nonrigidly displaced vessels (see GroundTruth).
     std::shared_ptr<const VesselTree> deformedTree;
 };
 
-/// Whether a deformed ground truth matches a tree: the same branches, in the same order, with the same number of
-/// points.
+/// Whether a deformed ground truth matches a tree: the same branches, in the same order, with as many points.
 bool isGroundTruthFor(const VesselTree& deformed, const VesselTree& tree);
 
 /// A case whose result is evaluated.
@@ -43,7 +42,7 @@ struct OwnCase {
 /// through its pixel; mTRE and angle errors stay unknown.
 RunRecord evaluateOwnCase(const OwnCase& own, const std::optional<RegistrationResult>& result);
 
-/// Does the same for a pose found by other means; the confidence is unknown.
+/// Overload for a pose found by other means; the confidence is unknown.
 RunRecord evaluateOwnCase(const OwnCase& own, const RigidTransform& found);
 
 }   // namespace angiopose::core

@@ -13,7 +13,7 @@ namespace angiopose::core {
 /// A finished trial in which an observer registered the vessels to an image manually.
 struct ObserverReading {
     std::string observer;
-    std::string image;   ///< key of case, image and frame, the same for all trials of that image
+    std::string image;   ///< key made of case, image and frame, the same for all trials of that image
     RigidTransform cameraFromPatient;   ///< final pose set by the observer
     RigidTransform referenceCameraFromPatient;   ///< pose before the trial, the reference for all readings of the image
     Eigen::Vector3d pivotInPatient = Eigen::Vector3d::Zero();   ///< centroid of the tree
@@ -62,7 +62,7 @@ struct LimitsOfAgreement {
     double lower() const { return bias - 1.96 * deviation; }
     double upper() const { return bias + 1.96 * deviation; }
 };
-/// Returns nothing if the observers have fewer than two images in common.
+/// Returns the agreement of two observers, or nullopt if they have fewer than two images in common.
 std::optional<LimitsOfAgreement> agreementOf(const std::vector<ObserverMean>& means, const std::string& first,
                                              const std::string& second, std::size_t measure);
 

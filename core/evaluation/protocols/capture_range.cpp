@@ -11,7 +11,7 @@ namespace angiopose::core {
 namespace {
 
 constexpr int captureAnatomies = 6;
-constexpr double rotationStdDeg = 2.0;   // rotation of one unit of displacement; `shiftStdMm` is its shift
+constexpr double rotationStdDeg = 2.0;   // rotation of one unit of displacement, whose shift is `shiftStdMm`
 constexpr double shiftStdMm = 5.0;
 
 struct CaptureSetting {
@@ -21,7 +21,7 @@ struct CaptureSetting {
     double toMm = 0.0;
 };
 
-/// Upper edges of the bins of initial mTRE, mm: 1, 2, … 20, then 25, 30, … 150 (ALGORITHMS §4.5).
+/// Returns the upper edges of the bins of initial mTRE, mm: 1, 2, … 20, then 25, 30, … 150 (ALGORITHMS §4.5).
 std::vector<double> captureBinEdgesMm()
 {
     std::vector<double> edges;

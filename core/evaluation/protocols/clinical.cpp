@@ -42,7 +42,7 @@ constexpr int confidenceAnatomies = 6;
 constexpr std::uint64_t confidenceSeeds = 1000;
 constexpr std::uint64_t otherTreesFrom = 500;   // offset of the tree seeds within an experiment
 
-/// Modification of a clinical case that makes methods fail, or should make them report low confidence.
+/// Modification of a clinical case that makes methods fail, or for which they should report low confidence.
 enum class CaseModification { None, OtherTree, Mirrored, FarStart, HalfOutside };
 
 struct ConfidenceSetting {
@@ -91,7 +91,7 @@ ImageF mirrored(ImageF image)
     return image;
 }
 
-/// Returns the crop of the given size whose top-left pixel is (left, top).
+/// Returns the part of the image that has the given size and starts at pixel (left, top).
 ImageF crop(const ImageF& image, int left, int top, int width, int height)
 {
     ImageF part(width, height);
@@ -134,7 +134,7 @@ void displaceInitialPose(SimulatedCase& view, CounterRandom& random)
     view.initialCameraFromPatient = {rotation, truth * centroid + shift - rotation * centroid};
 }
 
-/// Replaces the tree with another one and keeps the initial position of the centroid.
+/// Replaces the tree with another tree and keeps the initial position of the centroid.
 void replaceTree(SimulatedCase& view, std::uint64_t treeSeed)
 {
     const Eigen::Vector3d centroid = centroidInPatient(view.tree);

@@ -14,9 +14,9 @@ namespace angiopose::core {
 struct SharedPhantom {
     explicit SharedPhantom(Phantom phantom);
 
-    /// Makes a trial with the resampled curves as target, starting from the true pose.
+    /// Creates a trial whose target is the resampled curves, starting from the true pose.
     Trial makeTrial() const;
-    /// Makes a trial with the exact projections of the tree's points as target, starting from the true pose.
+    /// Creates a trial whose target is the exact projections of the tree's points, starting from the true pose.
     Trial makeExactTrial() const;
 
     Phantom scene;
@@ -26,11 +26,11 @@ struct SharedPhantom {
 
 using Phantoms = std::shared_ptr<const std::vector<SharedPhantom>>;
 
-/// Makes the trees P1, P2, … of one experiment, about 2000 points each.
+/// Creates the trees P1, P2, … of one experiment, each with about 2000 points.
 Phantoms makePhantoms(std::uint64_t seed, int count);
 
-/// Returns the random stream of trial number `trial` of a protocol. It is the same for every condition, which makes the
-/// conditions comparable.
+/// Returns the random stream of trial number `trial` of a protocol. The stream is the same for every condition, which
+/// makes the conditions comparable.
 CounterRandom trialRandom(std::uint64_t protocolNumber, std::uint64_t seed, std::uint64_t trial);
 
 /// Replaces the target with a degraded one and stores the resulting error bound.
@@ -39,8 +39,8 @@ void degradeTarget(const SharedPhantom& phantom, const CounterRandom& random, Tr
 /// Returns a vector of the given length in a random direction.
 Eigen::Vector3d randomDirection(double length, CounterRandom& random);
 
-/// Traces the first frame of a simulated view with the real tracing and takes the initial pose from its header. If
-/// tracing fails, the target stays empty and every method fails.
+/// Creates a trial by tracing the first frame of a simulated view with the actual tracing algorithm and taking the
+/// initial pose from its header. If tracing fails, the target stays empty and every method fails.
 Trial tracedTrial(const SimulatedCase& view);
 
 }   // namespace angiopose::core

@@ -13,12 +13,12 @@ namespace angiopose::core {
 
 /// One setting of an experiment, shown as one block of its tables.
 struct Condition {
-    std::string id;   ///< used in files and on the command line: "cam-2-5"
-    std::string title;   ///< used in tables
+    std::string id;   ///< id used in files and on the command line, such as "cam-2-5"
+    std::string title;   ///< display name in tables
     bool isStandard = true;   ///< whether the condition is included when none is requested
 };
 
-/// Makes trial number `trial`; the trial does not depend on the method, the thread or the shard.
+/// Creates trial number `trial`; the trial does not depend on the method, the thread or the shard.
 using TrialMaker = std::function<Trial(std::uint64_t trial)>;
 
 /// Criterion by which a registration counts as successful.
@@ -38,12 +38,12 @@ struct Protocol {
 /// Returns the protocols that generate their own trials.
 std::span<const Protocol> protocols();
 
-/// Returns the protocol with this id, or null. "own" has no conditions and makes no trials; both come from its runs.
+/// Returns the protocol with this id, or null. "own" has no conditions and creates no trials; both come from its runs.
 const Protocol* findProtocol(std::string_view id);
 
-/// Parses a comma-separated list of condition ids or id prefixes that end at a dash ("clean" selects "clean-0-1", …)
-/// and returns the indices of the conditions; for an empty list, those of the standard conditions. The error names the
-/// request that matches no condition.
+/// Parses a comma-separated list of condition ids or of id prefixes that end before a dash ("clean" selects
+/// "clean-0-1", …) and returns the indices of the conditions; for an empty list, those of the standard conditions. The
+/// error names the entry that matches no condition.
 Result<std::vector<std::size_t>> parseConditions(const Protocol& protocol, const std::string& requests);
 
 }   // namespace angiopose::core

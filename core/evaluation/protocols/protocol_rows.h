@@ -4,7 +4,7 @@
 
 namespace angiopose::core {
 
-/// Random streams of an experiment, one per protocol. Draws of one protocol never shift those of another.
+/// Random streams of an experiment, one per protocol. Random draws in one protocol never affect another protocol.
 enum ProtocolNumber : std::uint64_t {
     toyNumber = 1,
     simulationNumber,
@@ -20,7 +20,7 @@ Protocol robustnessProtocol();
 Protocol clinicalProtocol();
 Protocol captureRangeProtocol();
 Protocol confidenceProtocol();
-Protocol ownProtocol();   ///< its conditions come from the runs
+Protocol ownProtocol();   ///< protocol whose conditions come from the runs
 
 template <class Setting>
 std::vector<Condition> conditionsOf(const std::vector<Setting>& settings)

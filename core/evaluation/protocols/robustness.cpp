@@ -74,7 +74,7 @@ const std::vector<RobustnessSetting>& robustnessSettings()
     return rows;
 }
 
-/// Draws a random motion in the camera frame whose rotation angle and shift length are those of the setting.
+/// Draws a random motion in the camera frame with the rotation angle and shift length of the setting.
 RigidTransform randomDisplacement(const RobustnessSetting& setting, CounterRandom random)
 {
     Vector6d twist;

@@ -24,7 +24,7 @@ struct ToySetting {
     SquareView view = SquareView::Tilted;
 };
 
-/// Adds one setting per number of points.
+/// Adds one setting for each number of points.
 void addToySettings(const std::string& variant, const std::string& disturbance, const ToySetting& base,
                     std::vector<ToySetting>& rows)
 {
@@ -52,7 +52,7 @@ const std::vector<ToySetting>& toySettings()
     return rows;
 }
 
-/// Makes the published square: four edges of length 5 in the plane y = 0. Neighboring edges share a corner.
+/// Returns the published square: four edges of length 5 in the plane y = 0. Neighboring edges share a corner.
 VesselTree makeSquare(int segmentsPerEdge)
 {
     const std::array<Eigen::Vector3d, 4> corners{Eigen::Vector3d(5, 0, 10), {10, 0, 10}, {10, 0, 15}, {5, 0, 15}};

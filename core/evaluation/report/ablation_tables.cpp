@@ -8,7 +8,7 @@
 namespace angiopose::core {
 namespace {
 
-constexpr std::size_t minSettings = 4;   // minimum for an ablation; fewer settings are a comparison
+constexpr std::size_t minSettings = 4;   // minimum for an ablation; fewer settings make a comparison
 
 /// The three settings of DynaWeightPnP that an ablation varies.
 struct AblationSetting {

@@ -9,7 +9,7 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double agreementFactor = 2.0;   ///< factor, up or down, within which a figure counts as reproduced
+constexpr double agreementFactor = 2.0;   ///< factor, up or down, within which a value counts as reproduced
 constexpr std::string_view normConditionId = "exact-cam-norm-2-5";
 constexpr std::string_view perAxisConditionId = "exact-cam-2-5";
 
@@ -47,7 +47,7 @@ bool hasSimilarFailureRate(const MeasuredErrors& measured, double publishedShare
     return interval.low <= agreementFactor * publishedShare && agreementFactor * interval.high >= publishedShare;
 }
 
-/// Returns "yes", or "no: mean, p95" with the names of the figures outside half to twice the published values.
+/// Returns "yes", or "no: mean, p95" with the names of the values outside half to twice the published values.
 std::string agreementCell(const MeasuredErrors& measured, const PublishedErrors& published)
 {
     std::string outside;
@@ -61,7 +61,7 @@ std::string agreementCell(const MeasuredErrors& measured, const PublishedErrors&
     return outside.empty() ? "yes" : outside;
 }
 
-/// Reason why our implementation of a method differs from its published figures, and which settings show it.
+/// Reason why our implementation of a method differs from its published values, and the settings that show it.
 struct Explanation {
     std::string_view method;
     std::string_view text;
@@ -108,7 +108,7 @@ std::vector<std::string> cellsOf(const std::string& label, const RunGroup& group
             agreementCell(measured, published)};
 }
 
-/// Returns the reason why PR is measured to the nearest point, with evidence from these runs.
+/// Returns a note on why PR is measured to the nearest point, with evidence from these runs.
 std::string measureNote(const RunGroups& groups, const Condition& condition)
 {
     std::string reason =

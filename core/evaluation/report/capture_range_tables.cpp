@@ -20,7 +20,7 @@ std::vector<Condition> binsOf(const RunGroups& groups, const std::string& target
     return bins;
 }
 
-/// Returns the mTRE range of a bin, "5-6" for "clean-5-6".
+/// Returns the mTRE range of a bin: "5-6" for "clean-5-6".
 std::string rangeOf(const Condition& bin, const std::string& target)
 {
     return bin.id.substr(target.size() + 1);

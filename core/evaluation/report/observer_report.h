@@ -6,11 +6,10 @@
 
 namespace angiopose::core {
 
-/// Makes the tables of repeatability, reproducibility and pairwise agreement of the observers; returns none if no image
-/// was read twice.
+/// Returns tables of the observers' repeatability, reproducibility and pairwise agreement; none if no image was reread.
 std::vector<ResultTable> observerTables(const std::vector<ObserverReading>& readings);
 
-/// Makes the Bland–Altman plots for each measure and each pair of observers with at least two images in common.
+/// Returns Bland–Altman plots for each measure and each pair of observers with at least two images in common.
 std::vector<Plot> observerPlots(const std::vector<ObserverReading>& readings);
 
 }   // namespace angiopose::core

@@ -31,7 +31,7 @@ constexpr PlottedError plottedRayDistance{"cumulative-mrpd", "distance to the ra
 constexpr PlottedError plottedTargetError{"cumulative-mtre", "target registration error (mTRE), mm",
                                           &RunRecord::mtreMm};
 
-/// Returns a step function: the percentage of registrations at or below each error.
+/// Returns a step function of the error: the percentage of registrations with at most this error.
 PlotSeries cumulativeSeries(const std::string& method, const RunGroup& group, RunValue value)
 {
     std::vector<double> errors = group.values(value);
@@ -136,7 +136,7 @@ Plot successPlot(const RunGroups& groups, const Condition& condition)
     return plot;
 }
 
-/// Plots the success rate over all bins of the capture range for one kind of target.
+/// Returns a plot of the success rate over all bins of the capture range for one kind of target.
 Plot capturePlot(const RunGroups& groups, const std::string& target, const std::string& title)
 {
     Plot plot = emptySuccessPlot(groups, target, title);

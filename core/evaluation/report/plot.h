@@ -13,15 +13,15 @@ struct PlotAxis {
     std::string label;
     double min = 0.0;
     double max = 1.0;
-    bool isLogarithmic = false;   ///< base 10; requires min and max above 0
+    bool isLogarithmic = false;   ///< logarithmic to base 10; requires min and max above 0
 };
 
 /// One line or one set of markers in a plot; points outside the axes are clipped.
 struct PlotSeries {
     std::string name;
     std::vector<Eigen::Vector2d> points;   ///< sorted by x
-    std::vector<Interval> bands;   ///< confidence interval of each point; may be empty
-    bool areDots = false;   ///< separate markers instead of a line
+    std::vector<Interval> bands;   ///< confidence interval at each point; may be empty
+    bool areDots = false;   ///< if true, drawn as separate markers instead of a line
 };
 
 /// A line plot; io draws it as SVG.
@@ -33,7 +33,7 @@ struct Plot {
     std::vector<PlotSeries> series;
 };
 
-/// Makes the plots for which the runs have data: cumulative error, success rate over initial error, convergence.
+/// Returns the plots for which the runs have data: cumulative error, success rate over initial error, convergence.
 std::vector<Plot> plotsOf(const RunSet& runs);
 
 }   // namespace angiopose::core

@@ -6,8 +6,8 @@
 
 namespace angiopose::core {
 
-// Figures printed in the paper (DynaWeightPnP, Song and Ghaffari), with corrected labels (ALGORITHMS §2, decisions 5–7
-// and §4). NaN marks figures that are missing or unusable in the paper.
+// Values printed in the paper (DynaWeightPnP, Song and Ghaffari), with corrected labels (ALGORITHMS §2, decisions 5–7
+// and §4). NaN marks values that are missing or unusable in the paper.
 
 struct PublishedErrors {
     double grossPercent, meanMm, p75Mm, p95Mm, timeMs;

@@ -11,7 +11,7 @@ namespace angiopose::core {
 struct ResultTable {
     struct Row {
         std::vector<std::string> cells;   ///< one per column
-        bool isPublished = false;   ///< row with the paper's figures, below our own of the same method
+        bool isPublished = false;   ///< whether the row holds the paper's values, below our own of the same method
     };
     std::string id;   ///< file name without extension
     std::string title;
@@ -20,7 +20,7 @@ struct ResultTable {
     std::vector<std::string> notes;   ///< one sentence each
 };
 
-/// Makes every table that the runs allow: errors by condition in the paper's layout, statistics, ablation, times.
+/// Returns every table that the runs allow: errors by condition in the paper's layout, statistics, ablation, times.
 std::vector<ResultTable> tablesOf(const RunSet& runs);
 
 }   // namespace angiopose::core

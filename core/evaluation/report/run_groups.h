@@ -10,8 +10,7 @@ namespace angiopose::core {
 
 using RunValue = double RunRecord::*;
 
-/// Mean projection distance above which a registration is a gross failure: 5 px in simulations, 5 mm in clinical
-/// images.
+/// Mean projection distance above which a registration is a gross failure: 5 px in simulations, 5 mm in clinical ones.
 inline constexpr double grossFailurePx = 5.0;
 inline constexpr double grossFailureMm = 5.0;
 inline constexpr double successfulMrpdMm = 2.0;
@@ -23,7 +22,7 @@ public:
 
     int count() const { return static_cast<int>(runs_.size()); }
     const std::vector<const RunRecord*>& runs() const { return runs_; }
-    /// Returns the known values of the runs (NaN is unknown), including infinite ones.
+    /// Returns the known values of the runs, including infinite ones; NaN values are unknown and left out.
     std::vector<double> values(RunValue value) const;
     double quantile(RunValue value, double fraction) const;
     double median(RunValue value) const { return quantile(value, 0.5); }
@@ -36,7 +35,7 @@ private:
     std::vector<const RunRecord*> runs_;
 };
 
-/// Groups a run set for tables and plots; the run set must outlive this object.
+/// Runs grouped for tables and plots; the run set must outlive this object.
 class RunGroups {
 public:
     explicit RunGroups(const RunSet& runs);
@@ -44,7 +43,7 @@ public:
     const Protocol& protocol() const { return *protocol_; }
     /// Returns the conditions present in the runs, in the protocol's order, or sorted by id if the protocol has none.
     const std::vector<Condition>& conditions() const { return conditions_; }
-    int anatomyCount() const { return anatomyCount_; }   ///< from the protocol, or from the runs if it makes no trials
+    int anatomyCount() const { return anatomyCount_; }   ///< from the protocol, or from the runs if it has no trials
     const std::vector<std::string>& methods() const { return methods_; }   ///< in order of appearance
     const RunGroup& of(const Condition& condition, const std::string& method) const;
 
@@ -61,7 +60,7 @@ private:
 bool isGrossPx(const RunRecord& run);
 bool isGrossMm(const RunRecord& run);
 
-/// Whether a run succeeds by the protocol's criterion.
+/// Whether a run is successful by the protocol's criterion.
 bool isSuccess(SuccessCriterion rule, const RunRecord& run);
 std::string_view toText(SuccessCriterion rule);   ///< "mean projection distance at most 5 px", …
 

@@ -11,7 +11,7 @@ namespace angiopose::core {
 namespace {
 
 constexpr double sameMm = 1e-6;   // smaller differences are rounding errors
-constexpr int minAnatomies = 6;   // minimum at which winning on all anatomies is significant at 5 %
+constexpr int minAnatomies = 6;   // minimum number for which winning on all anatomies is significant at 5 %
 
 RunValue comparedValue(const Protocol& protocol)
 {

@@ -8,7 +8,7 @@
 namespace angiopose::core {
 namespace {
 
-/// Returns the number of points of a condition, 44 for "b1-44".
+/// Returns the number of points of a condition: 44 for "b1-44".
 int pointsOf(const Condition& condition)
 {
     int points = 0;
@@ -63,7 +63,7 @@ ResultTable errorTable(const RunGroups& groups, const std::string& variant, cons
     return table;
 }
 
-/// Fills each column with the number of runs for which `holds` is true, such as "3 of 20".
+/// Fills each column with the number of runs that satisfy `predicate`, such as "3 of 20".
 ResultTable countTable(const RunGroups& groups, const std::string& variant, ResultTable table,
                        const std::function<bool(const RunRecord&)>& predicate)
 {
@@ -95,7 +95,7 @@ ResultTable failureTable(const RunGroups& groups, const std::string& variant, co
                       [rule](const RunRecord& run) { return !isSuccess(rule, run); });
 }
 
-/// Makes the tables of the square as printed, which projects onto a single line and does not determine the pose.
+/// Returns tables for the square as printed, which projects onto a single line and does not determine the pose.
 std::vector<ResultTable> literalTables(const RunGroups& groups)
 {
     const std::string title = "as printed, shift of 1";

@@ -7,7 +7,7 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double targetSpacingPx = 0.5;   // fine enough for nearest samples to approximate nearest curve points
+constexpr double targetSpacingPx = 0.5;   // small enough for the nearest sample to approximate the nearest curve point
 
 std::vector<Eigen::Vector2d> densePoints(const Centerline2d& target)
 {

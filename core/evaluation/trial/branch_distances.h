@@ -11,7 +11,7 @@
 namespace angiopose::core {
 
 /// Returns, for every branch id, the distances in px from the branch's projected points to the nearest traced point, in
-/// the order of the points. Infinite for points at or behind the source; empty if nothing was traced.
+/// the order of the points; infinite for points at or behind the source. The map is empty if nothing was traced.
 std::map<int, std::vector<double>> branchDistances(const VesselTree& tree, const Centerline2d& target,
                                                    const ProjectionCamera& camera,
                                                    const RigidTransform& cameraFromPatient);

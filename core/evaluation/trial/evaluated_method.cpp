@@ -26,7 +26,7 @@ std::vector<std::string> split(const std::string& text, char separator)
 }
 
 /// Returns "preset=seed_mean" for "seed_mean" if exactly one option of the method has a choice with this name. "on"
-/// does not count as a choice name.
+/// does not count as the name of a choice.
 Result<std::string> findAssignment(const std::string& setting, const std::string& method)
 {
     std::vector<std::string> found;

@@ -13,13 +13,14 @@ namespace angiopose::core {
 
 /// A method in an experiment, with its settings.
 struct EvaluatedMethod {
-    std::string label;   ///< as requested: "angiopose", "dynaweight:seed_noprior", …
+    std::string label;   ///< label as requested: "angiopose", "dynaweight:seed_noprior", …
     RegistrationOptions options;
     bool setsResampling = false;   ///< whether the request sets the resampling; otherwise the trial determines it
 };
 
-/// Parses a method id followed by settings, separated by colons: "key=value", or only the name of a choice if a single
-/// option of the method has it ("dynaweight:seed_noprior:rotationFirst=off"). The error names the unknown part.
+/// Parses a method id followed by settings, separated by colons. A setting is "key=value", or only the name of a choice
+/// if a single option of the method has that choice ("dynaweight:seed_noprior:rotationFirst=off"). The error names the
+/// unknown part.
 Result<EvaluatedMethod> parseMethod(const std::string& request);
 
 /// Parses requests separated by commas. The group "all" stands for every method with its defaults, except the one for
@@ -34,7 +35,7 @@ RegistrationOptions optionsFor(const EvaluatedMethod& evaluatedMethod, bool targ
 enum class KeepHistory { No, Yes };
 
 /// Registers one trial with one method and computes the errors; the caller fills in condition, trial and anatomy.
-/// Returns nothing if `isStopped` became true before the method finished.
+/// Returns nullopt if `isStopped` became true before the method finished.
 std::optional<RunRecord> runTrial(const Trial& trial, const EvaluatedMethod& evaluatedMethod, KeepHistory keepHistory,
                                   const std::function<bool()>& isStopped);
 

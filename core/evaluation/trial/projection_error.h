@@ -49,19 +49,19 @@ struct PoseError {
     double inPlaneDeg = 0.0;   ///< roll about camera z, signed
     double centroidMm = 0.0;   ///< distance between the estimated and the true centroid of the tree
     double centroidInPlaneMm = 0.0;
-    double centroidDepthMm = 0.0;   ///< signed, see above
+    double centroidDepthMm = 0.0;   ///< positive if the vessels are too far from the source
     double seedDistanceMm = 0.0;   ///< the seed's "Dist": shift of the source, depends on the frame's origin (§4.3)
 };
 
-/// Returns PR_i in px, one per tree point in the order of the tree. Infinite if the estimated pose puts a point behind
+/// Returns PR_i in px, one per tree point in the order of the tree; infinite if the estimated pose puts a point behind
 /// the source. Points that do not project under the true pose have no counterpart and are left out.
 std::vector<double> projectionDistancesPx(const VesselTree& tree, const ProjectionCamera& camera,
                                           const PosePair& poses);
 
 std::vector<double> projectionDistancesPx(const ProjectionCamera& camera, const CorrespondingPoints& points);
 
-/// Summarizes projectionDistancesPx; all NaN if no point projects under the true pose. `depthMm` is the depth at which
-/// pixels are converted to mm.
+/// Returns a summary of projectionDistancesPx; all values are NaN if no point projects under the true pose. `depthMm`
+/// is the depth at which pixels are converted to mm.
 ProjectionError projectionError(const VesselTree& tree, const ProjectionCamera& camera, const PosePair& poses);
 ProjectionError projectionError(const ProjectionCamera& camera, const CorrespondingPoints& points, double depthMm);
 

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double grossPx = 5.0;
 
-/// Points of the tree that was found if the true deformation is known; otherwise of the rigid tree.
+/// Returns the points of the tree found if the true deformation is known; otherwise those of the rigid tree.
 CorrespondingPoints treePoints(const GroundTruth& truth, const VesselTree& found, const PosePair& poses)
 {
     return truth.deformedTree ? correspondingPoints(found, *truth.deformedTree, poses)

@@ -16,11 +16,11 @@ namespace angiopose::core {
 
 inline constexpr double unknownMeasure = std::numeric_limits<double>::quiet_NaN();
 
-/// Performance of one method in one trial. Without a result, the errors are those of the initial pose. Lengths in px
-/// refer to the image, lengths in mm to the depth of the tree's centroid; projection_error.h defines the errors.
+/// Performance of one method in one trial. If there is no result, the errors are those of the initial pose. Lengths in
+/// px refer to the image, lengths in mm to the depth of the tree's centroid; projection_error.h defines the errors.
 struct RunRecord {
     std::string condition;   ///< Condition::id
-    std::string method;   ///< Contestant::label
+    std::string method;   ///< EvaluatedMethod::label
     std::uint64_t trial = 0;
     int anatomy = 0;
 
@@ -33,7 +33,7 @@ struct RunRecord {
     double trustworthy = 0.0;   ///< 1 if the result is rated as reliable, otherwise 0
     double iterations = 0.0;
     double closestMedianPx = unknownMeasure;   ///< the seed's "TRE": distance of tree points to nearest target point
-    double closestMeanPx = unknownMeasure;   ///< the seed's "PR", as its figures show
+    double closestMeanPx = unknownMeasure;   ///< the seed's "PR", as in its figures
     double reverseMeanPx = unknownMeasure;   ///< target points to the nearest tree point
     double coverage = unknownMeasure;
     // Errors relative to the ground truth
@@ -50,7 +50,7 @@ struct RunRecord {
     // Times, which differ from run to run
     double traceMs = unknownMeasure, targetMs = unknownMeasure, searchMs = unknownMeasure, solveMs = unknownMeasure,
            totalMs = unknownMeasure;
-    double processorMs = unknownMeasure;   ///< CPU time of the registering thread
+    double processorMs = unknownMeasure;   ///< CPU time of the thread that ran the registration
 
     std::vector<double> history;   ///< mean projection distance in px at each progress report; only in the first trials
 };
@@ -59,7 +59,7 @@ struct RunRecord {
 struct RunField {
     std::string_view name;   ///< column in files
     double RunRecord::*value = nullptr;
-    bool isTime = false;   ///< whether it is a time, which is not reproducible and stored in a separate file
+    bool isTime = false;   ///< whether it is a time; times are not reproducible and are stored in a separate file
 };
 
 std::span<const RunField> runFields();
@@ -77,7 +77,7 @@ struct GroundTruth {
     const ProjectionCamera& camera;
     RigidTransform cameraFromPatient;
     std::vector<Eigen::Vector3d> targetsInPatient;   ///< target points for mTRE and mRPD
-    /// True positions of non-rigidly deformed vessels at `cameraFromPatient`, point by point as in `tree`. If set,
+    /// True positions of nonrigidly deformed vessels at `cameraFromPatient`, point by point as in `tree`. If set,
     /// distances are measured to this tree and its points are the targets; null for rigid vessels.
     const VesselTree* deformedTree = nullptr;
 };
@@ -88,8 +88,8 @@ void measureInitialPose(const GroundTruth& truth, const RigidTransform& start, R
 /// Computes the errors of the estimated pose: projection distances, target errors and pose errors.
 void measurePose(const GroundTruth& truth, const RigidTransform& found, RunRecord& record);
 
-/// Does the same for a deformed tree at the estimated pose. Distances and target errors are those of the deformed tree
-/// if the true deformation is known, otherwise those of the rigid tree.
+/// Computes the errors of a deformed tree at the estimated pose. Distances and target errors are those of the deformed
+/// tree if the true deformation is known, otherwise those of the rigid tree.
 void measureDeformed(const GroundTruth& truth, const RigidTransform& found, const VesselTree& deformed,
                      RunRecord& record);
 
@@ -104,7 +104,7 @@ struct Trial {
     RegistrationInput input;
     std::shared_ptr<const VesselTree> tree;   ///< errors are computed at its points; input.tree may lack branches
     RigidTransform trueCameraFromPatient;
-    bool hasCorrectPose = true;   ///< false if no pose is correct; the errors are then unknown
+    bool hasCorrectPose = true;   ///< false if no pose is correct, so that the errors are unknown
     bool targetIsExact = false;   ///< whether every target point is the projection of a tree point
     std::optional<Matrix6d> errorBound;   ///< Cramér–Rao covariance about the tree's centroid, if known
     std::optional<double> traceMs;   ///< time for tracing the target, if it was traced from an image

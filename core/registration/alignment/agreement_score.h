@@ -11,7 +11,7 @@ namespace angiopose::core {
 /// Agreement of a pose with the image when parts of the tree may be unopacified.
 struct OpacifiedAgreement {
     double agreement = 0.0;   ///< agreement of the opacified parts, 0…1; each unopacified territory reduces it
-    std::vector<std::uint8_t> isOpacified;   ///< one per tree segment (see AgreementScore::filling)
+    std::vector<std::uint8_t> isOpacified;   ///< 1 for each opacified tree segment (see AgreementScore::opacification)
 };
 
 /// Scores how well a pose explains the image in both directions, from the fraction of the tree that lies along traced
@@ -19,14 +19,14 @@ struct OpacifiedAgreement {
 /// single vessel raises both fractions.
 class AgreementScore {
 public:
-    /// If the user selected auxiliary branches {p'}, gives them the same weight as the whole tree.
+    /// Gives auxiliary branches {p'} selected by the user the same weight as the whole tree.
     AgreementScore(const RegistrationProblem& problem, const TargetLines& target);
 
     /// Returns the harmonic mean of the two fractions, 0…1.
     double of(const CentroidPose& pose);
 
-    /// Returns the same score for a tree that may be only partly opacified (ALGORITHMS §6.17): excludes territories
-    /// that match no traced vessel from both fractions.
+    /// Returns the same score for a tree that may be only partly opacified (ALGORITHMS §6.17): territories that match
+    /// no traced vessel are excluded from both fractions.
     OpacifiedAgreement scoreOpacified(const CentroidPose& pose);
 
     /// Returns the segmentation of the tree between bifurcations; built on first use.
@@ -39,11 +39,11 @@ private:
     double coveredTargetShare() const;
 
     const TreeSamples& tree_;
-    std::size_t stride_;   ///< stride at which points_ samples the tree points
+    std::size_t stride_;   ///< stride at which points_ samples the tree
     std::vector<AlignmentPoint> points_;
     ProjectionCamera camera_;
     const TargetLines* target_;
-    std::size_t lineStride_;   ///< stride of the target lines tested for coverage
+    std::size_t lineStride_;   ///< stride of the target lines whose coverage is tested
     Alignment all_;
     std::optional<Alignment> auxiliary_;
     std::optional<OpacificationModel> opacification_;   ///< created on first use

@@ -10,8 +10,8 @@ namespace angiopose::core {
 
 /// Evaluation of the alignment at one pose.
 struct AlignmentEvaluation {
-    NormalEquations equations;   ///< normal equations of Σ w r² for steps about the pose, weights frozen
-    double loss = 0.0;   ///< Σ 2ℓ² v (1 − w); a point outside the image or with a crossing direction costs the maximum
+    NormalEquations equations;   ///< normal equations of Σ w r² for steps about the pose, with the weights frozen
+    double loss = 0.0;   ///< Σ 2ℓ² v (1 − w); points outside the image or crossing their line cost the maximum
     std::vector<double> branchWeight;   ///< mean weight of each branch's points, 0…1
 };
 
@@ -33,11 +33,11 @@ public:
 
     AlignmentEvaluation evaluate(const CentroidPose& pose, double scalePx) const;
 
-    /// Overload that reuses the buffers of `agreement` and allocates nothing after the first call.
+    /// Overload that reuses the buffers of `agreement` and does not allocate after the first call.
     void evaluate(const CentroidPose& pose, double scalePx, AlignmentEvaluation& agreement) const;
 
-    /// Like evaluate, but also matches target lines to the tree (ALGORITHMS §6.6 b): every target line attracts its
-    /// closest branch, so that the whole image counts instead of only the lines nearest to a tree point.
+    /// Like evaluate, but also matches target lines to the tree (ALGORITHMS §6.6 b): every target line attracts the
+    /// nearest branch, so that the whole image counts instead of only the lines nearest to a tree point.
     void searchBothDirections(const CentroidPose& pose, double scalePx, AlignmentEvaluation& agreement);
 
     /// Returns the loss only, without building the normal equations.
@@ -54,16 +54,16 @@ public:
     /// NaN outside the image.
     void collectAgreement(const CentroidPose& pose, double scalePx, std::vector<double>& agreement) const;
 
-    /// Collects the residual of each point across its line, px; NaN without a similarly directed line within `limitPx`.
+    /// Collects the residual of each point across its line, px; NaN without a line of similar direction in `limitPx`.
     void collectResiduals(const CentroidPose& pose, double limitPx, std::vector<double>& residuals) const;
 
-    /// Median distance to the nearest line point, px; infinite when most points do not project.
+    /// Returns the median distance to the nearest line point, px; infinite if most points do not project.
     double medianDistancePx(const CentroidPose& pose, std::vector<double>& scratch) const;
 
     std::size_t size() const { return points_.size(); }
     double spreadMm() const { return spreadMm_; }   ///< RMS distance of the points from the centroid
 
-    /// Buffers of a refinement, allocated once; its steps allocate nothing.
+    /// Buffers of a refinement, allocated once so that its steps need not allocate.
     struct Buffers {
         EvaluationPair<AlignmentEvaluation> evaluations;
         std::vector<double> residuals;

@@ -14,13 +14,13 @@ struct BranchSegment {
     std::size_t to = 0;   ///< one past the last point
 };
 
-/// Incidence of a segment and a junction at one of its ends.
+/// Connection of a segment with a junction at one of its ends.
 struct SegmentIncidence {
     int piece = 0;
     int junction = 0;
 };
 
-/// Tree cut into segments at every bifurcation, in the order of the tree's points, with the incidence of segments and
+/// Tree cut into segments at every bifurcation, in the order of the tree's points, with the incidences of segments and
 /// junctions. The graph is free of cycles: where vessels form a ring, one incidence is dropped.
 struct BranchSegments {
     std::vector<BranchSegment> pieces;
@@ -28,11 +28,11 @@ struct BranchSegments {
     int junctionCount = 0;
 };
 
-/// Two branches meet if an end of one lies within 2.5 mm of the other.
+/// Distance of a branch end from another branch up to which the two branches meet.
 inline constexpr double maxBranchGapMm = 2.5;
 BranchSegments splitAtBifurcations(const TreeSamples& tree);
 
-/// Overload for any concatenated curves with ascending `curveIndex`; `touching` is in the unit of the points.
+/// Overload for any concatenated curves with ascending `curveIndex`; `maxGap` is in the unit of the points.
 BranchSegments splitAtBifurcations(const std::vector<Eigen::Vector3d>& points, const std::vector<int>& curveIndex,
                                    double maxGap);
 

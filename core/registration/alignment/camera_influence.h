@@ -12,17 +12,17 @@ namespace angiopose::core {
 /// the images (ALGORITHMS §6.18).
 class CameraInfluence {
 public:
-    /// `equations` combines images and pose priors in units of information. Its parameters are those of the pose, then
-    /// three per camera (see CameraError) with standard deviations `spreads`. Each column of `free` is an allowed pose
-    /// step.
+    /// `equations` combines images and pose priors in units of information. Its parameters are those of the pose,
+    /// followed by three per camera (see CameraError) with standard deviations `spreads`. Each column of `free` is an
+    /// allowed pose step.
     CameraInfluence(const StackedEquations& equations, const Eigen::MatrixXd& free,
                     std::span<const CameraUncertainty> spreads);
 
-    /// Contribution of the camera errors to the covariance of the first six parameters: the spread that the images
-    /// leave undetermined, plus the detected error that the pose does not compensate.
+    /// Returns the contribution of the camera errors to the covariance of the first six parameters: the spread that the
+    /// images leave undetermined, plus the detected error that the pose does not compensate.
     Matrix6d poseCovariance() const;
 
-    /// Evidence of all images about one camera.
+    /// Returns the evidence of all images about one camera.
     CameraEvidence evidence(std::size_t camera) const;
 
 private:
@@ -32,8 +32,8 @@ private:
     double gain_ = 0.0;
 };
 
-/// Returns messages that state by how much the images contradict a camera; empty if they agree or if the evidence is
-/// too weak.
+/// Returns messages that state by how much the images contradict a camera; none if they agree with it or if the
+/// evidence is too weak.
 Messages contradictionsOf(const CameraEvidence& evidence, const ProjectionCamera& camera, std::size_t cameras = 1);
 
 }   // namespace angiopose::core

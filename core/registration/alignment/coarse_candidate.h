@@ -11,13 +11,13 @@ struct CoarseCandidate {
     double score = 0.0;   ///< mean closeness of the tree points to the target, 0…1
 };
 
-/// Largest difference between two poses that converge to the same optimum.
+/// Largest difference between two poses that are considered to converge to the same optimum.
 struct Basin {
     double shiftMm;
     double turn;   ///< rad
 };
 
-/// Best candidate of each basin, best first: at most twelve, limited to those that score nearly as well as the first.
+/// Returns the best candidate of each basin, best first: at most twelve that score nearly as well as the first.
 std::vector<CoarseCandidate> distinctCandidates(std::vector<CoarseCandidate> candidates, const Basin& basin);
 
 }   // namespace angiopose::core

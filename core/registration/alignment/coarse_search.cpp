@@ -12,7 +12,7 @@
 namespace angiopose::core {
 namespace {
 
-constexpr int blockPx = 16;   // step between tested shifts
+constexpr int blockPx = 16;   // spacing of the tested shifts
 constexpr int phasePx = 4;   // resolution of the closeness image
 constexpr int phases = blockPx / phasePx;
 constexpr std::size_t keptPerOrientation = 3;

@@ -23,12 +23,12 @@ struct SearchRange {
 /// over a few tree points. The image is stored with all shifts of one point contiguous in memory.
 class CoarseSearch {
 public:
-    /// At the distance `closenessPx`, a tree point still scores 0.6; coarser rotation steps need a larger value
+    /// `closenessPx` is the distance at which a tree point still scores 0.6; coarser rotation steps need a larger value
     /// (ALGORITHMS §6.8: 11).
     CoarseSearch(const ProjectionCamera& camera, const TargetLines& target, double closenessPx = 11.0);
 
     /// Returns the best candidate of each basin, best first. `proceed` receives the completed fraction after each tilt;
-    /// on Stop, the search returns the candidates collected so far.
+    /// if it returns Stop, the search returns the candidates collected so far.
     std::vector<CoarseCandidate> find(std::span<const AlignmentPoint> points, const CentroidPose& start,
                                       const SearchRange& reach,
                                       const std::function<ObserverDecision(double)>& proceed) const;

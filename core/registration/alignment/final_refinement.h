@@ -6,7 +6,7 @@
 
 namespace angiopose::core {
 
-/// Turns a coarsely refined pose into the final result in three passes: with few points until the noise level is known,
+/// Refines a coarsely refined pose to the final result in three passes: with few points until the noise level is known,
 /// with points spaced at the correlation length of the noise, and with all informative points and tolerance for shape
 /// errors of the tree (ALGORITHMS §6.5, §6.14).
 class FinalRefinement {
@@ -23,7 +23,7 @@ private:
     const TargetLines& target_;
     Alignment sparse_;
     std::optional<Alignment>
-        spaced_;   ///< spaced_ and all_ are created on first use because their point spacing depends on the depth
+        spaced_;   ///< created on first use, like all_, because the point spacing depends on the depth
     std::optional<Alignment> all_;
 };
 

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double tiltMargin = 1.2;   // factor by which the combined tilt about both axes may exceed the range
 
-/// Angles −reach … reach in equal steps of about stepDeg, including 0; only 0 if the angle is locked; rad.
+/// Returns angles −reach … reach in equal steps of about stepDeg, including 0; only 0 if the angle is locked; rad.
 std::vector<double> anglesWithin(double reachDeg, const SearchRange& reach, PoseAxis axis)
 {
     const int half = reach.freedom.isLocked(axis) ? 0 : static_cast<int>(std::ceil(reachDeg / reach.stepDeg - 1e-9));

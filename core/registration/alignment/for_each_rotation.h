@@ -6,8 +6,8 @@
 
 namespace angiopose::core {
 
-/// Visits `start` rotated by every tilt and roll within the range, in steps of about `stepDeg`, skipping locked angles.
-/// `proceed` receives the completed fraction of the tilts; Stop ends the iteration.
+/// Visits `start` rotated by every tilt and roll within the range, in steps of about `reach.stepDeg`; locked angles are
+/// skipped. `proceed` receives the completed fraction of the tilts; if it returns Stop, the iteration ends.
 void forEachRotation(const CentroidPose& start, const SearchRange& reach,
                      const std::function<void(const CentroidPose&)>& visit,
                      const std::function<ObserverDecision(double)>& proceed);

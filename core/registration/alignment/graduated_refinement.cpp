@@ -6,7 +6,7 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double settledRefinementMm = 1e-3;   // a step this short ends the refinement; about 0.003 px
+constexpr double settledRefinementMm = 1e-3;   // a step this short, about 0.003 px, ends the refinement
 // Tolerance per point for the jitter of the loss, which is caused by matches that switch between lines:
 constexpr double jitter = 5e-3;   // times ℓ²; a smaller rise is ignored. Losing the point costs 400 times as much
 constexpr double settledGainPx2 = 1e-4;   // a step with a smaller predicted gain is lost in the jitter

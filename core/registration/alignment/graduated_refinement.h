@@ -32,8 +32,8 @@ struct RefinementResult {
     StopReason stopReason = StopReason::Converged;
 };
 
-/// Refines a pose by graduated non-convexity: damped Gauss–Newton on the Welsch loss with a shrinking scale. Rejects
-/// steps that raise the loss by more than the jitter that switching matches cause.
+/// Refines a pose by graduated non-convexity: damped Gauss–Newton on the Welsch loss with a shrinking scale. Steps that
+/// raise the loss by more than the jitter due to switching matches are rejected.
 RefinementResult refine(Alignment& alignment, const InitialPosePrior& prior, const CentroidPose& start,
                         const RefinementSchedule& schedule, const RefinementObserver& observe = {});
 

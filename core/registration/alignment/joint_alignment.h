@@ -30,11 +30,11 @@ CentroidPose poseInView(const JointPose& joint, std::span<const RelativeCamera> 
 StackedEquations stackEquations(std::span<const NormalEquations> perView, const JointPose& joint,
                                 std::span<const RelativeCamera> geometry);
 
-/// Overload that appends three camera errors per view after all pose parameters.
+/// Overload that appends three camera errors per view to the pose parameters.
 StackedEquations stackEquations(std::span<const CameraEquations> perView, const JointPose& joint,
                                 std::span<const RelativeCamera> geometry);
 
-/// Joint pose after a step of all parameters.
+/// Returns the joint pose after a step in all parameters.
 JointPose retract(const JointPose& joint, const Eigen::VectorXd& step);
 
 }   // namespace angiopose::core

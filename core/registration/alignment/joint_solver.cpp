@@ -112,7 +112,7 @@ void JointAtScale::addPriors(const JointPose& joint, JointEvaluation& evaluation
     }
 }
 
-/// Scales from the widest to the final one.
+/// Returns the scales from the widest to the final one.
 std::vector<double> jointScalesPx()
 {
     std::vector<double> scalesPx{jointStartScalePx};

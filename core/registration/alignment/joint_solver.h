@@ -9,7 +9,7 @@
 
 namespace angiopose::core {
 
-/// Input of the joint solve for one view.
+/// Input of the joint solver for one view.
 struct JointView {
     explicit JointView(RegistrationProblem given);
 
@@ -19,11 +19,10 @@ struct JointView {
     AgreementScore score;
 };
 
-/// Receives the current pose, the scale in px and the completed fraction, 0…1; Stop ends the refinement with the
-/// current result.
+/// Receives the current pose, the scale in px and the completed fraction, 0…1; Stop ends the refinement at this pose.
 using JointObserver = std::function<ObserverDecision(const JointPose& joint, double scalePx, double progress)>;
 
-/// Information that all images provide at a joint pose.
+/// Information that all images together provide at a joint pose.
 struct JointInformation {
     Matrix6d information;   ///< information about the first view's pose, assuming exact cameras
     Matrix6d cameraCovariance;   ///< contribution of camera errors to the covariance of the first view's pose
@@ -35,8 +34,8 @@ class JointSolver {
 public:
     using Views = std::vector<std::unique_ptr<JointView>>;
 
-    /// Derives the relative geometry of the views from their initial poses; `correctionStd` is its 1-σ error per view
-    /// (rad, mm).
+    /// Derives the relative geometry of the views from their initial poses; `correctionStd` is the 1-σ error of this
+    /// geometry per view (rad, mm).
     JointSolver(const Views& views, const InitialPosePrior& prior, std::vector<Vector6d> correctionStd);
 
     /// Transforms a pose in view `view` to the first view.
@@ -55,8 +54,8 @@ public:
 
     CentroidPose inView(const JointPose& joint, std::size_t view) const { return poseInView(joint, geometry_, view); }
 
-    /// Returns the information of all images about the first view's pose and the cameras; the geometry corrections are
-    /// marginalized with their standard deviations.
+    /// Returns the information that all images provide about the first view's pose and the cameras; the geometry
+    /// corrections are marginalized with their standard deviations.
     JointInformation jointInformation(const JointPose& joint) const;
 
     /// Returns the sum of squares of all corrections in units of σ.
@@ -77,8 +76,8 @@ private:
     std::vector<Vector6d> correctionStd_;   ///< one per view
 };
 
-/// Returns the displacement caused by a step in all parameters, mm: the larger of the tree's motion in the first view
-/// and the additional motion that a correction causes in another view.
+/// Returns the displacement caused by a step in all parameters, mm: the motion of the tree in the first view or the
+/// additional motion that a correction causes in another view, whichever is larger.
 double jointStepLengthMm(const Eigen::VectorXd& step, double spreadMm);
 
 }   // namespace angiopose::core

@@ -20,7 +20,7 @@ constexpr JunctionScale inImage{5.0, 20.0};   // px
 constexpr double shortestBasePx = 50.0;
 constexpr double maxZoom = 1.25;   // maximum scale ratio; corresponds to a depth error of 160 mm
 constexpr int sectors = 64;
-constexpr int spreadSectors = 6;   // tolerance on each side: directions within 34° match
+constexpr int spreadSectors = 6;   // tolerance on either side: directions within 34° match
 constexpr int minMatchingDirections = 2;   // minimum number of matching directions, of the three at a bifurcation
 constexpr double endOn = 0.3;   // directions nearly along the ray carry no information in the image
 constexpr int junctionCellPx = 8;
@@ -34,7 +34,7 @@ constexpr double tiltStepDeg = 10.0;
 constexpr double minRollDeg = 5.0;   // minimum roll range: junctions are traced a few px off, which adds apparent roll
 constexpr Basin basin{10.0, 5.0 * radiansPerDegree};
 
-/// Stride near the golden section of the count, which spreads any initial part of the sequence evenly.
+/// Returns a stride near the golden section of the count, which spreads any initial part of the sequence evenly.
 std::size_t strideCoprimeTo(std::size_t count)
 {
     auto step = static_cast<std::size_t>(0.618 * static_cast<double>(count)) + 1;
@@ -60,7 +60,7 @@ Eigen::Vector2d rotated(const Eigen::Vector2d& point, const Eigen::Vector2d& tur
     return {turn.x() * point.x() - turn.y() * point.y(), turn.y() * point.x() + turn.x() * point.y()};
 }
 
-/// Rotation vectors about the camera's x and y axes, evenly spread over the search range and including 0.
+/// Returns rotation vectors about the camera's x and y axes, evenly spread over the search range and including 0.
 std::vector<Eigen::Vector3d> tiltsWithin(const SearchRange& reach)
 {
     const int half = static_cast<int>(reach.tiltDeg / tiltStepDeg);

@@ -9,10 +9,10 @@ namespace angiopose::core {
 
 /// Finds initial poses from bifurcations (ALGORITHMS §6.9). For every tilt in range, aligning two nodes of the tree
 /// with two junctions of the traced vessels fixes the roll, both shifts and, through their distance, the depth. If the
-/// branch directions match at both, the fit is scored by the number of remaining nodes that also land on a junction;
-/// the best fits are ranked by the closeness of the whole tree to the vessels. The number of bases tried is limited,
-/// deterministic and spread evenly over the tree. Covers a wider range than CoarseSearch, which keeps the depth fixed,
-/// in less time.
+/// branch directions match at both, the fit is scored by the number of remaining nodes that also coincide with a
+/// junction; the best fits are ranked by the closeness of the whole tree to the vessels. The number of bases tried is
+/// limited, deterministic and spread evenly over the tree. Covers a wider range than CoarseSearch, which keeps the
+/// depth fixed, in less time.
 class JunctionSearch {
 public:
     JunctionSearch(const RegistrationProblem& problem, const TargetLines& target);
@@ -25,12 +25,12 @@ private:
     /// Set of image directions with one bit per sector of 1/64 turn; rotating the image rotates the bits.
     using DirectionBits = std::uint64_t;
 
-    /// Traced junction, or tree node projected under one tilt.
+    /// A traced junction, or a tree node projected at one tilt.
     struct ImageNode {
         Eigen::Vector2d px;   ///< relative to the principal point, camera axes
         DirectionBits ways;
     };
-    /// Vector between two junctions or two nodes.
+    /// Vector between two junctions or between two nodes.
     struct Base {
         double lengthPx;
         Eigen::Vector2d along;   ///< unit vector
@@ -39,7 +39,7 @@ private:
     };
     /// Transform that aligns two tree nodes with two traced junctions.
     struct Fit {
-        int matchedNodeCount = 0;   ///< number of nodes that land on junctions
+        int matchedNodeCount = 0;   ///< number of nodes that coincide with junctions
         double zoom = 1.0;
         Eigen::Vector2d turn;   ///< (cos, sin) of the roll
         Eigen::Vector2d centroidPx;   ///< relative to the principal point, as in ImageNode

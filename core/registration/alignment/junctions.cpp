@@ -82,8 +82,8 @@ private:
         return places;
     }
 
-    /// Adds the directions in which the curve leaves the junction, each measured over the length `leaving` from the
-    /// curve's nearest point.
+    /// Adds the directions in which the curve leaves the junction, each measured over a fixed length from the curve's
+    /// nearest point.
     void addDirections(std::size_t nearest, Junction<Dimension>& junction) const
     {
         const int curve = curveIndex_[nearest];

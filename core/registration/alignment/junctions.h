@@ -21,8 +21,8 @@ struct JunctionScale {
     double directionLength;   ///< length over which a direction is measured
 };
 
-/// Finds the points where a curve end touches another curve and at least three directions lead away. `curveIndex` must
-/// be ascending.
+/// Returns the points where a curve end touches another curve and at least three directions lead away. `curveIndex`
+/// must be ascending.
 template <int Dimension>
 std::vector<Junction<Dimension>> findJunctions(std::span<const Eigen::Matrix<double, Dimension, 1>> points,
                                                std::span<const int> curveIndex, const JunctionScale& scale);

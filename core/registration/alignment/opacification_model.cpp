@@ -98,7 +98,7 @@ int OpacificationModel::countUnopacifiedTerritories(std::span<const std::uint8_t
     for (const Node& node : order_) {
         const bool isPiece = at(node.number) < pieceCount;
         const bool isUnopacified = !isPiece || isOpacified[at(node.number)] == 0;
-        // An opacified segment separates the unopacified parts on its two sides.
+        // An opacified segment separates the unopacified parts on either side.
         const bool continues =
             node.above >= 0 && isUnopacified && (at(node.above) >= pieceCount || isOpacified[at(node.above)] == 0);
         top[at(node.number)] = continues ? top[at(node.above)] : node.number;

@@ -14,7 +14,7 @@ class OpacificationModel {
 public:
     explicit OpacificationModel(const TreeSamples& tree);
 
-    /// Segment index of every tree point.
+    /// Returns the segment index of every tree point.
     const std::vector<int>& segmentOfPoint() const { return segmentOfPoint_; }
     const std::vector<BranchSegment>& pieces() const { return parts_.pieces; }
 
@@ -23,16 +23,16 @@ public:
     /// programming over the tree).
     std::vector<std::uint8_t> likeliestStates(std::span<const double> opacifiedGain, double changeCost) const;
 
-    /// Number of connected unopacified stretches of at least `minMm`.
+    /// Returns the number of connected unopacified territories of at least `minMm`.
     int countUnopacifiedTerritories(std::span<const std::uint8_t> isOpacified, double minMm) const;
 
-    /// Number of junctions at which at least three opacified segments meet.
+    /// Returns the number of junctions at which at least three opacified segments meet.
     int countOpacifiedBifurcations(std::span<const std::uint8_t> isOpacified) const;
 
     double lengthMm(std::size_t piece) const { return lengthMm_[piece]; }
 
 private:
-    /// Tree node, numbered with the segments first and then the junctions; every node follows its parent.
+    /// Tree node; the segments are numbered first, then the junctions. Every node follows its parent.
     struct Node {
         int number;
         int above;   ///< parent node; −1 for a root

@@ -9,17 +9,17 @@ struct ScoredPose {
     CentroidPose pose;
     double score = 0.0;   ///< agreement in both directions, reduced by the distance from the initial pose; 0…1
     double agreement =
-        0.0;   ///< without that reduction; of the opacified parts where these explain the image clearly better
+        0.0;   ///< score without that reduction; of the opacified parts where these explain the image clearly better
     StopReason stopReason = StopReason::Converged;
     std::vector<std::uint8_t> isOpacified{};   ///< one per tree point; empty if the whole tree is expected in the image
     int opacifiedBifurcations = 0;   ///< number of bifurcations where three or more opacified segments meet
 };
 
-/// Whether parts of the tree may be unopacified (ALGORITHMS §6.17).
+/// Extent to which the tree is assumed to be opacified (ALGORITHMS §6.17).
 enum class TreeOpacification { Whole, Partial };
 
 /// Ranks hypotheses by how well they explain the image after a coarse refinement with few points, down to a scale of a
-/// few pixels. The thresholds were measured on 60 wrong optima for each of 60 simulated trees: none of these had a
+/// few pixels. The thresholds were determined on 60 wrong optima for each of 60 simulated trees: none of these had a
 /// score above 0.56, while true poses score 0.96 on clean targets, 0.6 to 0.87 with missing vessels and clutter, and
 /// 0.3 to 0.65 on traced angiograms, where most thin vessels are not traced.
 class PoseRanking {
@@ -48,10 +48,10 @@ public:
     /// Whether the tree matches hardly any vessel.
     bool isMismatch() const { return !hasScore(0.4); }
 
-    /// Best pose of every optimum, best first, limited to those that score at least `share` of the best.
+    /// Returns the best pose of every optimum, best first, limited to those that score at least `share` of the best.
     std::vector<ScoredPose> distinctPoses(double share, std::size_t count) const;
 
-    /// Median distance to the target, px; for progress display.
+    /// Returns the median distance to the target, px, for the progress display.
     double medianDistancePx(const CentroidPose& pose) { return points_.medianDistancePx(pose, distances_); }
 
 private:

@@ -7,11 +7,10 @@
 
 namespace angiopose::core {
 
-/// Receives the completed fraction, 0…1; Stop ends the search with the results so far.
+/// Receives the completed fraction, 0…1; if it returns Stop, the search ends with the results so far.
 using SearchObserver = std::function<ObserverDecision(double)>;
 
-/// Coarse searches that return poses for refinement (ALGORITHMS §6.8), best first. The options limit the range of each
-/// search.
+/// Coarse searches that return poses for refinement, best first (ALGORITHMS §6.8). The options limit their ranges.
 class PoseSearch {
 public:
     PoseSearch(const RegistrationProblem& problem, const TargetLines& target, const RegistrationOptions& options);
@@ -32,7 +31,8 @@ public:
     /// Searches the error range of the initial pose with the auxiliary branches {p'} only.
     std::vector<CentroidPose> searchWithAuxiliary(const CentroidPose& start, const SearchObserver& observe) const;
 
-    /// Initial pose shifted to project the tree's centroid onto the middle of the traced vessels (ALGORITHMS §5.4).
+    /// Returns the initial pose shifted to project the tree's centroid onto the traced vessels' center (ALGORITHMS
+    /// §5.4).
     CentroidPose recentered(const CentroidPose& start) const;
 
 private:

@@ -7,14 +7,14 @@
 
 namespace angiopose::core {
 
-/// Tree point relative to the tree's centroid, for inner loops.
+/// Tree point relative to the tree's centroid, for use in inner loops.
 struct AlignmentPoint {
     Eigen::Vector3d fromCentroid;   ///< mm, patient axes
     Eigen::Vector3d tangent;   ///< unit vector, patient axes
     int branchIndex = 0;
 };
 
-/// Tree point in the camera frame and in the image for one pose.
+/// Tree point in the camera frame and in the image at one pose.
 struct PointInCamera {
     Eigen::Vector3d rotated;   ///< offset from the centroid, camera axes, mm
     Eigen::Vector3d inCamera;

@@ -21,7 +21,7 @@ public:
     /// Adds a point unless it lies outside the image.
     void add(const ProjectedPoint& point);
 
-    /// Nearest point within the search radius, or null.
+    /// Returns the nearest point within the search radius, or null.
     const ProjectedPoint* nearest(double u, double v) const;
 
 private:

@@ -9,7 +9,7 @@
 namespace angiopose::core {
 namespace {
 
-constexpr int stretchPoints = 30;   // length of a stretch; 30 mm at the default point spacing
+constexpr int stretchPoints = 30;   // number of points of a stretch; 30 mm at the default spacing
 constexpr int stretchStep = 5;   // number of points between the starts of successive stretches
 constexpr double residualMadToStd = 1.4826;
 constexpr int minStretchPoints = 6;
@@ -111,7 +111,7 @@ struct Correlation {
     double inflation = 1.0;   ///< true variance of the scatter divided by the variance within stretches
 };
 
-/// Subtracting the mean of a stretch also removes correlated scatter; this adds back its variance, s² l_c / n.
+/// Returns the correlation of the scatter. Adds back the variance s² l_c / n that subtracting a stretch's mean removes.
 Correlation correlationOf(const std::vector<double>& autocovariance)
 {
     Correlation correlation;

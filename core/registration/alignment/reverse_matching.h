@@ -6,20 +6,21 @@
 
 namespace angiopose::core {
 
-/// Matches each target line to its nearest tree point. Recomputes the matches only after a point has moved in the
+/// Matches each target line to its nearest tree point. The matches are recomputed only after a point has moved in the
 /// image: until then, a neighboring tree point gives the same distance across the branch.
 class ReverseMatching {
 public:
     static constexpr std::size_t lineStride = 2;   ///< skips neighboring lines, whose noise is correlated
 
-    /// Projected tree points; the caller fills this buffer.
+    /// Returns the buffer for the projected tree points, which the caller fills.
     std::vector<PointInCamera>& projected() { return projected_; }
     const std::vector<PointInCamera>& projected() const { return projected_; }
 
     /// Recomputes the matches for the current points if necessary.
     void match(const TargetLines& target, int width, int height, double reachPx);
 
-    /// Index of the nearest tree point for every `lineStride`-th line; −1 if none lies within the search radius.
+    /// Returns the index of the nearest tree point for every `lineStride`-th line; −1 if none is within the search
+    /// radius.
     const std::vector<int>& matches() const { return matches_; }
 
 private:

@@ -7,7 +7,7 @@
 namespace angiopose::core {
 
 /// Residual model of a smoothly deformed tree: a Gaussian random field in the image plane, correlated over about 40 mm
-/// in space, displaces the projected vessels. The field is constant over short blocks of a branch. All values are in
+/// in 3-D, displaces the projected vessels. The field is constant over short blocks of a branch. All values are in
 /// units of information: weights are divided by the variance of a row, and the prior adds 1/σ². The parameters are the
 /// 6 of the pose, optionally followed by 3 of the camera.
 template <int Parameters>
@@ -19,8 +19,8 @@ public:
 
     ShapeFieldOf(const std::vector<ResidualRow>& rows, double rowVariance);
 
-    /// Normal equations of the parameters with the field eliminated (generalized least squares); `offsetPx` is the
-    /// standard deviation of the field.
+    /// Returns the normal equations of the parameters with the field eliminated (generalized least squares); `offsetPx`
+    /// is the standard deviation of the field.
     Equations equations(double offsetPx);
 
     /// Returns the standard deviation of the field by restricted maximum likelihood, with the pose parameters

@@ -15,7 +15,7 @@ constexpr int maxShapeSteps = 8;
 constexpr double settledShapeSigmas = 0.1;   // a step this short, in standard deviations, ends the refinement
 constexpr double minShapeDamping = 1e-9;
 // Eigenvalue fraction of vessels within about 6° (RMS) of one direction: traced directions scatter by this much, and
-// such vessels do not constrain a shift along them.
+// such vessels do not constrain a shift along that direction.
 constexpr double minNormalSpread = 0.01;
 
 NormalEquations priorAt(const InitialPosePrior& prior, const CentroidPose& pose, double variance = 1.0)
@@ -30,7 +30,7 @@ double tolerantScalePx(const ResidualNoise& noise)
     return std::max(1.0, scaleFactor * std::hypot(noise.scatterPx, noise.offsetPx));
 }
 
-/// Collects rows with weights adapted to the noise of the residuals, which is returned.
+/// Collects rows with weights adapted to the noise of the residuals and returns this noise.
 ResidualNoise collectRobustRows(const Alignment& alignment, const CentroidPose& pose, std::vector<ResidualRow>& rows)
 {
     alignment.collectRows(pose, matchScalePx, rows);
@@ -66,19 +66,19 @@ EquationsOf<Parameters> sumRows(const std::vector<ResidualRow>& rows, double row
     return sum;
 }
 
-/// Whether the step is a small fraction of the uncertainty in the equations; `variance` is that of one row.
+/// Whether the step is a small fraction of the uncertainty given by the equations; `variance` is that of one row.
 bool isSettled(const Vector6d& step, const NormalEquations& equations, double variance)
 {
     const double squaredSigmas = step.dot(equations.hessian.selfadjointView<Eigen::Lower>() * step) / variance;
     return squaredSigmas < settledShapeSigmas * settledShapeSigmas;
 }
 
-/// Returns the length-weighted second moments of the image normals of the matched vessels, which state how well lateral
+/// Returns the length-weighted second moments of the image normals of the matched vessels, which show how well lateral
 /// shifts are constrained.
 Eigen::Matrix2d normalMoments(const std::vector<ResidualRow>& rows, const CentroidPose& pose)
 {
     constexpr std::size_t apart =
-        5;   // in rows; far enough apart to measure the direction of the vessel rather than its sampling
+        5;   // number of rows; far enough apart to measure the direction of the vessel rather than its sampling
     const auto seen = [&pose](const ResidualRow& row) {
         const Eigen::Vector3d inCamera = row.fromCentroid + pose.centroidInCamera;
         return Eigen::Vector2d(inCamera.head<2>() / inCamera.z());

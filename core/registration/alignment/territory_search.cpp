@@ -32,7 +32,7 @@ constexpr double basinCells = 3.0;
 constexpr double basinOfStep = 0.75;
 constexpr double maxShiftShare = 0.6;   // maximum shift as a fraction of the image side
 
-/// Unit directions 0°, 45°, 90°, 135°.
+/// Unit vectors at 0°, 45°, 90° and 135°.
 const std::array<Eigen::Vector2d, 4> channelDirections{
     Eigen::Vector2d(1.0, 0.0), Eigen::Vector2d(std::numbers::sqrt2 / 2.0, std::numbers::sqrt2 / 2.0),
     Eigen::Vector2d(0.0, 1.0), Eigen::Vector2d(-std::numbers::sqrt2 / 2.0, std::numbers::sqrt2 / 2.0)};

@@ -10,11 +10,11 @@ namespace angiopose::core {
 /// width score lower.
 class TerritorySearch {
 public:
-    /// `radiusPx` holds the radius of each target line, 0 where unknown; may be empty.
+    /// `radiusPx` holds the radius of each target line, 0 if unknown; it may be empty.
     TerritorySearch(const ProjectionCamera& camera, const TargetLines& target, std::span<const double> radiusPx = {});
 
-    /// Like CoarseSearch::find; scores are the mean closeness of the target to the tree. `radiusMm` holds the radius of
-    /// each point, 0 where unknown; may be empty.
+    /// Like CoarseSearch::find; the scores are the mean closeness of the target to the tree. `radiusMm` holds the
+    /// radius of each point, 0 if unknown; it may be empty.
     std::vector<CoarseCandidate> find(std::span<const AlignmentPoint> points, std::span<const double> radiusMm,
                                       const CentroidPose& start, const SearchRange& reach,
                                       const std::function<ObserverDecision(double)>& proceed);
@@ -40,7 +40,7 @@ private:
     ProjectionCamera camera_;
     int cellPx_;
     std::vector<TargetPoint> targetPoints_;   ///< evenly spaced subset of the target points
-    std::vector<double> logWidths_;   ///< widths of the target, each with its own channels; NaN: unknown width
+    std::vector<double> logWidths_;   ///< widths of the target, each with its own channels; NaN for an unknown width
     std::vector<std::uint8_t> widthsMatch_;   ///< per tree point and target width, 1 if they match
     Stamp sameWidthStamp_;   ///< closeness 0…255 around a tree point
     Stamp otherWidthStamp_;   ///< closeness for vessels of a different width

@@ -15,7 +15,7 @@ namespace {
 
 /// Part of the tree on one side of a plane normal to a patient axis that moved as a rigid body relative to the rest.
 struct MovedPart {
-    Eigen::Vector3d side;   ///< unit vector in patient axes toward the part's side of the plane
+    Eigen::Vector3d side;   ///< unit vector in patient axes, toward the part's side of the plane
     double share = 0.0;   ///< fraction of the tree's length
     Eigen::Vector3d shift;   ///< mean motion of the part relative to the rest, mm, patient axes
 };

@@ -16,7 +16,7 @@ struct CurveCrossing {
     int curve = -1;
 };
 
-/// Image line along which to search for crossings.
+/// Line in the image along which to search for crossings.
 struct CrossingQuery {
     Eigen::Vector2d positionPx;
     Eigen::Vector2d normal;   ///< unit vector along the line
@@ -28,10 +28,10 @@ class CurveCrossings {
 public:
     CurveCrossings(const TargetSamples& target, const ProjectionCamera& camera);
 
-    /// Returns false if no two target points belong to the same curve.
+    /// Whether there are curves; false if no two target points belong to the same curve.
     bool hasCurves() const { return !pieces_.empty(); }
 
-    /// Finds up to `most` crossings in range whose direction differs from the vessel by less than `maxAngle` (rad),
+    /// Finds up to `maxCount` crossings in range whose direction differs from the vessel by less than `maxAngle` (rad),
     /// nearest first.
     void find(const CrossingQuery& query, double maxAngle, std::size_t maxCount,
               std::vector<CurveCrossing>& crossings) const;
@@ -50,7 +50,7 @@ private:
                      std::vector<CurveCrossing>& crossings) const;
 
     std::vector<Piece> pieces_;   ///< line segments sorted by cell
-    std::vector<std::int32_t> starts_;   ///< index of the first piece of each cell, row by row, and the end
+    std::vector<std::int32_t> starts_;   ///< index of the first piece of each cell, row by row, with an end entry
     int columns_ = 0;
     int rows_ = 0;
 };

@@ -27,7 +27,7 @@ struct DeformableOptions {
 struct DeformableView {
     RegistrationInput input;
     RigidTransform rigidCameraFromPatient;
-    std::size_t number = 0;   ///< view number shown in messages; 0 stands for its position, counting from 1
+    std::size_t number = 0;   ///< view number shown in messages; 0 stands for the position in the list, starting at 1
 };
 
 /// Rigid: no evidence of deformation; the rigid pose is unchanged. Unsure: the vessels are deformed, but fits from
@@ -38,17 +38,17 @@ enum class DeformationVerdict { Rigid, Deformed, Unsure };
 struct BranchMotion {
     int branchId = 0;
     std::vector<Eigen::Vector3d> displacementMm;   ///< one per point of the branch, patient axes
-    /// Position covariance of each point, including pose and displacement, mm² in camera axes of the first view: x and
-    /// y in the image plane, z along the ray.
+    /// Position covariance of each point, from pose and displacement together, mm² in camera axes of the first view: x
+    /// and y in the image plane, z along the ray.
     std::vector<Eigen::Matrix3d> covariance;
     double seenShare = 0.0;   ///< fraction of the branch length that matches a traced vessel in at least one view, 0…1
 };
 
-/// Rigid component of a deformation; reported only, the rigid pose stays unchanged.
+/// Rigid component of a deformation, for reporting only; the rigid pose stays unchanged.
 struct RigidOffset {
-    Vector6d step = Vector6d::Zero();   ///< to the pose nearest to the deformed tree, about the centroid; rad, mm
+    Vector6d step = Vector6d::Zero();   ///< step to the pose nearest to the deformed tree, about the centroid; rad, mm
     Matrix6d covariance = Matrix6d::Zero();   ///< covariance of that step
-    /// Distance between the points of the rigid tree and the deformed one, in space if several views measure the depth
+    /// Distance between the points of the rigid tree and the deformed one, in 3-D if several views measure the depth
     /// (geometryMm <= posePriorMm), otherwise in the image plane: overall, and for the branch with the largest mean.
     double meanMm = 0.0;
     double farthestMm = 0.0;
@@ -62,7 +62,7 @@ struct DeformableResult {
     std::vector<RigidTransform> viewPoses;   ///< nearest rigid pose in each view
     std::vector<BranchMotion> branches;   ///< one per branch, in the order of the tree
     double logEvidenceGain = 0.0;   ///< log evidence of the deformed tree over the rigid one
-    double largestMotionMm = 0.0;   ///< largest nonrigid motion, in the image plane for one view, otherwise in space
+    double largestMotionMm = 0.0;   ///< largest nonrigid motion, in the image plane for one view, otherwise in 3-D
     double meanMotionMm = 0.0;
     double spreadMm = 0.0;   ///< RMS difference between the fits, in the image plane of the first view
     double placeStdMm = 0.0;   ///< RMS over the points of the 1-σ position error in the image plane of the first view
@@ -72,13 +72,13 @@ struct DeformableResult {
     StopReason stopReason = StopReason::Converged;
     int iterations = 0;
     double timeMs = 0.0;
-    Messages messages;   ///< describe the relative motion and why a result is unsure
+    Messages messages;   ///< describe the relative motion and the reason if the result is unsure
 };
 
-/// Deforms the tree from its rigid pose onto the vessels. Jointly estimates the pose and a Gaussian process of motion,
-/// matching vessels along the tree: with one view, motion in the image plane (along the ray it keeps its prior), with
-/// several views, motion in space. Fails only on unusable input. Deterministic; calls `observe` after each step on the
-/// calling thread; on Stop, keeps the rigid pose with the verdict Unsure.
+/// Deforms the tree from its rigid pose to fit the vessels. Jointly estimates the pose and a Gaussian process of
+/// motion, matching vessels along the tree: with one view, motion in the image plane (motion along the ray keeps its
+/// prior), with several views, motion in 3-D. Fails only on unusable input. Deterministic; calls `observe` after each
+/// step on the calling thread; if it returns Stop, keeps the rigid pose with the verdict Unsure.
 Result<DeformableResult> deformVessels(std::span<const DeformableView> views, const DeformableOptions& options = {},
                                        const IterationObserver& observe = {});
 

@@ -19,14 +19,13 @@ constexpr double turnDeviation = 20.0 / 180.0 * std::numbers::pi;
 constexpr std::size_t maxCandidates = 6;
 constexpr double evidenceShare = 0.4;   // weight of a candidate's evidence, reduced because neighbors are correlated
 constexpr double robustDeviations = 2.5;
-constexpr double independentMm = 4.0;   // along a vessel; beyond it, errors of a traced curve are uncorrelated
+constexpr double independentMm = 4.0;   // distance along a vessel beyond which traced errors are uncorrelated
 constexpr double minRowWeight = 0.03;
 constexpr double minNoisePx = 0.2;
 constexpr double greatestNoisePx = 4.0;
-// For Gaussian residuals, the fraction of the squared residuals that the robust weights keep, divided by the mean
-// weight.
+// For Gaussian residuals, the fraction of the squared residuals kept by the robust weights, divided by the mean weight.
 constexpr double robustBias = 0.67;
-// Standard deviation of each motion at a strain of 1, mm: three motions in space, then the one along the tree.
+// Standard deviation of each motion at a strain of 1, mm: three motions in 3-D, then the one along the tree.
 constexpr std::array<double, motionCount> motionPerStrainMm{30.0, 20.0, 10.0, 12.0};
 
 double robustWeight(double residualMm, double deviationMm)

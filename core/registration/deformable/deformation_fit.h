@@ -26,7 +26,7 @@ struct DeformationProblem {
     Eigen::Vector3d centroidInPatient;
     CentroidPose start;   ///< rigid pose in the first view
     MotionPrior prior;   ///< priors of pose, geometry and motion; each fit estimates its own motion variances
-    GaussianEstimate startStep;   ///< prior of the step from the rigid pose, from the initial pose alone
+    GaussianEstimate startStep;   ///< prior of the step from the rigid pose, based on the initial pose alone
 };
 
 /// Current estimates of a fit.
@@ -60,9 +60,9 @@ public:
     const std::vector<MotionRow>& rows() const { return rows_; }
     const std::optional<FieldPosterior>& posterior() const { return posterior_; }   ///< nullopt if there are no rows
 
-    /// Fraction of the visible length of the used branches that matches a vessel, 0…1.
+    /// Returns the fraction of the visible length of the used branches that matches a vessel, 0…1.
     double explainedShare() const { return explainedShare_; }
-    /// Log likelihood of the rows and the unmatched knots, up to a constant that all fits share.
+    /// Returns the log likelihood of the rows and the unmatched knots, up to a constant common to all fits.
     double logLikelihood() const;
 
     double medianResidualPx() const { return medianResidualPx_; }
@@ -80,7 +80,7 @@ private:
     void collectRows(std::size_t view, const DeformationStep& step);
     void addRow(const KnotProjection& projection, const KnotChoice& choice, std::size_t view,
                 const DeformationStep& step);
-    double predictedMm(const MotionRow& row) const;   ///< offset predicted by pose, geometry and motion for a row
+    double predictedMm(const MotionRow& row) const;   ///< offset that pose, geometry and motion predict for a row
     void updateVariances();
     void measureDeviations();
 

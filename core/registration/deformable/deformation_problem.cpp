@@ -38,7 +38,7 @@ Matrix6d independentVariances(double turnDeg, double shiftMm)
     return deviations.cwiseAbs2().asDiagonal();
 }
 
-/// Prior of the step from the rigid to the true pose, from the initial pose alone.
+/// Returns the prior of the step from the rigid to the true pose, based on the initial pose alone.
 GaussianEstimate stepByStart(const CentroidPose& rigid, const RegistrationInput& input,
                              const DeformableOptions& options)
 {

@@ -11,8 +11,7 @@ namespace angiopose::core {
 Result<DeformationProblem> makeDeformationProblem(std::span<const DeformableView> views,
                                                   const DeformableOptions& options);
 
-/// Replaces the image or the rigid pose and keeps the tree, its knots and the kernel. Leaves the problem unchanged on
-/// failure.
+/// Replaces the image or the rigid pose, but not the tree, its knots and the kernel. Changes nothing on failure.
 Status replaceView(DeformationProblem& problem, const DeformableView& view, const DeformableOptions& options);
 
 }   // namespace angiopose::core

@@ -11,7 +11,7 @@ namespace angiopose::core {
 /// matches a vessel, the frame is fitted from scratch.
 class DeformationTracker {
 public:
-    /// Continues from the deformation `known`, found in one frame and in this view only; fails if the view is unusable.
+    /// Continues from the deformation `previous`, found in one frame of this view alone; fails if the view is unusable.
     static Result<DeformationTracker> after(const DeformableView& view, DeformableResult previous,
                                             const DeformableOptions& options = {});
 

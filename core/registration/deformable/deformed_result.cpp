@@ -11,12 +11,12 @@
 namespace angiopose::core {
 namespace {
 
-// Larger residuals are motion that the field did not capture; they are correlated along a vessel, and averaging does
-// not reduce them.
+// Larger residuals are due to motion that the field did not capture; they are correlated along a vessel, so averaging
+// does not reduce them.
 constexpr double tracingNoisePx = 0.6;
 constexpr double fitWeightScale = 20.0;   // a fit whose log likelihood is lower by this gets a third of the weight
 
-/// Every other knot of each branch, plus its last one: covariances change slowly along a branch.
+/// Returns every other knot of each branch and its last one; covariances change slowly along a branch.
 std::vector<std::size_t> everyOther(const TreeKnots& knots)
 {
     std::vector<std::size_t> selectedKnots;
@@ -119,7 +119,7 @@ std::vector<double> seenShares(const DeformationProblem& problem, const Deformat
     return shares;
 }
 
-/// Returns the length of a motion: in the image plane for a single view, otherwise in space.
+/// Returns the length of a motion: in the image plane for a single view, otherwise in 3-D.
 double seenMotionMm(const Eigen::Vector3d& motion, const RigidTransform& pose, std::size_t viewCount)
 {
     return viewCount == 1 ? (pose.rotation * motion).head<2>().norm() : motion.norm();

@@ -16,8 +16,8 @@ KnotPositions knotPositionsInCamera(const DeformationProblem& problem, const Def
 /// Returns the weight of each fit from its likelihood relative to the best one; the weights sum to 1.
 std::vector<double> fitWeights(const std::vector<DeformationFit>& fits, std::size_t best);
 
-/// Returns the factor, at least 1, by which to scale up the covariances of a fit to account for motion that its field
-/// did not capture and that does not average out.
+/// Returns the factor, at least 1, by which to scale up the covariances of a fit to account for motion that the field
+/// does not capture and that does not average out.
 double covarianceInflation(const DeformationFit& fit);
 
 /// Builds the result of the best of several fits: the nearest rigid pose, the remaining motion of every tree point, and
@@ -25,10 +25,10 @@ double covarianceInflation(const DeformationFit& fit);
 DeformableResult deformedResult(std::span<const DeformableView> views, const DeformationProblem& problem,
                                 const std::vector<DeformationFit>& fits, std::size_t best);
 
-/// Builds a result without motion, with the rigid poses unchanged.
+/// Returns a result without motion, with the rigid poses unchanged.
 DeformableResult rigidResult(std::span<const DeformableView> views);
 
-/// Rigid motion that maps `from` onto `to` with the smallest weighted sum of squares (Kabsch 1976).
+/// Returns the rigid motion that maps `from` onto `to` with the smallest weighted sum of squares (Kabsch 1976).
 RigidTransform fitRigidTransform(const std::vector<Eigen::Vector3d>& from, const std::vector<Eigen::Vector3d>& to,
                                  const std::vector<double>& weights);
 

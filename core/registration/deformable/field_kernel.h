@@ -9,7 +9,7 @@
 namespace angiopose::core {
 
 /// Covariance model of vessel motion (ALGORITHMS §11.1). The motion along each axis is a sum of Gaussian processes:
-/// smooth body motion at three length scales in space, and motion along the tree as caused by a guidewire.
+/// smooth body motion at three length scales in 3-D, and motion along the tree as caused by a guidewire.
 inline constexpr std::array<double, 3> motionLengthsMm{80.0, 40.0, 20.0};
 inline constexpr double motionAlongTreeMm = 60.0;
 inline constexpr std::size_t motionCount = motionLengthsMm.size() + 1;   ///< the last one acts along the tree
@@ -17,7 +17,7 @@ inline constexpr std::size_t motionCount = motionLengthsMm.size() + 1;   ///< th
 /// Variance of each motion component, mm² per axis.
 using MotionVariances = std::array<double, motionCount>;
 
-/// Covariances between the knots of a tree for motions of unit variance; single precision is much finer than any noise.
+/// Covariances between the knots of a tree for motions of unit variance; single precision suffices at any noise level.
 class FieldKernel {
 public:
     explicit FieldKernel(const TreeKnots& knots);

@@ -12,7 +12,7 @@ namespace angiopose::core {
 struct MotionRow {
     std::size_t knot = 0;
     std::size_t view = 0;
-    Eigen::Vector3d motionJacobian;   ///< see KnotLook
+    Eigen::Vector3d motionJacobian;   ///< see KnotProjection
     Vector6d poseJacobian;
     Vector6d geometryJacobian;
     double valueMm = 0.0;
@@ -46,27 +46,28 @@ public:
     /// Returns log N(values; 0, covariance).
     double logEvidence() const;
 
-    /// Posterior variances of the noise-free values of the posterior's own rows (cheap), or of other rows.
+    /// Returns the posterior variances of the noise-free values of the posterior's own rows (cheap), or of other rows.
     Eigen::VectorXd variances() const;
     Eigen::VectorXd variancesOf(const std::vector<MotionRow>& others) const;
 
-    /// Covariances of the positions of `knots` in the camera of the first view, mm², from pose and motion together;
-    /// `poseJacobian[k]` is the derivative of the position of `knots[k]` with respect to the pose step.
+    /// Returns the covariances of the positions of `knots` in the camera of the first view, mm², from pose and motion
+    /// together; `poseJacobian[k]` is the derivative of the position of `knots[k]` with respect to the pose step.
     std::vector<Eigen::Matrix3d> positionCovariances(const std::vector<std::size_t>& knots,
                                                      const std::vector<Eigen::Matrix<double, 3, 6>>& poseJacobian,
                                                      const Eigen::Matrix3d& cameraFromPatient) const;
 
-    /// Posterior of `motionJacobian` · (motion of all knots, patient axes, knot by knot) + pose step, given the prior
-    /// `pose` of that step. Requires a posterior built without a pose prior (zero covariance), because wide pose priors
-    /// combined with precise rows need double precision.
+    /// Returns the posterior of `motionJacobian` · (motion of all knots, patient axes, knot by knot) + pose step, given
+    /// the prior `pose` of that step. Requires a posterior built without a pose prior (zero covariance), because wide
+    /// pose priors combined with precise rows need double precision.
     GaussianEstimate posteriorWithPose(const Eigen::Matrix<float, 6, Eigen::Dynamic>& motionJacobian,
                                        const GaussianEstimate& pose) const;
 
-    /// Variances that maximize the evidence of the estimated motions (MacKay 1992): σ² = |w|²/γ with γ effective
-    /// parameters; a weak prior keeps them finite.
+    /// Returns the variances that maximize the evidence of the estimated motions (MacKay 1992): σ² = |w|²/γ with γ
+    /// effective parameters; a weak prior keeps them finite.
     MotionVariances estimateVariances() const;
 
-    /// Effective number of parameters that the rows determine: the degrees of freedom to subtract in a noise estimate.
+    /// Returns the effective number of parameters determined by the rows: the degrees of freedom lost to a noise
+    /// estimate.
     double effectiveParameters() const;
 
 private:

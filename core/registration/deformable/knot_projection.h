@@ -37,7 +37,7 @@ struct ProjectionContext {
     const CurveCrossings* curves = nullptr;
 };
 
-/// Returns nullopt for knots of an excluded branch, behind the source, or on a vessel that runs along the ray.
+/// Returns one projection per knot; nullopt on an excluded branch, behind the source, or on a vessel along the ray.
 std::vector<std::optional<KnotProjection>> projectKnots(const TreeKnots& knots, const DeformedTree& deformed,
                                                         const ProjectionContext& context);
 

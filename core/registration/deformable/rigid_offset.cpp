@@ -64,14 +64,13 @@ GaussianEstimate stepPosterior(const DeformationProblem& problem, const Deformat
                                        problem.startStep);   // for a rigid step, the nearest step is the step itself
 }
 
-/// Whether the views measure the depth: only several whose relative shift is known better than the shift of the pose.
+/// Whether the views measure the depth, as only several views do whose relative shift is known better than the pose's.
 bool isDepthMeasured(const DeformationProblem& problem)
 {
     return problem.views.size() > 1 && problem.prior.geometry(5, 5) <= problem.prior.pose(5, 5);
 }
 
-/// Returns the shift between two points: in space if the depth is measured, otherwise in the image plane at their
-/// depth.
+/// Returns the shift between two points: in 3-D if the depth is measured, otherwise in the image plane at their depth.
 double shiftMm(bool inSpace, const Eigen::Vector3d& from, const Eigen::Vector3d& to)
 {
     return inSpace ? (to - from).norm() : (to.head<2>() - to.z() / from.z() * from.head<2>()).norm();

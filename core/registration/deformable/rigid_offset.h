@@ -7,8 +7,8 @@
 
 namespace angiopose::core {
 
-/// Returns the offset of the rigid pose found by the best of several fits, using the priors of the initial pose and of
-/// the motion (ALGORITHMS §11.5).
+/// Returns the offset of the rigid pose from the best of several fits, using the priors of the initial pose and of the
+/// motion (ALGORITHMS §11.5).
 RigidOffset rigidOffset(const VesselTree& tree, const DeformationProblem& problem,
                         const std::vector<DeformationFit>& fits, std::size_t best);
 

@@ -12,7 +12,7 @@ constexpr double maxDifferenceCost = 6.0;   // upper limit, because of crossing 
 constexpr double appearCost = 2.0;   // cost if only one of two neighboring knots is matched
 constexpr double otherCurveCost = 0.3;   // cost of switching curves between neighbors; traced curves break at crossings
 
-/// Likelihoods of a knot's states, passed as messages: first unmatched, then its candidates.
+/// Likelihoods of a knot's states, passed as messages: unmatched first, then the candidates.
 using StateLikelihoods = Eigen::VectorXd;
 
 StateLikelihoods ownLikelihoods(const KnotChoice& choice)

@@ -15,7 +15,7 @@ struct KnotCandidate {
     double probability = 0.0;   ///< posterior given all knots: the output
 };
 
-/// Candidates of one knot in one view, before matching; a knot without candidates remains unmatched.
+/// Candidates of one knot in one view before matching; a knot without candidates remains unmatched.
 struct KnotChoice {
     Eigen::Vector2d normal = Eigen::Vector2d::Zero();   ///< normal of the projected vessel
     std::vector<KnotCandidate> candidates;
@@ -28,8 +28,8 @@ struct NeighborModel {
 };
 
 /// Matches knots to curves by sum-product message passing along the tree (ALGORITHMS §11.3): computes the probability
-/// of each candidate of every knot; the remainder to 1 is the probability that the image does not show the knot. Exact,
-/// because the links form a forest.
+/// of each candidate of every knot; the remainder to 1 is the probability that the knot is not visible in the image.
+/// The result is exact, because the links form a forest.
 void matchAlongTree(const TreeKnots& knots, const NeighborModel& model, std::vector<KnotChoice>& choices);
 
 }   // namespace angiopose::core

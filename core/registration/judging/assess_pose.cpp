@@ -19,7 +19,7 @@ namespace angiopose::core {
 
 namespace {
 
-/// Pose with the tree projected at it and its uncertainty.
+/// A pose with the tree projected at it, and the uncertainty of the pose.
 struct PoseInImage {
     const RegistrationProblem& problem;
     const TargetLines& target;
@@ -90,7 +90,7 @@ FitIndicators computeIndicators(const PoseInImage& seen, const RegistrationOptio
     return indicators;
 }
 
-constexpr double settledMm = 0.3;   // maximum shift by refinement for which the camera is assessed
+constexpr double settledMm = 0.3;   // maximum shift by refinement up to which the camera is assessed
 
 bool anyIsOpacified(const MethodSolution& solution)
 {

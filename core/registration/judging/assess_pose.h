@@ -5,8 +5,7 @@
 
 namespace angiopose::core {
 
-/// Assesses a pose: computes distances, residuals per branch, uncertainty and confidence. Leaves method and history
-/// unset.
+/// Returns the assessment of a pose: distances, branch residuals, uncertainty and confidence, but no method or history.
 RegistrationResult assessPose(const RegistrationProblem& problem, const RegistrationOptions& options,
                               const MethodSolution& solution);
 

@@ -9,8 +9,8 @@
 namespace angiopose::core {
 
 /// Returns the Fisher information of a straight vessel segment for pose steps (rotation rad, shift mm) about
-/// `centerInCamera` in camera axes (ALGORITHMS §6.10), given one traced point per px with 1 px noise across the vessel.
-/// Zero if the segment does not project.
+/// `centerInCamera` in camera axes (ALGORITHMS §6.10), assuming one traced point per px with 1 px noise across the
+/// vessel. Zero if the segment does not project.
 Matrix6d segmentInformation(const ProjectionCamera& camera, const Eigen::Vector3d& fromInCamera,
                             const Eigen::Vector3d& toInCamera, const Eigen::Vector3d& centerInCamera);
 
@@ -22,7 +22,7 @@ struct BranchInformation {
 };
 
 /// Returns the information about the pose from the projection of each branch inside the image, in the tree's order; the
-/// noise of traced points is 1 px, correlated over about 10 px.
+/// noise of traced points is assumed to be 1 px, correlated over about 10 px.
 std::vector<BranchInformation> branchInformation(const VesselTree& tree, const ProjectionCamera& camera,
                                                  const RigidTransform& cameraFromPatient);
 
@@ -31,8 +31,8 @@ std::vector<BranchInformation> branchInformation(const VesselTree& tree, const P
 Vector6d expectedStd(const std::vector<BranchInformation>& branches, const std::vector<int>& ids,
                      const Vector6d& priorStd);
 
-/// Returns up to `count` branches, best first, each chosen to reduce the σ of one step component (0…5) most, given the
-/// previous ones. Stops early if another branch would reduce it by less than a twentieth.
+/// Returns up to `count` branches, best first: each is the one that, given the previous ones, most reduces the σ of one
+/// step component (0…5). Stops early if another branch would reduce σ by less than a twentieth.
 std::vector<int> bestBranchesForComponent(const std::vector<BranchInformation>& branches, int step,
                                           const Vector6d& priorStd, int count);
 

@@ -26,7 +26,7 @@ constexpr double convincingShare = 0.4;
 constexpr int convincingBranches = 4;
 constexpr double wellFollowedShare =
     0.8;   // fraction of the tree on vessels above which other vessels in the image explain low agreement
-constexpr double stayedInDepthMm = 5.0;   // depth change below which the depth counts as unchanged
+constexpr double stayedInDepthMm = 5.0;   // depth change up to which the depth counts as unchanged
 constexpr double maxRotationStdDeg = 3.0;
 constexpr double maxInPlaneStdMm = 3.0;
 
@@ -35,7 +35,7 @@ Quantity percent(double share)
     return {100.0 * share, 0, "%"};
 }
 
-/// Returns the low-agreement warning; a tree on vessels that covers few of them is another tree or in a wrong unit.
+/// Returns the low-agreement warning; a tree that lies on vessels but covers few is another tree or in a wrong unit.
 Message littleAgreement(double shareOfTree, double shareOfVessels)
 {
     return shareOfTree >= wellFollowedShare ? messages::tooLittleExplained(percent(shareOfVessels))

@@ -6,11 +6,11 @@ namespace angiopose::core {
 
 struct ConfidenceAssessment {
     bool isTrustworthy = true;
-    Messages warnings;   ///< reasons for low confidence first, then the quantities that one view cannot determine
+    Messages warnings;   ///< reasons for low confidence, followed by the quantities that one view cannot determine
 };
 
-/// Explains in clinical terms why a pose may be wrong; returns no messages if all checks pass. Requires the metrics,
-/// uncertainty, stop reason and indicators of `result`.
+/// Returns the confidence with clinical reasons why a pose may be wrong; no messages if all checks pass. Requires the
+/// metrics, uncertainty, stop reason and indicators of `result`.
 ConfidenceAssessment assessConfidence(const RegistrationProblem& problem, const RegistrationResult& result);
 
 }   // namespace angiopose::core

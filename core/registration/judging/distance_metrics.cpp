@@ -26,7 +26,7 @@ double squaredDistanceToSegment(const Eigen::Vector2d& query, const Eigen::Vecto
     return (query - from - share * along).squaredNorm();
 }
 
-/// Distance from `query` to the two segments that meet at the point `nearest`.
+/// Returns the distance from `query` to the two segments that meet at the point `nearest`.
 double distanceToCurve(const CurvePoints& curves, std::size_t nearest, const Eigen::Vector2d& query)
 {
     const Eigen::Vector2d& point = curves.points[nearest];
@@ -57,7 +57,7 @@ double meanOf(const std::vector<double>& values)
     return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
-/// Distance of every target point to the projected tree.
+/// Returns the distance from every target point to the projected tree.
 std::vector<double> reverseDistancesPx(const RegistrationProblem& problem, const ProjectedTree& projected)
 {
     std::vector<Eigen::Vector2d> visible;

@@ -5,7 +5,7 @@
 
 namespace angiopose::core {
 
-/// Maximum distance at which a point counts as lying on a vessel.
+/// Maximum distance at which a point counts as lying on a vessel, px.
 inline constexpr double matchTolerancePx = 3.0;
 
 /// Tree points projected at one pose. Distances refer to the curves, not to their sample points.
@@ -15,11 +15,11 @@ struct ProjectedTree {
     std::vector<std::uint8_t> isInView;   ///< 1 if inside the image
 };
 
-/// Projects the tree points; `target` must index the points of problem.target.
+/// Returns the projected tree points; `target` must index the points of problem.target.
 ProjectedTree projectTree(const RegistrationProblem& problem, const RigidTransform& cameraFromPatient,
                           const GridIndex& target);
 
-/// Computes the distances in both directions (ALGORITHMS §4.5). A point outside the image keeps its full distance.
+/// Returns the distances in both directions (ALGORITHMS §4.5). A point outside the image keeps its full distance.
 DistanceMetrics distanceMetrics(const RegistrationProblem& problem, const RigidTransform& cameraFromPatient,
                                 const ProjectedTree& projected);
 

@@ -17,8 +17,8 @@ struct FollowedVessels {
 
 inline constexpr double minStretchMm = 20.0;
 
-/// Checks the topology after convergence (ALGORITHMS §6.9): follows each branch point by point along a vessel within
-/// `agreementPx` and with a similar direction. A branch that only crosses vessels does not count.
+/// Checks the topology after convergence (ALGORITHMS §6.9): follows each branch point by point along a vessel that is
+/// close and has a similar direction. A branch that only crosses vessels does not count.
 FollowedVessels followedVessels(const RegistrationProblem& problem, const TargetLines& target,
                                 const RigidTransform& cameraFromPatient, const ProjectedTree& projected);
 

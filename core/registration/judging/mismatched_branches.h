@@ -13,8 +13,8 @@ struct MismatchedBranches {
 };
 
 /// Returns the branches with a median distance above 1 mm, except those reported as unopacified, explained by
-/// deformation or, for a wire, off its path. They may nevertheless be unopacified or have moved; the pose may still be
-/// correct and reliable.
+/// deformation or, for a wire, off its path. They may nevertheless be unopacified or have moved, and the pose may still
+/// be correct and reliable.
 MismatchedBranches mismatchedBranches(const RegistrationResult& result, double millimetersPerPixel);
 
 }   // namespace angiopose::core

@@ -48,7 +48,7 @@ double middle(const std::vector<WidthPair>& pairs, double (*value)(const WidthPa
     return medianOf(std::move(values));
 }
 
-/// Pearson correlation of the log widths.
+/// Returns the Pearson correlation of the log widths.
 double correlationOf(const std::vector<WidthPair>& pairs)
 {
     const double count = static_cast<double>(pairs.size());

@@ -14,12 +14,12 @@ struct ObservedDiameter {
     double correlation = 0.0;   ///< correlation of the log widths along the vessels; 0 if either is constant
 };
 
-/// Compares widths at a pose with projection `projected`; returns no pairs if tree or target lacks widths.
+/// Compares the widths at a pose whose projection is `projected`; returns no pairs if tree or target lacks widths.
 ObservedDiameter observedDiameter(const RegistrationProblem& problem, const TargetLines& target,
                                   const RigidTransform& cameraFromPatient, const ProjectedTree& projected);
 
-/// Whether the traced curves are opacified vessels rather than a guidewire or catheter: about as wide as expected, and
-/// varying in width along with the tree, unlike any device (ALGORITHMS §6.16).
+/// Whether the traced curves are opacified vessels rather than a guidewire or catheter: about as wide as expected and,
+/// unlike a device, varying in width along with the tree (ALGORITHMS §6.16).
 bool isLumen(const ObservedDiameter& diameter);
 
 }   // namespace angiopose::core

@@ -6,7 +6,7 @@
 namespace angiopose::core {
 
 /// Returns the mean displacement of the tree points between two poses, perpendicular to the camera's z axis, mm.
-/// Approximates the reprojection distance of ALGORITHMS §4.5 and, like it, ignores depth.
+/// Approximates the reprojection distance of ALGORITHMS §4.5 and, like that distance, ignores depth.
 double meanShiftMm(const TreeSamples& tree, const RigidTransform& a, const RigidTransform& b);
 
 /// Returns the expected in-plane displacement for a covariance: root mean square over the tree points, 1-σ. Excludes

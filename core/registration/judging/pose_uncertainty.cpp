@@ -20,14 +20,14 @@ Alignment informativeAlignment(const RegistrationProblem& problem, const TargetL
     return {informativePoints(problem.tree, millimetersPerPixel(problem.camera, depthMm)), problem.camera, target};
 }
 
-/// Inverse restricted to the free steps, zero in the locked ones.
+/// Returns the inverse restricted to the free steps, with zeros for the locked ones.
 Matrix6d inverseAmong(const StepBasis& free, const Matrix6d& information)
 {
     const SmallMatrix reduced = free.transpose() * information * free;
     return free * inverseOf(reduced) * free.transpose();
 }
 
-/// Returns the matrix that converts steps about one point of the body to steps about another, offset by
+/// Returns the matrix that converts steps about one point of the body to steps about another point, at the offset
 /// `leverArmInCamera`.
 Matrix6d aboutOther(const Eigen::Vector3d& leverArmInCamera)
 {

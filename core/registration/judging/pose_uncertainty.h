@@ -18,7 +18,7 @@ struct UncertaintyEstimate {
 UncertaintyEstimate estimateUncertainty(const RegistrationProblem& problem, const TargetLines& target,
                                         const RigidTransform& cameraFromPatient, const InitialPosePrior& prior);
 
-/// Computes the pose uncertainty from the image information and the covariance caused by camera errors, both for steps
+/// Returns the pose uncertainty from the image information and the covariance caused by camera errors, both for steps
 /// (rad, mm) about the centroid of the used points in camera axes. Locked degrees of freedom are exact.
 PoseUncertainty poseUncertainty(const RegistrationProblem& problem, const Matrix6d& imageInformation,
                                 const Matrix6d& cameraCovariance, const InitialPosePrior& prior,
@@ -30,9 +30,9 @@ void replaceImageCovariance(PoseUncertainty& uncertainty, const Matrix6d& covari
 
 /// Standard deviations for display.
 struct PoseSigmas {
-    Eigen::Vector3d rotationDeg = Eigen::Vector3d::Zero();   ///< about camera x, y, z
-    double inPlaneMm = 0.0;   ///< larger of the two in-plane directions
-    double depthMm = 0.0;   ///< along the ray
+    Eigen::Vector3d rotationDeg = Eigen::Vector3d::Zero();   ///< 1-σ about camera x, y and z
+    double inPlaneMm = 0.0;   ///< 1-σ in the less certain in-plane direction
+    double depthMm = 0.0;   ///< 1-σ along the ray
 };
 PoseSigmas sigmasOf(const Matrix6d& covariance);
 

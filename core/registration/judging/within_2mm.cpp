@@ -10,7 +10,8 @@ namespace {
 
 constexpr double farthestMm = 1000.0;
 
-/// Log scale, because ratios of distances matter more than differences; distances below the floor count as equal.
+/// Returns the distance on a log scale, because ratios matter more than differences; distances below the floor count as
+/// equal.
 double logMm(double distanceMm, double floorMm)
 {
     return std::isfinite(distanceMm) ? std::log(std::clamp(distanceMm, 0.0, farthestMm) + floorMm)
@@ -27,14 +28,14 @@ bool isDeformed(const RegistrationResult& result)
     return result.deformed && result.deformed->verdict != DeformationVerdict::Rigid;
 }
 
-/// Expected distance between the deformed and the rigid vessels, including its uncertainty; 0 if no deformation was
-/// computed or found.
+/// Returns the expected distance between the deformed and the rigid vessels, including its uncertainty; 0 if no
+/// deformation was computed or found.
 double deformationErrorMm(const RegistrationResult& result)
 {
     return isDeformed(result) ? std::hypot(result.deformed->rigid.meanMm, result.deformed->placeStdMm) : 0.0;
 }
 
-/// Maps a distance to a soft threshold, 0…1.
+/// Returns a soft threshold of a distance, 0…1.
 double softThreshold(double offMm)
 {
     constexpr double asManyMm = 1.8;
@@ -68,7 +69,7 @@ constexpr std::array<Weight, signCount> weights{{
     {0.1231, 0.3100, -0.1553, -0.8125},   // softThreshold
 }};
 
-constexpr double maxStandardized = 3.0;   // limit of the standardized values, about the training range
+constexpr double maxStandardized = 3.0;   // limit of the standardized values, roughly the training range
 // A tree farther than this from all vessels is rarely correct; the square terms must not predict otherwise.
 constexpr double farOffMm = 2.0;
 constexpr double farOffProbability = 0.45;

@@ -15,8 +15,8 @@ std::array<double, signCount> featureVector(const RegistrationResult& result);
 /// Returns the names of the features, for tables.
 const std::array<std::string_view, signCount>& featureNames();
 
-/// Probability that the overlay of a single-view fit by the default method lies within 2 mm of the vessels on average
-/// over the tree (ALGORITHMS §6.21).
+/// Returns the probability that the overlay of a single-view fit by the default method lies within 2 mm of the vessels,
+/// averaged over the tree (ALGORITHMS §6.21).
 double overlayProbability(const RegistrationResult& result);
 
 }   // namespace angiopose::core

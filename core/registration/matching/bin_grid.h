@@ -17,8 +17,7 @@ public:
     /// Fills the grid with finite points; `cellPx` is the cell size and the search radius of `visitNear`.
     void fill(const std::vector<Eigen::Vector2d>& pointsPx, double cellPx);
 
-    /// Calls `visit(number)` for all points in the nine cells around a position, which includes all points within
-    /// `cellPx`.
+    /// Calls `visit(number)` for all points in the nine cells around a position, including all points within `cellPx`.
     template <class Visit>
     void visitNear(const Eigen::Vector2d& positionPx, const Visit& visit) const
     {

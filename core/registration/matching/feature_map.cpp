@@ -11,10 +11,10 @@ namespace {
 
 constexpr int mapMarginPx = 8;
 constexpr std::int32_t noFeature = -1;
-constexpr std::int16_t far = 20000;   // distance in cells that stands for none; its square fits in 32 bits
+constexpr std::int16_t far = 20000;   // number of cells that stands for no distance; its square fits in 32 bits
 
 /// Returns the number of rows to the nearest seed in the same column, or `far` if there is none. Uses two bytes per
-/// cell and no branches, which allows compilers to vectorize it.
+/// cell and no branches, so that compilers can vectorize it.
 std::vector<std::int16_t> rowsToSeed(const std::vector<std::int32_t>& seeds, std::size_t columns)
 {
     std::vector<std::int16_t> away(seeds.size());
@@ -79,7 +79,7 @@ private:
         std::size_t count = 0;
         for (int k = 0; k < columns_; ++k) {
             const std::int32_t* const here = &squared_[static_cast<std::size_t>(k) + 1];
-            const std::int32_t first = (here[0] - here[-1]) >> 1;   // number of the cell, counted from the column
+            const std::int32_t first = (here[0] - here[-1]) >> 1;   // index of the cell, relative to the column
             const std::int32_t last = (here[1] - here[0] + 1) >> 1;
             candidates_[count] = k;
             count += static_cast<std::size_t>(here[0] < farSquared) & static_cast<std::size_t>(first <= last);

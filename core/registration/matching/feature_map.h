@@ -17,15 +17,15 @@ public:
     /// `pointsPx` must be finite and not empty.
     FeatureMap(std::vector<Eigen::Vector2d> pointsPx, int imageWidth, int imageHeight);
 
-    /// Compares the results of the query's cell and its neighbors; exact if a point lies within one cell.
+    /// Returns the best result of the query's cell and its neighbors; exact if a point lies within one cell.
     std::size_t nearestIndex(const Eigen::Vector2d& queryPx) const override;
     const std::vector<Eigen::Vector2d>& points() const override { return points_; }
 
-    /// Result of the query's cell only, for inner loops.
+    /// Returns the result of the query's cell only, for inner loops.
     std::size_t lookUp(double u, double v) const { return static_cast<std::size_t>(nearest_[cellOf(u, v)]); }
 
 private:
-    /// Truncates through int, which is faster than a direct conversion.
+    /// Truncates via int, which is faster than a direct conversion.
     static std::size_t truncated(double value) { return static_cast<std::size_t>(static_cast<int>(value)); }
 
     std::size_t cellOf(double u, double v) const
@@ -37,7 +37,7 @@ private:
     }
 
     std::vector<Eigen::Vector2d> points_;
-    double offsetPx_ = 0.0;   ///< added to pixel coordinates to measure from the outer edge of the first cell
+    double offsetPx_ = 0.0;   ///< added to pixel coordinates so that they count from the outer edge of the first cell
     int columns_ = 0;
     int rows_ = 0;
     std::vector<std::int32_t> nearest_;   ///< nearest point per cell, row-major

@@ -56,7 +56,7 @@ struct GridIndex::Best {
     double squared = std::numeric_limits<double>::infinity();
 };
 
-/// Checks at least the points of one row of cells that lie within `reachPx` of the query.
+/// Checks the points of one row of cells, at least those that lie within `reachPx` of the query.
 void GridIndex::searchRow(int row, double reachPx, const Eigen::Vector2d& queryPx, Best& best) const
 {
     const double middle = queryPx.x() - origin_.x();

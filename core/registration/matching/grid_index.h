@@ -6,7 +6,7 @@
 
 namespace angiopose::core {
 
-/// Exact nearest-point search in buckets of a few pixels; built in microseconds, fast for queries close to points.
+/// Exact nearest-point search in buckets of a few pixels; built in microseconds and fast for queries close to points.
 class GridIndex final : public PointIndex {
 public:
     /// `pointsPx` must be finite and not empty.

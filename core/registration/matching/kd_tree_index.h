@@ -6,8 +6,8 @@
 
 namespace angiopose::core {
 
-/// Creates a k-d tree over one or more image points: exact for any query, O(log M) each. Used by the reproduction mode
-/// of ALGORITHMS §1.
+/// Creates a k-d tree of one or more image points, which is exact for any query at O(log M) each. Used by the
+/// reproduction mode of ALGORITHMS §1.
 std::unique_ptr<PointIndex> makeKdTreeIndex(std::vector<Eigen::Vector2d> pointsPx);
 
 }   // namespace angiopose::core

@@ -5,7 +5,7 @@
 
 namespace angiopose::core {
 
-/// Target as short line segments, indexed by pixel position; built once per image (ALGORITHMS §6.2, §6.15).
+/// Target as short line segments, indexed by pixel position and built once per image (ALGORITHMS §6.2, §6.15).
 class TargetLines {
 public:
     struct Line {

@@ -243,7 +243,7 @@ std::vector<std::uint8_t> AngioPose::opacifiedPoints() const
     return refined_.empty() ? std::vector<std::uint8_t>() : refined_.front().isOpacified;
 }
 
-/// Solves the user's auxiliary branches once more, if any; the messages compare with the fit of all branches.
+/// Solves for the user's auxiliary branches, if any; the messages compare the result with the fit of all branches.
 Messages AngioPose::fitAuxiliary()
 {
     const double weight = options_.angiopose.auxiliaryWeight;

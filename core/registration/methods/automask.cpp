@@ -32,7 +32,7 @@ constexpr std::size_t fewestPixels = 2000;
 constexpr double minGain = 1e-3;   // minimum gain in correlation that justifies another simplex
 constexpr double settledSimplex = 0.005;   // final size relative to the initial simplex: 0.02°, 0.04 mm
 
-/// Indices of the covered pixels and a margin around them.
+/// Returns the indices of the covered pixels and of a margin around them.
 std::vector<std::size_t> around(const ImageF& covered, double marginPx)
 {
     Mask2d mask(covered.width, covered.height);
@@ -56,7 +56,7 @@ public:
     {
     }
 
-    /// Blurs the images to compare, and sets the mask to the area that the vessels cover at the given poses, plus a
+    /// Blurs the images to compare, and sets the mask to the area that the vessels cover at the given poses and a
     /// margin.
     void beginStage(double blurPx, const std::vector<RigidTransform>& poses);
 

@@ -7,11 +7,11 @@
 namespace angiopose::core {
 namespace {
 
-/// Welsch scales; the first one captures auxiliary branches that are displaced because the other vessels have moved.
+/// Welsch scales; the first captures auxiliary branches that are displaced because the other vessels have moved.
 constexpr std::array scalesPx{8.0, 3.0};
 constexpr int maxAuxiliarySteps = 20;
 
-/// Returns the information of all branches about pose steps, in px of residual, plus that of the prior.
+/// Returns the information that all branches and the prior provide about pose steps, in px of residual.
 Matrix6d informationOfAll(const RegistrationProblem& problem, const TargetLines& target, const InitialPosePrior& prior,
                           const CentroidPose& pose)
 {

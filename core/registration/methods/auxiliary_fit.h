@@ -14,8 +14,9 @@ struct AuxiliaryFit {
 
 /// Solves {p'} starting from the fit of all branches: minimizes Σ r² of the auxiliary branches + sᵀ H s / weight for
 /// the step s away from that fit, where H is the information of all branches and the initial pose (ALGORITHMS §6). The
-/// auxiliary branches thereby determine the directions they constrain, and the others constrain the rest. Keeps the fit
-/// of all branches if the auxiliary branches would not fit better. Requires that the user chose auxiliary branches.
+/// auxiliary branches thereby determine the directions that they constrain, and the other branches determine the rest.
+/// Keeps the fit of all branches if the auxiliary branches would not fit better. Requires that the user has chosen
+/// auxiliary branches.
 AuxiliaryFit fitAuxiliaryBranches(const RegistrationProblem& problem, const TargetLines& target,
                                   const InitialPosePrior& prior, const CentroidPose& fitOfAll, double weight);
 

@@ -15,8 +15,8 @@ constexpr int stepsAtFirstScale = 30;   // as in the published method
 constexpr double maxFlowStep = 0.5;   // in units of ℓ; for longer steps the truncated series is inaccurate
 constexpr double settledFlowPx = 1e-3;
 
-/// Returns the ascent direction in a metric that counts a rotation as the shift it causes at the RMS radius of the
-/// tree, restricted to the free steps.
+/// Returns the ascent direction, restricted to the free steps, in a metric that counts a rotation as the shift it
+/// causes at the RMS radius of the tree.
 Vector6d ascentDirection(const RegistrationProblem& problem, const Vector6d& gradient, const CentroidPose& pose)
 {
     const double turnMm = problem.tree.spreadMm * problem.tree.spreadMm;
@@ -26,7 +26,7 @@ Vector6d ascentDirection(const RegistrationProblem& problem, const Vector6d& gra
     return problem.freedom.dampedStep(metric, 0.0, pose);
 }
 
-/// First maximum of the series, at most 1.
+/// Returns the position of the first maximum of the series, at most 1.
 double firstMaximum(const PowerSeries& series)
 {
     constexpr int stretches = 64;

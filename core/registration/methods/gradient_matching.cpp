@@ -25,7 +25,7 @@ public:
     {
     }
 
-    /// Returns the weighted mean over all walls, never negative.
+    /// Returns the weighted mean over all walls; never negative.
     double of(const RigidTransform& pose) const;
 
 private:

@@ -209,7 +209,7 @@ bool GraphSearch::haveSimilarCourse(const EdgeEnd& branch, const TracedPath& pat
     return heading.norm() < undirectedPx || heading.dot(other) > minLikeCosine * heading.norm() * other.norm();
 }
 
-/// Extends the match by one branch along this edge; nullopt if their courses differ.
+/// Returns the match extended by one branch along this edge; nullopt if the courses of branch and edge differ.
 std::optional<Matched> GraphSearch::extended(const Matched& rest, const OpenBranch& open, const EdgeEnd& way) const
 {
     const std::vector<Eigen::Vector2d> seen = projected(open.branch, rest.pose);
@@ -242,7 +242,7 @@ std::optional<Matched> GraphSearch::extended(const Matched& rest, const OpenBran
     return next;
 }
 
-/// Returns all possible decisions for the first open branch; the last one is that the image does not show it.
+/// Returns all possible decisions for the first open branch; the last one is that the image does not show the branch.
 std::vector<Matched> GraphSearch::successors(const Matched& state)
 {
     Matched rest = state;

@@ -11,6 +11,6 @@ namespace angiopose::core {
 void refineByKernel(const RegistrationProblem& problem, std::span<const CentroidPose> poses, double finalScalePx,
                     PoseTrials& search);
 
-inline constexpr int kernelFinishIterations = 30;   ///< maximum number per pose
+inline constexpr int kernelFinishIterations = 30;   ///< maximum number of iterations per pose
 
 }   // namespace angiopose::core

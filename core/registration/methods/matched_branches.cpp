@@ -71,8 +71,8 @@ Message displacementMessage(const PairDeformation& deformation)
         .as(Severity::Note);
 }
 
-/// Deforms the tree onto the matched curves beyond the rigid pose and describes the motion in messages; empty if
-/// stopped or if nothing moves.
+/// Deforms the tree to fit the matched curves, starting from the rigid pose, and returns messages that describe the
+/// motion; none if stopped or if nothing moves.
 Messages deformOntoCurves(const RegistrationProblem& problem, const BranchMatching& matching, double reachPx,
                           PoseTrials& search)
 {

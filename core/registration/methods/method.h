@@ -23,7 +23,7 @@ struct Method {
 /// Returns all available methods, the default first.
 std::span<const Method> methods();
 
-/// Method with this id, or null.
+/// Returns the method with this id, or null.
 const Method* findMethod(std::string_view id);
 
 }   // namespace angiopose::core

@@ -7,7 +7,7 @@
 namespace angiopose::core {
 namespace {
 
-/// Table of all methods; the default comes first. To add a method, add a row.
+/// Returns the table of all methods; the default comes first. To add a method, add a row.
 const std::vector<Method>& table()
 {
     static const std::vector<Method> rows{

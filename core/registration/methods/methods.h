@@ -21,27 +21,27 @@ MethodSolver solveIterativePnp;
 /// Song and Ghaffari.
 MethodSolver solveNicp;
 
-/// solveNicp inside the alternating search (§3.5).
+/// Runs solveNicp inside the alternating search (§3.5).
 MethodSolver solveNicpAlternating;
 
 /// Minimizes the Huber loss of the distances to the nearest traced vessel by damped steps with updated matches, or the
 /// squared distances by L-BFGS; optional affine stage (ALGORITHMS §3.6). Source: Rivest-Hénault et al. 2012.
 MethodSolver solveDtIcp;
 
-/// Baseline built from library components: repeats nearest-neighbor matching (nanoflann) and OpenCV's SQPNP (Terzakis,
-/// Lourakis 2020) until the pairs no longer change (ALGORITHMS §3.14). Fast and accurate if the whole tree is in the
-/// image and the initial pose is close; the baseline for other methods.
+/// Baseline for other methods, built from library components: repeats nearest-neighbor matching (nanoflann) and
+/// OpenCV's SQPNP (Terzakis, Lourakis 2020) until the pairs no longer change (ALGORITHMS §3.14). Fast and accurate if
+/// the whole tree is in the image and the initial pose is close.
 MethodSolver solveAssembledIcp;
 
 /// Finds image edges along the normals of the vessel walls, selects a pose by RANSAC with a gradient-matching score,
-/// and repeats with a shorter search range (ALGORITHMS §3.8). Source: Markelj et al. 2008.
+/// and repeats this with a shorter search range (ALGORITHMS §3.8). Source: Markelj et al. 2008.
 MethodSolver solveRgbr;
 
 /// Compares DRRs of the CTA's vessels, or of tubes, with the image by stochastic rank correlation inside a mask around
 /// the vessels, using Nelder–Mead (ALGORITHMS §3.7). Source: Steininger et al. 2012.
 MethodSolver solveAutoMask;
 
-/// Matches the walls of the projected vessels to the image gradients; Powell's method (ALGORITHMS §3.10). Source:
+/// Matches the walls of the projected vessels to the image gradients by Powell's method (ALGORITHMS §3.10). Source:
 /// Mitrović et al. 2013.
 MethodSolver solveGradientMatching;
 
@@ -55,7 +55,7 @@ MethodSolver solveOgmm;
 MethodSolver solveCvo;
 
 /// Matches branches of the tree to traced curves by their graphs and fits the pose to the pairs; then moves the vessels
-/// onto them, preserving lengths, and reports the displacement (ALGORITHMS §3.9). Source: Groher et al. 2009.
+/// onto the curves, preserving lengths, and reports the displacement (ALGORITHMS §3.9). Source: Groher et al. 2009.
 MethodSolver solveMatchedBranches;
 
 /// Best-first search over sequences of matched branches, starting at a pair of nodes and fitting a pose to each
@@ -63,8 +63,7 @@ MethodSolver solveMatchedBranches;
 MethodSolver solveGraphMatching;
 
 /// Searches with many poses (ALGORITHMS §3.13): an annealed particle filter around the initial pose, or a sweep of the
-/// two out-of-plane angles that solves the remaining parameters in each cell (based on Tian et al. 2022). Refines the
-/// best three.
+/// two out-of-plane angles that solves for the rest in each cell (based on Tian et al. 2022). Refines the best three.
 MethodSolver solveParticle;
 
 /// Finds the pose that aligns the vessels with the strongest ridges, using an evolution strategy (ALGORITHMS §3.11).

@@ -72,7 +72,7 @@ private:
     PoseTrials search_;
 };
 
-/// Particles are scattered, improved by a few ascent steps and resampled by likelihood, with decreasing spread.
+/// Scatters particles, improves them by a few ascent steps and resamples them by likelihood, with decreasing spread.
 std::vector<Scored> ParticleSearch::filterParticles()
 {
     CounterRandom random(static_cast<std::uint64_t>(options_.randomSeed));
@@ -100,7 +100,7 @@ std::vector<Scored> ParticleSearch::filterParticles()
     return particles;
 }
 
-/// Systematic resampling: one random offset, then even spacing.
+/// Resamples systematically: one random offset, then even spacing.
 std::vector<Scored> ParticleSearch::resample(const std::vector<Scored>& particles, CounterRandom& random) const
 {
     double best = 0.0;
@@ -137,7 +137,7 @@ CentroidPose ParticleSearch::solvedInPlane(CentroidPose pose)
 }
 
 /// Sweeps the two out-of-plane angles, in which local optima mainly differ, from the initial pose outward and solves
-/// the remaining parameters in each cell. Continues to the neighbors of a cell only if it beats all previous cells.
+/// for the other parameters in each cell. Continues to the neighbors of a cell only if it beats all previous cells.
 std::vector<Scored> ParticleSearch::sweepOutOfPlane()
 {
     constexpr int across = 2 * cellsToEachSide + 1;

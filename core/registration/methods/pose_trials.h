@@ -10,7 +10,7 @@ namespace angiopose::core {
 /// intervals and handles stop requests.
 class PoseTrials {
 public:
-    /// `budget` is the maximum number of trial poses; used to compute the progress.
+    /// `budget` is the maximum number of trial poses, from which the progress is computed.
     PoseTrials(const RegistrationProblem& problem, int budget, ProgressLog& progress);
 
     const CentroidPose& start() const { return start_; }
@@ -22,7 +22,7 @@ public:
     /// Counts work without a trial pose, so that progress reports and stop checks continue.
     void advanceProgress();
 
-    /// Switches to a new cost: the best pose is kept until a better one by the new cost is found.
+    /// Switches to a new cost: the best pose is kept until a pose with a lower new cost is found.
     void changeCost(std::string_view stage, double scalePx, double costOfBest);
 
     bool isStopped() const { return progress_.isStopped(); }

@@ -26,7 +26,7 @@ constexpr double rotationStd = 0.15;   // rad
 constexpr double pairStdMm = 1.0;
 constexpr int fitSteps = 3;
 
-/// Point on a vessel wall and the image edge found for it.
+/// A point on a vessel wall, and the image edge found for it.
 using Correspondence = PointPixelPair;
 
 class Rgbr {

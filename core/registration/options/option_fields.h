@@ -26,13 +26,13 @@ struct NumberOption {
 
 using OptionType = std::variant<SwitchOption, ChoiceOption, NumberOption>;
 
-/// Option value: of a switch, of a choice (its index) or of a number.
+/// Value of an option: of a switch, of a choice (its index) or of a number.
 using OptionValue = std::variant<bool, std::size_t, double>;
 
-/// Description of one option; panel, help, range check, command line and case file iterate over the table.
+/// Description of one option; panel, help, range check, command line and case file iterate over the table of options.
 struct OptionField {
     std::string_view key;   ///< used in files and on the command line
-    std::string_view label;   ///< shown in the window
+    std::string_view label;   ///< label in the user interface
     std::string_view help;   ///< one sentence about the effect of the option
     OptionType type;
     std::vector<std::string_view> methods;   ///< ids of the methods that use the option; empty for all methods
@@ -40,18 +40,18 @@ struct OptionField {
     void (*write)(RegistrationOptions&, const OptionValue&) = nullptr;   ///< expects a value of the option's type
 };
 
-/// All options of all methods.
+/// Returns all options of all methods.
 const std::vector<OptionField>& optionFields();
 
-/// Option with this key, or null.
+/// Returns the option with this key, or null.
 const OptionField* findOption(std::string_view key);
 
 bool appliesTo(const OptionField& field, std::string_view method);
 
-/// Names of the values of a switch or choice; empty for numbers.
+/// Returns the names of the values of a switch or choice; empty for numbers.
 std::span<const std::string_view> namesOf(const OptionField& field);
 
-/// Name of a value; empty for numbers.
+/// Returns the name of a value; empty for numbers.
 std::string_view nameOf(const OptionField& field, const OptionValue& value);
 
 /// Allowed range of a number, or of the value index of a switch or choice, starting at 0.

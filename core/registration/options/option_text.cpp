@@ -7,7 +7,7 @@
 namespace angiopose::core {
 namespace {
 
-/// Whether the option stores the number exactly; integer options would round it.
+/// Whether the option stores the number exactly; integer options would round the number.
 bool storesExactly(const OptionField& field, const OptionValue& number)
 {
     RegistrationOptions kept;

@@ -24,7 +24,7 @@ enum class StartScale { Largest, LargestSquared };
 /// Criterion for shrinking the kernel width ℓ (ALGORITHMS §3.1).
 enum class Decay {
     Halving,   ///< halves ℓ every five accepted steps, as in DynaWeightPnP
-    Stagnation   ///< ×0.7 after at least ten steps, once no further points come within range: RKHS-BA
+    Stagnation   ///< ×0.7 after at least ten steps, as soon as no further points come within range: RKHS-BA
 };
 
 /// Target points that attract a tree point (Δ of DynaWeightPnP, ALGORITHMS §2, decision 18).
@@ -38,8 +38,8 @@ enum class Neighbors {
 struct SeedOptions {
     PriorPreset preset = PriorPreset::SeedMean;
     double priorWeight = 100.0;   ///< weight λ of the prior at the initial pose
-    bool rotationFirst = true;   ///< start with a rotation-only solve
-    bool alternation = true;   ///< alternate between auxiliary and full problem
+    bool rotationFirst = true;   ///< whether to start with a rotation-only solve
+    bool alternation = true;   ///< whether to alternate between auxiliary and full problem
     IndexKind index = IndexKind::KdTree;
     StartScale startScale = StartScale::LargestSquared;
     Decay decay = Decay::Halving;
@@ -50,17 +50,17 @@ struct SeedOptions {
     bool operator==(const SeedOptions&) const = default;
 };
 
-/// Damped steps with updated matches, or L-BFGS on the squared distances.
+/// Minimization by damped steps with updated matches, or by L-BFGS on the squared distances.
 enum class DescentSolver { DampedSteps, Lbfgs };
 
-/// Affine adds an affine stage, whose rigid part is kept if it fits better.
+/// Motion model; Affine adds an affine stage, whose rigid part is kept if it fits better.
 enum class IcpModel { Rigid, Affine };
 
 /// Options of dt-icp and assembled-icp.
 struct IcpOptions {
     int iterations = 100;
-    bool alternate = false;   ///< run inside the alternating search
-    double huberPx = 5.0;   ///< distance beyond which the force on a point no longer grows
+    bool alternate = false;   ///< whether to run inside the alternating search
+    double huberPx = 5.0;   ///< distance beyond which the force on a point no longer increases
     DescentSolver solver = DescentSolver::DampedSteps;
     IcpModel model = IcpModel::Rigid;
 
@@ -78,7 +78,7 @@ enum class StepMetric { Balanced, Literal };
 struct NicpOptions {
     NicpImage image = NicpImage::TracedVessels;
     StepMetric step = StepMetric::Balanced;
-    bool prior = false;   ///< use the prior of SeedOptions
+    bool prior = false;   ///< whether to use the prior of SeedOptions
     double startScalePx = 20.0;
     double finalScalePx = 3.0;
     int iterations = 300;   ///< maximum number per scale
@@ -95,7 +95,7 @@ struct RgbrOptions {
 };
 
 struct AutoMaskOptions {
-    double sample = 100.0;   ///< sampled pixels, % of the mask
+    double sample = 100.0;   ///< percentage of the mask's pixels that are sampled
     double marginPx = 8.0;
     int evaluations = 1000;
 
@@ -124,7 +124,7 @@ struct CvoOptions {
     double finalScalePx = 1.0;
     double decay = 0.95;   ///< factor on ℓ after each step beyond the first thirty
     int iterations = 300;
-    bool directions = true;   ///< weight pairs by the similarity of their directions
+    bool directions = true;   ///< whether to weight pairs by the similarity of their directions
 
     bool operator==(const CvoOptions&) const = default;
 };
@@ -133,7 +133,7 @@ struct CvoOptions {
 struct BranchOptions {
     double reachPx = 40.0;   ///< 1-σ of the initial misalignment in the image
     int rounds = 50;
-    bool motion = true;   ///< deform the vessels onto the matched curves afterwards and report the displacement
+    bool motion = true;   ///< whether to deform the vessels onto the curves afterwards and report the motion
 
     bool operator==(const BranchOptions&) const = default;
 };
@@ -157,7 +157,7 @@ struct EvolutionOptions {
     bool operator==(const EvolutionOptions&) const = default;
 };
 
-/// Annealed particle filter, or sweep of the out-of-plane angles (Tian).
+/// Search by an annealed particle filter, or by a sweep of the out-of-plane angles (Tian).
 enum class ParticleSearchKind { Filter, OutOfPlane };
 
 struct ParticleOptions {
@@ -170,7 +170,7 @@ struct ParticleOptions {
 
 /// Options of angiopose. The 1-σ errors of the initial pose enter the covariance of every method except wire.
 struct AngioPoseOptions {
-    bool search = true;   ///< coarse search before refinement; otherwise only the initial pose is refined
+    bool search = true;   ///< whether to search coarsely before refinement; otherwise only the initial pose is refined
     double searchRadiusMm =
         130.0;   ///< lateral range of the coarse search; only needed if the initial pose does not fit
     double searchTiltDeg = 90.0;   ///< search range in LAO/RAO and CRA/CAU
@@ -184,29 +184,29 @@ struct AngioPoseOptions {
     bool operator==(const AngioPoseOptions&) const = default;
 };
 
-/// Options of wire: errors of the previous registered pose, and distance of the wire from the vessel axis.
+/// Options of wire: errors of the previous registered pose, and distance of the wire from the vessel centerline.
 struct WireOptions {
     double rotationDeg = 2.0;   ///< 1-σ of the initial rotation
     double lateralMm = 5.0;   ///< 1-σ of the initial position across the ray
     double depthMm = 10.0;   ///< 1-σ of the initial position along the ray
     double offAxisMm =
-        1.5;   ///< 1-σ of the wire's distance from the vessel axis, in addition to its freedom inside the lumen
+        1.5;   ///< 1-σ distance of the wire from the centerline, in addition to its freedom inside the lumen
     int way = 1;   ///< rank of the path to use, counting from the most likely; overrides the automatic choice
 
     bool operator==(const WireOptions&) const = default;
 };
 
-/// Errors of focal length and principal point: by source of the values (ALGORITHMS §5.8), as given here, or none.
+/// Errors of focal length and principal point: by origin of the values (ALGORITHMS §5.8), as given here, or none.
 enum class GeometrySpread { ByOrigin, Given, None };
 
-/// Camera errors that enter the covariance of every method, and reaction to a camera that the images contradict.
+/// Camera errors that enter the covariance of every method, and the reaction to a camera that the images contradict.
 struct GeometryOptions {
     GeometrySpread spread = GeometrySpread::ByOrigin;
     double focalPercent = 3.0;   ///< 1-σ, for GeometrySpread::Given
     double principalPx = 10.0;   ///< 1-σ of each coordinate, for GeometrySpread::Given
-    bool estimate = false;   ///< if the images contradict the camera, register again with the estimated camera
+    bool estimate = false;   ///< whether to register again with the estimated camera if images contradict the camera
     bool checkOrientation =
-        true;   ///< angiopose only: whether to test, after a failed registration, if the image is mirrored or rotated
+        true;   ///< whether angiopose tests, after a failed registration, if the image is mirrored or rotated
 
     bool operator==(const GeometryOptions&) const = default;
 };
@@ -224,7 +224,7 @@ struct RegistrationOptions {
 
     double pointSpacingMm = 1.0;   ///< spacing of the tree points
     double targetSpacingPx = 1.0;   ///< spacing of the target points
-    bool resample = true;   ///< whether to resample to the spacings above or use the original points
+    bool resample = true;   ///< whether to resample to the spacings above or to use the original points
     int maxIterations = 60;
     double finalScalePx = 1.0;   ///< kernel width at which the annealing ends
     int randomSeed = 1;   ///< seed of the methods that use random numbers

@@ -17,7 +17,7 @@ constexpr std::size_t maxBodyVoxels = 700'000;
 constexpr double airHu = -1000.0;
 constexpr double minAirHu = -500.0;   // values below this show that a scan contains air and is in HU
 constexpr double minDenseHu = 300.0;   // above air; excludes the lung, which would add many voxels
-constexpr double tissueHu = 150.0;   // soft tissue without contrast agent; denser voxels contain it
+constexpr double tissueHu = 150.0;   // soft tissue without contrast agent; voxels with contrast agent are denser
 
 /// Adds a value to the four pixels around a position with bilinear weights.
 void splat(ImageF& image, const Eigen::Vector2d& position, float value)

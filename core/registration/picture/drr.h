@@ -17,12 +17,12 @@ struct ProjectedVoxels {
     std::vector<Voxel> voxels;
     double spacingMm = 0.0;   ///< largest voxel spacing
 
-    /// Renders the image by adding the intensity of every voxel at its projection, spread over the pixels it covers.
+    /// Returns an image with the intensity of every voxel added at its projection, spread over the pixels it covers.
     ImageF from(const ProjectionCamera& camera, const RigidTransform& cameraFromPatient) const;
 };
 
 /// DRRs of the whole body in a CT: line integrals of a downsampled scan, with dense tissue bright on a background of 0.
-/// For scans that are not in HU, integrates the values above the darkest one.
+/// For scans that are not in HU, the values above the lowest one are integrated.
 class BodyDrr {
 public:
     /// `maxSidePx` limits the size of the DRRs, which cover the camera's field of view.

@@ -14,12 +14,12 @@ public:
     /// Uses only every third tree point if there are many.
     explicit VesselBrightness(const RegistrationProblem& problem);
 
-    /// Returns the weighted mean ridge intensity along the projected tree, with vessel widths scaled by `widening`;
+    /// Returns the weighted mean ridge intensity along the projected tree, with vessel widths scaled by `widthScale`;
     /// points outside the image count as 0.
     double of(const CentroidPose& pose, double widthScale) const;
 
-    /// Half the negative gradient of `of` for steps (rad, mm) about the pose, using only the brightness change across
-    /// each vessel; the matrix is the bias matrix that compensates for the frequency of directions.
+    /// Returns half the negative gradient of `of` for steps (rad, mm) about the pose, using only the brightness change
+    /// across each vessel; the matrix is the bias matrix that compensates for the frequency of directions.
     NormalEquations normalEquations(const CentroidPose& pose, double widthScale) const;
 
 private:

@@ -6,13 +6,13 @@
 
 namespace angiopose::core {
 
-/// Point on a vessel wall, with the normal along which a CT has its gradient.
+/// Point on a vessel wall, with the wall normal, along which a CT has its gradient.
 struct WallSite {
     Eigen::Vector3d position;   ///< offset from the tree's centroid, mm, patient axes
     Eigen::Vector3d normal;   ///< unit vector pointing outward
 };
 
-/// Returns about `most` evenly distributed points on the vessel walls.
+/// Returns about `maxSites` evenly distributed points on the vessel walls.
 std::vector<WallSite> wallSites(const TreeSamples& tree, std::size_t maxSites);
 
 /// Measures how well vessel walls agree with image gradients that are backprojected along the rays (Markelj 2008).
@@ -20,7 +20,7 @@ class BackprojectedGradients {
 public:
     BackprojectedGradients(const ImageF& picture, const ProjectionCamera& camera, double blurPx);
 
-    /// |v_B| f(β) at a position in the camera frame (mm) for a wall with this normal; 0 outside the image.
+    /// Returns |v_B| f(β) at a position in the camera frame (mm) for a wall with this normal; 0 outside the image.
     double agreement(const Eigen::Vector3d& position, const Eigen::Vector3d& normal) const;
 
     /// Returns the mean agreement over all wall points at a pose.

@@ -11,8 +11,7 @@ struct AffineOptions {
 
 /// Runs iterative closest point from `start` with an affine map of the camera frame that keeps depths unchanged (8
 /// parameters, linear least squares), then finds the rigid pose whose projection is closest to the mapped points
-/// (ALGORITHMS §3.6, option `affine`). The observer receives `start`, because there is no better rigid pose until the
-/// end.
+/// (ALGORITHMS §3.6, option `icpModel`). The observer receives `start`, as there is no better rigid pose until the end.
 KernelPnpResult rigidPartOfAffineIcp(const KernelProblem& problem, const RigidTransform& start,
                                      const AffineOptions& options, const KernelObserver& observe);
 

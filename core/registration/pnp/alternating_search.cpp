@@ -23,7 +23,7 @@ struct Stage {
     double progressTo = 0.0;
 };
 
-/// Runs the search with one function per step of the paper. Poses are cameraFromStart.
+/// Runs the search with one function per step of the paper. Poses are motions cameraFromStart.
 class AlternatingSearch {
 public:
     AlternatingSearch(const RegistrationProblem& problem, const SeedProblem& seed, PointSolver& solver,
@@ -107,8 +107,7 @@ void AlternatingSearch::turnAboutSource(const Stage& stage)
     pose_ = solver_.solve(full_, SearchStage::Turn, pose_, observe).pose;
 }
 
-/// Step A: solves for {p'} with its current matches held fixed, which pushes the pose out of local optima of the full
-/// point set.
+/// Step A: solves for {p'} with fixed current matches, which pushes the pose out of local optima of the full point set.
 void AlternatingSearch::solveAuxiliary(const Stage& stage)
 {
     std::vector<Eigen::Vector3d> points;

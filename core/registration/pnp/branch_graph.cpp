@@ -47,7 +47,7 @@ private:
     std::vector<std::size_t> leader_;
 };
 
-/// Two ends per edge: its first point, and the point after its last one if the curve continues.
+/// Returns two ends per edge: its first point, and the point after its last one if the curve continues.
 std::vector<Eigen::Vector3d> endsOf(const std::vector<BranchSegment>& pieces,
                                     const std::vector<Eigen::Vector3d>& points, const std::vector<int>& curveIndex)
 {

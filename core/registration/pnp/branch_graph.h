@@ -24,23 +24,23 @@ struct EdgeEnd {
     bool isReversed = false;   ///< whether the edge is traversed from its last point to its first
 };
 
-/// Graph of the vessels, cut wherever one branches off another; ends within touching distance of one another form one
+/// Graph of the vessels, cut wherever one branches off another; ends within touching distance of each other form one
 /// node. Rings are kept.
 struct BranchGraph {
     std::vector<BranchEdge> edges;   ///< in the order of the samples
     std::vector<std::vector<EdgeEnd>> nodes;   ///< edge ends at each node, in ascending order of the edge
 
-    /// Node reached by following the edge.
+    /// Returns the node reached by following the edge.
     int targetNode(const EdgeEnd& way) const
     {
         return edges[static_cast<std::size_t>(way.edge)].nodes[way.isReversed ? 0 : 1];
     }
 };
 
-/// Builds the graph of a tree, whose branches meet within 2.5 mm.
+/// Returns the graph of a tree, whose branches meet within 2.5 mm.
 BranchGraph graphOf(const TreeSamples& tree);
 
-/// Traced curves meet within 5 px; curves that cross without an end at the crossing do not.
+/// Returns the graph of traced curves, which meet within 5 px; they do not meet where they cross without an end.
 BranchGraph graphOf(const TargetSamples& target);
 
 }   // namespace angiopose::core

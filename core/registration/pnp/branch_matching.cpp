@@ -194,7 +194,7 @@ std::vector<int> BranchMatching::match(const CentroidPose& pose, double reachPx)
     return matched;
 }
 
-/// Returns the matched point on the curve; nullopt beyond the ends of the curve, where it does not show the vessel.
+/// Returns the matched point on the curve; nullopt beyond the ends of the curve, which does not show the vessel there.
 std::optional<Eigen::Vector2d> BranchMatching::matchOnCurve(const ProjectedSample& seen, const CurveRange& curve,
                                                             double reachPx) const
 {

@@ -28,10 +28,11 @@ public:
 
     const BranchGraph& tree() const { return tree_; }
 
-    /// Curve matched to each edge of the tree's graph, or noCurve; `reachPx` is the 1-σ misalignment of the image.
+    /// Returns the curve matched to each edge of the tree's graph, or noCurve; `reachPx` is the 1-σ image misalignment.
     std::vector<int> match(const CentroidPose& pose, double reachPx) const;
 
-    /// Returns the nearest points on the matched curves, within three times `reachPx` and with a similar direction.
+    /// Returns the nearest points on the matched curves that are within three times `reachPx` and have a similar
+    /// direction.
     std::vector<BranchPair> pairs(const CentroidPose& pose, double reachPx) const;
 
 private:
@@ -55,7 +56,7 @@ private:
 
     const RegistrationProblem& problem_;
     BranchGraph tree_;
-    std::vector<std::vector<int>> neighbors_;   ///< for each edge, the edges with a common node
+    std::vector<std::vector<int>> neighbors_;   ///< for each edge, the edges that share a node with it
     std::set<std::pair<int, int>> connectedCurves_;   ///< pairs of connected curves
     std::map<int, CurveRange> curves_;
 };

@@ -14,7 +14,7 @@ namespace angiopose::core {
 namespace {
 
 constexpr int descentTriesPerStep = 8;
-constexpr double settledDescentShare = 1e-6;   // relative decrease of the cost that ends the descent (§3.6)
+constexpr double settledDescentShare = 1e-6;   // relative decrease of the cost at which the descent ends (§3.6)
 constexpr double wholeSquares = 1e9;   // Huber threshold in px that makes the loss quadratic everywhere
 
 /// Distances and loss of the points at one pose.
@@ -162,8 +162,8 @@ KernelPnpResult DistanceDescent::descendSmoothly(const KernelProblem& problem, c
     return result;
 }
 
-/// Fits the affine map to the target, then refines the rigid pose whose projection is closest to it and keeps this pose
-/// if it fits better than the current one.
+/// Fits the affine map to the target, then refines the rigid pose whose projection is closest to that map and keeps
+/// this pose if it fits better than the current one.
 void DistanceDescent::tryAffine(const KernelProblem& problem, const KernelObserver& observe,
                                 KernelPnpResult& result) const
 {

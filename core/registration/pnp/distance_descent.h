@@ -12,7 +12,7 @@ struct DescentOptions {
 };
 
 /// Minimizes the distances to the nearest target points (ALGORITHMS §3.6). Nothing prevents the tree from shrinking
-/// onto part of the target, which is a property of the published method.
+/// onto part of the target; this is a property of the published method.
 class DistanceDescent final : public PointSolver {
 public:
     explicit DistanceDescent(const DescentOptions& options) : options_(options) {}

@@ -40,7 +40,7 @@ GraphScore::GraphScore(const RegistrationProblem& problem, double spreadWeight)
     }
 }
 
-/// Mean of exp(−d/σ) over the tree minus λ (P/Q + Q/P) of the spreads of tree and image.
+/// Returns the mean of exp(−d/σ) over the tree minus λ (P/Q + Q/P) of the spreads of tree and image.
 double GraphScore::of(const CentroidPose& pose) const
 {
     double near = 0.0;

@@ -10,7 +10,7 @@
 namespace angiopose::core {
 
 /// Score for ranking the hypotheses of graph matching (ALGORITHMS §3.17): closeness of the tree to the traced vessels,
-/// minus a penalty that keeps the tree from collapsing onto few of them.
+/// minus a penalty that keeps the tree from collapsing onto a few vessels.
 class GraphScore {
 public:
     static constexpr double scalePx = 5.0;   ///< distance at which a point still scores 0.37

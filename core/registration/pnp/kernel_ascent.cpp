@@ -88,7 +88,7 @@ double OneScale::largestMotionPx(const Vector6d& step) const
     return largest;
 }
 
-/// Returns the step length per parameter for equal slopes; zero for shifts while only the rotation is solved.
+/// Returns the step length per parameter for equal slopes; zero for shifts while only the rotation is solved for.
 Vector6d weightsOf(StepMetric metric, SearchStage stage, double depthMm)
 {
     Vector6d weights = Vector6d::Ones();

@@ -9,7 +9,7 @@ struct AscentOptions {
     double finalScalePx = 3.0;
     int iterationsPerScale = 300;
     StepMetric metric = StepMetric::Balanced;
-    PosePrior prior;   ///< prior used in the full problem only
+    PosePrior prior;   ///< prior, used in the full problem only
 };
 
 /// First-order ascent of Σ exp(−d²/2σ²) at three widths σ from coarse to fine, with Armijo backtracking and matches

@@ -11,13 +11,13 @@
 
 namespace angiopose::core {
 
-/// Tree points, the camera, and the target they are matched to.
+/// Tree points, the camera, and the target to which the points are matched.
 struct KernelProblem {
     std::span<const Eigen::Vector3d> points;   ///< mm, in the frame that the pose maps to the camera
     ProjectionCamera camera;
     const PointIndex* target = nullptr;   ///< index for matching to the nearest target point at every evaluation
     std::span<const Eigen::Vector2d>
-        fixedMatchesPx;   ///< if not empty: one fixed match per point, independent of the pose
+        fixedMatchesPx;   ///< if not empty, one fixed match per point, independent of the pose
     const NeighborSearch* search = nullptr;   ///< for further matches by rule `neighbors`; unused with fixed matches
     Neighbors neighbors = Neighbors::Closest;
     SourceFreedom freedom{};   ///< allowed motions of the pose
@@ -30,7 +30,7 @@ struct FurtherMatch {
     double squaredPx = 0.0;
 };
 
-/// Distances of the points at one pose; the buffers are reused, and measuring does not allocate after the first call.
+/// Distances of the points at one pose; the buffers are reused, so measuring does not allocate after the first call.
 struct KernelDistances {
     std::vector<Eigen::Vector3d> inCamera;
     std::vector<Eigen::Vector2d> residualPx;   ///< projection minus matched target point
@@ -38,7 +38,8 @@ struct KernelDistances {
     std::vector<FurtherMatch> further;   ///< empty if only the nearest target points count
 };
 
-/// Projects, matches (point to point) and measures all points. The matches within a radius depend on the kernel width.
+/// Projects all points, matches them (point to point) and measures the distances. The matches within a radius depend on
+/// the kernel width.
 void measure(const KernelProblem& problem, const RigidTransform& pose, KernelDistances& distances,
              double scalePx = 0.0);
 
@@ -46,10 +47,10 @@ void measure(const KernelProblem& problem, const RigidTransform& pose, KernelDis
 /// if all distances are tiny. A point that does not project costs the maximum, 1.
 double kernelLoss(const KernelDistances& distances, double scalePx);
 
-/// Gauss–Newton system of Σ exp(−d²/2ℓ²)‖r‖² for pose ← exp(ξ) pose, weights frozen (§3.1, step 2).
+/// Returns the Gauss–Newton system of Σ exp(−d²/2ℓ²)‖r‖² for pose ← exp(ξ) pose, weights frozen (§3.1, step 2).
 NormalEquations kernelEquations(const KernelProblem& problem, const KernelDistances& distances, double scalePx);
 
-/// Gauss–Newton system of Huber's loss of the nearest distances, weights frozen.
+/// Returns the Gauss–Newton system of Huber's loss of the nearest distances, with the weights frozen.
 NormalEquations huberEquations(const KernelProblem& problem, const KernelDistances& distances, double huberPx);
 
 /// Returns the Huber loss: Σ d² up to `huberPx`, linear beyond. A point that does not project costs as much as a
@@ -62,7 +63,7 @@ double largestDistancePx(const KernelDistances& distances);
 /// Returns the number of pairs that are at most `radiusPx` apart.
 int countWithin(const KernelDistances& distances, double radiusPx);
 
-/// Median distance, px; infinite when most points do not project.
+/// Returns the median distance, px; infinite if most points do not project.
 double medianDistancePx(const KernelDistances& distances, std::vector<double>& scratch);
 
 }   // namespace angiopose::core

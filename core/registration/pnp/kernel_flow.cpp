@@ -53,7 +53,7 @@ void KernelFlow::projectSamples(const CentroidPose& pose)
     }
 }
 
-/// The squared cosine replaces the color product of the published method; opposite directions count as equal.
+/// Returns the squared cosine instead of the color product of the published method; opposite directions count as equal.
 double KernelFlow::labelOf(const ProjectedSample& seen, std::size_t target) const
 {
     if (!options_.directions || seen.direction.isZero()) {

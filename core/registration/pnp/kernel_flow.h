@@ -11,7 +11,7 @@ namespace angiopose::core {
 
 struct FlowOptions {
     double scalePx = 20.0;   ///< kernel width ℓ
-    bool directions = true;   ///< weight pairs by the similarity of their directions
+    bool directions = true;   ///< whether to weight pairs by the similarity of their directions
 };
 
 /// Inner product of projected tree and traced vessels as functions on the image plane (ALGORITHMS §3.16): F = Σ_ij c_ij

@@ -40,7 +40,7 @@ struct KernelPnpResult {
 };
 
 /// DynaWeightPnP* (ALGORITHMS §3.1): maximizes E_data = Σ exp(−d²/2ℓ²) together with `prior` by reweighted least
-/// squares while annealing ℓ from the largest distance. Never accepts a step that lowers E_data at the current ℓ.
+/// squares while annealing ℓ from the largest distance. No accepted step lowers E_data at the current ℓ.
 class KernelPnp {
 public:
     KernelPnp(const KernelProblem& problem, const PosePrior& prior, const KernelSchedule& schedule)

@@ -12,14 +12,14 @@ struct MixtureOptions {
     double selfWeight = 1.0;
 };
 
-/// L2 distance between two Gaussian mixtures over position and direction, of the projected tree P and the traced
-/// vessels Q, up to the constant ⟨Q,Q⟩ (ALGORITHMS §3.12). Opposite directions count as equal.
+/// L2 distance between two Gaussian mixtures over position and direction, one for the projected tree P and one for the
+/// traced vessels Q, up to the constant ⟨Q,Q⟩ (ALGORITHMS §3.12). Opposite directions count as equal.
 class OrientedMixture {
 public:
     /// Subsamples tree and target to the resolution of the scale.
     OrientedMixture(const RegistrationProblem& problem, const MixtureOptions& options);
 
-    /// w⟨P,P⟩ − 2⟨P,Q⟩ and its gradient for steps (rad, mm) about the pose, including the directions.
+    /// Returns w⟨P,P⟩ − 2⟨P,Q⟩ and its gradient for steps (rad, mm) about the pose, including the directions.
     double distance(const CentroidPose& pose, Vector6d& gradient);
 
 private:
@@ -33,7 +33,7 @@ private:
         Eigen::Vector3d tangent;   ///< camera axes
         double directionLength = 0.0;   ///< length of the image direction before normalization
     };
-    /// Kernel between two oriented points: value, and half the derivatives with respect to the first point.
+    /// Kernel between two oriented points: its value, and half its derivatives with respect to the first point.
     struct Pair {
         double value = 0.0;
         Eigen::Vector2d positionGradient = Eigen::Vector2d::Zero();

@@ -48,7 +48,7 @@ std::vector<Link> linksOf(const TreeSamples& tree, const BranchGraph& graph)
 
 /// Deformation energy as a function of all motions, three values per tree point.
 class DeformationEnergy {
-    /// The three values of one point.
+    /// Returns the three values of one point.
     template <class Vector>
     static auto part(Vector& all, std::size_t point)
     {
@@ -84,7 +84,7 @@ public:
         return sum;
     }
 
-    /// Median distance of the pairs, px; infinite if most do not project.
+    /// Returns the median distance of the pairs, px; infinite if most points do not project.
     double medianPx(const Eigen::VectorXd& motion) const
     {
         std::vector<double> distances;

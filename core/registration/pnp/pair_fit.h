@@ -15,7 +15,7 @@ struct PointPixelPair {
 
 /// Fits a pose to the pairs by least squares of their distances in mm at the centroid's depth, each with the same
 /// standard deviation, in a given number of Gauss–Newton steps; `prior` constrains what the pairs leave undetermined
-/// and holds the locks.
+/// and contains the locks.
 CentroidPose fitPairs(std::span<const PointPixelPair> pairs, const ProjectionCamera& camera,
                       const InitialPosePrior& prior, double pairStdMm, int steps, const CentroidPose& from);
 

@@ -8,8 +8,7 @@ namespace angiopose::core {
 /// matches, all points with updated matches.
 enum class SearchStage { Turn, Auxiliary, Full };
 
-/// Interface of point-matching methods for the alternating search. A pose is a motion of the points within their own
-/// frame.
+/// Interface of point-matching methods for the alternating search. A pose is a motion of the points in their own frame.
 class PointSolver {
 public:
     virtual ~PointSolver() = default;
@@ -18,7 +17,7 @@ public:
     virtual KernelPnpResult solve(const KernelProblem& problem, SearchStage stage, const RigidTransform& start,
                                   const KernelObserver& observe) = 0;
 
-    /// Maximum number of steps of `solve`.
+    /// Returns the maximum number of steps of `solve`.
     virtual int maxIterations(SearchStage stage) const = 0;
 
     /// Whether the solver can solve for the rotation alone.

@@ -5,7 +5,7 @@
 namespace angiopose::core {
 namespace {
 
-/// Stride for samples about `wantedPx` apart, given their mean spacing.
+/// Returns the stride for samples about `wantedPx` apart, given their mean spacing.
 std::size_t strideAt(double wantedPx, double spacingPx)
 {
     return std::max<std::size_t>(1, static_cast<std::size_t>(wantedPx / std::max(spacingPx, 1e-6)));

@@ -15,7 +15,7 @@ public:
     /// Counts an accepted step after which `pointsInReach` points are within reach of the kernel; shrinks ℓ when due.
     void countStep(int pointsInReach);
 
-    /// Shrinks ℓ immediately, for when the current width allows no further gain; returns false if ℓ is already final.
+    /// Shrinks ℓ immediately, because the current width allows no further gain; returns false if ℓ is already final.
     bool shrinkScale();
 
 private:

@@ -33,7 +33,8 @@ double rmsSpread(const std::vector<Eigen::Vector3d>& points)
     return std::sqrt(sum / static_cast<double>(points.size()));
 }
 
-/// Prior E_init by preset (ALGORITHMS §2, decision 17). Averaging the data over N is equivalent to N times the prior.
+/// Returns the prior E_init of the preset (ALGORITHMS §2, decision 17). Averaging the data over N is equivalent to N
+/// times the prior.
 PosePrior priorOf(const RegistrationOptions& options, double depthMm, double pointCount)
 {
     PosePrior prior;

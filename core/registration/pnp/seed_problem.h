@@ -34,7 +34,7 @@ struct SeedProblem {
 
 SeedProblem makeSeedProblem(const RegistrationProblem& problem, const RegistrationOptions& options);
 
-/// Whether {p'} can determine a pose: at least four points whose spread is at least 30 % of the tree's (ALGORITHMS
+/// Whether {p'} can determine a pose: at least four points with a spread of at least 30 % of the tree's (ALGORITHMS
 /// §3.2).
 bool determinesPose(const std::vector<Eigen::Vector3d>& auxiliary, const std::vector<Eigen::Vector3d>& points);
 

@@ -39,7 +39,7 @@ RigidTransform SourceFreedom::retract(const RigidTransform& pose, const Vector6d
     return cameraFromPatient(freedom_.restoreLocked(core::aboutCentroid(next, centroidInStart_)), centroidInStart_);
 }
 
-/// A rotation about the centroid c by ω is a rotation about the source plus a shift by c × ω.
+/// Returns the allowed twists. A rotation by ω about the centroid c is one about the source plus a shift by c × ω.
 StepBasis SourceFreedom::freeTwists(const RigidTransform& pose, Freedom freedom) const
 {
     const CentroidPose place = core::aboutCentroid(pose, centroidInStart_);

@@ -4,8 +4,7 @@
 
 namespace angiopose::core {
 
-/// Allowed motions about the X-ray source. Poses are cameraFromStart; steps are twists ξ (rad, mm) with pose ← exp(ξ)
-/// pose.
+/// Allowed motions about the X-ray source. Poses are cameraFromStart; steps are twists ξ (rad, mm): pose ← exp(ξ) pose.
 class SourceFreedom {
 public:
     /// Allows motion in all six parameters.
@@ -18,8 +17,8 @@ public:
     const PoseFreedom& aboutCentroid() const { return freedom_; }
     const Eigen::Vector3d& centroidInStart() const { return centroidInStart_; }
 
-    /// Damped step by core::dampedStep within the allowed motions. With Freedom::Rotation the tree rotates about the
-    /// source as far as locked shifts allow.
+    /// Returns the damped step by core::dampedStep within the allowed motions. With Freedom::Rotation, the tree rotates
+    /// about the source as far as locked shifts allow.
     Vector6d dampedStep(const NormalEquations& equations, double damping, const RigidTransform& pose,
                         Freedom freedom = Freedom::Full) const;
 
@@ -27,7 +26,7 @@ public:
     Vector6d descentDirection(const Vector6d& gradient, const Vector6d& weights, const RigidTransform& pose,
                               Freedom freedom) const;
 
-    /// Applies a twist to a pose; locked parameters keep their exact values.
+    /// Returns a pose after a twist; locked parameters keep their exact values.
     RigidTransform retract(const RigidTransform& pose, const Vector6d& twist) const;
 
 private:

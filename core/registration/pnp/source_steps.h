@@ -17,10 +17,10 @@ public:
     Vector6d step(const RigidTransform& pose, const NormalEquations& equations, double damping) const;
     RigidTransform retract(const RigidTransform& pose, const Vector6d& step) const;
 
-    /// Returns the length of a step, counting a rotation as the shift it causes at the depth of the points.
+    /// Returns the length of a step; a rotation counts as the shift that it causes at the depth of the points.
     double lengthMm(const RigidTransform& pose, const Vector6d& step) const;
 
-    /// Depth of the points' centroid.
+    /// Returns the depth of the points' centroid.
     double depthMm(const RigidTransform& pose) const { return (pose * centroid_).z(); }
 
 protected:

@@ -11,11 +11,11 @@ class SparseKernel {
 public:
     SparseKernel(const RegistrationProblem& problem, std::size_t maxPoints);
 
-    /// Mean of exp(−d²/2ℓ²), 0…1.
+    /// Returns the mean of exp(−d²/2ℓ²), 0…1.
     double agreement(const CentroidPose& pose, double scalePx);
 
-    /// Pose after one Gauss–Newton step on the kernel-weighted squares; with `inPlaneOnly` the out-of-plane rotations
-    /// are fixed.
+    /// Returns the pose after one Gauss–Newton step on the kernel-weighted squares; with `inPlaneOnly` the out-of-plane
+    /// rotations are fixed.
     CentroidPose gaussNewtonStep(const CentroidPose& pose, double scalePx, bool inPlaneOnly);
 
 private:

@@ -13,12 +13,12 @@ struct TracedPath {
 
     std::vector<Eigen::Vector2d> points;   ///< px
     std::vector<int> edges;   ///< indices of the graph's edges along the path
-    int endNode = noNode;   ///< final node; `nowhere` if the path was cut short
+    int endNode = noNode;   ///< final node; `noNode` if the path was cut short
     double lengthPx = 0.0;
 };
 
-/// Follows `way` and continues straight through further nodes while the path is much shorter than `wantedPx`; if it is
-/// much longer, cuts it at that length. The path contains at least one point.
+/// Follows `way` and continues straight through further nodes while the path is much shorter than `wantedPx`; cuts the
+/// path at that length if it is much longer. The path contains at least one point.
 TracedPath followPath(const BranchGraph& graph, const TargetSamples& target, EdgeEnd way, double wantedPx);
 
 /// Returns the point at arc length `alongPx` of a polyline, clamped to its ends.

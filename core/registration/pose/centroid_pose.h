@@ -15,13 +15,13 @@ struct CentroidPose {
 CentroidPose aboutCentroid(const RigidTransform& cameraFromPatient, const Eigen::Vector3d& centroidInPatient);
 RigidTransform cameraFromPatient(const CentroidPose& pose, const Eigen::Vector3d& centroidInPatient);
 
-/// Pose after a step (rotation vector rad, shift mm) in camera axes.
+/// Returns the pose after a step (rotation vector rad, shift mm) in camera axes.
 CentroidPose retract(const CentroidPose& pose, const Vector6d& step);
 
-/// Returns the step from one pose to the other; inverse of `moved`.
+/// Returns the step from one pose to the other; inverse of `retract`.
 Vector6d stepBetween(const CentroidPose& from, const CentroidPose& to);
 
-/// Returns the largest motion that a step causes for points at the distance `spreadMm` from the centroid.
+/// Returns the largest motion that a step causes for points at a distance of `spreadMm` from the centroid.
 double stepLengthMm(const Vector6d& step, double spreadMm);
 
 }   // namespace angiopose::core

@@ -19,11 +19,11 @@ concept LeastSquaresProblem = requires(P& problem, const typename P::State& stat
     {
         problem.evaluate(state, evaluation)
         } -> std::same_as<bool>;
-    /// Normal equations for steps about the state, weights frozen; called only before a step is taken.
+    /// Returns the normal equations for steps about the state, with frozen weights; called only before a step is taken.
     {
         problem.equations(state, evaluation)
         } -> std::convertible_to<typename P::Equations>;
-    /// Damped step along the free directions.
+    /// Returns the damped step along the free directions.
     {
         problem.step(state, equations, 1e-3)
         } -> std::convertible_to<typename P::Step>;
@@ -34,7 +34,7 @@ concept LeastSquaresProblem = requires(P& problem, const typename P::State& stat
     {
         problem.decrease(evaluation, evaluation)
         } -> std::same_as<std::optional<double>>;
-    /// Distance by which the step moves the points, mm.
+    /// Returns the distance by which the step moves the points, mm.
     {
         problem.lengthMm(state, step)
         } -> std::convertible_to<double>;
@@ -42,18 +42,18 @@ concept LeastSquaresProblem = requires(P& problem, const typename P::State& stat
 
 struct StepOptions {
     int maxTriesPerStep = 1;   ///< attempts per step, with increasing damping
-    double minMotionMm = 0.0;   ///< a step with less motion ends the descent
-    double minGain = 0.0;   ///< a step with a smaller predicted decrease ends the descent
+    double minMotionMm = 0.0;   ///< the descent ends at a step with less motion
+    double minGain = 0.0;   ///< the descent ends at a step with a smaller predicted decrease
 };
 
-/// Result of one step. A tiny last step may be both accepted and final.
+/// Outcome of one step. A tiny last step may be both accepted and final.
 struct StepOutcome {
     bool isAccepted = false;
     bool isConverged = false;   ///< whether the descent has converged
-    bool isStopped = false;   ///< the observer returned Stop
+    bool isStopped = false;   ///< whether the observer returned Stop
 };
 
-/// Evaluations of the descent at its current and next state; must outlive it to allow buffers to be reused.
+/// Evaluations of the descent at its current and next state; must outlive the descent, so that buffers can be reused.
 template <class Evaluation>
 struct EvaluationPair {
     Evaluation current;
@@ -76,9 +76,9 @@ public:
 
     const State& state() const { return state_; }
     Evaluation& evaluation() { return evaluations_.current; }
-    bool isFeasible() const { return isFeasible_; }   ///< false if the problem cannot be evaluated at the initial state
+    bool isFeasible() const { return isFeasible_; }   ///< false if the initial state is not feasible
 
-    /// Discards the normal equations; call after the problem changed but the evaluation remains valid, or was modified.
+    /// Discards the normal equations; call if the problem changed but the evaluation remains valid, or was modified.
     void relinearize() { isLinearized_ = false; }
 
     /// Evaluates the current state again; call after the problem has changed.
@@ -92,8 +92,8 @@ public:
 
     StepOutcome step();
 
-    /// Takes up to `most` steps until convergence and returns the last outcome; `after` receives the outcome of each
-    /// step and may return Stop.
+    /// Takes up to `maxSteps` steps until convergence and returns the last outcome; `after` receives the outcome of
+    /// each step and may return Stop.
     template <class After>
     StepOutcome descend(int maxSteps, const After& after)
     {

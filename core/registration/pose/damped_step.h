@@ -4,8 +4,7 @@
 
 namespace angiopose::core {
 
-/// Quadratic model of a least-squares cost: cost(x) ≈ cost(0) + 2 gᵀx + xᵀHx. Only the lower triangle of the Hessian is
-/// meaningful.
+/// Quadratic model of a least-squares cost: cost(x) ≈ cost(0) + 2 gᵀx + xᵀHx. Only the lower triangle of H is used.
 template <int Parameters>
 struct EquationsOf {
     Eigen::Matrix<double, Parameters, Parameters> hessian = Eigen::Matrix<double, Parameters, Parameters>::Zero();
@@ -24,7 +23,7 @@ struct StackedEquations {
     Eigen::VectorXd gradient;
 };
 
-/// Free parameters: all six, or the first three (rotation).
+/// Free parameters: all six, or only the first three (rotation).
 enum class Freedom { Rotation, Full };
 
 /// Returns the minimizer of the model damped by μ·diag(H), which is invariant to the units of x (ALGORITHMS §1).

@@ -7,7 +7,7 @@
 namespace angiopose::core {
 namespace {
 
-/// Returns d stepBetween(start, moved(pose, x)) / dx at x = 0, given the step from `start` to the pose.
+/// Returns d stepBetween(start, retract(pose, x)) / dx at x = 0, given the step from `start` to the pose.
 Matrix6d stepJacobian(const Vector6d& step)
 {
     Matrix6d growth = Matrix6d::Identity();

@@ -11,7 +11,7 @@ struct InitialPosePrior {
     Matrix6d information = Matrix6d::Identity();   ///< inverse covariance of the step (rad, mm)
     PoseFreedom freedom{};   ///< locked parameters have no error
 
-    /// 1-σ of each component of the step.
+    /// Returns the 1-σ error of each component of the step.
     Vector6d std() const;
 
     /// Returns sᵀ Λ s for the step s from the initial pose to `pose`, with Λ the prior's information.

@@ -29,8 +29,8 @@ constexpr double priorRollDeg = 60.0;
 constexpr double priorShiftMm = 1000.0;
 constexpr double priorDepthMm = 30.0;
 
-/// Cost of a pose: squared pixel errors in units of the click error, plus the prior at the previous pose if there are
-/// few pairs.
+/// Cost of a pose: squared pixel errors in units of the click error, plus, for few pairs, the prior at the previous
+/// pose.
 struct LandmarkEvaluation {
     double cost = std::numeric_limits<double>::infinity();
     NormalEquations equations;
@@ -131,7 +131,8 @@ Fit refined(LandmarkSquares& squares, const CentroidPose& start)
     return {descent.state(), descent.evaluation().cost};
 }
 
-/// Standard deviation of points, one per column, along the axis of their largest spread (`rank` 0) or of a smaller one.
+/// Returns the standard deviation of points, one per column, along the axis of largest spread (`rank` 0) or a smaller
+/// one.
 template <int Size>
 double rmsSpread(const Eigen::Matrix<double, Size, Eigen::Dynamic>& points, int rank)
 {

@@ -23,11 +23,10 @@ using CostFunction = std::function<double(const Eigen::VectorXd& x, Eigen::Vecto
 struct Minimum {
     Eigen::VectorXd x;
     double cost = 0.0;
-    bool isConverged = false;   ///< false if out of evaluations, stopped or stuck
+    bool isConverged = false;   ///< false if the search ran out of evaluations, was stopped or got stuck
 };
 
-/// Minimizes from `start`. Ends immediately if `isStopped` returns true after an evaluation. The result is bitwise
-/// reproducible.
+/// Minimizes from `start`. Ends as soon as `isStopped` returns true after an evaluation. Bitwise reproducible.
 Minimum minimize(const CostFunction& cost, const Eigen::VectorXd& start, const MinimizeOptions& options,
                  const std::function<bool()>& isStopped);
 

@@ -7,7 +7,7 @@
 namespace angiopose::core {
 namespace {
 
-/// Axis of each coordinate: x tilts cranially, y toward LAO, z rolls (see PoseOffset).
+/// Axis of each coordinate: x tilts toward cranial, y toward LAO, z rolls (see PoseOffset).
 constexpr std::array axisOfCoordinate{PoseAxis::CraCau, PoseAxis::LaoRao, PoseAxis::Roll,
                                       PoseAxis::Right,  PoseAxis::Up,     PoseAxis::AlongRay};
 
@@ -19,8 +19,8 @@ Eigen::Matrix3d rotationFromAngles(const Eigen::Vector3d& angles)
         .toRotationMatrix();
 }
 
-/// Inverse of rotationFromAngles for |θx| ≤ 90°: bottom row (−cos θx sin θy, sin θx, cos θx cos θy), middle column Rz
-/// Rx e_y.
+/// Returns the inverse of rotationFromAngles for |θx| ≤ 90°: bottom row (−cos θx sin θy, sin θx, cos θx cos θy), middle
+/// column Rz Rx e_y.
 Eigen::Vector3d anglesOf(const Eigen::Matrix3d& turn)
 {
     return {std::asin(std::clamp(turn(2, 1), -1.0, 1.0)), std::atan2(-turn(2, 0), turn(2, 2)),

@@ -36,19 +36,19 @@ public:
     Vector6d coordinates(const CentroidPose& pose) const;
     CentroidPose poseAt(const Vector6d& coordinates) const;
 
-    /// Returns d step / d coordinate, one coordinate per column, with steps as in `moved`.
+    /// Returns d step / d coordinate, one coordinate per column, with steps as in `retract`.
     Matrix6d stepsPerCoordinate(const CentroidPose& pose) const;
 
     /// Returns the columns of stepsPerCoordinate for the free coordinates.
     StepBasis freeSteps(const CentroidPose& pose) const;
 
-    /// Pose with the locked coordinates restored.
+    /// Returns the pose with the locked coordinates restored.
     CentroidPose restoreLocked(const CentroidPose& pose) const;
 
-    /// Damped step by core::dampedStep that changes no locked coordinate, to first order.
+    /// Returns the damped step by core::dampedStep that changes no locked coordinate, to first order.
     Vector6d dampedStep(const NormalEquations& equations, double damping, const CentroidPose& pose) const;
 
-    /// Pose after a step; locked coordinates keep their exact values.
+    /// Returns the pose after a step; locked coordinates keep their exact values.
     CentroidPose retract(const CentroidPose& pose, const Vector6d& step) const;
 
 private:

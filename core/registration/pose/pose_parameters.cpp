@@ -5,7 +5,7 @@
 namespace angiopose::core {
 namespace {
 
-/// Without locks, measures the angles from the origin, where they are independent.
+/// Returns the freedom; without locks, measures its angles from the origin, where they are independent.
 PoseFreedom relativeTo(const CentroidPose& origin, const PoseFreedom& freedom)
 {
     return freedom.isFull() ? PoseFreedom({}, {origin.rotation, {0.0, 0.0, 0.0}}, origin) : freedom;

@@ -6,8 +6,7 @@
 
 namespace angiopose::core {
 
-/// Free coordinates of a pose (see PoseFreedom) relative to an origin, scaled to units with about equal effects in the
-/// image.
+/// Free coordinates of a pose (see PoseFreedom) relative to an origin, in units with about equal effects in the image.
 class PoseParameters {
 public:
     /// `unit` holds the units of all six coordinates (rad, mm); locked coordinates are not part of x.

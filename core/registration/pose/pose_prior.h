@@ -6,8 +6,7 @@
 namespace angiopose::core {
 
 /// Prior of DynaWeightPnP at a reference pose (ALGORITHMS §1, "prior residual"): cost λ eᵀW²e with e = log(reference⁻¹
-/// pose), (rad, mm). The meaning of W = I depends on the origin of the posed frame, which in DynaWeightPnP is the X-ray
-/// source.
+/// pose), (rad, mm). The meaning of W = I depends on the origin of the posed frame, the X-ray source in DynaWeightPnP.
 struct PosePrior {
     RigidTransform reference;
     Vector6d weights = Vector6d::Ones();   ///< diagonal of W
@@ -17,7 +16,7 @@ struct PosePrior {
 /// Returns the residual e (rad, mm).
 Vector6d priorResidual(const PosePrior& prior, const RigidTransform& pose);
 
-/// ∂e/∂ξ for pose ← exp(ξ) pose, exact: J_r⁻¹(e) Ad(pose⁻¹).
+/// Returns ∂e/∂ξ for pose ← exp(ξ) pose, exactly: J_r⁻¹(e) Ad(pose⁻¹).
 Matrix6d priorJacobian(const PosePrior& prior, const RigidTransform& pose);
 
 /// Returns λ eᵀW²e.

@@ -11,7 +11,7 @@ class TreeShift {
 public:
     explicit TreeShift(const std::vector<Eigen::Vector3d>& pointsInPatient);
 
-    /// Root mean square distance between the points at the two poses.
+    /// Returns the root mean square distance between the points at the two poses.
     double rmsMm(const RigidTransform& a, const RigidTransform& b) const;
 
 private:

@@ -43,7 +43,7 @@ std::vector<int> nodes(const TreeSamples& tree)
     return points;
 }
 
-/// The widest branches, or the longest if no radius is known, up to a third of the points.
+/// Returns the widest branches, or the longest if no radius is known, up to a third of the points.
 std::vector<int> mainBranches(const TreeSamples& tree)
 {
     const std::size_t count = tree.branchIds.size();

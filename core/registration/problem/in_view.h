@@ -6,7 +6,7 @@
 
 namespace angiopose::core {
 
-/// Adds the view number to an error message; leaves Stop unchanged.
+/// Returns the error with the view number added to its message; a cancellation stays unchanged.
 Error inView(std::size_t number, const Error& error);
 
 }   // namespace angiopose::core

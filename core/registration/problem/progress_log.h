@@ -8,7 +8,7 @@ namespace angiopose::core {
 /// Forwards the reports of a method to the observer and records them for the convergence plot.
 class ProgressLog {
 public:
-    /// The first step is measured from the problem's initial pose.
+    /// Measures the first step from the problem's initial pose.
     ProgressLog(const RegistrationProblem& problem, const IterationObserver& observe)
         : observe_(observe), shift_(problem.tree.points), last_(problem.start)
     {
@@ -18,8 +18,8 @@ public:
     /// observer has returned Stop, always returns Stop.
     ObserverDecision report(IterationReport report);
 
-    /// Checks for a stop request while the pose is unchanged by forwarding the last report again, with another stage if
-    /// given, without recording it.
+    /// Checks for a stop request while the pose is unchanged: forwards the last report again, with another stage if
+    /// given, and does not record it.
     ObserverDecision checkForStop(std::string_view stage = {});
 
     bool isStopped() const { return isStopped_; }

@@ -95,7 +95,7 @@ std::optional<Message> findUnknownBranch(const VesselTree& tree, const std::vect
     return {};
 }
 
-/// The default initial pose is the identity, which places the source among the vessels.
+/// Whether vessel points lie behind the source, as they do with the identity, which is the default initial pose.
 bool reachesBehindSource(const VesselTree& tree, const RigidTransform& cameraFromPatient)
 {
     for (const VesselBranch& branch : tree.branches) {

@@ -7,7 +7,7 @@
 
 namespace angiopose::core {
 
-/// Tree in the form that the methods use: evenly spaced points of all used branches, concatenated.
+/// Tree in the form used by the methods: evenly spaced points of all used branches, concatenated.
 struct TreeSamples {
     std::vector<Eigen::Vector3d> points;   ///< patient LPS mm
     std::vector<Eigen::Vector3d> tangents;   ///< unit vectors
@@ -22,7 +22,7 @@ struct TreeSamples {
     bool hasRadius() const;
 };
 
-/// Traced vessels in the form that the methods use: evenly spaced points of all curves, concatenated.
+/// Traced vessels in the form used by the methods: evenly spaced points of all curves, concatenated.
 struct TargetSamples {
     std::vector<Eigen::Vector2d> points;   ///< px
     std::vector<Eigen::Vector2d> tangents;   ///< unit vectors
@@ -32,7 +32,7 @@ struct TargetSamples {
     std::size_t size() const { return points.size(); }
 };
 
-/// Validated and resampled registration input; common starting point of all methods.
+/// Validated and resampled registration input; the common starting point of all methods.
 struct RegistrationProblem {
     ProjectionCamera camera;
     CameraUncertainty cameraUncertainty{};   ///< standard deviations of the camera errors selected by the options
@@ -48,12 +48,12 @@ struct RegistrationProblem {
     Polarity polarity = Polarity::VesselsDark;
     std::shared_ptr<const Mask2d> shutter;   ///< shutter of the input image, or null
     std::shared_ptr<const Volume> volume;   ///< CTA, or null
-    std::optional<TableAngles> tableAngles{};   ///< from the input, see RegistrationInput
+    std::optional<TableAngles> tableAngles{};   ///< as in the input, see RegistrationInput
     Messages notes{};   ///< notes on how the input was interpreted
 };
 
-/// Validates and resamples the input. The error names what makes it unusable: an empty or invalid tree, target or
-/// camera, an initial pose that is not rigid or puts vessel points behind the source, an unknown branch, or an image
+/// Validates and resamples the input. The error names what makes the input unusable: an empty or invalid tree, target
+/// or camera, an initial pose that is not rigid or puts vessel points behind the source, an unknown branch, or an image
 /// that does not match the camera.
 Result<RegistrationProblem> makeProblem(const RegistrationInput& input, const RegistrationOptions& options);
 
@@ -63,7 +63,7 @@ RegistrationProblem restrictedProblem(const RegistrationProblem& whole, const st
 /// Returns the standard deviations of the camera errors selected by the options.
 CameraUncertainty cameraSpreadFor(const CameraUncertainty& byOrigin, const GeometryOptions& options);
 
-/// Samples a valid target for the methods; used for the next frame of a cine run.
+/// Returns the samples of a valid target; used for the next frame of a cine run.
 TargetSamples sampleTarget(const Centerline2d& target, const RegistrationOptions& options);
 
 }   // namespace angiopose::core

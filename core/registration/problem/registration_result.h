@@ -30,15 +30,15 @@ struct RegistrationInput {
     Centerline2d target;
     ProjectionCamera camera;
     RigidTransform initialCameraFromPatient;
-    std::optional<RigidTransform> lockReference{};   ///< reference of locked angles; nullopt for the initial pose
-    std::optional<Eigen::Vector3d> lockPivotInPatient{};   ///< pivot of locked shifts; nullopt for the centroid
-    std::vector<int> auxiliaryBranchIds{};   ///< branches of {p'}; empty for the nodes
+    std::optional<RigidTransform> lockReference{};   ///< reference of locked angles; nullopt means the initial pose
+    std::optional<Eigen::Vector3d> lockPivotInPatient{};   ///< pivot of locked shifts; nullopt means the centroid
+    std::vector<int> auxiliaryBranchIds{};   ///< branches of {p'}; if empty, the nodes are used
     std::vector<int> excludedBranchIds{};   ///< branches that the registration ignores
     std::shared_ptr<const ImageF>
         image{};   ///< frame in which the target was traced; if null, intensity-based methods render the target
     Polarity polarity = Polarity::VesselsDark;   ///< polarity of `image`
     std::shared_ptr<const Mask2d> shutter{};   ///< shutter of `image`, see Angiogram::shutter; null if there is none
-    std::shared_ptr<const Volume> volume{};   ///< CTA that shows the tree; null: DRRs are rendered from tubes
+    std::shared_ptr<const Volume> volume{};   ///< CTA that shows the tree; if null, DRRs are rendered from tubes
     CameraUncertainty cameraUncertainty{};   ///< standard deviations of the camera errors; zero for an exact camera
     std::optional<TableAngles>
         tableAngles{};   ///< alternative initial angles, for a gantry that reports its angles relative to the table
@@ -75,7 +75,7 @@ struct UnopacifiedBranch {
     double share = 0.0;   ///< unopacified fraction of the branch length inside the image, 0…1
 };
 
-/// Closest-point distances from all used tree points, except unopacified ones, to the target, and in the reverse
+/// Distances from all used tree points, except unopacified ones, to the nearest point of the target, and in the reverse
 /// direction (ALGORITHMS §4.5).
 struct DistanceMetrics {
     double meanPx = 0.0, medianPx = 0.0, p75Px = 0.0, p95Px = 0.0;
@@ -85,8 +85,8 @@ struct DistanceMetrics {
 };
 
 /// Pose covariance in camera axes about the centroid of the whole tree, including excluded branches (centroidInPatient;
-/// ALGORITHMS §6.10). Order: rotation x, y, z (rad), translation x, y, z (mm); x right and y down on the detector (up
-/// to sign), z along the ray.
+/// ALGORITHMS §6.10). Order: rotation x, y, z (rad), translation x, y, z (mm); x is to the right and y down on the
+/// detector (up to sign), z along the ray.
 struct PoseUncertainty {
     Matrix6d covariance = Matrix6d::Zero();   ///< includes the contribution of camera errors
     Matrix6d imageCovariance = Matrix6d::Zero();   ///< excludes camera errors
@@ -97,11 +97,11 @@ struct PoseUncertainty {
     Vector6d weakestDirection = Vector6d::Zero();   ///< unit vector, same order, in (ρ·rad, mm)
 };
 
-/// Evidence of the images for errors of a camera (ALGORITHMS §6.18).
+/// Evidence that the images provide about the errors of a camera (ALGORITHMS §6.18).
 struct CameraEvidence {
     CameraError error = CameraError::Zero();   ///< most likely error, given the prior of the camera
     CameraError std = CameraError::Zero();   ///< 1-σ of the estimated error
-    double gain = 0.0;   ///< decrease of −2 log posterior by the errors of all cameras together
+    double gain = 0.0;   ///< decrease of −2 log posterior due to the errors of all cameras together
 
     bool operator==(const CameraEvidence&) const = default;
 };
@@ -113,7 +113,7 @@ struct StageTimes {
     double targetMs = 0.0;
     double searchMs = 0.0;
     double solveMs = 0.0;
-    double totalMs = 0.0;   ///< from the traced curves to the assessed pose, without reading and tracing
+    double totalMs = 0.0;   ///< from the traced curves to the assessed pose, excluding reading and tracing
     double readMs = notMeasured;   ///< time for reading the files
     double traceMs = notMeasured;   ///< time for tracing the vessels in this view
 };
@@ -126,20 +126,20 @@ struct Hypothesis {
 
 /// Indicators for estimating the error of a fit without ground truth (ALGORITHMS §6.21).
 struct FitIndicators {
-    double agreement = 0.0;   ///< in both directions, 0…1 (§6.8); of the opacified parts if partly opacified
+    double agreement = 0.0;   ///< in both directions, 0…1 (§6.8); for a partly opacified tree, of the opacified parts
     double treeShare = 0.0;   ///< fraction of the tree points along traced vessels
     double inViewShare = 0.0;   ///< fraction of the tree points inside the image
     double followedShare = 0.0;   ///< fraction of the tree length inside the image that follows traced vessels
     double followedMm = 0.0;   ///< tree length that follows traced vessels
     int followedBranches = 0;
-    double refinementMm = 0.0;   ///< shift of the pose when refined in place, see settlingShiftMm
+    double refinementMm = 0.0;   ///< shift of the pose when refined in place, see refinementShiftMm
     double expectedErrorMm = 0.0;   ///< 1-σ displacement from the covariance of a rigid tree
     double alternativeMm = 0.0;   ///< displacement of the tree between the result and the farthest alternative
     bool isPartlyOpacified = false;
     int opacifiedBifurcations =
         0;   ///< for a partly opacified tree: bifurcations where three or more opacified segments meet
     bool isSinglePath = false;   ///< whether the matched segments form a single path without bifurcations
-    bool isLumen = false;   ///< widths indicate opacified vessels, not a wire or catheter; also false if unknown
+    bool isLumen = false;   ///< whether the widths indicate opacified vessels, not a wire or catheter; false if unknown
 };
 
 /// Operator, time, program version, options, frame and initial pose behind a result.
@@ -148,7 +148,7 @@ struct Provenance {
     std::string time;   ///< ISO 8601, UTC; empty if unknown
     std::string programVersion;   ///< empty if unknown
     RegistrationOptions options;
-    std::optional<int> frame{};   ///< frame of the angiogram, counting from 0, to which alone the assessment applies
+    std::optional<int> frame{};   ///< frame of the angiogram, starting at 0, to which alone the assessment applies
     std::optional<RigidTransform> start{};   ///< initial camera-from-patient transform; nullopt if unknown
 };
 
@@ -162,7 +162,7 @@ struct RegistrationResult {
     std::optional<CameraEvidence> camera;   ///< nullopt if the camera is treated as exact
     std::vector<BranchResidual> branches;   ///< used branches, in the tree's order
     std::vector<UnopacifiedBranch> unopacified;   ///< in the tree's order; the pose was fitted to the other branches
-    std::vector<Hypothesis> alternatives;   ///< best first, without the result itself
+    std::vector<Hypothesis> alternatives;   ///< best first, excluding the result itself
     std::vector<WirePath> wirePaths;   ///< only from the wire method: path of the solution, then the alternatives
     /// Deformation of the vessels relative to this pose; null if not computed. After joint registration of several
     /// views, each result stores it with its own view first; MultiViewResult stores it once for all views.

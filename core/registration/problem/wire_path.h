@@ -11,12 +11,12 @@ namespace angiopose::core {
 /// whose visible parts nearly coincide count as one.
 struct WirePath {
     std::vector<int> branchIds;   ///< in order along the wire; the last one contains the tip
-    Eigen::Vector3d tipInPatient = Eigen::Vector3d::Zero();   ///< tip position on the branch axis, LPS, mm
-    double probability = 0.0;   ///< 0…1, among all considered paths and the possibility of none of them
-    double offAxisMm = 0.0;   ///< RMS in-plane distance between wire and vessel axes, at the depth of the axes
+    Eigen::Vector3d tipInPatient = Eigen::Vector3d::Zero();   ///< position of the tip on the branch centerline, LPS, mm
+    double probability = 0.0;   ///< 0…1, among all considered paths and the possibility that none of them is right
+    double offAxisMm = 0.0;   ///< RMS in-plane distance between the wire and the centerlines, at their depth
     double followedShare = 0.0;   ///< fraction of the wire's length in the image that follows the path
     RigidTransform cameraFromPatient;
-    /// Points on the vessel axes along the wire, about 2 mm apart, up to the tip. Not saved.
+    /// Points on the centerlines along the wire, about 2 mm apart, up to the tip. Not saved.
     std::vector<Eigen::Vector3d> courseInPatient;
 };
 

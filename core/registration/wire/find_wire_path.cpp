@@ -11,7 +11,7 @@ constexpr double wireSpacingMm = 2.0;
 constexpr std::size_t maxWirePoints = 120;
 constexpr std::size_t maxKnots = 4000;
 constexpr std::size_t maxTestedPaths = 40;   // number of paths tested in each of two rounds
-constexpr double firstReachMm = 2.5;   // 1-σ pose error assumed when searching paths around each shifted initial pose
+constexpr double firstReachMm = 2.5;   // 1-σ pose error assumed when searching for paths around a shifted initial pose
 constexpr double secondReachMm = 1.5;
 constexpr double shiftStepMm = 4.0;   // minimum spacing of the shifted initial poses
 constexpr double shiftSigmas = 2.0;   // range of the shifted initial poses, in standard deviations
@@ -93,7 +93,7 @@ private:
         return !isStopped_;
     }
 
-    /// Initial pose, shifted across the ray within its uncertainty.
+    /// Returns the initial pose shifted across the ray within its uncertainty.
     std::vector<CentroidPose> shiftedStarts() const
     {
         std::vector<CentroidPose> starts;

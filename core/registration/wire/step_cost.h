@@ -5,13 +5,13 @@
 
 namespace angiopose::core {
 
-/// Length and shape cost of a move that ends at a given knot and point (see WireModel).
+/// Length of a move that ends at a given knot and point, and cost of its shape (see WireModel).
 struct StepCost {
-    double lengthMm = 0.0;   ///< length of the wire or of the vessel axis, whichever is longer
+    double lengthMm = 0.0;   ///< length along the wire or along the centerline, whichever is longer
     double cost = 0.0;   ///< cost of the shape difference
 };
 
-/// `ofTreePx` is the vector from the first to the last knot of the move. `k` is the point where it ends.
+/// Returns the cost of a move. `ofTreePx` is the vector from its first to its last knot; the move ends at point `k`.
 inline StepCost stepCost(const WireModel& model, const Eigen::Vector2d& ofTreePx, const WireCurve& curve, std::size_t k,
                          std::size_t points, double mmPerPx)
 {

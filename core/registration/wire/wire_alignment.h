@@ -10,10 +10,10 @@ namespace angiopose::core {
 
 /// Knot of a path matched to a point of the curve.
 struct WirePair {
-    std::size_t knot = 0;   ///< index in the path
-    std::size_t point = 0;   ///< index in the curve
+    std::size_t knot = 0;   ///< index of the knot in the path
+    std::size_t point = 0;   ///< index of the point in the curve
     WireMove move;   ///< move that ends here; empty for the first pair
-    double lengthMm = 0.0;   ///< length of wire or vessel axis that the pair represents
+    double lengthMm = 0.0;   ///< length of wire or centerline that the pair represents
 };
 
 /// Monotonic alignment of a wire curve with a path through the tree.
@@ -24,7 +24,7 @@ struct WireAlignment {
     double followedPx(const WireCurve& curve) const;   ///< length of the curve that runs along the path
 };
 
-/// Cheapest alignment (dynamic time warping with free ends). `seen` contains the knots of the path, in order.
+/// Returns the cheapest alignment (dynamic time warping with free ends). `seen` holds the knots of the path, in order.
 WireAlignment alignWire(const ProjectedKnots& seen, const WireCurve& curve, const WireModel& model);
 
 }   // namespace angiopose::core

@@ -20,7 +20,7 @@ struct WireCurve {
 };
 
 /// Joins the traced curves into one line: starts with the longest curve and repeatedly connects the nearest free curve
-/// end to an end of the line. Points are `spacingPx` apart, or farther to stay within `maxPoints`.
+/// end to an end of the line. The points are `spacingPx` apart, or farther to stay within `maxPoints`.
 WireCurve wireCurve(const TargetSamples& target, double spacingPx, std::size_t maxPoints);
 
 /// Returns the curve with its points in reverse order.

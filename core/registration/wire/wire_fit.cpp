@@ -22,9 +22,9 @@ struct WireMeasurement {
     Eigen::Vector3d position;   // knot relative to the centroid, patient axes, mm
     Eigen::Vector3d before;   // knot at the start of the step, in the same frame
     Eigen::Vector2d pixel;
-    Eigen::Matrix2d whitening;   // converts px to sigmas
+    Eigen::Matrix2d whitening;   // converts px to σ
     Eigen::Vector2d stepPx;   // corresponding step of the wire
-    Eigen::Matrix2d shape;   // converts px of the step difference to sigmas; zero if the step carries no information
+    Eigen::Matrix2d shape;   // converts px of the step difference to σ; zero if the step carries no information
 };
 
 /// Least-squares problem for the −2 log posterior of a pose with fixed pairs.
@@ -116,7 +116,7 @@ private:
     const std::vector<WireMeasurement>& measurements_;
 };
 
-/// Sigmas per px, along and across the wire, of the difference between a step of the path and that of the wire.
+/// Returns σ per px, along and across the wire, of the difference between a step of the path and that of the wire.
 Eigen::Matrix2d shapeOf(const WireModel& model, const StepCost& step, const Eigen::Matrix2d& axes, double mmPerPx)
 {
     if (step.cost >= model.maxShapeCost * step.lengthMm / model.shapeMm || step.lengthMm <= WireModel::minStepMm) {
@@ -151,7 +151,7 @@ std::vector<WireMeasurement> measurementsOf(const WireProblem& problem, const Tr
     return measurements;
 }
 
-/// One iteration: aligns the curve with the path, then fits the pose; returns false once the pose no longer changes.
+/// Aligns the curve with the path, then fits the pose (one iteration); returns false if the pose no longer changes.
 bool alignAndFit(const WireProblem& problem, const WireModel& model, WireFit& fit)
 {
     const ProjectedKnots seen = problem.seen(fit.way.knots, fit.pose);
@@ -169,7 +169,7 @@ bool alignAndFit(const WireProblem& problem, const WireModel& model, WireFit& fi
     return hasMoved;
 }
 
-/// Laplace approximation about the pose: evidence of the image relative to the prior.
+/// Computes the evidence of the image relative to the prior, by a Laplace approximation about the pose.
 void computeEvidence(const WireProblem& problem, const WireModel& model, WireFit& fit)
 {
     const ProjectedKnots seen = problem.seen(fit.way.knots, fit.pose);

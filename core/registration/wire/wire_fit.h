@@ -20,7 +20,7 @@ struct WireProblem {
     ProjectedKnots seen(const std::vector<std::size_t>& which, const CentroidPose& pose) const;
 };
 
-/// Most likely pose for one path, assuming that the wire follows it.
+/// Most likely pose for one path, assuming that the wire follows that path.
 struct WireFit {
     TreePath way;
     CentroidPose pose;

@@ -18,21 +18,21 @@ struct WireMove {
 inline constexpr std::array<WireMove, 6> wireMoves{{{1, 1}, {2, 1}, {1, 2}, {3, 1}, {1, 0}, {0, 1}}};
 
 /// Model of a guidewire or catheter in its vessel (ALGORITHMS §6.22). The wire may lie anywhere in the lumen and,
-/// because it straightens the vessel, slightly beyond. Its distance from the axis varies slowly along its length, and
-/// it runs nearly parallel to the axis; its shape is therefore more informative than its position. Parameters chosen on
-/// synthetic trees (wire_table --world made-up).
+/// because it straightens the vessel, slightly beyond. Its distance from the centerline varies slowly along its length,
+/// and it runs nearly parallel to the centerline; its shape is therefore more informative than its position. The
+/// parameters were chosen on synthetic trees (wire_table --world made-up).
 struct WireModel {
-    double offAxisMm = 1.5;   ///< 1-σ distance from the axis, independent of the vessel's width
+    double offAxisMm = 1.5;   ///< 1-σ distance from the centerline, independent of the vessel's width
     double offAxisOfRadius = 0.5;   ///< additional 1-σ distance in vessel radii, for a uniform distribution over a disk
     double positionLengthMm = 30.0;   ///< length of wire that counts as one position measurement
-    double maxPositionCost = 4.5;   ///< maximum cost of one position measurement, at three sigmas
+    double maxPositionCost = 4.5;   ///< maximum cost of one position measurement, reached at 3 σ
     double turn =
-        0.2;   ///< 1-σ lateral difference between a step of the wire and that of the axis, relative to the step length
+        0.2;   ///< 1-σ lateral difference between a step of the wire and of the centerline, relative to the step
     double stretch = 0.3;   ///< 1-σ difference in length, relative to the step length
     double shapeMm = 7.5;   ///< length of wire that counts as one shape measurement
     double maxShapeCost = 4.5;   ///< maximum cost of one shape measurement
-    double skipPerMm = 0.5;   ///< cost where the wire extends beyond either end of the path
-    double maxSigmas = 4.0;   ///< maximum distance from the axis; beyond it, the wire lies in another vessel
+    double skipPerMm = 0.5;   ///< cost per mm by which the wire extends beyond either end of the path
+    double maxSigmas = 4.0;   ///< maximum distance from the centerline, beyond which lies another vessel
     double reachMm = 0.0;   ///< 1-σ of the remaining pose error
 
     double varianceMm2(double radiusMm) const
@@ -46,7 +46,7 @@ struct WireModel {
         return squaredMm2 < maxSigmas * maxSigmas * varianceMm2;
     }
 
-    /// −log likelihood per mm of wire at this distance from the axis.
+    /// Returns −log likelihood per mm of wire at this distance from the centerline.
     double positionCostPerMm(double squaredMm2, double varianceMm2) const
     {
         const double widening = 0.5 * std::log(varianceMm2 / this->varianceMm2(0.0));

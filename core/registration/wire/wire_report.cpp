@@ -11,11 +11,11 @@ constexpr double minFollowedMm = 3.0;   // minimum length of wire in a listed br
 constexpr double minFollowedShare = 0.2;   // minimum fraction of the wire that follows a reported path
 constexpr double minProbability = 0.01;
 constexpr std::size_t maxPaths = 9;
-constexpr double minOverlap = 0.85;   // minimum overlap of two paths reported as one
+constexpr double minOverlap = 0.85;   // minimum overlap of two paths that are reported as one
 constexpr double temperature =
     0.8;   // softmax temperature that calibrates the evidence to hit rates (wire_table --world made-up)
 
-/// Returns the fraction of the longer course that the other one shares.
+/// Returns the fraction of the longer course that it shares with the other.
 double overlapShare(const std::vector<std::size_t>& a, const std::vector<std::size_t>& b)
 {
     std::vector<std::size_t> shared;
@@ -79,7 +79,7 @@ WirePath WireReport::pathOf(const WireFit& fit) const
     return path;
 }
 
-/// Merges paths that the image does not distinguish: of the fits with the same branches, keeps the most likely one; of
+/// Merges paths that the image cannot distinguish: of the fits with the same branches, keeps the most likely one; of
 /// the paths with nearly the same visible course, reports the most likely one and collects the evidence of all.
 std::vector<WireReport::ReportedPath> WireReport::reportedPaths(const std::vector<WireFit>& fits) const
 {
@@ -175,7 +175,7 @@ void WireReport::assignProbabilities(std::vector<ReportedPath>& reported) const
                              [](const ReportedPath& way) { return way.path.probability; });
 }
 
-/// Total covariance of the first path's pose about the tree centroid: within-path plus between-path.
+/// Returns the total covariance of the first path's pose about the tree centroid: within-path plus between-path.
 Matrix6d WireReport::totalCovariance(const std::vector<ReportedPath>& reported) const
 {
     const CentroidPose& best = reported.front().fit->pose;

@@ -24,7 +24,7 @@ public:
     WireResult of(const std::vector<WireFit>& fits, std::size_t pathRank) const;
 
 private:
-    /// Group of paths that the image does not distinguish, represented by the most likely one.
+    /// Group of paths that the image cannot distinguish, represented by the most likely one.
     struct ReportedPath {
         WirePath path;   ///< most likely path
         const WireFit* fit = nullptr;   ///< fit of the most likely path

@@ -15,7 +15,7 @@ constexpr double isocenterMm = 750.0;
 constexpr double maxOffsetMm = 100.0;   ///< maximum distance of the vessels from the isocenter, along the beam
 constexpr double centeringMm = 8.0;   ///< 1-σ perpendicular to the beam
 constexpr double objectPlaneMm = 40.0;   ///< standard deviation of the assumed object plane, relative to the vessels
-constexpr double steepBeamDeg = 60.0;   ///< beam angle above which the device assumes the object at the isocenter
+constexpr double steepBeamDeg = 60.0;   ///< beam angle above which the device assumes the object to be at the isocenter
 constexpr double tableErrorStdMm =
     40.0;   ///< standard deviation of the table position in the header if the table moved
 

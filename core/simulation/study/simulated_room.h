@@ -6,25 +6,25 @@
 
 namespace angiopose::core {
 
-/// What the headers of an angiography room contain about the isocenter and the table position.
+/// Information that the headers of an angiography room contain about the isocenter and the table position.
 enum class RoomHeader {
-    Siemens,   ///< both, in private tags
-    Standard,   ///< both, in standard tags
-    WithoutTable,   ///< only the isocenter
+    Siemens,   ///< isocenter and table position, in private tags
+    Standard,   ///< isocenter and table position, in standard tags
+    WithoutTable,   ///< isocenter only
     ObjectPlane   ///< neither; instead the object plane assumed by the imaging system, (0018,1111)
 };
 
 /// Two consecutive views of one patient, with geometry and headers as in an angiography room.
 struct RoomOptions {
     RoomHeader header = RoomHeader::Siemens;
-    bool tableMoves = false;   ///< during the second view: its header gives a wrong position and reports the motion
-    bool isMirrored = false;   ///< whether the second view is mirrored, which its header states
+    bool tableMoves = false;   ///< whether it moves during the second view, whose header then gives a wrong position
+    bool isMirrored = false;   ///< whether the second view is mirrored, as its header states
     double angleErrorDeg = 0.4;   ///< standard deviation of each angle in a header
     double breathingMm = 4.0;   ///< 1-σ per axis of the vessels' shift relative to the table in the second view
 };
 
 /// Simulates views with the vessels up to 100 mm off the isocenter along each beam, as happens when the table centers
-/// them in one view after another and travels 150 mm or more in between. Everything is determined by the seed.
+/// them in one view after another and travels 150 mm or more in between. The seed determines everything.
 std::vector<SimulatedCase> simulateRoom(std::uint64_t seed, const RoomOptions& room, const TreeOptions& tree = {},
                                         const DsaOptions& dsa = {});
 

@@ -57,7 +57,7 @@ Takeoff nearestTakeoff(const std::vector<VesselBranch>& branches, std::size_t ch
 }
 
 /// Converts a given tree to a GrownTree: roots it (rootTreeAt) at the branch end with the largest radius and lets every
-/// branch but the trunk leave from the nearest point of the branches before it, so disconnected components are
+/// branch but the trunk leave from the nearest point of the branches before it, so that disconnected components are
 /// supplied too. Unknown radii follow Murray's law from `rootRadiusMm` (assignMurrayRadii).
 GrownTree withTakeoffs(const VesselTree& tree, double rootRadiusMm)
 {

@@ -30,8 +30,7 @@ struct StudySetting {
     HeaderErrors header;
 };
 
-/// A whole study: every setting has `casesPerSetting` cases, which cycle through the trees. Every case is bitwise
-/// reproducible.
+/// A whole study: every setting has `casesPerSetting` cases, which cycle through the trees. Bitwise reproducible.
 struct SimulatedStudy {
     std::string name;
     std::uint64_t seed = 1;
@@ -43,7 +42,7 @@ struct SimulatedStudy {
     std::size_t treeCount() const;
 };
 
-/// Setting and tree of a case, and the number of the case within its setting, from 0.
+/// Setting and tree of a case, and the number of the case within its setting, starting at 0.
 struct StudyCase {
     std::size_t setting = 0;
     std::size_t number = 0;
@@ -51,10 +50,10 @@ struct StudyCase {
 };
 StudyCase studyCaseOf(const SimulatedStudy& study, std::size_t index);
 
-/// Simulates the case with this index. Cases with the same number show the same view and tree in every setting.
+/// Simulates the case with this index. In every setting, cases with the same number show the same view and tree.
 SimulatedCase simulateStudyCase(const SimulatedStudy& study, std::size_t index);
 
-/// Reports the setting or tree of a study that cannot be simulated; nothing if all can.
+/// Returns a message about the setting or tree of a study that cannot be simulated; nullopt if all can.
 std::optional<Message> findProblem(const SimulatedStudy& study);
 
 }   // namespace angiopose::core

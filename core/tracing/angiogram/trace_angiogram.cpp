@@ -40,8 +40,8 @@ constexpr double surroundingsInRadii = 3.0;
 // Thinning splits the crossing of two vessels into two junctions about one vessel width apart.
 constexpr double crossingInRadii = 2.0;
 constexpr std::size_t frameSamples = 200000;
-// Filter halos around a strong vessel hide faint branches close to it; gaps up to this length are bridged if vessel
-// evidence is almost sufficient all along.
+// Filter halos around a strong vessel hide faint branches close to it; gaps up to this length are bridged if the vessel
+// evidence is almost sufficient along the whole gap.
 constexpr double gapReachPx = 14.0;
 constexpr double minEvidenceInGap = 0.75;
 constexpr int maxTracingThreads = 2;   // memory bandwidth limits the gain from more threads
@@ -116,13 +116,13 @@ Mask2d tracedField(const ImageF& vesselsDark, const TraceOptions& options, const
     return without(std::move(field), text);
 }
 
-/// Returns the 99.9 % quantile of the ridge strength, which is scaled to 1.
+/// Returns the ridge strength to be scaled to 1: its 99.9 % quantile.
 float saturationLevel(const ImageF& ridges)
 {
     return std::max(grayQuantile(subsample(ridges.pixels, frameSamples), 0.999), 1e-12F);
 }
 
-/// Scales the ridges to 0…1.
+/// Returns the ridges scaled to 0…1.
 ImageF normalized(ImageF ridges, float top)
 {
     for (float& value : ridges.pixels) {
@@ -198,7 +198,7 @@ void addSuspects(AngiogramTrace& trace, const std::vector<int>& ids)
     trace.suspectCurves = std::move(suspects);
 }
 
-/// Removes the vessel trunk from the suspects: unlike a catheter, it has branches and is wider than they are.
+/// Removes the vessel trunk from the suspect curves: unlike a catheter, it has branches and is wider than these.
 void unmarkTrunk(AngiogramTrace& trace)
 {
     if (const auto trunk = widestTrunk(trace.centerline)) {
@@ -211,7 +211,7 @@ double contrastOf(const AngiogramTrace& trace)
     return contrastScore(trace.centerline, trace.suspectCurves, trace.vesselness, trace.clutter);
 }
 
-/// Adds the warning about missing contrast; drawn masks have neither clutter nor contrast agent.
+/// Adds the warning about missing contrast agent; drawn masks have neither clutter nor contrast agent.
 void warnAboutContrast(AngiogramTrace& trace)
 {
     if (trace.clutter > 0.0 && contrastOf(trace) < minContrast) {

@@ -171,7 +171,7 @@ private:
         return before;
     }
 
-    /// Returns the edge that continues the vessel after `way`, or the number of edges if the vessel ends.
+    /// Returns the edge that continues the vessel after `directedEdge`, or the number of edges if the vessel ends.
     std::size_t continuation(const VesselEdge& directedEdge) const
     {
         const EdgeTakeoff arriving = measureTakeoff(reversed(directedEdge), nodeRadius(directedEdge.endNode));

@@ -11,7 +11,7 @@ namespace angiopose::core {
 struct BranchPath {
     int parent = -1;   ///< index of the parent path; -1 for paths from a root
     int generation = 0;   ///< 0 for roots
-    int loopTarget = -1;   ///< path it joins to close a loop (possibly itself); -1 for a free end
+    int loopTarget = -1;   ///< path that this one joins to close a loop (possibly itself); -1 for a free end
     std::vector<Eigen::Vector3d> pointsMm;   ///< the first point is the node on the parent
     std::vector<double> radiusMm;
 };

@@ -107,8 +107,8 @@ bool isWithin(const GapLimit& limit, double gapInWidths, double direction, doubl
     return gapInWidths <= limit.widths && direction >= limit.minDirection && clearance >= limit.clearance;
 }
 
-/// Returns the wall-to-wall distance if a vessel clearly continues across the gap, else nullopt. `clearance` is the
-/// distance to the next free end relative to the gap.
+/// Returns the wall-to-wall distance if a vessel clearly continues across the gap, otherwise nullopt. `clearance` is
+/// the distance to the next free end relative to the gap.
 std::optional<double> closableGapMm(const FreeEnd& from, const FreeEnd& to, double clearance, double voxelMm)
 {
     const Eigen::Vector3d way = to.positionMm - from.positionMm;
@@ -142,7 +142,7 @@ std::vector<Partner> findPartners(const std::vector<FreeEnd>& ends, TracingProgr
     return partners;
 }
 
-/// Creates a straight edge between two ends.
+/// Returns a straight edge between two ends.
 VesselEdge bridge(const FreeEnd& from, const FreeEnd& to, double voxelMm)
 {
     VesselEdge edge{from.node, to.node, {}, {}};

@@ -10,8 +10,8 @@ struct ClosedGaps {
     double longestMm = 0.0;   ///< longest closed gap, wall to wall
 };
 
-/// Joins components of a graph that clearly are one vessel: two free ends that are each other's nearest, have similar
-/// widths, point at one another and have at most twice the vessel's width (or two voxels) between their walls; four
+/// Joins components of a graph that are clearly one vessel: two free ends that are each other's nearest, have similar
+/// widths, point at each other and have at most twice the vessel's width (or two voxels) between their walls; four
 /// times if they are collinear and no other end is near. Nothing is joined within a component. Incomplete when stopped.
 ClosedGaps closeClearGaps(VesselGraph& graph, double voxelMm, TracingProgress& progress);
 

@@ -11,15 +11,16 @@ namespace angiopose::core {
 namespace {
 
 constexpr double minOpacificationOfStart = 0.65;   ///< blurring alone leaves 0.8 in the thinnest evaluated vessels
-constexpr double minRadius = 1.5;   ///< in voxels; blurring dims the axis of thinner vessels
+constexpr double minRadius = 1.5;   ///< in voxels; blurring dims the center of thinner vessels
 constexpr double minWideShare = 0.5;   ///< minimum fraction of an edge's points wide enough to evaluate
 constexpr std::size_t minWide = 6;   ///< minimum number of evaluable points
 constexpr double exemptRadiusMm = 25.0;   ///< exempt radius around the starts: false lumens of dissections are dim
 constexpr double minSectionConfidence = 0.5;   ///< minimum confidence in a cross-section
 constexpr std::size_t partTangentReach = 3;   ///< points on either side for the tangent
 
-/// Returns the opacification at a point of an edge; nullopt if the vessel is too thin there. Masks of faint lumens have
-/// holes, which shrink the inscribed spheres and shift the skeleton off the axis; the cross-section corrects both.
+/// Returns the opacification at a point of an edge; nullopt if the vessel is too thin. Masks of faint lumens have
+/// holes, which shrink the inscribed spheres and shift the skeleton off the centerline; the cross-section corrects
+/// both.
 std::optional<double> opacificationWhereWide(const VesselEdge& edge, std::size_t n,
                                              const PointOpacification& opacification, double voxelMm)
 {
@@ -39,7 +40,7 @@ std::optional<double> opacificationWhereWide(const VesselEdge& edge, std::size_t
     return radiusMm >= minRadius * voxelMm ? std::optional(opacification(axisPointMm)) : std::nullopt;
 }
 
-/// Returns the median opacification of an edge if most of the edge is wide enough to evaluate, else nullopt.
+/// Returns the median opacification of an edge if most of the edge is wide enough to evaluate, otherwise nullopt.
 std::optional<double> medianFill(const VesselEdge& edge, const PointOpacification& opacification, double voxelMm)
 {
     std::vector<double> fills;
@@ -147,7 +148,7 @@ private:
         Subtree subtree;
     };
 
-    /// Visits the edges depth first, so all edges distal to a step directly follow it in `order_`.
+    /// Visits the edges depth first, so that all edges distal to a step directly follow it in `order_`.
     void visitFrom(int root)
     {
         std::vector<bool> seen(graph_.edges.size(), false);

@@ -109,8 +109,8 @@ void findCuts(const VoxelMask& mask, const Face& face, std::vector<Cut>& cuts)
     }
 }
 
-/// Extends vessels that the grid boundary cuts by slightly more than their radius. Thinning shortens a vessel end by
-/// about that much and would otherwise lose the last segment, or a short wide trunk entirely. Vessels along the
+/// Extends vessels that are cut by the grid boundary by slightly more than their radius. Thinning shortens a vessel end
+/// by about that much and would otherwise lose the last segment, or a short wide trunk entirely. Vessels along the
 /// boundary are not extended.
 PaddedMask extendBeyondBoundary(const VoxelMask& mask)
 {

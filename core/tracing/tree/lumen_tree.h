@@ -22,7 +22,7 @@ struct LumenTree {
 };
 
 /// Traces the tree of a lumen: thinning → graph → tree → smooth centerlines with radii. `lumen` is in patient axis
-/// order; `fill` locates the wall with subvoxel accuracy. No branches if none is long enough or when stopped.
+/// order; `opacification` locates the wall with subvoxel accuracy. No branches if none is long enough or when stopped.
 LumenTree traceLumenTree(const VoxelMask& lumen, const PointOpacification& opacification,
                          const VesselTracingOptions& options, TracingProgress& progress);
 

@@ -88,7 +88,7 @@ private:
         return radius;
     }
 
-    /// Scores an edge: spurs below 1 are removed, lowest first; infinite if the edge is not a spur.
+    /// Returns the score of an edge: spurs below 1 are removed, lowest first; infinite if the edge is not a spur.
     double scoreOf(std::size_t e) const
     {
         const VesselEdge& edge = graph_.edges[e];

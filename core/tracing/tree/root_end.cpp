@@ -17,7 +17,7 @@ constexpr double maxSpurWidthRatio = 0.3;
 /// Score of an end as a candidate for the root.
 struct RootScore {
     double first = -std::numeric_limits<double>::infinity();
-    double second = 0.0;   ///< decides between equal first scores
+    double second = 0.0;   ///< decides between ends with equal first scores
 
     bool isBetterThan(const RootScore& other) const
     {
@@ -57,8 +57,7 @@ private:
     double nodeRadius(int node) const { return graph_.nodeRadiusMm[static_cast<std::size_t>(node)]; }
 
     /// Scores an end by the median width of the vessel that ends there. The end edge may be a spur: a stump on the wall
-    /// of a wide vessel, which does not count, or a coronary artery at the aortic root, which ends where the aorta
-    /// does.
+    /// of a wide vessel, which does not count, or a coronary artery at the aortic root, which ends with the aorta.
     RootScore scoreOf(std::size_t endEdge, int endNode) const
     {
         const VesselEdge fromEnd = graph_.leaving(endEdge, endNode);
@@ -77,7 +76,7 @@ private:
         return {width, measureTakeoff(fromEnd, nodeRadius(endNode)).radiusMm};
     }
 
-    /// Returns the median radius of an edge; for an edge with a free end, excludes the part inside the vessel it joins.
+    /// Returns the median radius of an edge; for an edge with a free end, without the part inside the vessel it joins.
     double widthOf(std::size_t e) const
     {
         const bool endsFree = edgesByNode_[static_cast<std::size_t>(graph_.edges[e].endNode)].size() == 1;

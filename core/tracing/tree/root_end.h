@@ -10,8 +10,8 @@
 namespace angiopose::core {
 
 /// Returns the free end among `nodes` that is nearest to `rootMm`, or without `rootMm` the end of the thickest vessel:
-/// coronary arteries at the aortic root count as ends of the aorta, stumps on its wall are ignored. -1 if there is no
-/// free end. `meeting` holds the edges at each node.
+/// coronary arteries at the aortic root count as ends of the aorta, and stumps on its wall are ignored; -1 if there is
+/// no free end. `edgesByNode` holds the edges at each node.
 int findRootEnd(const VesselGraph& graph, const std::vector<std::vector<std::size_t>>& edgesByNode,
                 const std::vector<int>& nodes, const std::optional<Eigen::Vector3d>& rootMm);
 

@@ -9,7 +9,7 @@ namespace angiopose::core {
 namespace {
 
 constexpr double coverDistanceVoxels = 2.0;
-constexpr double stepOfCurve = 0.5;   ///< sampling step, relative to the smallest voxel side
+constexpr double stepOfCurve = 0.5;   ///< sampling distance, relative to the smallest voxel side
 
 /// Clears the voxels near `at` (in voxel coordinates).
 void clearAround(VoxelMask& missed, const Eigen::Vector3d& at)

@@ -11,7 +11,7 @@
 
 namespace angiopose::core {
 
-/// Provides the opacification around a path; evaluated only near that path.
+/// Returns the opacification around a path, evaluated only near that path.
 using PathOpacification = std::function<PointOpacification(const BranchPath& path)>;
 
 /// Converts paths to smooth centered curves in the same order; parents must precede their children. Opacifications,
@@ -23,7 +23,7 @@ std::vector<VesselCurve> curvesFromPaths(const std::vector<BranchPath>& paths,
 /// Converts a curve to a branch of a tree, patient LPS.
 VesselBranch branchFromCurve(const VesselCurve& curve, int id, int generation, const VolumeGeometry& grid);
 
-/// Converts all paths to a tree with ids 1, 2, … in their order. No branches when stopped.
+/// Converts all paths to a tree with ids 1, 2, … in their order; no branches when stopped.
 VesselTree treeFromPaths(const std::vector<BranchPath>& paths, const PathOpacification& opacificationAlong,
                          const VolumeGeometry& grid, double pointSpacingMm, TracingProgress& progress);
 

@@ -51,8 +51,8 @@ std::size_t countPointsInside(const VesselCurve& parent, const std::vector<Eigen
     return points.size() - 1;
 }
 
-/// Returns the takeoff on the parent's axis of a vessel that leaves the parent's wall at `exit` in `direction`: halfway
-/// between the axis point nearest to the exit and the one nearest to the backward extension.
+/// Returns the takeoff, on the parent's centerline, of a vessel that leaves the parent's wall at `exit` in `direction`:
+/// halfway between the centerline point nearest to the exit and the one nearest to the backward extension.
 Eigen::Vector3d takeoffOn(const VesselCurve& parent, const Eigen::Vector3d& exit, const Eigen::Vector3d& direction)
 {
     const std::size_t neighbors = nearestPoint(parent.pointsMm, exit);
@@ -71,8 +71,8 @@ Eigen::Vector3d takeoffOn(const VesselCurve& parent, const Eigen::Vector3d& exit
     return parent.pointsMm[(best + neighbors) / 2];
 }
 
-/// Replaces the section inside the parent by a straight line from the parent's axis, with the radius measured just
-/// outside the wall.
+/// Replaces the section inside the parent by a straight line from the parent's centerline, with the radius measured
+/// just outside the wall.
 void straightenInsideParent(VesselCurve& curve, std::size_t inside, const VesselCurve& parent)
 {
     const std::size_t ahead = std::min(curve.pointsMm.size() - 1, inside + 4);
@@ -95,7 +95,7 @@ struct Anchors {
     std::vector<double> weights;
 };
 
-/// Data that a curve is fitted to.
+/// Data to which a curve is fitted.
 struct FitContext {
     const std::vector<Eigen::Vector3d>& way;   ///< the original path
     const PointOpacification& opacification;
@@ -104,8 +104,8 @@ struct FitContext {
     bool shouldContinue() const { return progress == nullptr || progress->advance(0.0); }
 };
 
-/// Fits the spline to the anchors. Where the spline would leave the lumen, as in very sharp curves, pulls it back to
-/// the original path.
+/// Fits the spline to the anchors. Where the spline would leave the lumen, as in very sharp bends, pulls it back to the
+/// original path.
 std::vector<Eigen::Vector3d> smoothInLumen(Anchors& anchors, double stiffness, std::size_t inside,
                                            const FitContext& around)
 {
@@ -213,7 +213,7 @@ void reverseCurve(VesselCurve& curve)
     std::reverse(curve.radiusMm.begin(), curve.radiusMm.end());
 }
 
-/// Extends the end to the axis of the vessel with which it closes a loop.
+/// Extends the end to the centerline of the vessel with which it closes a loop.
 void extendToAxis(VesselCurve& curve, const VesselCurve& other)
 {
     reverseCurve(curve);
@@ -226,7 +226,7 @@ void extendToAxis(VesselCurve& curve, const VesselCurve& other)
     reverseCurve(curve);
 }
 
-/// Same as `extendToAxis` for a vessel that returns to itself at `nodeMm`.
+/// Variant of `extendToAxis` for a vessel that returns to itself at `nodeMm`.
 void extendToSelf(VesselCurve& curve, const Eigen::Vector3d& nodeMm)
 {
     std::vector<Eigen::Vector3d> passed = curve.pointsMm;

@@ -22,7 +22,7 @@ struct CurveSettings {
     TracingProgress* progress = nullptr;   ///< if it requests a stop, the curve is incomplete
 };
 
-/// Finished curves on which a path begins and ends; null if there is none.
+/// Finished curves on which a path begins and ends; null for an end without a curve.
 struct CurveNeighbors {
     const VesselCurve* parent = nullptr;
     const VesselCurve* loopTarget = nullptr;
@@ -30,8 +30,8 @@ struct CurveNeighbors {
 };
 
 /// Converts a path of voxels to a smooth curve through the centers of its cross-sections. Inside the parent vessel
-/// nothing can be measured, so the curve runs straight to the parent's axis, also where it closes a loop. A free end
-/// stops one radius before the tip of the lumen, or at the volume boundary if that cuts the vessel.
+/// nothing can be measured, so the curve runs straight to the parent's centerline, also where it closes a loop. A free
+/// end stops one radius before the tip of the lumen, or at the volume boundary if that cuts the vessel.
 VesselCurve fitVesselCurve(const BranchPath& path, const CurveNeighbors& neighbors,
                            const PointOpacification& opacification, const CurveSettings& settings);
 

@@ -12,9 +12,9 @@ namespace angiopose::core {
 namespace {
 
 constexpr double minReportedFraction = 0.02;   ///< minimum total fraction of all voxels
-constexpr std::size_t maxListed = 6;   ///< components per sentence
+constexpr std::size_t maxListed = 6;   ///< maximum number of components per sentence
 
-/// Sums the branch length per component; each step counts toward the component in which it ends.
+/// Returns the branch length per component; each step counts toward the component in which it ends.
 std::vector<double> lengthsByComponent(const VoxelMask& lumen, const std::vector<VoxelComponent>& pieces,
                                        const VesselTree& tree)
 {

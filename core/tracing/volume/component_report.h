@@ -10,13 +10,13 @@
 
 namespace angiopose::core {
 
-/// Lists all traceable connected components, largest first: those of the traced lumen with the length of their
-/// branches, and those excluded before. Incomplete when stopped.
+/// Returns all traceable connected components, largest first: those of the traced lumen with the length of their
+/// branches, and those excluded earlier. Incomplete when stopped.
 std::vector<TracedComponent> listComponents(const VoxelMask& lumen, const VesselTree& tree,
                                             std::vector<TracedComponent> excluded, TracingProgress& progress);
 
-/// Returns messages about connected components: which were traced, if there are several and no seed selected them;
-/// which were not, if these are more than one in fifty voxels.
+/// Returns messages about connected components: which were traced, if there are several and no seed selected them, and
+/// which were not, if these contain more than one in fifty voxels.
 Messages componentWarnings(const std::vector<TracedComponent>& pieces, bool isSelectedBySeeds);
 
 }   // namespace angiopose::core

@@ -170,7 +170,7 @@ private:
         return std::move(result_);
     }
 
-    /// Returns whether the vessel is as wide as an aorta, or enters at the lower face of the scan.
+    /// Returns whether the vessel is as wide as an aorta or enters at the lower face of the scan.
     bool isClear(const GreatVessel& vessel) const
     {
         const Trunk& trunk = vessel.trunks.front();

@@ -16,15 +16,15 @@
 
 namespace angiopose::core {
 
-/// Lumen candidates of a scan, and the data they were derived from.
+/// Lumen candidates of a scan, and the data from which they were derived.
 struct ScanLumen {
-    std::optional<BiasCorrectedScan> corrected;   ///< set if a coil inhomogeneity was corrected
+    std::optional<BiasCorrectedScan> corrected;   ///< set if the intensity inhomogeneity was corrected
     LumenLevels level;
     LumenWithGreatVessels found;   ///< only great vessels suitable as a starting point
     std::optional<Skull> skull;   ///< set for head CT
-    std::vector<Eigen::Vector3d> veins;   ///< axis points of the dural venous sinuses
+    std::vector<Eigen::Vector3d> veins;   ///< centerline points of the dural venous sinuses
 
-    /// The scan that was evaluated; `given` is the original scan.
+    /// Returns the scan that was evaluated; `given` is the original scan.
     const Volume& scan(const Volume& given) const { return corrected ? corrected->volume : given; }
 };
 
@@ -32,8 +32,8 @@ struct ScanLumen {
 VoxelOpacification voxelOpacification(const Volume& volume, const AxisOrder& order, const LumenLevels& level);
 
 /// Finds the lumen candidates. Fails if nothing has the intensity of an opacified lumen. Fails with a request for a
-/// seed if none is placed and the arteries cannot be identified: in head CT with opacified venous sinuses, and without
-/// Hounsfield units if no vessel is definitely an artery. Reports the stages "blood" and "vessels".
+/// seed if no seed is placed and the arteries cannot be identified: in head CT with opacified venous sinuses, and
+/// without Hounsfield units if no vessel is definitely an artery. Reports the stages "blood" and "vessels".
 Result<ScanLumen> findScanLumen(const Volume& volume, const AxisOrder& order, const VesselTracingOptions& options,
                                 TracingProgress& progress);
 

@@ -26,8 +26,8 @@ namespace angiopose::core {
 namespace {
 
 constexpr int holeRounds = 4;
-constexpr double minEvaluatedRadius = 1.5;   ///< in voxels; blurring dims the axis of thinner vessels
-constexpr double minAxisFill = 0.65;   ///< minimum median opacification of the branch axes
+constexpr double minEvaluatedRadius = 1.5;   ///< in voxels; blurring dims the center of thinner vessels
+constexpr double minAxisFill = 0.65;   ///< minimum median opacification of the branch centerlines
 constexpr double minAlongsideMm = 80.0;   ///< minimum length beside a great vessel; pulmonary arteries reach under half
 constexpr double minCoverage = 0.98;   ///< minimum covered fraction of a mask's skeleton; below, a warning is issued
 constexpr double minHoleFill = 0.4;   ///< minimum mean opacification around a voxel darkened by noise
@@ -104,7 +104,7 @@ VesselTracingOptions optionsForScan(VesselTracingOptions options, const std::vec
     return options;
 }
 
-/// Tree of a lumen, with the skeleton it was derived from.
+/// Tree of a lumen, with the skeleton from which it was derived.
 struct TreeWithSkeleton {
     TracedVessels vessels;
     std::vector<std::size_t> skeleton;   ///< voxels of the selected lumen
@@ -176,8 +176,8 @@ Result<TreeWithSkeleton> failIfEmpty(Result<TreeWithSkeleton> traced, const Erro
                                                                   : std::move(traced);
 }
 
-/// Returns whether the axes of the sufficiently wide branches are opacified; axes of bone shells, in marrow and between
-/// organs are not.
+/// Returns whether the centerlines of the sufficiently wide branches are opacified; those of bone shells, in marrow and
+/// between organs are not.
 bool isOpacified(const VesselTree& tree, const AxisOrder& order, const VoxelOpacification& opacification)
 {
     const Eigen::Affine3d voxelFromPatient = order.geometry.patientFromVoxel().inverse();

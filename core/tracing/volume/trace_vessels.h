@@ -11,9 +11,9 @@
 namespace angiopose::core {
 
 /// Traces the opacified vessels of a CT angiogram: threshold or seeded growth, removal of bone and table, thinning,
-/// tree of smooth centerlines with radii. Without seeds, traces the vessel most like an aorta (see `Trunk::worth`), or
+/// tree of smooth centerlines with radii. Without seeds, traces the vessel most like an aorta (see `Trunk::score`), or
 /// else the largest connected component; a warning states which. Fails for an empty or uniform volume, for seeds
-/// outside the lumen, and if nothing looks like a vessel (the axes of that component are not opacified); for
+/// outside the lumen, and if nothing looks like a vessel (the centerlines of that component are not opacified); for
 /// `tubesOnly`, see `traceTubes`. Returns as stopped, without a result, if the observer requests it. Needs up to twice
 /// the memory of the volume in addition.
 Result<TracedVessels> traceVessels(const Volume& volume, const VesselTracingOptions& options = {},

@@ -15,9 +15,9 @@ Message loopWarning(int loops);
 Message gapWarning(const ClosedGaps& gaps);
 Message coverageWarning(const SkeletonCoverage& cover);
 Message unitWarning();   ///< warns that the values may not be Hounsfield units
-Message dimSubtreeWarning(int parts);   ///< `parts`: number of excluded parts
+Message dimSubtreeWarning(int parts);   ///< `parts` is the number of excluded parts
 Message adjacentLumenWarning(const AdjacentLumen& other);
-/// Position of the other lumen that one of these warnings reports; nothing if none does.
+/// Returns the position of the other lumen that one of these warnings reports; nullopt if none does.
 std::optional<Eigen::Vector3d> adjacentLumenPosition(const Messages& warnings);
 Message startWarning(const std::optional<Eigen::Vector3d>& foundStart);   ///< where tracing started without a seed
 

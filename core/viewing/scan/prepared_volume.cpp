@@ -27,7 +27,7 @@ Volume valuesOf(const VoxelMask& mask)
     return values;
 }
 
-/// Averages with the neighbors along each axis in turn: the steps of a mask become slopes, which have a gradient.
+/// Averages with the neighbors along each axis in turn, which turns the steps of a mask into slopes with a gradient.
 void smooth(Volume& values)
 {
     const Eigen::Vector3i& size = values.geometry.size;

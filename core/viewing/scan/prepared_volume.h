@@ -18,11 +18,11 @@ struct VolumePreparation {
     std::shared_ptr<const Volume> scan;   ///< null to show only the mask
     std::shared_ptr<const VoxelMask> mask;   ///< lumen (1), or labels by their index (1, 2, …); may be null
     std::shared_ptr<const VesselTree> tree;   ///< locates the vessels if there is no mask; may be null
-    std::optional<Eigen::AlignedBox3d> boxInPatient{};   ///< restricts the scan to this box
+    std::optional<Eigen::AlignedBox3d> boxInPatient{};   ///< box to which the scan is restricted
     std::size_t maxVoxels = 8'000'000;   ///< maximum size to which the scan is reduced
 };
 
-/// A reduced scan with its vessel voxels marked, ready for `castScan`. Uses three bytes per voxel.
+/// A reduced scan with its vessel voxels marked, ready for `renderScan`. Uses three bytes per voxel.
 struct PreparedVolume {
     Volume volume;   ///< without a scan: `maskValue` inside the mask, 0 outside
     std::vector<std::uint8_t> kinds;   ///< one per voxel: the value of the mask, or 0 for the rest of the body
@@ -43,7 +43,7 @@ struct PreparedVolume {
 inline constexpr int blockSideVoxels = 8;
 inline constexpr std::int16_t maskValue = 1000;
 
-/// Prepares the scan. Returns nothing if there is nothing to show or `shouldContinue` returns false.
+/// Prepares the scan. Returns nullopt if there is nothing to show or if `shouldContinue` returns false.
 std::optional<PreparedVolume> prepareVolume(const VolumePreparation& request,
                                             const std::function<bool()>& shouldContinue);
 
@@ -97,7 +97,8 @@ struct IntensityLevels {
 /// the scan's own histogram, in which vessels are brighter than nearly all other voxels.
 IntensityLevels estimateLevels(const Volume& volume, std::optional<double> threshold);
 
-/// Returns the appearance for these levels. `hasVesselLabels`: whether vessel voxels are known and shown separately.
+/// Returns the appearance for these levels. `hasVesselLabels` states whether vessel voxels are known and shown
+/// separately.
 ScanAppearance appearanceFor(const IntensityLevels& levels, const AppearanceOptions& request, bool hasVesselLabels);
 
 /// Returns the appearance of a mask without a scan.

@@ -54,7 +54,8 @@ public:
         }
         return mixed;
     }
-    /// Opacity increases with the value, so the maximum of a block decides (or the minimum, if the slope is negative).
+    /// Whether a block is visible: its maximum decides, as opacity increases with the value (its minimum for negative
+    /// slopes).
     bool isVisible(const PreparedVolume::Block& block) const
     {
         const auto at = [this](std::int16_t value) { return static_cast<std::size_t>(value - low_); };

@@ -18,10 +18,10 @@ struct T_ASC_Network;
 
 namespace angiopose::io {
 
-/// Called about once a second while waiting and for every fragment sent or received; returns true to abort.
+/// Called about once a second while waiting and for every fragment sent or received. Returns true to abort.
 using StopCheck = std::function<bool()>;
 
-/// Returns whether there was activity on another association since the last call; activity extends the timeout.
+/// Returns whether another association was active since the last call; such activity extends the timeout.
 using ActivityCheck = std::function<bool()>;
 
 /// Timeout for establishing a connection, s.
@@ -37,7 +37,7 @@ core::Status resolveHost(const ArchiveNode& node, const StopCheck& isStopRequest
 struct ProposedContext {
     std::string abstractSyntax;
     std::vector<std::string> transferSyntaxes;
-    bool isForReceiving = false;   ///< the archive sends these objects to us on this association (C-GET)
+    bool isForReceiving = false;   ///< true if the archive sends these objects to us on this association (C-GET)
 };
 
 struct AcceptedContext {
@@ -51,12 +51,12 @@ struct PresentationDataValue {
     enum class Kind { Command, DataSet };
     Kind kind = Kind::Command;
     std::uint8_t context = 0;
-    std::string_view bytes;   ///< after a read, valid only until the next read
+    std::string_view bytes;   ///< after a read, valid only until the next one
     bool isLast = false;
 };
 
-/// A DICOM association through DCMTK that exchanges message fragments. Every wait has a timeout. The destructor aborts
-/// the association unless it was released.
+/// A DICOM association, implemented with DCMTK, that exchanges message fragments. Every wait has a timeout. The
+/// destructor aborts the association unless it was released.
 class Association {
 public:
     static core::Result<std::unique_ptr<Association>> request(const ArchiveNode& node,
@@ -75,7 +75,7 @@ public:
     bool isStopRequested() const { return isStopRequested_(); }
 
     core::Status write(const PresentationDataValue& value);
-    /// Reads the next fragment. If the peer requests a release instead, confirms the release and returns nothing.
+    /// Reads the next fragment. If the peer requests a release instead, confirms the release and returns nullopt.
     core::Result<std::optional<PresentationDataValue>> read(const ActivityCheck& hasActivity = {});
 
     /// Releases the association; nothing can be sent afterwards.
@@ -93,7 +93,7 @@ private:
     T_ASC_Network* network_ = nullptr;
     T_ASC_Association* association_ = nullptr;
     std::vector<AcceptedContext> contexts_;
-    bool isClosed_ = false;   ///< nothing more may be sent to the peer
+    bool isClosed_ = false;   ///< true once nothing more may be sent to the peer
 };
 
 }   // namespace angiopose::io

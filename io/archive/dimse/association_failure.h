@@ -18,7 +18,7 @@ core::Error associationError(const OFCondition& condition, const ArchiveNode& no
 /// Returns the error for an association that the user canceled.
 core::Error canceledAssociationError(const ArchiveNode& node);
 
-/// Whether the connection is already closed, so that sending an abort is pointless.
+/// Returns whether the connection is already closed, in which case sending an abort is pointless.
 bool isConnectionClosed(const OFCondition& condition);
 
 }   // namespace angiopose::io

@@ -36,7 +36,7 @@ public:
     void setHasData() { setNumber(dataSetType, 0x0001); }
 
     std::optional<std::uint16_t> number(std::uint16_t element) const;
-    std::string text(std::uint16_t element) const;   ///< value without padding
+    std::string text(std::uint16_t element) const;   ///< value without its padding
     DimseMessageType kind() const { return static_cast<DimseMessageType>(number(commandField).value_or(0)); }
     std::uint16_t status() const { return number(statusField).value_or(0xffff); }
     bool hasData() const { return number(dataSetType).value_or(noData) != noData; }
@@ -44,7 +44,7 @@ public:
     /// Encodes the command set as implicit VR little endian with its group length (PS3.7 6.3.1).
     std::string encoded() const;
 
-    /// Decodes a command set; returns nothing if the bytes are not a command set.
+    /// Decodes a command set; returns nullopt if the bytes are not a command set.
     static std::optional<DimseCommand> decode(std::string_view bytes);
 
     // Elements of group 0000.
@@ -72,7 +72,7 @@ private:
     std::map<std::uint16_t, std::string> values_;   ///< padded values, keyed by element number
 };
 
-/// Response status codes (PS3.7 C, PS3.4 B.2.3, C.4).
+/// Status codes of responses (PS3.7 C, PS3.4 B.2.3, C.4).
 namespace dimse {
 inline constexpr std::uint16_t success = 0x0000;
 inline constexpr std::uint16_t pending = 0xff00;

@@ -16,7 +16,7 @@ namespace {
 
 using Encoding = std::pair<std::string, std::string>;   ///< SOP class and transfer syntax
 
-/// Returns the leading files whose encodings fit into the presentation contexts of one association.
+/// Returns the first files whose encodings fit into the presentation contexts of one association.
 std::span<const SendableFile> nextBatch(std::span<const SendableFile> files, std::set<Encoding>& encodings)
 {
     std::size_t count = 0;

@@ -16,7 +16,7 @@ namespace angiopose::io {
 void dimseSend(const ArchiveNode& node, const std::vector<SendableFile>& files, const ArchiveObserver& observe,
                TransferReport& report);
 
-/// Creates a source that retrieves objects by C-GET or, if the archive does not support C-GET, by C-MOVE to our
+/// Creates a source that retrieves objects by C-GET or, if the archive does not support that, by C-MOVE to our
 /// receiving port.
 std::unique_ptr<SeriesSource> makeDimseSource(const ArchiveNode& node, const StopCheck& isStopRequested);
 

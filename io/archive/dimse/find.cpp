@@ -17,7 +17,7 @@ constexpr DicomTag studyUidTag = 0x0020000d;
 constexpr DicomTag seriesUidTag = 0x0020000e;
 struct QueryResponses {
     std::vector<DicomDataset> sets;
-    bool isTruncated = false;   ///< whether the archive has more matches; the association is then unusable
+    bool isTruncated = false;   ///< true if the archive has more matches; the association is then unusable
 };
 
 core::Result<QueryResponses> ask(DimseLink& link, const ArchiveNode& node, const Keys& keys, std::size_t most)

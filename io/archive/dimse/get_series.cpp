@@ -17,7 +17,7 @@ std::string seriesIdentifier(const SeriesRequest& series)
     return encodeIdentifier({{0x00080052, "SERIES"}, {0x0020000d, series.studyUid}, {0x0020000e, series.seriesUid}});
 }
 
-/// Fails unless the final response reports full or partial success; missing objects are reported separately.
+/// Fails unless the final response reports full or partial success; the caller reports missing objects separately.
 core::Status checkFinalResponse(const ArchiveNode& node, const std::string& service, const DimseCommand& answer)
 {
     const std::uint16_t status = answer.status();
@@ -65,7 +65,7 @@ core::Status receiveAll(DimseLink& link, const ArchiveNode& node, const SeriesRe
     }
 }
 
-/// Runs the storage SCP on the receiving port in its own thread while C-MOVE is requested on another association.
+/// Runs the storage SCP on the receiving port in its own thread while another association requests C-MOVE.
 class ReceivingThread {
 public:
     ReceivingThread(StorageScp& receiver, StoreWriter& storeWriter)
@@ -89,7 +89,7 @@ private:
     std::thread thread_;
 };
 
-/// Waits for the final response; objects that arrive meanwhile show that the archive is still active.
+/// Waits for the final response; objects arriving meanwhile show that the archive is still active.
 core::Status awaitEnd(DimseLink& link, const ArchiveNode& node, StoreWriter& storeWriter)
 {
     std::uint64_t seen = storeWriter.receivedBytes();

@@ -12,7 +12,7 @@ namespace angiopose::io {
 /// space and UIDs with a null byte; declares UTF-8 as the specific character set if any value is not ASCII.
 std::string encodeIdentifier(const std::map<DicomTag, std::string>& values);
 
-/// Decodes the identifier of a response (implicit VR little endian), filtered by `passElements`.
+/// Decodes the identifier of a response (implicit VR little endian), filtered by `filterElements`.
 DicomDataset decodeIdentifier(std::string_view bytes);
 
 }   // namespace angiopose::io

@@ -21,7 +21,7 @@ public:
     /// Wraps an incoming association that is already acknowledged.
     static DimseLink accepted(T_ASC_Association* association, const ArchiveNode& peer, StopCheck isStopRequested);
 
-    /// Returns the accepted presentation context for a service or SOP class; nothing if the archive rejected it.
+    /// Returns the accepted presentation context for a service or SOP class; nullopt if the archive rejected it.
     std::optional<AcceptedContext> contextFor(const std::string& abstractSyntax,
                                               const std::string& transferSyntax = {}) const;
     std::optional<AcceptedContext> contextWithId(std::uint8_t id) const;
@@ -29,7 +29,7 @@ public:
     core::Status send(std::uint8_t context, const DimseCommand& command);
     core::Status sendData(std::uint8_t context, std::string_view data);
 
-    /// Fragment of a data set, with a flag for the last fragment.
+    /// Fragment of a data set, flagged if it is the last one.
     struct Fragment {
         std::string_view bytes;
         bool isLast = false;
@@ -41,12 +41,12 @@ public:
         DimseCommand command;
         std::uint8_t context = 0;
     };
-    /// Receives the next command. If the peer requests a release instead, confirms the release and returns nothing.
+    /// Receives the next command. If the peer requests a release instead, confirms the release and returns nullopt.
     core::Result<std::optional<ReceivedCommand>> receive(const ActivityCheck& hasActivity = {});
 
     using FragmentSink = std::function<core::Status(std::string_view)>;
     core::Status receiveFragments(const FragmentSink& take);
-    core::Result<std::string> receiveData();   ///< complete data set of a response; only for small data sets
+    core::Result<std::string> receiveData();   ///< receives the complete data set of a response, if it is small
 
     /// Releases the association; nothing can be sent afterwards.
     void release();

@@ -9,7 +9,7 @@
 namespace angiopose::io {
 namespace {
 
-/// File header to write before an object's data set (PS3.10 7.1).
+/// File header to write before the data set of an object (PS3.10 7.1).
 struct FileHeader {
     std::string sopClass;
     std::string sopInstance;

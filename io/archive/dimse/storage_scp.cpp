@@ -82,7 +82,7 @@ void answerContexts(T_ASC_Association* association)
     }
 }
 
-/// Whether an error concerns the store rather than a single peer and therefore stops the storage SCP.
+/// Returns whether an error concerns the store rather than a single peer and therefore stops the storage SCP.
 bool isStoreError(const core::Error& error)
 {
     const core::Message& message = error.message;
@@ -134,7 +134,7 @@ core::Status StorageScp::Impl::begin()
     return core::Done{};
 }
 
-/// Accepts the next association if its caller is permitted; returns nothing if none arrives within a second.
+/// Accepts the next association if its caller is permitted; returns nullopt if none arrives within a second.
 std::optional<DimseLink> StorageScp::Impl::acceptAssociation(StoreWriter& storeWriter, const StopCheck& isStopRequested)
 {
     if (!ASC_associationWaiting(network, 1)) {

@@ -24,11 +24,11 @@ struct DeleteTransportLayer {
 };
 using TransportLayer = std::unique_ptr<DcmTransportLayer, DeleteTransportLayer>;
 
-/// Creates a TLS layer that conforms to BCP 195 (PS3.15 B.9) and requires valid certificates from both peers. If a file
-/// is unusable, fails and names the file.
+/// Creates a TLS layer that conforms to BCP 195 (PS3.15 B.9) and requires valid certificates from both peers. Fails and
+/// names the file if one is unusable.
 core::Result<TransportLayer> makeTlsLayer(const TlsFiles& files, TlsRole role);
 
-/// Whether a certificate (DER) was issued for `host`.
+/// Returns whether a certificate (DER) was issued for `host`.
 bool isCertificateForHost(std::string_view certificate, const std::string& host);
 
 }   // namespace angiopose::io

@@ -22,18 +22,18 @@ struct ArchiveNode {
     std::string certificateFile;   ///< our certificate, PEM file (optional)
     std::string keyFile;
     bool verifiesHost = true;   ///< whether the server certificate must match `host`
-    std::string webUrl;   ///< for example "https://pacs/dicom-web"
+    std::string webUrl;   ///< base URL, for example "https://pacs/dicom-web"
     std::string authorizationFile;   ///< file whose first line is sent as the HTTP Authorization header
     int responseTimeoutSeconds = 9;   ///< timeout for one response, s
 };
 
-/// Whether `title` is a valid AE title: 1 to 16 letters, digits or symbols other than the backslash (PS3.5 6.2).
+/// Returns whether `title` is a valid AE title: 1 to 16 letters, digits or symbols except backslash (PS3.5 6.2).
 bool isAeTitle(std::string_view title);
 
 /// Returns "host:port".
 std::string hostAndPort(const ArchiveNode& node);
 
-/// Checks the settings of a node; fails and names the node if they do not permit a connection attempt.
+/// Checks the settings of a node; fails and names the node if they are insufficient for a connection attempt.
 core::Status checkNode(const ArchiveNode& node);
 
 /// Returns warnings about an unencrypted connection; empty if the connection is encrypted or stays on this computer.

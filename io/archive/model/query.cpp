@@ -28,7 +28,7 @@ std::string compactDate(std::string text)
     return month >= 1 && month <= 12 && day >= 1 && day <= 31 ? text : std::string();
 }
 
-/// Whether one of the backslash-separated values equals `wanted`.
+/// Returns whether one of the values, separated by backslashes, equals `wanted`.
 bool hasValue(const std::string& values, const std::string& wanted)
 {
     return ("\\" + values + "\\").find("\\" + wanted + "\\") != std::string::npos;

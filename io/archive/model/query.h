@@ -18,8 +18,8 @@ enum class ArchiveLevel { Study, Series };
 struct ArchiveQuery {
     ArchiveLevel level = ArchiveLevel::Study;
     std::string patientId;
-    std::string patientName;   ///< UTF-8; matched as a prefix unless it contains `*` or `?`
-    std::string dates;   ///< YYYYMMDD, or two dates joined by '-' as a range; either end of the range may be omitted
+    std::string patientName;   ///< patient name, UTF-8; matched as a prefix unless it contains `*` or `?`
+    std::string dates;   ///< study date, YYYYMMDD, or two dates joined by '-', either of which may be omitted
     std::string modality;   ///< CT, XA, …
     std::string accessionNumber;
     std::string studyUid;
@@ -32,11 +32,11 @@ struct ArchiveMatch {
     std::string modalities;   ///< for a study, all modalities ("CT\XA"); for a series, its modality
     std::string seriesUid, seriesDescription, bodyPart;   ///< empty for a study
     int seriesNumber = 0;
-    int objects = 0;   ///< number of objects; 0 if not reported
+    int objects = 0;   ///< number of objects; 0 if the archive does not report it
 };
 
 struct ArchiveMatches {
-    std::vector<ArchiveMatch> found;   ///< studies from newest to oldest, the series of a study by number
+    std::vector<ArchiveMatch> found;   ///< studies from newest to oldest, or the series of a study by number
     core::Messages warnings;
 };
 
@@ -47,19 +47,19 @@ struct ArchiveObject {
 };
 
 constexpr std::size_t maxMatches = 1000;
-constexpr std::size_t maxSeriesStudies = 200;   ///< maximum number of studies whose series are queried one by one
+constexpr std::size_t maxSeriesStudies = 200;   ///< maximum number of studies whose series are queried study by study
 constexpr std::size_t maxObjects = 50000;   ///< maximum number of objects per series, the same as per folder
 
 /// Converts "2024-01-01..2024-02-01", "2024-01-01" or "2024-01-01.." to `ArchiveQuery::dates`. Fails on anything else.
 core::Result<std::string> parseQueryDates(const std::string& text);
 
-/// True for digits separated by single dots, at most 64 characters; such a text is also safe as a file name.
+/// Returns whether the text is digits separated by single dots, at most 64 characters, and so also safe as a file name.
 bool isUid(const std::string& text);
 
 /// Returns the patient name as a query pattern.
 std::string namePattern(const std::string& patientName);
 
-/// Sorts matches as `ArchiveMatches` specifies and removes those of other modalities: some archives ignore this
+/// Sorts matches as `ArchiveMatches` specifies and removes those of other modalities, because some archives ignore that
 /// criterion.
 void sortAndFilterMatches(const ArchiveQuery& query, std::vector<ArchiveMatch>& found);
 
@@ -70,7 +70,7 @@ struct ArchiveProgress {
     std::uint64_t bytes = 0;
 };
 
-/// Called several times a second on the calling thread. Returning Stop cancels the transfer within about a second.
+/// Called several times per second on the calling thread. Returning Stop cancels the transfer within about a second.
 using ArchiveObserver = std::function<core::ObserverDecision(const ArchiveProgress&)>;
 
 /// The outcome of a transfer.
@@ -81,8 +81,8 @@ struct TransferReport {
     std::size_t failed = 0;
     std::uint64_t bytes = 0;   ///< bytes transferred
     std::vector<std::string> folders;   ///< folders of the retrieved series, one per series
-    core::Messages problems;   ///< problems of single objects, at most `maxProblems`
-    std::optional<core::Error> end;   ///< reason why the transfer ended early: an error or a cancellation
+    core::Messages problems;   ///< problems with individual objects, at most `maxProblems`
+    std::optional<core::Error> end;   ///< reason why the transfer ended early: an error or cancellation
 
     static constexpr std::size_t maxProblems = 20;
 

@@ -27,7 +27,7 @@ std::vector<fs::path> entriesOf(const fs::path& folder)
     return entries;
 }
 
-/// Whether the cache created the file: its name is `<uid>.dcm`.
+/// Returns whether the cache created the file: its name is `<uid>.dcm`.
 bool isObjectFile(const fs::path& path)
 {
     std::error_code failed;
@@ -68,7 +68,7 @@ CachedSeries seriesAt(const fs::path& folder)
     return series;
 }
 
-/// Deletes a series. Marks the series as incomplete first, in case the deletion is interrupted.
+/// Deletes a series, after marking it as incomplete in case of an interruption. Returns the number of deleted objects.
 std::size_t deleteSeries(const fs::path& folder)
 {
     markSeriesIncomplete(folder.string());

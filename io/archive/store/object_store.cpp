@@ -93,7 +93,7 @@ private:
     fs::path path_;
 };
 
-/// Explains why a received object is not the expected one; returns nothing if it matches.
+/// Explains why a received object is not the expected one; returns nullopt if it matches.
 std::optional<core::Message> explainMismatch(const core::StudyIdentity& came, const ExpectedObject& expected)
 {
     const bool isOther = (!expected.studyUid.empty() && came.studyUid != expected.studyUid) ||

@@ -22,8 +22,8 @@ struct ExpectedObject {
 struct StoredObject {
     enum class Kind {
         New,
-        Duplicate,   ///< an object with identical content was already in the store
-        Conflict   ///< a different object with the same UID is in the store and is not replaced
+        Duplicate,   ///< an identical object was already in the store
+        Conflict   ///< a different object with the same UID is in the store and was not replaced
     };
 
     Kind kind = Kind::New;
@@ -32,7 +32,7 @@ struct StoredObject {
     std::uint64_t bytes = 0;
 };
 
-/// Object while it is being received, in a temporary file that is deleted unless `finish` succeeds.
+/// An object being received into a temporary file, which is deleted unless `finish` succeeds.
 class IncomingObject {
 public:
     /// Creates a temporary file below `root`, the store's folder.
@@ -45,8 +45,8 @@ public:
     core::Status write(std::string_view bytes);
     bool isTooLarge() const { return isTooLarge_; }
 
-    /// Reads the object's header and moves the file to its place in the store. Fails if the file is not a DICOM object
-    /// or not the expected one.
+    /// Reads the object's header and moves the file to its place in the store. Fails if the file is not DICOM or not
+    /// the expected object.
     core::Result<StoredObject> finish(const ExpectedObject& expected) &&;
 
 private:
@@ -70,7 +70,7 @@ public:
     core::Result<IncomingObject> begin() const { return IncomingObject::begin(root_, maxObjectBytes_); }
     std::string seriesFolder(const std::string& studyUid, const std::string& seriesUid) const;
     std::optional<std::uint64_t> storedSize(
-        const ExpectedObject& object) const;   ///< nullopt if it is not in the store
+        const ExpectedObject& object) const;   ///< nullopt if the store does not contain the object
 
 private:
     ObjectStore(std::string root, std::uint64_t maxObjectBytes)

@@ -18,7 +18,7 @@ struct SendableFile {
     std::uint64_t bytes = 0;   ///< total file size, bytes
 };
 
-/// Reads the header of a DICOM file; if the file cannot be sent, fails and names the file.
+/// Reads the header of a DICOM file; fails and names the file if it cannot be sent.
 core::Result<SendableFile> readSendableFile(const std::string& path);
 
 }   // namespace angiopose::io

@@ -17,7 +17,7 @@ std::uint64_t heldBy(const ObjectStore& store)
     return held;
 }
 
-/// Whether an error concerns only the object and not the folder in which it is stored.
+/// Returns whether an error concerns only the object and not the folder in which it is stored.
 bool isAboutObject(const core::Error& error)
 {
     return error.message.is(messages::archiveObjectUnreadable) || error.message.is(messages::archiveObjectForeign);

@@ -15,7 +15,7 @@ namespace angiopose::io {
 struct StoreLimit {
     enum class FullStorePolicy { DeleteOldest, Refuse };
 
-    std::uint64_t maxBytes = 0;   ///< 0 if limited only by disk space
+    std::uint64_t maxBytes = 0;   ///< 0 if only the disk space limits the store
     FullStorePolicy whenFull = FullStorePolicy::DeleteOldest;
 };
 
@@ -30,10 +30,10 @@ public:
 
     const ObjectStore& store() const { return *store_; }
 
-    /// Sets the callback for each object that has been stored or was already present.
+    /// Sets the callback for each object that was stored or already present.
     void tell(StoredCallback reported) { storedCallback_ = std::move(reported); }
 
-    /// Callback that `warn` and `miss` invoke immediately with each message.
+    /// Called by `warn` and `recordMissing` immediately with each message.
     using ProblemCallback = std::function<void(const core::Message&)>;
     void setProblemCallback(ProblemCallback heard) { problemCallback_ = std::move(heard); }
 
@@ -52,7 +52,7 @@ public:
     /// Records an expected object that did not arrive.
     void recordMissing(const core::Message& why);
 
-    /// Records a warning; unlike `miss`, does not count a missing object.
+    /// Records a warning; unlike `recordMissing`, does not count a missing object.
     void warn(const core::Message& what);
 
     bool isStopRequested() const;
@@ -83,7 +83,7 @@ public:
     virtual core::Result<std::vector<ArchiveObject>> objectsOf(const std::string& studyUid,
                                                                const std::string& seriesUid) = 0;
 
-    /// Fetches all objects of a series into the store. `arrivals` records the problems of single objects.
+    /// Fetches all objects of a series into the store. `storeWriter` records problems with individual objects.
     virtual core::Status fetch(const std::string& studyUid, const std::string& seriesUid,
                                const std::vector<ArchiveObject>& objects, StoreWriter& storeWriter) = 0;
 };

@@ -10,7 +10,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// Returns the values of an element; an empty array if the element is absent or empty.
+/// Returns the values of an element; returns an empty array if the element is absent or empty.
 Json valuesOf(const Json& set, const char* tag)
 {
     const auto element = set.find(tag);

@@ -12,10 +12,10 @@ namespace angiopose::io {
 core::Result<std::vector<ArchiveMatch>> parseMatches(const std::string& json);
 core::Result<std::vector<ArchiveObject>> parseObjects(const std::string& json);
 
-/// STOW-RS result for one sent object.
+/// Result of STOW-RS for one sent object.
 struct StoreResult {
     bool isStored = false;
-    int failure = 0;   ///< FailureReason (0008,1197); 0 if not reported
+    int failure = 0;   ///< failure reason (0008,1197); 0 if not reported
 };
 StoreResult parseStoreResult(const std::string& json);
 

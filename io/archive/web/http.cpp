@@ -27,7 +27,7 @@ void addHeader(HeaderList& list, const std::string& header)
     list.reset(curl_slist_append(list.release(), header.c_str()));
 }
 
-/// Returns the first line of the authorization file. The value is sent but never saved.
+/// Returns the first line of the authorization file. The value is sent but never stored.
 core::Result<std::string> authorizationOf(const ArchiveNode& node)
 {
     if (node.authorizationFile.empty()) {
@@ -203,7 +203,7 @@ core::Result<HttpConnection> HttpConnection::open(const ArchiveNode& node, StopC
     std::call_once(once, [] {
         curl_global_init(CURL_GLOBAL_DEFAULT);
         std::signal(SIGPIPE,
-                    SIG_IGN);   // as DCMTK does, so that a closed connection is an error and does not end the program
+                    SIG_IGN);   // as in DCMTK, so that a closed connection is an error and does not end the program
     });
     auto authorization = authorizationOf(node);
     if (!authorization) {

@@ -18,14 +18,14 @@ struct HttpResponse {
     std::string body;   ///< response body, unless a sink received it
 };
 
-/// Sends and receives over HTTP(S) on one persistent connection. Verifies certificates, does not follow redirects,
-/// permits no other protocol, and limits every wait by a timeout.
+/// Sends and receives over HTTP(S) on one persistent connection. Verifies certificates, follows no redirects, permits
+/// no other protocol, and limits every wait by a timeout.
 class HttpConnection {
 public:
     using StopCheck = std::function<bool()>;
     /// Receives a chunk of the body of a response with status 200; an error cancels the transfer.
     using Sink = std::function<core::Status(std::string_view piece, const std::string& contentType)>;
-    /// Fills a buffer with the next bytes to send and returns their number: 0 at the end, nothing on a read error.
+    /// Fills a buffer with the next bytes to send and returns their number: 0 at the end, nullopt on a read error.
     using Source = std::function<std::optional<std::size_t>(char* buffer, std::size_t size)>;
 
     static core::Result<HttpConnection> open(const ArchiveNode& node, StopCheck isStopRequested);
@@ -56,8 +56,8 @@ std::string percentEncode(std::string_view text);
 /// Returns the DICOMweb address of a node without a trailing slash.
 std::string dicomWebUrl(const ArchiveNode& node);
 
-/// Sends a query and returns the JSON of the response; empty if nothing matches. On any other status than success,
-/// fails and names the service.
+/// Sends a query and returns the JSON of the response; empty if nothing matches. Fails and names the service if the
+/// status is not success.
 core::Result<std::string> queryDicomWeb(HttpConnection& http, const ArchiveNode& node, const std::string& service,
                                         const std::string& url);
 

@@ -44,7 +44,7 @@ std::optional<std::string> parseBoundary(const std::string& contentType)
 MultipartReader::MultipartReader(const std::string& boundary, Handler handler)
     : delimiter_("\r\n--" + boundary),
       handler_(std::move(handler)),
-      buffer_(lineEnd)   // the initial line end lets a delimiter at the very start of the body match
+      buffer_(lineEnd)   // the initial line end makes a delimiter at the very start of the body match
 {
 }
 
@@ -133,7 +133,7 @@ core::Result<bool> MultipartReader::consumeHeaders()
 core::Result<bool> MultipartReader::consumeContent()
 {
     const std::size_t at = buffer_.find(delimiter_);
-    // If no delimiter was found, the last bytes may be the beginning of one that is not complete yet.
+    // If no delimiter was found, the last bytes may be the start of an incomplete one.
     const std::size_t content = at != std::string::npos               ? at
                                 : buffer_.size() >= delimiter_.size() ? buffer_.size() - delimiter_.size() + 1
                                                                       : 0;

@@ -9,7 +9,7 @@
 
 namespace angiopose::io {
 
-/// Returns the boundary of a content type "multipart/related; …; boundary=…"; nothing if it is absent or invalid.
+/// Returns the boundary of a content type "multipart/related; …; boundary=…"; nullopt if it is absent or invalid.
 std::optional<std::string> parseBoundary(const std::string& contentType);
 
 /// Parses a multipart body (RFC 2046 5.1) chunk by chunk and passes on the contents of the parts without storing them.
@@ -26,7 +26,7 @@ public:
     /// Parses the next piece. Fails if the body is malformed, headers exceed 16 KiB, or the handler fails.
     core::Status feed(std::string_view piece);
 
-    /// Whether the closing boundary was received; if not, the body is truncated.
+    /// Returns whether the closing boundary was received; if not, the body is truncated.
     bool isClosed() const { return state_ == State::Closed; }
 
 private:
@@ -38,7 +38,7 @@ private:
     core::Result<bool> consumeHeaders();
     core::Result<bool> consumeContent();
 
-    std::string delimiter_;   ///< "\r\n--boundary"
+    std::string delimiter_;   ///< the sequence "\r\n--boundary"
     Handler handler_;
     State state_ = State::Preamble;
     std::string buffer_;   ///< bytes received but not yet passed on

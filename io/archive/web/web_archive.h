@@ -11,7 +11,7 @@
 
 namespace angiopose::io {
 
-/// DICOMweb (PS3.18) counterparts of the DIMSE functions, over HTTP(S).
+/// Verifies that the archive responds. These functions are the DICOMweb (PS3.18) counterparts of the DIMSE functions.
 core::Status webEcho(const ArchiveNode& node, const std::function<bool()>& isStopRequested);
 
 /// Queries studies and series by QIDO-RS.

@@ -127,7 +127,7 @@ private:
     std::uint64_t size_ = 0;
 };
 
-/// Counts the result of one file; fails if it is pointless to send further files.
+/// Counts the result of one file; fails if sending further files is pointless.
 core::Status recordStoreResult(const ArchiveNode& node, const SendableFile& file, const HttpResponse& reply,
                                TransferReport& report)
 {

@@ -103,7 +103,7 @@ public:
             if (!page) {
                 return page.error();
             }
-            hasMore = false;   // stop unless the page has new objects: some archives return all of them every time
+            hasMore = false;   // stop unless the page has new objects: some archives return all objects every time
             for (const ArchiveObject& object : page.value()) {
                 if (seen.insert(object.sopInstance).second) {
                     objects.push_back(object);
@@ -143,8 +143,8 @@ private:
         return dicomWebUrl(node_) + "/studies/" + studyUid + "/series/" + seriesUid;
     }
 
-    /// Lists one page of objects: for a large series an archive may not respond for a long time while it collects all
-    /// objects.
+    /// Lists one page of objects, because an archive that collects all objects of a large series may not respond for a
+    /// long time.
     core::Result<std::vector<ArchiveObject>> objectsFrom(const std::string& series, std::size_t first)
     {
         auto answer = ask(series + "/instances?limit=" + std::to_string(pageSize) + "&offset=" + std::to_string(first));

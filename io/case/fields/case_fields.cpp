@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 using core::Case;
 
-/// Field with a constant value that identifies the file and is checked before all other fields.
+/// Returns a field with a constant value that identifies the file and is checked before all other fields.
 StoredField<Case> constantField(std::string key, Json schema, Json value)
 {
     return {std::move(key), std::move(schema), [](const Json&, Case&, ReadContext&) {},
@@ -36,7 +36,7 @@ StoredField<Case> vesselField()
     return field;
 }
 
-/// Locked pose axes, which belong to the options but are stored with the pose.
+/// Returns the field of the locked pose axes, which belong to the options but are stored with the pose.
 StoredField<Case> locksField()
 {
     const Json schema = about(listSchema(choiceSchema({"right", "up", "along-ray", "roll", "lao-rao", "cra-cau"})),
@@ -103,7 +103,7 @@ StoredField<Case> otherViewsField()
             }};
 }
 
-/// Index of the shown view, whose fields are at the top level; preserves the order of the views.
+/// Returns the field of the index of the shown view, which keeps the order of the views: its fields are at top level.
 StoredField<Case> shownPlaceField()
 {
     return {

@@ -6,13 +6,13 @@
 
 namespace angiopose::io {
 
-/// All fields of a case file, one row each. The fields of the shown view are at the top level.
+/// Returns all fields of a case file, one row each. The fields of the shown view are at the top level.
 const StoredFields<core::Case>& caseFields();
 
-/// The JSON Schema generated from the rows.
+/// Returns the JSON Schema generated from the rows.
 const std::string& caseSchemaText();
 
-/// Returns all keys that are read and written in a case with this kind of vessel input, nested as in the file.
+/// Returns all keys read and written for a case with this kind of vessel input, nested as in the file.
 Json knownCaseKeys(core::VesselInputKind kind);
 
 }   // namespace angiopose::io

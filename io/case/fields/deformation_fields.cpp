@@ -34,7 +34,7 @@ StoredField<DeformableResult> verdictField()
             [](const DeformableResult& deformed, const fs::path&) { return Json(core::toText(deformed.verdict)); }};
 }
 
-/// Poses of all views of the deformable registration; the first is the pose of this view.
+/// Returns the field of the poses of all views in the deformable registration; the first is the pose of this view.
 StoredField<DeformableResult> viewPosesField()
 {
     return {"viewPoses",
@@ -117,7 +117,7 @@ StoredFields<RigidOffset> rigidOffsetFields()
             valueField("rigidOffMostAtBranch", Json{{"type", "integer"}}, &RigidOffset::farthestBranchId)};
 }
 
-/// Fields of the deformation as a whole, without those of single branches.
+/// Returns the fields of the deformation as a whole, without those of single branches.
 StoredFields<DeformableResult> wholeFields()
 {
     StoredFields<DeformableResult> rows{verdictField(),

@@ -7,7 +7,7 @@
 
 namespace angiopose::io {
 
-/// Returns the row of an enum stored as a word; `words` lists the permitted words in enumerator order.
+/// Returns the row of an enumeration stored as a word; `words` lists the permitted words in enumerator order.
 template <class Owner, class Choice, std::size_t Count>
 StoredField<Owner> enumField(std::string key, Json schema, Choice Owner::*member,
                              const std::array<const char*, Count>& words)

@@ -35,7 +35,7 @@ const char* originText(Origin origin)
     }
 }
 
-/// Returns the schema of a value that is stored bare or as an object with its origin.
+/// Returns the schema of a value stored alone or as an object with its origin.
 Json sourcedSchema(const Json& value)
 {
     return anyOfSchema(
@@ -43,7 +43,7 @@ Json sourcedSchema(const Json& value)
         objectSchema({{"value", value}, {"origin", schemaReference("origin")}, {"basis", textSchema()}}, {"value"}));
 }
 
-/// Reads a value with its origin; a bare value counts as entered by the user.
+/// Reads a value with its origin; a value stored alone counts as entered by the user.
 template <class Value>
 Sourced<Value> sourcedFrom(const Json& json)
 {
@@ -77,7 +77,7 @@ StoredField<ViewGeometry> sourcedField(const char* key, const Json& valueSchema,
             [member](const ViewGeometry& geometry, const fs::path&) { return sourcedJson(geometry.cArm.*member); }};
 }
 
-/// Row and column spacing: two values with a common origin.
+/// Returns the field of the row and column spacing: two values with a common origin.
 StoredField<ViewGeometry> spacingField()
 {
     return {"imagerPixelSpacingMm", about(sourcedSchema(schemaReference("pair")), "Row spacing, column spacing."),
@@ -124,7 +124,7 @@ StoredField<ViewGeometry> cameraField()
             }};
 }
 
-/// Single distance in older files; if it came from an image header, it is the distance to the object plane.
+/// Returns the field of the single distance in older files; if from an image header, it refers to the object plane.
 StoredField<ViewGeometry> legacyDistanceField()
 {
     return {"sourceToPatientMm", about(sourcedSchema(numberSchema()), "In older files: sourceToIsocenterMm."),

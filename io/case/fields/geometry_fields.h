@@ -4,7 +4,7 @@
 
 namespace angiopose::io {
 
-/// Members of `geometry`: the C-arm values, each with its origin, and a camera that overrides them.
+/// Returns the members of `geometry`: the C-arm values, each with its origin, and a camera that overrides them.
 StoredFields<core::ViewGeometry> geometryFields();
 
 }   // namespace angiopose::io

@@ -18,7 +18,7 @@ const Json& resolved(const Json& schema)
 Json knownKeys(const Json& schema)
 {
     const Json& wanted = resolved(schema);
-    for (const Json& choice : wanted.value("anyOf", Json::array())) {   // a bare value or an object that contains it
+    for (const Json& choice : wanted.value("anyOf", Json::array())) {   // a value, or an object that contains it
         if (const Json keys = knownKeys(choice); keys.is_object()) {
             return keys;
         }

@@ -4,10 +4,10 @@
 
 namespace angiopose::io {
 
-/// Field of the target points and ostium rings on the vessels.
+/// Returns the field of the target points and ostium rings on the vessels.
 StoredField<core::Vessels> marksField();
 
-/// Field of the target points marked in a view's image, and of the arrows and text annotations on that image.
+/// Returns the field of the target points marked in a view's image, and of the arrows and text annotations on it.
 StoredField<core::View> sightingsField();
 StoredField<core::View> annotationsField();
 

@@ -4,10 +4,10 @@
 
 namespace angiopose::io {
 
-/// Field of the measurements in a view's image.
+/// Returns the field of the measurements in a view's image.
 StoredField<core::View> measurementsField();
 
-/// Field of the measurements in slices of the scan.
+/// Returns the field of the measurements in slices of the scan.
 StoredField<core::Vessels> sliceMeasurementsField();
 
 }   // namespace angiopose::io

@@ -12,7 +12,7 @@ namespace angiopose::io {
 /// Returns `{"key": value, …}` for all rows of the option table; switches and choices by name.
 std::string optionsJson(const core::RegistrationOptions& options);
 
-/// Sets options from such a text; null leaves an option unchanged. Adds invalid values to `problems`.
+/// Sets options from text in this format; null leaves an option unchanged. Adds invalid values to `problems`.
 void readOptions(std::string_view json, core::RegistrationOptions& options, core::Messages& problems);
 
 /// Sets one option from a number or the name of a choice. Returns the problem, if any.

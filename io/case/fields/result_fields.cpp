@@ -23,7 +23,7 @@ using core::WirePath;
 
 constexpr std::size_t longestStageName = 40;
 
-/// Field of a column vector, stored as a list, or of a matrix, stored as a list of its rows.
+/// Returns the field of a column vector, stored as a list, or of a matrix, stored as a list of its rows.
 template <class Owner, int Rows, int Columns>
 StoredField<Owner> measureFields(std::string key, Eigen::Matrix<double, Rows, Columns> Owner::*member)
 {
@@ -64,7 +64,7 @@ StoredFields<DistanceMetrics> distanceMetricsFields()
             measureField("reverseDistanceMm", &DistanceMetrics::reverseMeanMm)};
 }
 
-/// Constant that is written for human readers; ignored when read, because other versions may write another value.
+/// Returns a constant field written for readers; ignored when read, because other versions may write another value.
 StoredField<PoseUncertainty> constantTextField(std::string key, Json said)
 {
     return {std::move(key), Json::object(), [](const Json&, PoseUncertainty&, ReadContext&) {},
@@ -91,7 +91,7 @@ StoredFields<CameraEvidence> cameraEvidenceFields()
             measureField("gain", &CameraEvidence::gain)};
 }
 
-/// Evidence about the camera; present only if the camera is uncertain.
+/// Returns the field of the evidence about the camera, which is present only if the camera is uncertain.
 StoredField<RegistrationResult> cameraEvidenceField()
 {
     const StoredFields<CameraEvidence> fields = cameraEvidenceFields();
@@ -165,7 +165,7 @@ StoredFields<IterationReport> iterationFields()
             optionalField("view", Json{{"type", "integer"}, {"minimum", 0}}, &IterationReport::view)};
 }
 
-/// Initial pose, stored together with the resulting pose.
+/// Returns the field of the initial pose, which is stored together with the resulting pose.
 StoredField<RegistrationResult> startField()
 {
     return {"initial", about(schemaReference("pose"), "Initial pose."),

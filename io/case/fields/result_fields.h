@@ -4,10 +4,10 @@
 
 namespace angiopose::io {
 
-/// The fields of a registration result in `result.json` and in a case (FORMATS §2.9, §3.1).
+/// Returns the fields of a registration result in `result.json` and in a case (FORMATS §2.9, §3.1).
 const StoredFields<core::RegistrationResult>& resultFields();
 
-/// Result of a view. If the pose in the file was changed and is no longer the result's pose, the view has no result.
+/// Returns the field of a view's result. A view whose pose in the file is no longer that of the result has none.
 StoredField<core::View> resultField();
 
 }   // namespace angiopose::io

@@ -21,18 +21,18 @@ Json integerSchema(int min, int max);
 Json choiceSchema(std::initializer_list<const char*> choices);
 Json anyOfSchema(Json one, Json other);
 Json listSchema(Json items);
-Json numbersSchema(int count);   ///< list of `count` numbers
+Json numbersSchema(int count);   ///< Returns the schema of a list of `count` numbers.
 
 /// Returns the schema of an object with these members; permits other members.
 Json objectSchema(Json properties, std::initializer_list<const char*> required = {});
 
-/// References a definition shared by the whole schema (see schemaDefinitions).
+/// References a definition that the whole schema shares (see schemaDefinitions).
 Json schemaReference(std::string_view name);
 
-/// The keys that a schema names, level by level, for finding the unknown keys of a file: "" marks a value.
+/// Returns the keys that a schema names, level by level, for finding unknown keys in a file; "" marks a value.
 Json knownKeys(const Json& schema);
 
-/// Definitions shared by several fields: input, branchIds, point, pair, origin, pose, matrix.
+/// Returns the definitions shared by several fields: input, branchIds, point, pair, origin, pose, matrix.
 Json schemaDefinitions();
 
 }   // namespace angiopose::io

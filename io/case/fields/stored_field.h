@@ -12,17 +12,17 @@
 
 namespace angiopose::io {
 
-/// Information collected while reading, in addition to the values.
+/// Information collected while reading, in addition to the values themselves.
 struct ReadContext {
     core::Messages problems;   ///< invalid values, each with key and remedy
     ViewNotes view;   ///< notes on the view being read
     std::vector<ViewNotes> otherViews;   ///< notes on the other views of the case, in order
-    std::size_t shownViewIndex = 0;   ///< index of the shown view, which is stored in the case itself, among all views
+    std::size_t shownViewIndex = 0;   ///< index of the shown view, which is stored in the case itself
     bool hasVessels = false;   ///< whether a vessel input of any kind was found
 };
 
-/// Describes one value of an Owner that is stored in a case file. This row determines reading, writing, the schema and
-/// the known keys.
+/// Describes one value of an Owner that is stored in a case file. The row determines how the value is read and written,
+/// its schema and its known keys.
 template <class Owner>
 struct StoredField {
     std::string key;   ///< rows with the same key share an object
@@ -83,7 +83,7 @@ StoredField<Owner> valueField(std::string key, Json schema, Value Owner::*member
             [member](const Owner& owner, const std::filesystem::path&) { return Json(owner.*member); }};
 }
 
-/// A value that JSON represents directly, written only if it differs from the default of an Owner.
+/// Returns the row of a value that JSON represents directly and that is written only if it differs from the default.
 template <class Owner, class Value>
 StoredField<Owner> optionalField(std::string key, Json schema, Value Owner::*member)
 {
@@ -109,7 +109,7 @@ StoredField<Owner> objectField(std::string key, Json schema, Part Owner::*member
             }};
 }
 
-/// Returns the row of an object that contains several rows of the same owner.
+/// Returns the row of an object that groups several rows of the same owner.
 template <class Owner>
 StoredField<Owner> groupField(std::string key, Json schema, StoredFields<Owner> fields)
 {
@@ -153,7 +153,7 @@ Json keysOf(const StoredFields<Owner>& fields)
     return knownKeys(objectSchema(propertiesOf(fields)));
 }
 
-/// Reads one item of a list, including its unknown keys if Item has `extraKeys`.
+/// Reads an item of a list, including its unknown keys if Item has `extraKeys`.
 template <class Item>
 void readItem(const Json& json, Item& item, const StoredFields<Item>& fields, ReadContext& reading)
 {

@@ -4,8 +4,8 @@
 
 namespace angiopose::io {
 
-/// Members of `angiogram.subtraction`. A member that is absent takes its value from the image header once the image is
-/// read.
+/// Returns the members of `angiogram.subtraction`. A missing member takes its value from the image header once the
+/// image is read.
 StoredField<core::View> subtractionField();
 
 }   // namespace angiopose::io

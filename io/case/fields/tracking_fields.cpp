@@ -40,7 +40,7 @@ StoredField<TrackedRunFrame> problemField()
             }};
 }
 
-/// Deformation of a frame that shows the vessels. Frames that copy a deformation are not stored; reading restores them.
+/// Returns the field of the deformation of a frame that shows the vessels. Copies in other frames are not stored.
 StoredField<TrackedRunFrame> deformationOfFrameField()
 {
     const StoredFields<core::DeformableResult> fields = deformationFieldsWithoutPoints();

@@ -52,7 +52,7 @@ core::VesselBranch branchFrom(const Json& json)
         }
     }
     if (branch.radiusMm.size() != branch.pointsInPatient.size()) {
-        branch.radiusMm.clear();   // radii are known for all points of a branch or for none
+        branch.radiusMm.clear();   // the radii of a branch are known for all points or for none
     }
     return branch;
 }
@@ -68,7 +68,7 @@ Json treeJson(const core::VesselTree& tree)
     return json;
 }
 
-/// Reads a tree from such JSON, which must conform to the schema; fails with a reason if the tree is not usable.
+/// Reads a tree from that JSON, which must conform to the schema; fails with a reason if the tree is unusable.
 core::Result<core::VesselTree> treeFromJson(const Json& json)
 {
     core::VesselTree tree;
@@ -135,8 +135,8 @@ Json inputJson(const core::InputFile& file, const std::string& seriesId, const f
     return json;
 }
 
-/// Input file of one kind. The first kind present is the source of the vessels; an additional volume is the scan that
-/// shows them.
+/// Returns the field of the input file of one kind. The first kind present is the source of the vessels; an additional
+/// volume is the scan that shows them.
 StoredField<Vessels> inputField(VesselInputKind kind)
 {
     return {vesselKey(kind), inputSchema(kind),
@@ -193,7 +193,7 @@ StoredField<Vessels> unitField()
                       &VesselInput::unitMm));
 }
 
-/// Tree edited by the user, which replaces the tree of the input.
+/// Returns the field of the tree that the user edited, which replaces the tree of the input.
 StoredField<Vessels> editedTreeField()
 {
     return {

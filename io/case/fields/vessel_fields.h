@@ -4,10 +4,10 @@
 
 namespace angiopose::io {
 
-/// The members of `vessel`, one row each.
+/// Returns the members of `vessel`, one row each.
 const StoredFields<core::Vessels>& vesselFields();
 
-/// The members of `vessel.tracing`: settings of vessel tracing.
+/// Returns the members of `vessel.tracing`, the settings of vessel tracing.
 const StoredFields<core::VesselTracingOptions>& vesselTracingFields();
 
 }   // namespace angiopose::io

@@ -113,7 +113,7 @@ void readSnapshots(const Json& list, core::View& view, ReadContext& reading)
     }
 }
 
-/// Members of `snapshots`, which are numbered from 1.
+/// Returns the field of the snapshots, which are numbered from 1.
 StoredField<core::View> snapshotsField()
 {
     return {"snapshots", snapshotsSchema(), readSnapshots, [](const core::View& view, const fs::path& folder) {
@@ -125,7 +125,7 @@ StoredField<core::View> snapshotsField()
             }};
 }
 
-/// Image file, with the SOP instance UID of the image.
+/// Returns the field of the image file, with the SOP instance UID of the image.
 StoredField<View> imageField()
 {
     return {"image", schemaReference("input"),
@@ -155,7 +155,7 @@ StoredField<View> frameField()
             [](const View& view, const fs::path&) { return Json(view.frame); }};
 }
 
-/// Registration target; curves edited in the GUI are marked as edited and stored with their frame.
+/// Returns the fields of the registration target; curves edited in the GUI are flagged and stored with their frame.
 StoredFields<GivenTarget> targetFields()
 {
     const StoredField<GivenTarget> origin{
@@ -229,7 +229,7 @@ StoredField<View> traceField()
     return field;
 }
 
-/// Reads the pose at `pose.<key>`; returns nothing if the pose is invalid.
+/// Reads the pose at `pose.<key>`; returns nullopt if the pose is invalid.
 std::optional<core::RigidTransform> poseFrom(const Json& value, const std::string& key, ReadContext& reading)
 {
     const auto pose = poseFromRows(value.at("cameraFromPatient").get<MatrixRows>());

@@ -4,10 +4,10 @@
 
 namespace angiopose::io {
 
-/// All fields of a view in a case file, one row each.
+/// Returns all fields of a view in a case file, one row each.
 const StoredFields<core::View>& viewFields();
 
-/// The members of `angiogram.trace`: settings of frame tracing.
+/// Returns the members of `angiogram.trace`, the settings of frame tracing.
 const StoredFields<core::TraceOptions>& traceOptionFields();
 
 }   // namespace angiopose::io

@@ -12,9 +12,9 @@
 
 namespace angiopose::io {
 
-/// Subtraction settings specified in a case; settings without a value follow the image header.
+/// Subtraction settings specified in a case. The image header determines those without a value.
 struct SubtractionOverrides {
-    std::optional<std::vector<int>> maskFrames;   ///< if empty, mask frames are selected automatically
+    std::optional<std::vector<int>> maskFrames;   ///< if not set, mask frames are selected automatically
     std::optional<core::MaskInterval> interval;
     std::optional<Eigen::Vector2d> maskShiftPx;
     bool isShiftAutomatic = false;
@@ -25,11 +25,11 @@ struct SubtractionOverrides {
 struct ViewNotes {
     bool hasFrame = false;
     bool hasCurrentPose = false;
-    std::vector<int> deviceCurveIds;   ///< IDs of the edited curves that are devices, see core::CurvesApart
+    std::vector<int> deviceCurveIds;   ///< IDs of the edited curves that are devices, see core::separateDevices
     std::optional<SubtractionOverrides> subtraction;
     std::string sopInstanceUid;   ///< SOP instance UID of the image, if stored
     core::Messages
-        changedSinceResult;   ///< parts of the file that changed since the view's result was saved; see result_seal.h
+        changedSinceResult;   ///< parts of the file that changed after the view's result was saved
     core::Messages changedSinceTracking;   ///< the same for the tracking result
 };
 

@@ -9,8 +9,8 @@ namespace {
 constexpr const char* notADevice =
     "Made by AngioPose, a program for research. It is not a medical device; not for diagnosis or treatment.";
 
-/// Whether an object has the Laterality element, which is empty if unknown (PS3.3 C.7.3.1); segmentations and reports
-/// store the laterality elsewhere.
+/// Returns whether an object has the Laterality element (PS3.3 C.7.3.1), which is empty if unknown; segmentations and
+/// reports store the laterality elsewhere.
 bool hasLaterality(const ObjectKind& kind)
 {
     const std::string_view modality = kind.modality;

@@ -25,20 +25,20 @@ ObjectOrigin newOrigin(const std::string& author);
 struct ObjectKind {
     const char* sopClassUid;
     const char* modality;
-    const char* role;   ///< single word from which UIDs are derived
+    const char* role;   ///< single word from which the UIDs are derived
     const char* description;   ///< series description
     int seriesNumber;
 };
 
 /// Adds the modules that all objects have: SOP Common, Patient, General Study, Patient Study, General Series, General
-/// Equipment (PS3.3 C.7, C.12.1). Copies patient and study from the source; without a source, the object gets a new
-/// study. States that the object is for research and that AngioPose is not a medical device.
+/// Equipment (PS3.3 C.7, C.12.1). Copies patient and study from the source; an object without a source gets a new
+/// study. States that the object is for research use and that AngioPose is not a medical device.
 void addCommonModules(DicomItem& root, const ObjectKind& kind, const SourceImage& source, const ObjectOrigin& origin);
 
 /// Returns the UID of the study to which the object belongs.
 std::string studyUidOf(const SourceImage& source, const ObjectOrigin& origin);
 
-/// Adds the Content Identification macro (PS3.3 10.9): upper-case label, description for users, creator.
+/// Adds the Content Identification macro (PS3.3 10.9): upper-case label, description for readers, creator.
 void addContentIdentification(DicomItem& root, const char* label, const std::string& description,
                               const ObjectOrigin& origin);
 

@@ -117,7 +117,7 @@ void addNumber(DicomItem& group, const ReportNumber& reported, const Measurement
     }
 }
 
-/// Adds language and observer, which is a program (TID 1204, 1001 and 1004).
+/// Adds the language and the observer, which is a program (TID 1204, 1001 and 1004).
 void addObservationContext(DicomItem& root, const ObjectOrigin& origin)
 {
     addCodeContent(root, "HAS CONCEPT MOD", languageTerm, english);

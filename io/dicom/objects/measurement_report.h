@@ -9,7 +9,7 @@
 
 namespace angiopose::io {
 
-/// Measured value with the geometry on which it was measured: points in the image or in the patient, or none.
+/// Measured value with the points at which it was measured, in the image or in the patient, if any.
 struct ReportNumber {
     CodedTerm meaning;
     double value = 0.0;

@@ -8,7 +8,7 @@ namespace angiopose::io {
 namespace {
 
 constexpr ObjectKind stateKind{"1.2.840.10008.5.1.4.1.1.11.1", "PR", "state", "AngioPose overlay, vectors", 9004};
-constexpr std::size_t maxPointsInLine = 8000;   // a value with a 16-bit length has at most 65534 bytes
+constexpr std::size_t maxPointsInLine = 8000;   // a value with a 16-bit length field has at most 65534 bytes
 constexpr std::uint16_t whiteGray = 65535;
 
 /// Adds a reference to the image and, if it has several frames, to one frame.

@@ -17,7 +17,7 @@ struct GraphicText {
     Eigen::Vector2d at;   ///< position, px
 };
 
-/// Lines and texts of one color that viewers show and hide together.
+/// Lines and text of one color that viewers show and hide together.
 struct GraphicLayer {
     std::string name;   ///< at most 16 upper-case letters, digits, spaces and `_`
     std::string description;
@@ -30,7 +30,7 @@ struct GraphicLayer {
 struct PresentationContent {
     std::vector<GraphicLayer> layers;
     int frame = 0;   ///< frame to which the lines belong
-    std::optional<core::DisplayRange> range;   ///< range of rescaled values; if not set, the range in the image header
+    std::optional<core::DisplayRange> range;   ///< range of rescaled values; if not set, that of the image header
     std::string description;
 };
 

@@ -59,7 +59,7 @@ void addCameraItem(DicomItem& root, const CArmRegistration& registration, const 
     addMatrix(item, core::RigidTransform{}, "X-ray camera itself");
 }
 
-/// Adds pose and camera with full double precision as private elements, because the standard has no elements for them.
+/// Adds pose and camera with full double precision as private elements, because the standard has no elements for these.
 void addCamera(DicomItem& root, const CArmRegistration& registration)
 {
     const core::ProjectionCamera& camera = registration.camera;
@@ -75,7 +75,7 @@ void addCamera(DicomItem& root, const CArmRegistration& registration)
               "(0, 0) the centre of the first pixel; 1003: columns, rows.");
 }
 
-/// Reads the pose from the values of an element; returns nothing if a value is missing.
+/// Reads the pose from the values of an element; returns nullopt if a value is missing.
 std::optional<core::Result<core::RigidTransform>> poseIn(const DicomDataset& data, DicomTag tag)
 {
     MatrixRows rows(4, std::vector<double>(4));

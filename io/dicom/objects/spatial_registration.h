@@ -13,8 +13,8 @@ namespace angiopose::io {
 struct CArmRegistration {
     core::RigidTransform cameraFromPatient;
     core::ProjectionCamera camera;
-    std::string scanFrameOfReferenceUid;   ///< frame of reference UID of the vessels' patient coordinates
-    std::string cameraFrameOfReferenceUid;   ///< of the camera coordinates, see cameraFrameOfReference
+    std::string scanFrameOfReferenceUid;   ///< frame of reference UID of the patient coordinates of the vessels
+    std::string cameraFrameOfReferenceUid;   ///< frame of reference UID of the camera; see cameraFrameOfReference
     std::string method;   ///< description of the registration method; may be empty
 };
 
@@ -24,7 +24,7 @@ std::string cameraFrameOfReference(const SourceImage& angiogram, const ObjectOri
 
 /// Returns a Spatial Registration (PS3.3 A.39.1) in the frame of reference of the camera. The item for the scan's frame
 /// of reference contains `cameraFromPatient`, which maps patient points of the scan to camera points (PS3.3 C.20.2:
-/// "from the Referenced to the Registered RCS"); the item for the image contains the identity. Private elements contain
+/// "from the Referenced to the Registered RCS"); the item for the image contains the identity. Private elements hold
 /// the camera (FORMATS §3.6). Fails if the pose is not rigid.
 core::Result<std::string> spatialRegistration(const CArmRegistration& registration, const SourceImage& angiogram,
                                               const ObjectOrigin& origin);

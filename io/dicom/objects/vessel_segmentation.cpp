@@ -32,7 +32,7 @@ Eigen::Vector3d cornerOf(const core::VolumeGeometry& grid, int plane)
     return grid.originInPatient + plane * grid.spacingMm.z() * grid.direction.col(2);
 }
 
-/// Packs one bit per voxel, lowest bit first, without padding between frames (PS3.5 8.1.1).
+/// Packs voxels into one bit each, lowest bit first, without padding between frames (PS3.5 8.1.1).
 std::string packedBits(const std::vector<std::uint8_t>& voxels)
 {
     std::string bits((voxels.size() + 7) / 8, '\0');

@@ -9,9 +9,9 @@
 
 namespace angiopose::io {
 
-/// DICOM references of the scan that contains the vessels; empty if the scan is not DICOM.
+/// References to the DICOM scan that contains the vessels; empty if the scan is not DICOM.
 struct ScanReference {
-    /// Single image of the series, or a frame of a multi-frame image.
+    /// A single image of the series, or a frame of a multi-frame image.
     struct Slice {
         std::string sopInstanceUid;
         int frame = 0;
@@ -28,7 +28,7 @@ struct ScanReference {
 core::Result<std::string> vesselSegmentation(const core::VoxelMask& vessels, const std::string& algorithm,
                                              const ScanReference& scan, const ObjectOrigin& origin);
 
-/// The frame of reference of a scan's patient coordinates, or one derived from `fallback` if the scan has none.
+/// Returns the frame of reference UID of a scan, or one derived from `fallback` if the scan has none.
 std::string scanFrameOfReference(const SourceImage& scan, const std::string& fallback);
 
 }   // namespace angiopose::io

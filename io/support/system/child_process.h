@@ -23,11 +23,11 @@ public:
         ReadStatus what = ReadStatus::Nothing;
         std::size_t size = 0;   ///< number of bytes read
     };
-    /// Reads the helper's output, waiting for at most `milliseconds`; a negative time waits until data arrive. A signal
-    /// to the parent ends the wait.
+    /// Reads the helper's output, waiting for at most `milliseconds`; if negative, waits until data arrive. A signal to
+    /// the parent ends the wait.
     Output readOutput(std::span<char> place, int milliseconds) const;
 
-    enum class EndReason { Normal, TimedOut, Fault };   ///< `TimedOut` includes being killed by another process
+    enum class EndReason { Normal, TimedOut, Fault };   ///< `TimedOut` includes termination by another process
     EndReason waitForExit();
 
 private:

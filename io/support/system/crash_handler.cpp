@@ -27,8 +27,8 @@
 namespace angiopose::io {
 namespace {
 
-/// Program and libraries as mapped in memory, read from the system inside a signal handler: allocates no memory and
-/// takes no lock.
+/// Program and libraries as mapped in memory, read from the system inside a signal handler, without allocating memory
+/// or taking locks.
 class LoadedModules {
 public:
     struct Module {
@@ -38,7 +38,7 @@ public:
     };
 
     void read();
-    const Module* at(std::uintptr_t address) const;   ///< null if the address is in no module
+    const Module* at(std::uintptr_t address) const;   ///< returns null if the address is in no module
 
     /// Returns the file name without its folders, which may identify the user.
     static std::string_view nameOf(const Module& module);
@@ -90,7 +90,7 @@ public:
     MappedModule(const MappedModule&) = delete;
     MappedModule& operator=(const MappedModule&) = delete;
 
-    /// Returns `count` objects of type T at an offset; null if they are not completely inside the file.
+    /// Returns `count` objects of type T at an offset; null if they do not lie completely inside the file.
     template <class T>
     const T* at(std::size_t offset, std::size_t count = 1) const
     {
@@ -225,7 +225,7 @@ constexpr std::array faultSignals{FaultSignal{SIGSEGV, "SIGSEGV"}, FaultSignal{S
                                   FaultSignal{SIGFPE, "SIGFPE"}, FaultSignal{SIGILL, "SIGILL"},
                                   FaultSignal{SIGABRT, "SIGABRT"}};
 
-/// Everything that the handler needs, prepared while allocating memory is safe.
+/// Everything that the handler needs, prepared while allocating memory is still safe.
 struct Preparation {
     std::array<char, 4096> pathBegin{};   ///< path of the dump, part before the time
     std::array<char, 32> process{};   ///< path of the dump, part after the time
@@ -293,7 +293,7 @@ void writeHead(SignalText& out, int signal, const siginfo_t& about, const Signal
 std::uintptr_t hostAndPort(int frame)
 {
     const auto address = reinterpret_cast<std::uintptr_t>(prepared().frames[static_cast<std::size_t>(frame)]);
-    return frame == 0 ? address : address - 1;   // address of the call instead of the return address
+    return frame == 0 ? address : address - 1;   // address of the call rather than the return address
 }
 
 void writeFrames(SignalText& out, int count)
@@ -312,7 +312,7 @@ void writeFrames(SignalText& out, int count)
     out.flush();
 }
 
-/// Writes the function names after the stack is on disk, because reading the module files may itself fail.
+/// Writes the function names only after the stack is on disk, because reading the module files may itself crash.
 void writeFunctions(SignalText& out, int count)
 {
     static std::array<char, 512> place{};
@@ -356,7 +356,7 @@ extern "C" void onFault(int signal, siginfo_t* about, void*)
 {
     if (isBeingWritten.test_and_set()) {
         for (;;) {
-            ::pause();   // another thread is writing its own fault and will terminate the process
+            ::pause();   // another thread is writing its own crash and will terminate the process
         }
     }
     writeDump(signal, *about);

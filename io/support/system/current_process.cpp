@@ -45,7 +45,7 @@ bool isProcessRunning(int process)
     if (::kill(process, 0) != 0 && errno == ESRCH) {
         return false;
     }
-    // A process that has ended remains listed as a zombie until its parent waits for it, so check its state.
+    // A process that has ended stays listed as a zombie until its parent waits for it, so check its state.
     std::ifstream file("/proc/" + std::to_string(process) + "/stat");
     const std::string stat{std::istreambuf_iterator<char>(file), {}};
     const std::size_t state = stat.rfind(") ");

@@ -17,13 +17,13 @@ double physicalMemoryBytes();
 
 int currentProcessId();
 
-/// Whether a process is running, including processes of other users.
+/// Returns whether a process is running, including processes of other users.
 bool isProcessRunning(int process);
 
 /// Returns the host name of the computer; "localhost" if there is none.
 std::string hostName();
 
-/// Whether the stream writes to a terminal.
+/// Returns whether the stream writes to a terminal.
 bool isTerminal(std::FILE* stream);
 
 }   // namespace angiopose::io

@@ -11,7 +11,7 @@ enum class FileKind { Missing, Unreachable, Folder, Regular, Other };
 struct FileStatus {
     FileKind kind = FileKind::Missing;
     std::size_t size = 0;
-    std::string problem;   ///< error text of the system if the path is inaccessible
+    std::string problem;   ///< error text of the system; empty if the path is accessible
 };
 
 /// Examines a path without opening it, because opening a pipe would block forever.
@@ -46,8 +46,8 @@ private:
 /// Releases a mapping created by `ReadHandle::map`.
 void unmap(const char* mapping, std::size_t size);
 
-/// Makes the system read the first `size` bytes of a mapping, and returns the system's error text on failure. Also
-/// returns nullopt if the system lacks this call.
+/// Makes the system read the first `size` bytes of a mapping, and returns the system's error text on failure. Returns
+/// nullopt on success, and if the system lacks this call.
 std::optional<std::string> findMappingFault(const char* mapping, std::size_t size);
 
 }   // namespace angiopose::io

@@ -26,7 +26,7 @@ public:
     LockState lockExclusive() const;
     LockState lockShared() const;
 
-    /// Whether the path still refers to this file; another program may have just removed the file.
+    /// Returns whether the path still refers to this file; another program may have just removed the file.
     bool isStillLinkedAt(const std::string& path) const;
 
     std::string text() const;   ///< first 512 bytes of the file

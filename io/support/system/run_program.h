@@ -13,7 +13,7 @@ struct ProgramExit {
 };
 
 /// Runs a program, given by its path or by a name in the search path, until it ends; its output goes to the streams of
-/// this process. Ctrl+C reaches only this process: if `isStopped` returns true, sends SIGTERM to the program and waits
+/// this process. Ctrl+C reaches only this process. If `isStopped` returns true, sends SIGTERM to the program and waits
 /// for it to end.
 ProgramExit runProgram(const std::string& program, std::vector<std::string> arguments, bool (*isStopped)());
 

@@ -7,7 +7,7 @@
 
 namespace angiopose::io {
 
-/// Writes text lines to a file inside a signal handler: allocates no memory and takes no lock.
+/// Writes lines of text to a file inside a signal handler, without allocating memory or taking locks.
 class SignalText {
 public:
     explicit SignalText(int file) : file_(file) {}

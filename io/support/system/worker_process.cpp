@@ -19,7 +19,7 @@ namespace {
 
 constexpr int channelNumber = 3;   // file descriptor of the channel in the worker
 
-/// Returns the worker's environment: that of this process, with `added` replacing variables of the same name.
+/// Returns the worker's environment: that of this process, in which `added` replaces variables of the same name.
 std::vector<std::string> environmentWith(const std::vector<std::string>& added)
 {
     std::vector<std::string> all = added;
@@ -83,7 +83,7 @@ WorkerProcess::WorkerProcess(const std::string& program, std::vector<std::string
     channel_ = ends[0];
     posix_spawn_file_actions_t files;
     ::posix_spawn_file_actions_init(&files);
-    // Duplicate to a high number first, because dup2 of 3 onto itself would keep the close-on-exec flag.
+    // First duplicate to a high number, because dup2 of 3 onto itself would keep the close-on-exec flag.
     const int high = ::fcntl(ends[1], F_DUPFD_CLOEXEC, channelNumber + 1);
     ::posix_spawn_file_actions_adddup2(&files, high, channelNumber);
     ::posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
@@ -144,7 +144,7 @@ std::string WorkerProcess::end()
     }
     int status = 0;
     pid_t ended = ::waitpid(id_, &status, WNOHANG);
-    // A worker that has closed the channel is about to end on its own: wait, to report how it ended.
+    // A worker that has closed the channel is about to end on its own, so wait to report how it ended.
     for (int waited = 0; ended == 0 && waited < 200; ++waited) {
         pollfd channel{channel_, POLLIN, 0};
         if (::poll(&channel, 1, 0) <= 0 || (channel.revents & POLLHUP) == 0) {

@@ -12,7 +12,7 @@ namespace angiopose::io {
 /// reaches only the parent. The destructor kills the worker if it is still running.
 class WorkerProcess {
 public:
-    /// `environment` lists "NAME=value" entries that override the variables of this process.
+    /// `environment` lists "NAME=value" entries that override variables of this process.
     WorkerProcess(const std::string& program, std::vector<std::string> arguments,
                   const std::vector<std::string>& environment);
     WorkerProcess(const WorkerProcess&) = delete;
@@ -32,7 +32,7 @@ public:
     /// Requests the worker to cancel its current work (SIGTERM).
     void requestStop() const;
 
-    /// Kills the worker and waits for it to end. If the worker had already ended on its own, returns how ("signal 11").
+    /// Kills the worker and waits for it to end. Returns the cause if it had already ended on its own ("signal 11").
     std::string end();
 
     /// Waits until a worker sends something or ends, at most this long; a signal to this process ends the wait.
@@ -41,10 +41,10 @@ public:
 private:
     int id_ = -1;
     int channel_ = -1;
-    std::string partialLine_;   ///< received start of an incomplete line
+    std::string partialLine_;   ///< start of a line that has not arrived completely
 };
 
-/// The worker's end of the channel.
+/// The worker's end of the channel to its parent.
 class WorkerChannel {
 public:
     /// Makes this process end when `parent`, which started it, ends. Returns false if the parent has already ended or

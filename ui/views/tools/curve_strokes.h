@@ -27,8 +27,8 @@ void addShadowed(StrokeMesh& mesh, const CurveCanvas& canvas, const StrokeLine& 
 void addShadowedDashes(StrokeMesh& mesh, const CurveCanvas& canvas, const StrokeLine& line, double widthPx,
                        double dashPx);
 
-/// Style of curves that are not being edited: suspects are dashed amber, devices dashed white. `isFaint`
-/// draws all curves faintly.
+/// Style of curves that are not being edited: suspects are dashed amber, devices dashed white. If `isFaint` is true,
+/// all curves are faint.
 struct CurveStyle {
     double widthPx = 2.2;   ///< width in px at 100 % scale
     std::vector<int> suspectIds = {};
@@ -37,7 +37,7 @@ struct CurveStyle {
 };
 void addCurves(StrokeMesh& mesh, const CurveCanvas& canvas, const core::Centerline2d& curves, const CurveStyle& style);
 
-/// Caches strokes of unedited curves until curves or view change, since mouse moves are far more frequent.
+/// Caches strokes of unedited curves until the curves or the view change, since mouse moves are far more frequent.
 class CurveStrokeCache {
 public:
     /// Returns the strokes; an equal `revision` means that curves and style are unchanged.

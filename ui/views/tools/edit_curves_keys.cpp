@@ -37,7 +37,7 @@ bool EditCurvesTool::takesKey(const QKeyEvent& event) const
                          (event.key() == Qt::Key_BracketLeft || event.key() == Qt::Key_BracketRight);
     const bool isPath = !path_.isEmpty() && (event.key() == Qt::Key_Backspace || event.key() == Qt::Key_Return ||
                                              event.key() == Qt::Key_Enter);
-    // In this mode, Backspace always edits the path, even if there is none; otherwise it would move the pose.
+    // In this mode, Backspace always edits the path, even if there is none; otherwise, it would move the pose.
     return isBrush || isPath || isSuspectKey(event) || event.key() == Qt::Key_Backspace || editOf(event).has_value();
 }
 

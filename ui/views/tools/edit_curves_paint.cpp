@@ -77,7 +77,7 @@ StrokeMesh EditCurvesTool::strokes(int heightPx) const
 {
     const CurveCanvas canvas = this->canvas(heightPx);
     StrokeMesh mesh;
-    if (isDragging_) {   // keeps removed parts faintly visible during the drag
+    if (isDragging_) {   // keeps removed parts faintly visible during a drag
         addCurves(mesh, canvas, curves_, {.widthPx = curveWidth, .isFaint = true});
         addCurves(mesh, canvas, shown_, idleStyle());
     } else {

@@ -1,5 +1,5 @@
-// Curves that may be devices: buttons next to each (check mark, wire, cross), and keys that step through these curves
-// and classify them.
+// Curves that may be devices: buttons next to each curve (check mark, wire, cross), and keys that step through these
+// curves and classify them.
 #include "core/tracing/angiogram/drawing/edit_centerline.h"
 #include "ui/theme/active_theme.h"
 #include "ui/views/angiogram_view.h"
@@ -88,7 +88,7 @@ void EditCurvesTool::decide(int curveId, Decision decision)
     }
 }
 
-/// Marks a curve as a device, or removes that mark; no effect for a negative ID.
+/// Marks a curve as a device, or removes that mark; does nothing for a negative ID.
 void EditCurvesTool::markDevice(int curveId)
 {
     if (curveId >= 0) {

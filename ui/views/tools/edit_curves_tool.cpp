@@ -236,7 +236,7 @@ bool EditCurvesTool::doubleClick(const ToolPoint&)
     if (edit_ == CurveEdit::Draw) {
         finishPath();
     }
-    return true;   // accepted, to prevent the view from maximizing
+    return true;   // accepted, so that the view is not maximized
 }
 
 void EditCurvesTool::finishPath()

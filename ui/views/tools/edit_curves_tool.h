@@ -28,7 +28,7 @@ struct CurveGuide {
     double maxRadiusPx = 8.0;
 };
 
-/// Tool that edits the traced curves of the frame with the mouse, see `CurveEdit`. Possible devices are dashed amber,
+/// Tool for editing the traced curves of the frame with the mouse; see `CurveEdit`. Possible devices are dashed amber,
 /// with a check mark, a wire and a cross to click; S selects the next one, A accepts it as a vessel, W marks it as a
 /// catheter or guidewire, Delete removes it. Confirmed devices are dashed white. Emits the resulting curves after each
 /// edit.
@@ -39,8 +39,8 @@ public:
     ~EditCurvesTool() override;
 
     void showCurves(const core::Centerline2d& curves, CurveMarks marks);   ///< cancels the current edit
-    void setReady(bool ready);   ///< false disables editing while the frame is being traced
-    void setGuide(std::shared_ptr<CurveGuide> guide);   ///< null if not available yet: drawn lines are then straight
+    void setReady(bool ready);   ///< if false, disables editing while the frame is being traced
+    void setGuide(std::shared_ptr<CurveGuide> guide);   ///< null if not available yet, so that drawn lines are straight
     bool hasGuide() const { return guide_ != nullptr; }
     void setEdit(CurveEdit edit);
     CurveEdit edit() const { return edit_; }
@@ -68,11 +68,11 @@ public:
     void paint(QPainter& painter) const override;
 
 signals:
-    void begun();   ///< the mode started; the receiver calls `setGuide`
+    void begun();   ///< emitted when the mode starts; the receiver calls `setGuide`
     void editChanged(ui::CurveEdit edit);
     void edited(const core::Centerline2d& curves, const ui::LocalizedText& undoText);
     void suspectAccepted(int curveId);
-    void deviceToggled(int curveId, bool isDevice);   ///< the curve was marked as a device, or unmarked
+    void deviceToggled(int curveId, bool isDevice);   ///< emitted when the curve was marked as a device, or unmarked
 
 private:
     struct Sign;
@@ -115,7 +115,7 @@ private:
     std::optional<ToolPoint> pointer_;
     int hovered_ = -1;
     bool isDragging_ = false;
-    bool keepsInside_ = true;   ///< Ctrl: the region keeps only its inside; otherwise its inside is removed
+    bool keepsInside_ = true;   ///< if true, the region keeps only its inside (Ctrl); otherwise its inside is removed
     std::vector<Eigen::Vector2d> region_;
     WirePath path_;
 };

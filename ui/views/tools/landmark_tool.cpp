@@ -72,7 +72,7 @@ std::optional<LandmarkTool::DraggedItem> LandmarkTool::draggableAt(const QPointF
 bool LandmarkTool::startDrag(const ToolPoint& pressed)
 {
     dragged_ = draggableAt(pressed.position);
-    return true;   // accepts every drag, to keep window/level from changing next to landmarks
+    return true;   // accepts every drag, so that window/level does not change next to landmarks
 }
 
 void LandmarkTool::drag(const ToolPoint& point)

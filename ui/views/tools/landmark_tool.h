@@ -7,7 +7,7 @@
 
 namespace angiopose::ui {
 
-/// Landmarks as displayed: the complete pairs, and at most one incomplete pair.
+/// Landmarks as displayed: the complete pairs and at most one incomplete pair.
 struct LandmarkMarks {
     std::vector<core::Landmark> pairs;
     std::optional<Eigen::Vector3d> pendingPointInPatient;

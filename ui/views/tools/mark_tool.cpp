@@ -78,7 +78,7 @@ bool MarkTool::startDrag(const ToolPoint& pressed)
     if (!draggedHandle_ && mode_ == MarkMode::Arrow) {
         points_ = {pressed.imagePx};
     }
-    return true;   // accepts every drag, to keep window/level from changing while marking
+    return true;   // accepts every drag, so that window/level does not change during marking
 }
 
 void MarkTool::drag(const ToolPoint& point)

@@ -14,8 +14,8 @@ namespace angiopose::ui {
 enum class MarkMode { TargetPoint, OstiumRing, TargetInImage, Arrow, Text };
 inline constexpr std::size_t markModeCount = 5;
 
-/// Sets marks in the image: a click sets a point, in the mode Arrow a drag goes from tail to tip; dragging a handle
-/// moves an existing mark. Texts are typed in a line edit at the point. Delete removes the selection.
+/// Sets marks in the image: a click sets a point; in the mode Arrow, a drag goes from tail to tip; dragging a handle
+/// moves an existing mark. Text is typed in a line edit at the point. Delete removes the selection.
 class MarkTool : public ImageTool {
     Q_OBJECT
 public:
@@ -23,7 +23,7 @@ public:
 
     /// Sets the drag handles of existing marks, image px; cancels the current drag.
     void showHandles(std::vector<Eigen::Vector2d> handles);
-    /// Maps a clicked pixel to the position to set; empty result: no position. If not set, the pixel itself is used.
+    /// Maps a clicked pixel to the position to set, or nullopt if there is none. If not set, the pixel itself is used.
     using Snap = std::function<std::optional<Eigen::Vector2d>(const Eigen::Vector2d& pixel)>;
     void setSnap(Snap snap) { snap_ = std::move(snap); }
 
@@ -45,9 +45,9 @@ public:
 
 signals:
     void placed(const Eigen::Vector2d& pixel);
-    void written(const std::vector<Eigen::Vector2d>& pixels, const QString& words);   ///< may be empty for arrows
+    void written(const std::vector<Eigen::Vector2d>& pixels, const QString& words);   ///< text may be empty for arrows
     void handleMoved(int handle, const Eigen::Vector2d& pixel);
-    void removeRequested();   ///< requests removal of the selected mark, or of the last one without a selection
+    void removeRequested();   ///< requests removal of the selected mark or, without a selection, of the last one
 
 private:
     std::optional<std::size_t> handleAt(const QPointF& position) const;
@@ -60,9 +60,9 @@ private:
     Snap snap_;
     std::vector<Eigen::Vector2d> handles_;
     std::optional<std::size_t> draggedHandle_;
-    std::vector<Eigen::Vector2d> points_;   ///< points of the arrow or text being drawn
+    std::vector<Eigen::Vector2d> points_;   ///< points of the arrow or text annotation being drawn
     std::optional<Eigen::Vector2d> mousePx_;
-    QLineEdit* textEdit_ = nullptr;   ///< line edit while the user types a text; otherwise null
+    QLineEdit* textEdit_ = nullptr;   ///< line edit while the user types text; otherwise null
 };
 
 }   // namespace angiopose::ui

@@ -4,7 +4,7 @@
 
 namespace angiopose::ui {
 
-/// Pixel shift: moves the subtraction mask under the frame by drags and arrow keys until bones cancel out.
+/// Pixel shift: moves the subtraction mask relative to the frame, by drags and arrow keys, until bone cancels out.
 class MaskShiftTool : public ImageTool {
     Q_OBJECT
 public:
@@ -36,7 +36,7 @@ signals:
 private:
     void moveTo(const Eigen::Vector2d& shiftPx);
 
-    Eigen::Vector2d shift_ = Eigen::Vector2d::Zero();   ///< px, positive to the right and down
+    Eigen::Vector2d shift_ = Eigen::Vector2d::Zero();   ///< shift in px, positive to the right and down
     Eigen::Vector2d shiftBefore_ = Eigen::Vector2d::Zero();
     Eigen::Vector2d last_ = Eigen::Vector2d::Zero();
 };

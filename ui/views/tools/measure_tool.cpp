@@ -93,7 +93,7 @@ bool MeasureTool::startDrag(const ToolPoint& pressed)
     if (isDrawing_) {
         points_ = {pressed.imagePx};
     }
-    return true;   // accepts every drag, to keep window/level from changing while measuring
+    return true;   // accepts every drag, so that window/level does not change during measuring
 }
 
 void MeasureTool::drag(const ToolPoint& point)
@@ -193,7 +193,7 @@ bool MeasureTool::undoStep()
     return hadPoints;
 }
 
-/// Completes the measurement; with too few points, does nothing, and further clicks add points.
+/// Completes the measurement; does nothing if it has too few points, so that further clicks add points.
 void MeasureTool::finish()
 {
     if (points_.size() < (kind_ == MeasurementKind::Length ? 2U : 3U)) {

@@ -10,7 +10,7 @@
 namespace angiopose::ui {
 
 /// Tool that measures in the image. Clicks set points: two for a length, three for an angle (vertex in the middle); a
-/// click on its first point, a double-click or Enter closes an area. A drag draws a whole length or moves an existing
+/// click on the first point, a double-click or Enter closes an area. A drag draws a whole length or moves an existing
 /// point. Backspace removes the last point; Delete removes the selected measurement.
 class MeasureTool : public ImageTool {
     Q_OBJECT
@@ -44,7 +44,7 @@ public:
 signals:
     void drawn(const std::vector<Eigen::Vector2d>& pixels);
     void pointMoved(int measurement, int point, const Eigen::Vector2d& pixel);
-    void removeRequested();   ///< requests removal of the selected measurement, or of the last one without a selection
+    void removeRequested();   ///< requests removal of the selected measurement or, without a selection, of the last one
 
 private:
     struct DraggedPoint {
@@ -66,7 +66,7 @@ private:
     std::vector<Eigen::Vector2d> points_;   ///< points of the measurement being drawn
     std::optional<Eigen::Vector2d> mousePx_;
     std::optional<DraggedPoint> dragged_;
-    bool isDrawing_ = false;   ///< a length is being drawn by dragging
+    bool isDrawing_ = false;   ///< true while a length is being drawn by dragging
 };
 
 }   // namespace angiopose::ui

@@ -7,14 +7,14 @@ namespace angiopose::ui {
 namespace {
 
 constexpr double ringReachPx = 13.0;
-constexpr double depthPace = 4.0;   // depth barely changes the image, so a drag moves four times as far
+constexpr double depthPace = 4.0;   // depth barely changes the image, so a drag changes it four times as much
 
 double outerRadius(const NudgeGrip& grip)
 {
     return grip.ringRadius + outerHandleGapPx;
 }
 
-/// Returns the outer handle at the offset `fromCenter` (y down), if any.
+/// Returns the outer handle at the offset `fromCenter` (y down); None if there is none.
 PoseHandle outerHandleAt(const NudgeGrip& grip, const Eigen::Vector2d& fromCenter)
 {
     const double outer = outerRadius(grip);

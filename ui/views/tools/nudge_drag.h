@@ -10,7 +10,7 @@ namespace angiopose::ui {
 /// Geometry of the pose handles in widget px (y down).
 struct NudgeGrip {
     Eigen::Vector2d center = Eigen::Vector2d::Zero();
-    double ringRadius = 0.0;   ///< radius of the roll ring; there are no handles if 0
+    double ringRadius = 0.0;   ///< radius of the roll ring; if 0, there are no handles
     Eigen::Vector2d mmPerPx = Eigen::Vector2d::Zero();   ///< mm per widget px at the depth of the pivot, along u and v
 };
 
@@ -18,7 +18,7 @@ struct NudgeGrip {
 /// for depth; elsewhere, a drag shifts the tree.
 PoseHandle handleAt(const NudgeGrip& grip, const Eigen::Vector2d& position);
 
-/// Current drag of the tree; accumulated step by step, since the pace can change during the drag.
+/// Current drag of the tree, accumulated step by step, since the pace can change during the drag.
 class NudgeDrag {
 public:
     NudgeDrag(PoseHandle handle, const NudgeGrip& grip, const Eigen::Vector2d& start);

@@ -59,7 +59,7 @@ Eigen::Vector2d nudgeVector(const QPointF& point)
     return {point.x(), point.y()};
 }
 
-/// Flips right and roll, which are defined in the image, for the mirrored view from the source.
+/// Flips the right shift and the roll, which are defined in the image, for the mirrored view from the source.
 core::PoseOffset asSeen(core::PoseOffset offset, const AngiogramView& view)
 {
     if (view.isFromSource()) {
@@ -110,7 +110,7 @@ bool NudgeTool::startDrag(const ToolPoint& pressed)
         dragged_ = {};
         emit dragStarted();
     }
-    return true;   // accepts every drag, to keep window/level from changing next to the tree
+    return true;   // accepts every drag, so that window/level does not change next to the tree
 }
 
 void NudgeTool::drag(const ToolPoint& point)
@@ -214,7 +214,7 @@ StrokeMesh NudgeTool::strokes(int heightPx) const
     return poseHandleStrokes(shown);
 }
 
-/// Returns the name of the handle under the pointer, or the amount by which it has been dragged.
+/// Returns the name of the handle under the pointer or, during a drag, the amount of the change.
 QString NudgeTool::words() const
 {
     const auto amount = [this](PoseAxis axis) {

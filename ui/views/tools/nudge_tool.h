@@ -7,8 +7,8 @@
 
 namespace angiopose::ui {
 
-/// Tool that moves the tree on the image: a drag shifts the tree, on the ring it rolls, on the arcs it tilts, and on
-/// the slider it changes depth; keys move the tree in steps.
+/// Tool that moves the tree on the image: a drag shifts the tree, rolls it on the ring, tilts it on the arcs, and
+/// changes its depth on the slider; keys move the tree in steps.
 class NudgeTool : public ImageTool {
     Q_OBJECT
 public:
@@ -31,7 +31,7 @@ public:
 
 signals:
     void dragStarted();
-    void dragged(const core::PoseOffset& offsetSinceStart);   ///< nonzero only in the components of the active handle
+    void dragged(const core::PoseOffset& offsetSinceStart);   ///< zero except for the active handle
     void dragFinished();
     void dragCancelled();
     void keyNudged(const ui::Nudge& nudge);

@@ -71,7 +71,7 @@ bool PivotTool::click(const ToolPoint& point)
     if (const auto nodePosition = pointAt(point)) {
         emit picked(*nodePosition);
     }
-    return true;   // accepts clicks next to the vessels without effect
+    return true;   // accepts clicks next to the vessels, which have no effect
 }
 
 void PivotTool::hover(const ToolPoint& point)

@@ -8,8 +8,8 @@
 
 namespace angiopose::ui {
 
-/// Tool that picks the rotation center on the vessels: by a click on the projected tree, or with the arrow keys, which
-/// move from one bifurcation to the next, and Enter. Delete resets the center to the centroid.
+/// Tool that picks the rotation center on the vessels: by a click on the projected tree, or with Enter after the arrow
+/// keys, which move from one bifurcation to the next. Delete resets the center to the centroid.
 class PivotTool : public ImageTool {
     Q_OBJECT
 public:

@@ -27,7 +27,7 @@ private:
     Points wayTo(const Eigen::Vector2d& pointPx, core::LiveWire* wire, bool straight) const;
 
     std::vector<Points>
-        segments_;   ///< segments, each ending at an anchor; the first consists of the first anchor only
+        segments_;   ///< segments, each ending at an anchor; the first consists only of the first anchor
     Points preview_;
 };
 

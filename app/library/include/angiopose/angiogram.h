@@ -65,31 +65,31 @@ ANGIOPOSE_EXPORT Angiogram readAngiogram(const std::string& path);
 /// Writes uncompressed 16-bit multi-frame DICOM XA with the C-arm geometry.
 ANGIOPOSE_EXPORT void writeAngiogram(const Angiogram& angiogram, const std::string& path);
 
-/// Options of 2-D tracing. Lengths in px refer to a 512 × 512 frame and scale with larger frames.
+/// radius of the thinnest vessel to search for
 struct TraceOptions {
     double minVesselRadiusPx = 1.5;   ///< radius of the thinnest vessel searched for
     double maxVesselRadiusPx =
         0.0;   ///< radius of the widest vessel searched for; 0: from pixel spacing and magnification, at least 8
     int minBranchLengthPx = 10;   ///< spurs shorter than this are removed
     int minComponentLengthPx = 30;   ///< isolated components shorter than this are removed
-    double sensitivity = 1.0;   ///< values above 1 also detect fainter vessels
+    double sensitivity = 1.0;   ///< larger values also detect fainter vessels
 };
 
 /// Result of tracing one frame.
 struct AngiogramTrace {
     Centerline2d centerline;
-    std::vector<int> suspectCurves;   ///< ids of curves that may be catheters, guidewires or bone edges
+    std::vector<int> suspectCurves;   ///< IDs of curves that may be catheters, guidewires or bone edges
     Image vesselness;   ///< 0…1
     Mask vesselMask;   ///< area between the vessel walls
     Mask fieldMask;   ///< exposed part of the image
-    std::vector<Message> warnings;   ///< e.g. no contrast agent arrives in this cine run
+    std::vector<Message> warnings;   ///< e.g. that no contrast agent arrives in this cine run
 };
 
 /// Traces the vessels of one image.
 ANGIOPOSE_EXPORT AngiogramTrace traceAngiogram(const Image& frame, Polarity polarity, const TraceOptions& options = {});
 
-/// Traces the vessels of one frame of a cine run. Where neighboring frames do not move, they are used to reduce the
-/// noise. Registration of a case uses this trace.
+/// Traces the vessels of one frame of a cine run. Averages neighboring frames where nothing moves, to reduce noise.
+/// Registration of a case uses this trace.
 ANGIOPOSE_EXPORT AngiogramTrace traceFrame(const Angiogram& run, int frame, const TraceOptions& options = {});
 
 }   // namespace angiopose

@@ -8,14 +8,14 @@
 
 namespace angiopose {
 
-/// Message for the user: `id` is stable and meant for programs, `text` is the English sentence.
+/// Message for the user: `id` is stable and intended for programs; `text` is the English sentence.
 struct Message {
-    std::string id;   ///< "text.plain" for sentences without their own id
+    std::string id;   ///< "text.plain" for sentences without an ID of their own
     std::string text;
     std::vector<std::string> arguments;   ///< values inserted into the sentence: names, and numbers with units
 };
 
-/// Thrown by every function that fails; `what()` names the file or value, the problem and the remedy.
+/// Thrown by every function that fails. `what()` names the file or value, the problem and the remedy.
 class ANGIOPOSE_EXPORT Error : public std::runtime_error {
 public:
     Error(std::string id, const std::string& sentence);
@@ -27,7 +27,7 @@ private:
     std::string id_;
 };
 
-/// Thrown when the observer stops work that has no partial result (reading, tracing). A stopped registration instead
+/// Thrown when the observer stops work that has no partial result (reading, tracing). A canceled registration instead
 /// returns the best pose so far with StopReason::StoppedByUser.
 class ANGIOPOSE_EXPORT Stopped : public Error {
 public:

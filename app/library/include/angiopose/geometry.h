@@ -20,10 +20,10 @@ using Vector6d = Eigen::Matrix<double, 6, 1, Eigen::DontAlign>;
 /// Pinhole model of X-ray source and detector: u = fx X/Z + cx, v = fy Y/Z + cy. The sign of fx matters: with the wrong
 /// sign the image is mirrored, and a tree with few branches may still fit it.
 struct ProjectionCamera {
-    double fx = 0.0;   ///< px; negative for a standard image, viewed from the detector side
-    double fy = 0.0;   ///< px
-    double cx = 0.0;   ///< px
-    double cy = 0.0;   ///< px
+    double fx = 0.0;   ///< focal length, px; negative for a standard image, viewed from the detector side
+    double fy = 0.0;   ///< focal length, px
+    double cx = 0.0;   ///< principal point, px
+    double cy = 0.0;   ///< principal point, px
     int width = 0;   ///< columns of the image
     int height = 0;   ///< rows of the image
 };
@@ -46,10 +46,10 @@ struct CArm {
 /// Returns the camera of a C-arm for images of this size; requires sourceToDetectorMm and the pixel spacings.
 ANGIOPOSE_EXPORT ProjectionCamera cameraFromCArm(const CArm& cArm, int width, int height);
 
-/// Pose of a C-arm that rotates about `isocenterInPatient` (LPS, mm); requires sourceToPatientMm and both angles.
+/// Returns the pose of a C-arm that rotates about the isocenter (LPS, mm); requires sourceToPatientMm and both angles.
 ANGIOPOSE_EXPORT Pose cameraFromPatient(const CArm& cArm, const Eigen::Vector3d& isocenterInPatient);
 
-/// Projects a patient point (mm) to the image (px); empty if the point is at or behind the source.
+/// Projects a patient point (mm) to the image (px); nullopt if the point is at or behind the source.
 ANGIOPOSE_EXPORT std::optional<Eigen::Vector2d> project(const ProjectionCamera& camera, const Pose& cameraFromPatient,
                                                         const Eigen::Vector3d& pointInPatient);
 

@@ -13,7 +13,7 @@ enum class Verdict { Continue, Stop };
 
 /// Progress of long-running work. The last three members are set only during a registration.
 struct Progress {
-    /// "reading" (of files, including tracing if it is part of reading); for a registration "search", "refine",
+    /// "reading" (of files, including tracing where reading requires it); for a registration "search", "refine",
     /// "settle" and further stages of the method; for traceVessels and traceMask the steps of tracing
     std::string stage;
     double fraction = 0.0;   ///< 0…1, never decreasing
@@ -24,7 +24,7 @@ struct Progress {
 };
 
 /// Called repeatedly on the calling thread, except for work that completes at once, such as reading a small file. An
-/// exception thrown by the observer ends the work as Stop does, and propagates to the caller.
+/// exception thrown by the observer ends the work as Stop does and propagates to the caller.
 using Observer = std::function<Verdict(const Progress&)>;
 
 }   // namespace angiopose

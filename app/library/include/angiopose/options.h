@@ -9,18 +9,18 @@
 
 namespace angiopose {
 
-/// Registration method and its settings, identified by the keys that `methods()` lists. Settings that are not set have
+/// Registration method and its settings, identified by the keys that `methods()` lists. Settings without a value have
 /// their defaults. Unknown keys are rejected; settings of other methods are kept but have no effect.
 struct RegistrationOptions {
     std::string method = "angiopose";
-    std::map<std::string, std::string> values;   ///< number, or name of a choice, by key
+    std::map<std::string, std::string> values;   ///< number, or name of a choice, keyed by setting
     std::vector<std::string> locks;   ///< locked degrees of freedom: right, up, along-ray, roll, lao-rao, cra-cau
 
     ANGIOPOSE_EXPORT RegistrationOptions& set(const std::string& key, double value);
     ANGIOPOSE_EXPORT RegistrationOptions& set(const std::string& key, std::string_view choice);
 };
 
-/// One setting of a method.
+/// A setting of a method.
 struct OptionInfo {
     std::string key;
     std::string unit;   ///< "px", "mm", "°" or empty
@@ -31,11 +31,11 @@ struct OptionInfo {
     std::string defaultValue;
 };
 
-/// One registration method.
+/// A registration method.
 struct MethodInfo {
     std::string id;
     std::string label;
-    std::string summary;   ///< cost function and literature source of the method
+    std::string summary;   ///< cost function of the method and its source in the literature
     std::vector<OptionInfo> options;
 };
 

@@ -23,12 +23,12 @@ struct RegistrationInput {
     Centerline2d target;
     ProjectionCamera camera;
     Pose initialCameraFromPatient = Pose::Identity();   ///< initial pose of the search
-    std::vector<int> excludedBranchIds;   ///< not used in the registration
+    std::vector<int> excludedBranchIds;   ///< branches not used in registration
     std::vector<int> auxiliaryBranchIds;   ///< branches of the auxiliary problem, which alternating methods solve
                                            ///< first; if empty, the nodes of the tree
     Image image;   ///< frame that shows the target, for image-based methods; if empty, they render the target
     Polarity polarity = Polarity::VesselsDark;   ///< polarity of `image`
-    std::optional<Volume> volume;   ///< CTA that contains the tree; if not set, DRRs are computed from tubes
+    std::optional<Volume> volume;   ///< CTA that contains the tree; if not set, the DRRs show tubes
     std::optional<Pose> lockReference;   ///< reference pose for locked angles; if not set, the initial pose
     std::optional<Eigen::Vector3d>
         lockPivotInPatient;   ///< point held fixed by locked translations; if not set, the centroid
@@ -36,13 +36,13 @@ struct RegistrationInput {
 
 enum class StopReason { Converged, IterationLimit, NoImprovement, StoppedByUser };
 
-/// Returns the text of a stop reason: "converged", "iteration limit", …
+/// Returns the name of a stop reason: "converged", "iteration limit", …
 ANGIOPOSE_EXPORT std::string toText(StopReason reason);
 
-/// Closest-point distances over all used tree points, and coverage and distances in the reverse direction.
+/// Closest-point distances of all tree points used, with the coverage and distances in the reverse direction.
 struct DistanceMetrics {
     double meanPx = 0.0, medianPx = 0.0, p75Px = 0.0, p95Px = 0.0;
-    double meanMm = 0.0, medianMm = 0.0, p75Mm = 0.0, p95Mm = 0.0;   ///< at the depth of the tree's centroid
+    double meanMm = 0.0, medianMm = 0.0, p75Mm = 0.0, p95Mm = 0.0;   ///< distances at the depth of the tree's centroid
     double coverage = 0.0;   ///< fraction of image points within 3 px of the projected tree, 0…1
     double reverseMeanPx = 0.0, reverseMeanMm = 0.0;
 };
@@ -50,9 +50,9 @@ struct DistanceMetrics {
 /// Covariance of a pose about `centroidInPatient` in camera axes. Order: rotation x, y, z (rad), shift x, y, z (mm).
 /// With c = cameraFromPatient · centroid, the error (r, t) maps a camera point p to c + R(r) (p − c) + t.
 struct PoseUncertainty {
-    Eigen::Vector3d centroidInPatient = Eigen::Vector3d::Zero();   ///< LPS, mm; length-weighted over the whole tree
+    Eigen::Vector3d centroidInPatient = Eigen::Vector3d::Zero();   ///< centroid of the tree, length-weighted; LPS, mm
     Matrix6d covariance = Matrix6d::Zero();
-    Eigen::Vector3d rotationDeg = Eigen::Vector3d::Zero();   ///< standard deviation about camera x, y, z
+    Eigen::Vector3d rotationDeg = Eigen::Vector3d::Zero();   ///< standard deviations about camera x, y, z
     double inPlaneMm = 0.0;   ///< standard deviation in the less certain in-plane direction
     double depthMm = 0.0;   ///< standard deviation along the ray
     std::array<bool, 6> observed{};   ///< false if the image does not constrain this degree of freedom
@@ -72,15 +72,15 @@ struct BranchResidual {
 /// Alternative pose that explains the image nearly as well.
 struct Hypothesis {
     Pose cameraFromPatient = Pose::Identity();
-    double score = 0.0;   ///< 0…1; higher is better; comparable only within one result
+    double score = 0.0;   ///< 0…1, higher is better; comparable only within one result
 };
 
-/// Possible path of a guidewire or catheter through the tree, with the corresponding pose.
+/// Possible path of a guidewire or catheter through the tree, with the pose that results from it.
 struct WirePath {
-    std::vector<int> branchIds;   ///< in the order in which the wire passes through them; its tip is in the last branch
-    Eigen::Vector3d tipInPatient = Eigen::Vector3d::Zero();   ///< LPS, mm; on the axis of the branch
-    double probability = 0.0;   ///< 0…1; normalized over all examined paths and the case that none of them is correct
-    double offAxisMm = 0.0;   ///< RMS distance of the wire from the vessel axes in the image, scaled to their depth
+    std::vector<int> branchIds;   ///< in the order in which the wire passes through them; the tip is in the last branch
+    Eigen::Vector3d tipInPatient = Eigen::Vector3d::Zero();   ///< tip of the wire, on the branch centerline; LPS, mm
+    double probability = 0.0;   ///< 0…1, normalized over all examined paths and the case that none is correct
+    double offAxisMm = 0.0;   ///< RMS distance of the wire from the centerlines in the image, scaled to their depth
     double followedShare = 0.0;   ///< fraction of the wire's length in the image that the path explains, 0…1
     Pose cameraFromPatient = Pose::Identity();
 };
@@ -106,7 +106,7 @@ struct RegistrationResult {
 };
 
 /// Finds the pose that aligns the projected tree with the image points. The same input gives bit-identical results.
-/// Reaching the iteration limit or a Stop returns the best pose so far; throws Error on unusable input and names it.
+/// Returns the best pose so far at the iteration limit or on Stop; throws an Error that names any unusable input.
 ANGIOPOSE_EXPORT RegistrationResult registerVessels(const RegistrationInput& input,
                                                     const RegistrationOptions& options = {},
                                                     const Observer& observe = {});
@@ -116,7 +116,7 @@ ANGIOPOSE_EXPORT RegistrationResult evaluatePose(const RegistrationInput& input,
 
 /// Result of registering one tree to several views.
 struct MultiViewResult {
-    std::vector<RegistrationResult> views;   ///< each evaluated at its joint pose, in input order
+    std::vector<RegistrationResult> views;   ///< results, each evaluated at its joint pose, in input order
     std::vector<Vector6d> corrections;   ///< correction of the geometry of each view relative to the first view:
                                          ///< rotation (rad), shift (mm), camera axes
     PoseUncertainty uncertainty;   ///< uncertainty of the first view's pose, given all views
@@ -127,8 +127,8 @@ struct MultiViewResult {
 };
 
 /// Registers one tree to two or more views acquired at the same moment, which determines the depth. The initial poses
-/// define the relative geometry of the cameras; each view except the first may deviate from it by about 0.5° and 1.5 mm
-/// (1 σ per axis), the typical error of headers. `corrections` contains the estimated deviations.
+/// define the relative geometry of the cameras, from which each view except the first may deviate by about 0.5° and 1.5
+/// mm (1 σ per axis), the typical error of headers. `corrections` contains the estimated deviations.
 ANGIOPOSE_EXPORT MultiViewResult registerViews(const std::vector<RegistrationInput>& views,
                                                const RegistrationOptions& options = {}, const Observer& observe = {});
 

@@ -23,7 +23,7 @@ struct Volume;
 
 /// Position of the voxels in the patient: the center of voxel (i, j, k) is origin + direction · (spacing ∘ (i, j, k)).
 struct VolumeGeometry {
-    std::array<int, 3> size{};   ///< number of voxels along i, j, k
+    std::array<int, 3> size{};   ///< numbers of voxels along i, j, k
     Eigen::Vector3d spacingMm = Eigen::Vector3d::Ones();
     Eigen::Vector3d originInPatient = Eigen::Vector3d::Zero();   ///< center of voxel (0, 0, 0), LPS, mm
     Eigen::Matrix3d direction = Eigen::Matrix3d::Identity();   ///< columns: directions of i, j, k in the patient
@@ -58,7 +58,7 @@ ANGIOPOSE_EXPORT Volume readVolume(const std::string& path, const std::string& s
 /// Writes .nii, .nii.gz, .nrrd or .mha, depending on the extension.
 ANGIOPOSE_EXPORT void writeVolume(const Volume& volume, const std::string& path);
 
-/// Connected components to trace if there are no seeds. Usual: all components of a mask; in a scan, the component of
+/// Connected components to trace if there are no seeds. Usual: all components of a mask, or in a scan, the component of
 /// the main great vessel. All: in a scan, the components of every great vessel.
 enum class TracedPieces { Usual, All, Largest };
 
@@ -70,26 +70,26 @@ struct VesselTracingOptions {
     std::optional<double>
         threshold;   ///< lower threshold of the lumen (HU for CT); if not set, derived from the opacified lumen
     std::vector<Eigen::Vector3d>
-        seedsInPatient;   ///< keep only vessels connected to a seed; empty: use the automatically detected great vessel
+        seedsInPatient;   ///< keep only vessels connected to a seed; if empty, use the detected great vessel
     std::vector<Eigen::Vector3d> avoidInPatient;   ///< points outside the vessels of interest: heart, vein, bone
     std::optional<Eigen::Vector3d>
         rootInPatient;   ///< the end nearest to this point becomes the root; if not set, the widest end
-    double minBranchLengthMm = 4.0;   ///< branches that extend less beyond their parent's wall are removed
+    double minBranchLengthMm = 4.0;   ///< branches that extend less than this beyond their parent's wall are removed
     double minBranchRadiusMm = 0.0;   ///< branches with a mean radius below this are removed
     double pointSpacingMm = 1.0;   ///< spacing of the points along the branches
-    bool tubesOnly = false;   ///< trace only thin vessels from the seeds; they end at chambers, organs and wide vessels
-    int threads = 0;   ///< if 0, one per processor core; the result does not depend on the number
+    bool tubesOnly = false;   ///< trace only thin vessels from the seeds, up to chambers, soft tissue and wide vessels
+    int threads = 0;   ///< if 0, one per processor core; the result does not depend on this number
     TracedPieces pieces = TracedPieces::Usual;
     VesselLoops loops = VesselLoops::Opened;
 };
 
 /// Traced vessel tree, with the lumen and the warnings of the tracing.
 struct TracedVessels {
-    VesselTree tree;   ///< ordered by component, from the root by generation; ids 1, 2, …; with radii
+    VesselTree tree;   ///< branches ordered by component, from the root by generation; IDs 1, 2, …; with radii
     VolumeGeometry lumenGeometry;
     std::vector<std::uint8_t> lumen;   ///< traced voxels are nonzero, i varies fastest; empty if nothing was traced
     double threshold = 0.0;   ///< lower threshold of the lumen; 0.5 for masks
-    std::vector<Message> warnings;   ///< e.g. components left out, loops cut
+    std::vector<Message> warnings;   ///< e.g. that components were left out or loops were cut
 };
 
 /// Traces the contrast-enhanced vessels of a CT angiogram.
@@ -103,9 +103,9 @@ ANGIOPOSE_EXPORT TracedVessels traceMask(std::span<const std::uint8_t> mask, con
 
 /// Options for reading vessels from a file.
 struct VesselReadOptions {
-    std::vector<int> labels;   ///< labels of the vessels in a label image; all labels if empty
+    std::vector<int> labels;   ///< labels of the vessels in a label image; if empty, all labels
     std::string seriesId;   ///< selects one of several series in a DICOM folder
-    double unitMm = 0.0;   ///< length of one unit of a surface or centerline file; 0: as stated in the file, else mm
+    double unitMm = 0.0;   ///< length of one unit of a surface or centerline file, mm; 0: as stated, otherwise 1 mm
     VesselTracingOptions tracing;
 };
 

@@ -4,8 +4,8 @@
 
 namespace angiopose::core {
 
-/// Closes short gaps in vessels: draws a line from each skeleton end to the component it points at if that component is
-/// at most `reachPx` ahead and the mean ridge strength along the line is at least `minRidge`.
+/// Returns the mask with short gaps in vessels closed: draws a line from each skeleton end to the component at which it
+/// points if that is at most `reachPx` ahead and the mean ridge strength along the line is at least `minRidge`.
 Mask2d bridgeGaps(const Mask2d& mask, const ImageF& ridges, double reachPx, double minRidge);
 
 }   // namespace angiopose::core

@@ -9,7 +9,7 @@ namespace angiopose::core {
 namespace {
 
 constexpr double upperQuartile = 0.75;
-constexpr double maxRidgeStrength = 15.0;   // cap, in units of `clutter`; stronger ridges are metal, not more contrast
+constexpr double maxRidgeStrength = 15.0;   // cap, in units of `clutter`; stronger ridges are metal, not contrast agent
 
 /// Returns the maximum vesselness in the 3×3 neighborhood, because ridges are narrow and points lie between pixels.
 double maxVesselnessAround(const ImageF& vesselness, const Eigen::Vector2d& point)

@@ -22,7 +22,7 @@ constexpr double maxDeviceFraction = 0.35;   // fraction of the traced length; a
 
 using Depths = std::array<double, shiftCount>;   ///< depth of the dark line at each lateral shift
 
-/// Returns how much darker (in gray values) the frame is on the line than on both sides of the line.
+/// Returns how much darker (in gray values) the frame is on the line than on either side of it.
 double depthAt(const ImageF& frame, double sign, const Eigen::Vector2d& point, const Eigen::Vector2d& aside)
 {
     const auto valueAt = [&](const Eigen::Vector2d& at) { return sign * sampleBilinear(frame, at.x(), at.y()); };
@@ -58,7 +58,8 @@ Depths meanAround(const std::vector<Depths>& depths, std::size_t i)
     return mean;
 }
 
-/// Fraction of the curve's points at which nearly all other frames show a line within 1 px, at least half as deep.
+/// Returns the fraction of curve points at which nearly all other frames show a line within 1 px, at least half as
+/// deep.
 double stationaryFraction(const Curve2d& curve, const ImageF& frame, const std::vector<const ImageF*>& others,
                           double sign)
 {

@@ -13,16 +13,16 @@ namespace angiopose::core {
 std::vector<double> fractionsSeenBefore(const Centerline2d& centerline, const ImageF& frame, const ImageF& before,
                                         Polarity polarity);
 
-/// Parts of a trace that an earlier frame already shows.
+/// Parts of a trace that are already visible in an earlier frame.
 struct EarlierStructures {
     std::vector<int> curveIds;   ///< curves visible before, ascending; empty if vessels may already have been opacified
-    bool isNearlyAll = false;   ///< nearly all was visible before: no contrast agent arrived in between
+    bool isNearlyAll = false;   ///< whether nearly all was visible before, so that no contrast agent arrived
 };
 
 EarlierStructures findEarlierStructures(const Centerline2d& centerline, const ImageF& frame, const ImageF& before,
                                         Polarity polarity);
 
-/// Returns the IDs of stationary curves: in nearly all frames of the run, a dark line of similar depth lies within 1 px
+/// Returns the ids of stationary curves: in nearly all frames of the run, a dark line of similar depth lies within 1 px
 /// of the curve. ECG clips, leads, hooks and shutter edges are stationary; vessels move, or opacify and wash out. Empty
 /// for runs of fewer than five frames. `frame` is the frame in which the curves were traced.
 std::vector<int> findStationaryCurves(const Centerline2d& centerline, const std::vector<ImageF>& frames, int frame,

@@ -7,14 +7,14 @@
 namespace angiopose::core {
 namespace {
 
-// Two arms continue each other when the angle between them is below about 45°, or below 35° at a crossing.
+// Two arms continue each other if the angle between them is below about 45°, or below 35° at a crossing.
 constexpr double straightCosine = -0.7;
 constexpr double crossingCosine = -0.82;
 // The direction of an arm is measured past the junction, where thinning distorts the skeleton.
 constexpr std::size_t armStart = 3;
 constexpr std::size_t armEnd = 12;
 
-/// One end of an edge: arm 2i is the start of edge i, arm 2i + 1 its end.
+/// One end of an edge: arm 2i is the start of edge i, arm 2i + 1 is its end.
 using Arm = std::size_t;
 constexpr Arm noArm = static_cast<Arm>(-1);
 

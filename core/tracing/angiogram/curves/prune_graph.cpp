@@ -16,7 +16,7 @@ std::vector<int> degreesOf(const SkeletonGraph& graph)
     return degrees;
 }
 
-/// Returns the index of the spur with the lowest score below `least`, or -1 if there is none.
+/// Returns the index of the spur with the lowest score below the threshold, or -1 if there is none.
 int findWeakestSpur(const SkeletonGraph& graph, const std::vector<double>& scores, double threshold)
 {
     const std::vector<int> degrees = degreesOf(graph);
@@ -71,7 +71,7 @@ void mergeEdgesAt(SkeletonGraph& graph, int node, std::vector<double>& scores, c
     scores.erase(scores.begin() + static_cast<std::ptrdiff_t>(edgesAtNode[1]));
 }
 
-/// Returns a representative node of the connected component for each node.
+/// Returns, for each node, a representative node of its connected component.
 std::vector<int> componentOfNodes(const SkeletonGraph& graph)
 {
     std::vector<int> parent(graph.nodesPx.size());

@@ -7,7 +7,7 @@
 
 namespace angiopose::core {
 
-/// Section of skeleton between two nodes; its points begin and end at the nodes.
+/// Section of a skeleton between two nodes; its points begin and end at the nodes.
 struct SkeletonEdge {
     int startNode = 0;
     int endNode = 0;

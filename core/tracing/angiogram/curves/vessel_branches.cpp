@@ -38,7 +38,7 @@ std::vector<float> evidenceAlong(const SkeletonEdge& edge, const ImageF& evidenc
     return along;
 }
 
-/// Erodes the field by `edgeMarginPx`; pixels beyond the image count as outside.
+/// Returns the field eroded by `edgeMarginPx`; pixels beyond the image count as outside.
 Mask2d erodeField(const Mask2d& field)
 {
     Mask2d inside = erode(field, edgeMarginPx);

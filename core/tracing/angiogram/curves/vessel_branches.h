@@ -11,7 +11,7 @@ namespace angiopose::core {
 SkeletonGraph extractVesselBranches(const Mask2d& vessels, const ImageF& evidence, const ImageF& opacity,
                                     const Mask2d& field, const TraceOptions& options);
 
-/// Variant of `extractVesselBranches` for manually drawn masks; judges edges by length alone.
+/// Variant of `extractVesselBranches` for manually drawn masks, which judges edges by length alone.
 SkeletonGraph extractDrawnBranches(const Mask2d& vessels, const TraceOptions& options);
 
 }   // namespace angiopose::core

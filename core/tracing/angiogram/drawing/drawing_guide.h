@@ -6,11 +6,11 @@
 
 namespace angiopose::core {
 
-/// Images that guide manual drawing on a frame: `LiveWire` follows the vesselness, `withDrawn` centers curves on
-/// the opacity. Unlike tracing, computing them does not fail if the frame shows no vessels.
+/// Images that guide manual drawing on a frame: `LiveWire` follows the vesselness, and `addDrawnCurve` centers curves
+/// on the opacity. Unlike tracing, computing them does not fail if the frame shows no vessels.
 struct DrawingGuide {
     ImageF vesselness;   ///< 0…1
-    ImageF opacity;   ///< flattened background; vessels positive
+    ImageF opacity;   ///< darkening relative to the flattened background; vessels are positive
     Mask2d fieldMask;   ///< 0 in regions excluded from tracing: shutter, border, burned-in text
 };
 

@@ -33,7 +33,7 @@ Curve2d sectionOf(const Curve2d& curve, std::size_t first, std::size_t end)
     return {curve.id, slice(curve.pointsPx), slice(curve.radiusPx)};
 }
 
-/// Returns the sections of consecutive points that `keeps` accepts, each as a curve.
+/// Returns the sections of consecutive points that are kept, each as a curve.
 std::vector<Curve2d> splitAtRejectedPoints(const Curve2d& curve, const PointFilter& accepts)
 {
     std::vector<Curve2d> parts;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double extremeFraction = 0.02;   // tolerance around the extremes (lossy compression), fraction of the range
 constexpr double minEdgeStep = 0.3;   // minimum intensity step across a shape's border, as a fraction of the range
-constexpr double minInkEdgeStep = 0.12;   // same for shapes of one exact value, which X-ray images never contain
+constexpr double minInkEdgeStep = 0.12;   // same for shapes of one exact value, as X-ray images never contain
 constexpr int inkLevels = 256;
 constexpr int minInkPx = 40;
 constexpr std::size_t maxInks = 3;
@@ -41,7 +41,7 @@ double hardEdgeFraction(const ImageF& frame, const Mask2d& drawn, const std::vec
     return all > 0 ? static_cast<double>(hard) / all : 0.0;
 }
 
-/// Possible value of drawn text: pixels within `tolerance` of one value, with edges of at least `step`.
+/// Possible value of burned-in text: pixels within `tolerance` of one value, with edges of at least `step`.
 struct Ink {
     float value = 0.0F;
     float tolerance = 0.0F;
@@ -67,7 +67,7 @@ std::vector<Glyph> findGlyphs(const ImageF& frame, const Ink& ink, double maxLet
     return glyphs;
 }
 
-/// For each value, counts the pixels with an equal neighbor on one side and a hard edge on the other.
+/// Returns, for each value, the number of pixels with an equal neighbor on one side and a hard edge on the other.
 std::vector<int> inkCounts(const ImageF& frame, float least, float range)
 {
     std::vector<int> counts(inkLevels + 1);

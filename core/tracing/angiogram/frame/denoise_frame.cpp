@@ -44,8 +44,7 @@ Difference computeDifference(const ImageF& coarse, const ImageF& other)
     return {std::move(difference), middle};
 }
 
-/// Estimates the standard deviation of the noise from the Laplacian (Immerkær 1996), which suppresses most vessels and
-/// organs.
+/// Estimates the noise's standard deviation from the Laplacian (Immerkær 1996), which suppresses most anatomy.
 double estimateNoise(const ImageF& image)
 {
     std::vector<float> laplacian;

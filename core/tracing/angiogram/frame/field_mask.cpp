@@ -129,8 +129,7 @@ ImageF replaceByMedian(ImageF image, const Mask2d& marked)
     return image;
 }
 
-/// Returns whether most of the image border is marked, as by a surrounding page; lungs and air are bright on one side
-/// only.
+/// Returns whether most of the image border is marked, as by a surrounding page; lungs and air mark only one side.
 bool coversMostOfBorder(const Mask2d& marked)
 {
     int count = 0;

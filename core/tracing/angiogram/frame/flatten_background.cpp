@@ -16,7 +16,7 @@ constexpr double contrastPower = 0.65;
 constexpr float vesselWeight = 0.05F;
 constexpr float minRelativeBackground = 0.3F;   // fraction of the median background; lower values would amplify noise
 
-/// Weighted Gaussian mean, Σ w v / Σ w, on a coarser grid, because only variations slower than `sigmaPx` are needed.
+/// Returns the weighted Gaussian mean, Σ w v / Σ w, on a coarser grid; only variations slower than `sigmaPx` matter.
 ImageF weightedBlur(const ImageF& values, const ImageF& weights, double sigmaPx)
 {
     ImageF weighted = values;
@@ -38,7 +38,8 @@ ImageF weightedBlur(const ImageF& values, const ImageF& weights, double sigmaPx)
     return upsample(weighted, factor, values.width, values.height);
 }
 
-/// Estimates the background. Pixels darker than it by more than the spread hardly count: vessels must not darken it.
+/// Estimates the background. Pixels darker than the background by more than the spread hardly count, because vessels
+/// must not darken it.
 ImageF estimateBackground(const ImageF& image, const ImageF& exposed, double sigmaPx)
 {
     const ImageF first = weightedBlur(image, exposed, sigmaPx);
@@ -57,7 +58,7 @@ ImageF estimateBackground(const ImageF& image, const ImageF& exposed, double sig
     return weightedBlur(image, weights, sigmaPx);
 }
 
-/// Computes the gain that scales differences from the background to their value at the median background.
+/// Returns the gain that scales differences from the background to their value at the median background.
 ImageF contrastGain(const ImageF& background, const ImageF& exposed, float black)
 {
     std::vector<float> levels;

@@ -18,7 +18,7 @@ bool areInOneRow(const Glyph& a, const Glyph& b)
            gap > 0 && gap <= 2 * height;
 }
 
-/// Removes one row of glyphs from `waiting` and returns the row.
+/// Removes one row of glyphs from `remaining` and returns the row.
 std::vector<Glyph> extractTextRow(std::vector<Glyph>& remaining)
 {
     std::vector<Glyph> row{remaining.back()};

@@ -12,10 +12,10 @@ struct Glyph {
     int width() const { return right - left + 1; }
 };
 
-/// Bounds of the shape with these pixels, as returned by `componentsOf`.
+/// Returns the bounds of the shape with these pixels, as returned by `componentsOf`.
 Glyph boundsOf(const std::vector<std::size_t>& pixels, int imageWidth);
 
-/// Groups shapes into rows of three or more: similar height, same baseline, at most two letters apart.
+/// Groups shapes into rows of three or more with similar height, the same baseline and gaps of at most two letters.
 std::vector<std::vector<Glyph>> findTextRows(std::vector<Glyph> glyphs);
 
 }   // namespace angiopose::core

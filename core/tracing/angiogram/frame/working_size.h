@@ -9,14 +9,14 @@
 namespace angiopose::core {
 
 /// Scaling of a frame to the typical size, at which vessels are a few pixels wide: larger frames are halved and smaller
-/// ones doubled, repeatedly if needed. Tracing then does not depend on the matrix size of the detector or export.
+/// ones doubled, repeatedly if needed. Tracing therefore does not depend on the matrix size of the detector or export.
 struct WorkingSize {
     int halvings = 0;   ///< number of halvings; negative for doublings
 
     double factor() const;   ///< px of the working frame per px of the stored frame
 };
 
-/// Chooses the scaling that gives the shorter side 176 to 767 px.
+/// Returns the scaling that makes the shorter side 176 to 767 px long.
 WorkingSize chooseWorkingSize(int width, int height);
 inline WorkingSize chooseWorkingSize(const ImageF& frame)
 {

@@ -7,7 +7,7 @@
 
 namespace angiopose::core {
 
-/// Estimates the ridge strength where there is no vessel from the ridges of the opposite sign. Contrast agent only
+/// Estimates the ridge strength in places without vessels from the ridges of the opposite sign. Contrast agent only
 /// darkens, while noise and background both darken and brighten, so bright ridges show how strong dark ridges would be
 /// without vessels. In large images, only a few bands of rows are evaluated.
 class ClutterEstimate {

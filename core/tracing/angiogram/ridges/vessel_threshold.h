@@ -10,11 +10,11 @@ namespace angiopose::core {
 /// vessel, so the median is that of noise. (Otsu's method finds two classes even in pure noise.)
 double ridgeNoiseLimit(const std::vector<float>& ridges);
 
-/// Returns the ridge strength above which a ridge counts as a vessel: well above `clutter` (see `Clutter`) and above a
-/// small fraction of the strongest ridges, divided by `sensitivity`. 0 if there is no ridge.
+/// Returns the ridge strength above which a ridge counts as a vessel: well above `clutter` (see `ClutterEstimate`) and
+/// above a small fraction of the strongest ridges, divided by `sensitivity`; 0 if there is no ridge.
 double vesselThreshold(const ImageF& ridges, double clutter, double sensitivity);
 
-/// Ridge strength in units of `vesselThreshold`; 0 outside the field, and everywhere if there is no ridge.
+/// Returns the ridge strength in units of `vesselThreshold`; 0 outside the field and, if there is no ridge, everywhere.
 ImageF vesselEvidence(const ImageF& ridges, const Mask2d& field, double vesselThreshold);
 
 /// Removes the star-shaped artifacts around the ends of strong vessels, where filters still respond to the vessel but

@@ -18,13 +18,13 @@ constexpr double scaleRatio = 1.5;
 // Slightly finer than the scale of the strongest response to a round tube (0.7 r), to keep adjacent vessels apart.
 constexpr double sigmaPerRadius = 0.52;
 constexpr double minSigmaPx = 0.8;
-// Coarser scales are filtered on a half-size image, at a quarter of the cost.
+// Coarser scales are filtered on a half-size image at a quarter of the cost.
 constexpr double maxSigmaOnGrid = 1.7;
 constexpr double lineReachInSigmas = 2.5;
 constexpr double minLineReachPx = 4.0;   // lower limit, because shorter lines would not average out enough noise
 constexpr std::size_t tapCount = 5;   // samples along the line, mostly 1.25 σ apart: fine enough at scale σ
 constexpr float slopeWeight = 0.85F;
-// Fraction of the difference between both sides by which a one-sided ridge, as at a blob, is reduced.
+// Fraction of the difference between the two sides by which a one-sided ridge, as at a blob, is reduced.
 constexpr float oneSidedPenalty = 0.5F;
 constexpr int rowsPerStrip = 32;
 constexpr int maxFilterThreads = 2;   // memory bandwidth limits the gain from more threads
@@ -80,8 +80,7 @@ void differentiate(const ImageF& smooth, int firstRow, double sigmaPx, Derivativ
     }
 }
 
-/// Whole-pixel steps along one direction, from back to front, with Gaussian weights that sum to the weight of the
-/// scale.
+/// Whole-pixel steps along one direction, from back to front, with Gaussian weights whose sum is the scale's weight.
 struct LineTaps {
     std::array<int, tapCount> dx{};
     std::array<int, tapCount> dy{};
@@ -199,8 +198,7 @@ private:
     Derivatives d_;
 };
 
-/// Raises `best` to the largest line mean over all directions at one scale; the result does not depend on the number of
-/// threads.
+/// Raises `best` to the largest line mean over all directions at one scale; the number of threads has no influence.
 void updateWithScale(const ImageF& image, const RidgeScale& scale, ImageF& best)
 {
     const int workers = std::min(maxFilterThreads, threadCount(0));

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t maxMaskFrames = 8;
 constexpr double maxUnopacifiedRise = 0.15;   // limit for mask frames, as a fraction of the rise to the peak
-constexpr double minRise = 1.5;   // minimum ratio of peak to first opacification; lower if the run starts with contrast
+constexpr double minRise = 1.5;   // minimum ratio of peak to first opacification; lower if opacified from the start
 
 std::optional<Message> problemWith(const std::vector<ImageF>& frames, const SubtractionPlan& plan)
 {
@@ -35,7 +35,7 @@ std::optional<Message> problemWith(const std::vector<ImageF>& frames, const Subt
     return {};
 }
 
-/// Returns whether a frame could not be decoded or shows nothing; it is neither usable as a mask nor subtracted.
+/// Returns whether a frame could not be decoded or shows nothing; it is then neither used as a mask nor subtracted.
 bool isBlank(const ImageF& frame)
 {
     return std::ranges::all_of(frame.pixels, [&](float value) { return value == frame.pixels.front(); });
@@ -89,7 +89,7 @@ SubtractedFrame subtractMask(const ImageF& frame, const ImageF& mask, const Subt
     return {subtracted(frame, mask, shift, plan.relation), shift};
 }
 
-/// Subtracts the mask from one frame. `averaged` is the mean of the mask frames; interval plans ignore it.
+/// Subtracts the mask from one frame. `averaged` is the mean of the mask frames; plans with an interval ignore it.
 SubtractedFrame subtractMask(const std::vector<ImageF>& frames, std::size_t index, const ImageF& averaged,
                              const SubtractionPlan& plan)
 {
@@ -126,7 +126,7 @@ std::vector<int> suggestMaskFrames(const std::vector<ImageF>& frames, Polarity p
     if (!(most > 0.0)) {
         return {};
     }
-    if (most < minRise * opacity(usable.front())) {   // bones and organ edges also produce ridges
+    if (most < minRise * opacity(usable.front())) {   // the edges of bone and soft tissue also produce ridges
         const auto isOpacified = [&](int frame) {
             return showsContrast(frames[static_cast<std::size_t>(frame)], polarity, shutter);
         };

@@ -21,7 +21,7 @@ struct MaskInterval {
     bool operator==(const MaskInterval&) const = default;
 };
 
-/// Settings for subtracting bones and organs from the frames of a run.
+/// Settings for subtracting bone and soft tissue from the frames of a run.
 struct SubtractionPlan {
     std::vector<int> maskFrames = {};   ///< frames to average; if empty, chosen by `suggestMaskFrames`
     std::optional<MaskInterval> interval = {};   ///< if set, replaces `maskFrames`
@@ -41,7 +41,7 @@ struct SubtractedRun {
 /// Processing of the stored frames before they are shown, traced and registered (`angiogram.subtraction` of a case).
 struct RunProcessing {
     bool isSubtracted = false;
-    bool isComposite = false;   ///< replaces every frame by the peak-opacification image of the run
+    bool isComposite = false;   ///< whether every frame is replaced by the peak-opacification image of the run
     SubtractionPlan plan = {};
     std::optional<Polarity> polarity = {};   ///< if unset, as stated in the file
 
@@ -49,9 +49,10 @@ struct RunProcessing {
     bool operator==(const RunProcessing&) const = default;
 };
 
-/// Suggests the first frames, before the contrast agent arrives: up to eight with hardly more opacification than the
-/// minimum, including frame 0; frame 0 alone if only tracing shows that it has no contrast while the peak-opacification
-/// frame does. Empty if the run begins with contrast or has fewer than two frames. `shutter` as for `findField`.
+/// Returns suggested mask frames, before the contrast agent arrives: up to eight with hardly more opacification than
+/// the minimum, including frame 0; frame 0 alone if only tracing shows that it has no contrast agent while the
+/// peak-opacification frame does. Empty if the run begins with contrast agent or has fewer than two frames. For
+/// `shutter`, see `findField`.
 std::vector<int> suggestMaskFrames(const std::vector<ImageF>& frames, Polarity polarity, const Mask2d& shutter = {});
 
 /// Subtracts the averaged mask from every frame. Fails if a mask frame does not exist, no mask frame can be suggested,
@@ -68,7 +69,8 @@ struct SubtractedFrame {
 Result<SubtractedFrame> subtractFrame(const std::vector<ImageF>& frames, Polarity polarity, const SubtractionPlan& plan,
                                       int frame);
 
-/// Applies the treatment to a run; headers, suggested frame and size stay unchanged. Fails as `subtractRun` does.
+/// Applies the processing to a run; headers, suggested frame and size stay unchanged. Fails under the same conditions
+/// as `subtractRun`.
 Result<Angiogram> processRun(const Angiogram& stored, const RunProcessing& treatment,
                              const StopCheck& isStopRequested = {});
 

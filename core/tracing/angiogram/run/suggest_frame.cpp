@@ -14,8 +14,7 @@
 namespace angiopose::core {
 namespace {
 
-// Opacification is measured on a coarse copy of each frame, because only the area of the vessels matters here, not
-// their position.
+// Opacification is measured on a coarse copy of each frame, because only the area of the vessels matters here.
 constexpr int maxCoarseSidePx = 300;
 constexpr double minRadiusPx = 1.5;
 constexpr double maxRadiusPx = 4.0;

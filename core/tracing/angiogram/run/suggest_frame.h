@@ -6,9 +6,9 @@
 
 namespace angiopose::core {
 
-/// Returns the opacified fraction (0…1) of each frame: pixels in ridges above a threshold common to all frames. 0 for
-/// frames that cannot be traced (empty, of another size, not finite, uniform). Ignores pixels beyond the `shutter` (see
-/// `findField`).
+/// Returns the opacified fraction (0…1) of each frame: the fraction of pixels in ridges above a threshold common to all
+/// frames; 0 for frames that cannot be traced (empty, of another size, not finite, uniform). Ignores pixels outside the
+/// `shutter` (see `findField`).
 std::vector<double> opacificationCurve(const std::vector<ImageF>& frames, Polarity polarity,
                                        const Mask2d& shutter = {});
 

@@ -9,7 +9,7 @@ constexpr std::uint8_t enclosed = 0;   ///< assumed until an outside neighbor is
 constexpr std::uint8_t inside = 1;
 constexpr std::uint8_t outside = 2;
 constexpr std::uint8_t filled = 2;
-constexpr int minSetNeighbors = 17;   ///< minimum of 26 neighbors; a flat wall has 9, an obtuse corner has 15
+constexpr int minSetNeighbors = 17;   ///< minimum, out of 26 neighbors; a flat wall has 9, an obtuse corner has 15
 
 /// Makes one pass over the rows, upward (`step` = 1) or downward (-1): marks voxels as outside if the preceding
 /// neighbor along any axis is outside.

@@ -15,8 +15,8 @@ void fillCavities(VoxelMask& mask, TracingProgress* progress = nullptr);
 using HoleFilter = std::function<bool(int i, int j, int k)>;
 
 /// Sets voxels to 2 if most of their neighbors are set and `isHole`, if given, accepts them; larger holes need several
-/// calls. Noise creates holes that are open to one side, and thinning would leave a loop around each. Vessel walls stay
-/// in place.
+/// calls. Noise creates holes that are open to one side, around each of which thinning would leave a loop. Vessel walls
+/// stay in place.
 void fillHoles(VoxelMask& mask, const HoleFilter& isHole = {});
 
 }   // namespace angiopose::core

@@ -24,7 +24,7 @@ VoxelMask croppedMask(const VoxelMask& mask, const VoxelBox& box)
     return part;
 }
 
-/// Adds the axis points of the great vessel that lie in the lumen.
+/// Adds the centerline points of the great vessel that lie in the lumen.
 void addPointsInLumen(const VoxelMask& lumen, const GreatVessel& great, std::vector<Eigen::Vector3d>& points)
 {
     for (const Trunk& trunk : great.trunks) {
@@ -33,7 +33,7 @@ void addPointsInLumen(const VoxelMask& lumen, const GreatVessel& great, std::vec
     }
 }
 
-/// Returns the axis points of the great vessels to trace; empty if there are seeds or no great vessels.
+/// Returns the centerline points of the great vessels to trace; empty if there are seeds or no great vessels.
 std::vector<Eigen::Vector3d> greatVesselPoints(const VoxelMask& lumen, const VesselTracingOptions& options,
                                                const std::vector<GreatVessel>& greatVessels)
 {

@@ -28,12 +28,12 @@ struct SelectedLumen {
 
 /// Selects the lumen to trace from a mask in patient axis order: the vessels at the seeds; without seeds, the first
 /// great vessel (all great vessels if all components are requested); without great vessels, all components or the
-/// largest. `fill` may be empty. Fails for seeds outside any vessel and when stopped.
+/// largest. `opacification` may be empty. Fails for seeds outside any vessel and when stopped.
 Result<SelectedLumen> selectLumen(VoxelMask whole, VesselTracingOptions options,
                                   const VoxelOpacification& opacification, const std::vector<GreatVessel>& greatVessels,
                                   TracingProgress& progress);
 
-/// Shifts the voxel indices of `fill` so that they count from `low`; `fill` must outlive the result.
+/// Shifts the voxel indices of `opacification` so that they count from `low`; `opacification` must outlive the result.
 VoxelOpacification shiftOrigin(const VoxelOpacification& opacification, const Eigen::Vector3i& low);
 
 }   // namespace angiopose::core

@@ -168,7 +168,7 @@ public:
         return points;
     }
 
-    /// Returns the axis points of the great vessel in this mask, except those from which steepest ascent in the
+    /// Returns the centerline points of the great vessel in this mask, except those from which steepest ascent in the
     /// distance map leads into a wider touching structure.
     std::vector<Eigen::Vector3d> centersOf(const GreatVessel& great) const
     {

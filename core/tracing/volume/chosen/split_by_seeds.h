@@ -13,7 +13,7 @@ namespace angiopose::core {
 
 /// Removes from a mask everything that a point to avoid reaches along a wider path than a seed does, which separates
 /// connected vessels at their narrowest point (marker-based flooding of the distance map, Meyer 1994). Also removes
-/// regions beyond necks (`voxelsBeyondNecks`) and, if `fill` is given, differently opacified vessels. Ignores
+/// regions beyond necks (`voxelsBeyondNecks`) and, if `opacification` is given, differently opacified vessels. Ignores
 /// points outside the mask. Incomplete when stopped.
 ///
 /// A seed inside a great vessel selects that whole vessel, so all points in it give the same result; a seed outside all

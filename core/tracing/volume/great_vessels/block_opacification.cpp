@@ -19,7 +19,7 @@ struct Extent {
     std::vector<double> weights;   ///< weights of the voxels from `first` on; their sum is 1
 };
 
-/// Builds an extent from `weightOf(n)`, the weight of the voxel with index n; voxels outside the scan do not count.
+/// Creates an extent from `weightOf(n)`, the weight of the voxel with index n; voxels outside the scan do not count.
 template <class WeightOf>
 Extent extentOf(double low, double high, int size, const WeightOf& weightOf)
 {

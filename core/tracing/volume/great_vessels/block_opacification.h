@@ -17,11 +17,11 @@ struct BlockOpacification {
     VoxelMask lumen;   ///< blocks with a mean opacification of at least 0.5
     double resolutionMm = 0.0;   ///< finest resolved length: block length or the shortest voxel side
 
-    /// Linear interpolation, for points in mm along the axes from the center of the first block.
+    /// Returns the linear interpolation for points in mm along the axes, from the center of the first block.
     PointOpacification fill() const;
 };
 
-/// Computes the block means of `fill`. Outside `lumen`, values of one half or more count as 0 to exclude other bright
+/// Returns the block means of `fill`. Outside `lumen`, values of one half or more count as 0 to exclude other bright
 /// structures. Incomplete when stopped.
 BlockOpacification averageInBlocks(const VoxelMask& lumen, const VoxelOpacification& fill, int threads,
                                    TracingProgress& progress, double blockMm = defaultBlockMm);

@@ -18,8 +18,8 @@ struct LumenWithGreatVessels {
 };
 
 /// Finds the great vessels. Stents hide or widen sections abruptly and stop the tracking; scans with stents are
-/// searched with and without the lumen beside the struts, and the result with the higher-scoring first vessel is kept.
-/// Incomplete when stopped.
+/// therefore searched with and without the lumen beside the struts, and the result with the higher-scoring first vessel
+/// is kept. Incomplete when stopped.
 LumenWithGreatVessels findGreatVessels(SegmentedLumen segmented, const VoxelOpacification& opacification, int threads,
                                        TracingProgress& progress, double blockMm = defaultBlockMm);
 

@@ -14,7 +14,7 @@
 namespace angiopose::core {
 namespace {
 
-/// Axis of a tube, in mm along the grid's axes.
+/// Centerline of a tube, in mm along the grid's axes.
 struct Tube {
     std::vector<Eigen::Vector3d> pointsMm;
     std::vector<double> radiusMm;
@@ -23,7 +23,7 @@ struct Tube {
 /// Input data of the tracking.
 struct TrackingInput {
     PointOpacification fill;
-    double voxelMm = 1.0;   ///< finest length that `fill` resolves
+    double voxelMm = 1.0;   ///< smallest resolved length
     Eigen::Vector3d highMm = Eigen::Vector3d::Zero();   ///< center of the last voxel; tracking ends at the boundary
 };
 

@@ -11,15 +11,15 @@ namespace angiopose::core {
 
 /// Long vessel section that is wide for its scan.
 struct Trunk {
-    std::vector<Eigen::Vector3d> pointsInPatient;   ///< axis points, LPS, mm
+    std::vector<Eigen::Vector3d> pointsInPatient;   ///< centerline points, LPS, mm
     std::vector<double> radiusMm;
-    double fill = 1.0;   ///< mean opacification along the axis; 1 is the lumen level of the scan
+    double fill = 1.0;   ///< mean opacification along the centerline; 1 is the lumen level of the scan
 
     double medianRadiusMm() const;
     double slenderness() const;   ///< length divided by the largest radius
 
-    /// Scores the resemblance to an aorta or another main artery: long, wide, aligned with the body axis and well
-    /// opacified; false lumens and veins often score lower.
+    /// Returns a score for the resemblance to an aorta or another main artery: long, wide, aligned with the body axis
+    /// and well opacified; false lumens and veins often score lower.
     double score() const;
 
     bool operator==(const Trunk&) const = default;

@@ -11,7 +11,7 @@
 namespace angiopose::core {
 namespace {
 
-constexpr double maxGapInRadii = 2.0;   ///< maximum distance from a trunk's end to the other axis / sum of both radii
+constexpr double maxGapInRadii = 2.0;   ///< maximum distance from an end to the other centerline / sum of both radii
 constexpr double maxGapIfSame = 2.5;
 constexpr double minSlendernessOfTrunks = 5.0;   ///< minimum of one trunk; two heart chambers in a row reach 4.5
 constexpr double minLengthMm = 40.0;   ///< minimum length of that trunk; marrow, ureters and dense bowel are shorter

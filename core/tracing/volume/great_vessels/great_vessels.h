@@ -8,7 +8,7 @@
 
 namespace angiopose::core {
 
-/// Trunks that continue one another, such as the ascending aorta, arch and descending aorta.
+/// Trunks that continue each other, such as the ascending aorta, arch and descending aorta.
 struct GreatVessel {
     std::vector<Trunk> trunks;   ///< highest score first
 

@@ -15,7 +15,7 @@ std::vector<std::uint32_t> pathToCenter(std::uint32_t voxel, const DistanceMap& 
 
 /// Narrowest widths along the paths from the seeds.
 struct Necks {
-    std::vector<std::uint16_t> units;   ///< narrowest width on the widest path, distance units; 0: unconnected
+    std::vector<std::uint16_t> units;   ///< narrowest width on the widest path, in distance units; 0 if unconnected
     double seedRadiusMm = 0.0;   ///< radius of the widest vessel at a seed
 };
 
@@ -24,8 +24,8 @@ struct Necks {
 Necks computeNecks(const VoxelMask& mask, const DistanceMap& distances,
                    const std::vector<Eigen::Vector3d>& seedsInPatient, TracingProgress& progress);
 
-/// Returns the narrowest width, in mm, on the widest path between two voxels; the search extends at most `aroundMm`
-/// beyond the box around both. 0 if they are not connected.
+/// Returns the narrowest width, in mm, on the widest path between two voxels; 0 if they are not connected. The search
+/// extends at most `aroundMm` beyond the box around both.
 double neckMm(const DistanceMap& distances, const Eigen::Vector3i& from, const Eigen::Vector3i& to, double aroundMm);
 
 }   // namespace angiopose::core

@@ -131,7 +131,7 @@ BoneRing findRing(const VoxelGrid<Block>& blocks, int k)
     return ring;
 }
 
-/// Returns the lowest and the highest axis point.
+/// Returns the lowest and the highest centerline point.
 std::pair<Eigen::Vector3d, Eigen::Vector3d> endsOf(const GreatVessel& great)
 {
     Eigen::Vector3d low = great.trunks.front().pointsInPatient.front();

@@ -22,7 +22,7 @@ public:
     /// ring surrounds the point.
     std::optional<double> radialPosition(const Eigen::Vector3d& inPatient) const;
 
-    /// Length of a vessel axis within the skull vault, and of its part next to the inner table, in mm.
+    /// Length of a vessel centerline within the skull vault, and of its part next to the inner table, in mm.
     struct Course {
         double withinMm = 0.0;
         double adjacentMm = 0.0;
@@ -52,10 +52,10 @@ private:
 std::optional<Skull> findSkull(const VolumeGeometry& grid, const VoxelOpacification& fill, int threads,
                                TracingProgress& progress);
 
-/// Returns the axis points of the great vessels that are dural venous sinuses.
+/// Returns the centerline points of the great vessels that are dural venous sinuses.
 std::vector<Eigen::Vector3d> sinusPoints(const std::vector<GreatVessel>& great, const Skull& skull);
 
-/// Keeps only definite arteries of the head: vessels that enter from the neck and do not run along the skull like
+/// Returns only definite arteries of the head: vessels that enter from the neck and do not run along the skull like
 /// venous sinuses. If the sinuses enhance like the arteries, a vessel must also reach the middle of the head.
 std::vector<GreatVessel> selectHeadArteries(std::vector<GreatVessel> great, const Skull& skull,
                                             const VolumeGeometry& grid);

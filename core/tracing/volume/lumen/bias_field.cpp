@@ -20,7 +20,7 @@ constexpr int coilRounds = 10;
 constexpr double maxLogDeviation = 0.7;   ///< maximum log deviation; organs that differ more are ignored
 constexpr double coilStiffness = 1e-3;   ///< relative to the number of cells; damps curvature driven by few cells
 constexpr double minFallOff = 2.0;
-constexpr double maxFallOff = 8.0;   ///< a larger correction would only amplify noise
+constexpr double maxFallOff = 8.0;   ///< larger corrections would only amplify noise
 constexpr double maxScatter = 0.3;   ///< maximum of the median log deviation from the field
 constexpr double minExplained = 0.5;   ///< minimum fraction of the tissue's variance explained by the field
 constexpr double maxStoredValue = 32000.0;
@@ -97,7 +97,7 @@ private:
     const AxisOrder& order_;
 };
 
-/// Keeps the cells that contain tissue rather than air.
+/// Returns the cells that contain tissue rather than air.
 std::vector<Cell> selectTissueCells(std::vector<Cell> cells)
 {
     if (cells.empty()) {

@@ -13,7 +13,7 @@ namespace angiopose::core {
 struct BloomingBits {
     std::uint8_t bright = 8;   ///< sources of blooming
     std::uint8_t solid = 4;   ///< never marked as blooming
-    std::uint8_t blooming = 64;   ///< the bit to set
+    std::uint8_t blooming = 64;   ///< bit to set
 };
 
 /// Sets `blooming` in `flags` for voxels reached from a bright source along strictly decreasing values, in at most

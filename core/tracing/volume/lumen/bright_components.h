@@ -16,7 +16,7 @@ struct BrightLabels {
     std::uint8_t metal = 32;   ///< stent (part of a large component)
 };
 
-/// Selects the metal part of a large component.
+/// Returns the metal part of a large component.
 using MetalSelector = std::function<VoxelComponent(const VoxelComponent& piece)>;
 
 /// Replaces set voxels by `marks`. Voxels within a few millimeters of each other form one component, because stent

@@ -189,7 +189,7 @@ std::size_t highestBin(const Histogram& histogram, double above, double below)
     return best;
 }
 
-/// Returns the tissue level without Hounsfield units: the highest peak, or if that is the air around the patient, the
+/// Returns the tissue level without Hounsfield units: the highest peak or, if that is the air around the patient, the
 /// brightest peak large enough for muscle and organs (fat is darker; vessels and bone have less volume).
 double tissueWithoutHu(const Histogram& histogram, const Range& range)
 {

@@ -13,8 +13,8 @@ namespace angiopose::core {
 struct LumenLevels {
     double tissue = 0.0;   ///< level of the tissue around the vessels
     double blood = 1.0;   ///< level of the opacified lumen in wide vessels
-    double threshold = 0.5;   ///< halfway value, which marks the wall regardless of blurring
-    bool isHu = false;   ///< values are Hounsfield units: the scan shows air, or fat and no denser body
+    double threshold = 0.5;   ///< halfway value, at which the wall lies regardless of blurring
+    bool isHu = false;   ///< whether values are Hounsfield units: the scan shows air, or fat and no denser body
 
     double contrast() const { return blood - tissue; }
 };
@@ -39,7 +39,7 @@ Result<LumenLevels> findLumenLevels(const Volume& volume, const AxisOrder& order
 /// Fails if the brightest voxels hardly stand out.
 Result<LumenLevels> findBrightestLevels(const Volume& volume, const AxisOrder& order);
 
-/// Returns the error for a scan in which no tree was found: the value taken for the lumen, and what to do.
+/// Returns the error for a scan in which no tree was found: the value taken for the lumen, and a remedy.
 Error noVesselsFound(const LumenLevels& level);
 
 }   // namespace angiopose::core

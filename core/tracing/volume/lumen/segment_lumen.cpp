@@ -77,7 +77,7 @@ public:
     }
 
 private:
-    /// Converts a length to voxels along each axis, at least `least`.
+    /// Converts a length to a number of voxels along each axis, at least `least`.
     Eigen::Vector3i voxelsIn(double mm, int least) const
     {
         return (mm / order_.geometry.spacingMm.array()).round().cast<int>().max(least);
@@ -111,8 +111,8 @@ private:
         return [this](int i, int j, int k) { return fillAt(i, j, k); };
     }
 
-    /// Marks voxels brighter than the lumen: large components are bone and metal, small ones are calcified plaque in a
-    /// vessel wall.
+    /// Marks voxels brighter than the lumen: large components are bone and metal, small ones calcified plaque in a
+    /// wall.
     void markTooBright(TracingProgress& progress)
     {
         forEachSlice(progress, [&](int k) {

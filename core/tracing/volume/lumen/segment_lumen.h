@@ -11,14 +11,14 @@ namespace angiopose::core {
 
 /// Lumen candidates, in patient axis order.
 struct SegmentedLumen {
-    /// 2: contrast-enhanced core of a wide vessel; 1: rim of such a core, or thin line-like vessel (may be below the
+    /// 2: contrast-enhanced core of a wide vessel; 1: rim of such a core, or thin vessel (possibly below the
     /// threshold).
     VoxelMask clear;
-    VoxelComponent besideStruts;   ///< see `lumenBesideWires`
+    VoxelComponent besideStruts;   ///< see `growLumenBesideStruts`
 };
 
-/// Segments the lumen. Excludes most bone, whose cortex forms sheets and whose interior is inhomogeneous. Incomplete
-/// when stopped.
+/// Segments the lumen. Excludes most bone, which has cortical sheets and an inhomogeneous interior. Incomplete when
+/// stopped.
 SegmentedLumen segmentLumen(const Volume& volume, const AxisOrder& order, const LumenLevels& level, int threads,
                             TracingProgress& progress);
 

@@ -13,7 +13,7 @@ namespace {
 constexpr double sampleSpacingMm = 2.0;
 constexpr std::ptrdiff_t smoothingReach = 7;   // positions averaged on either side; suppresses stents, plaque and gaps
 constexpr double bloodQuantile = 0.75;   // quantile for the lumen level; blurring dims thin segments
-constexpr double nearbyInShells = 1.5;   // in shell radii: distance from the axis at which the surroundings begin
+constexpr double nearbyInShells = 1.5;   // in shell radii: distance from the centerline at which the surroundings begin
 constexpr double minClearDrop = 0.5;   // minimum drop, fraction of the vessel's contrast; excludes adjacent vessels
 constexpr double minRelativeContrast = 0.5;   // fraction of the typical contrast; lower if the shell holds only lumen
 constexpr double minDropToVessel = 0.4;   // minimum drop, fraction of the contrast; excludes blur from other vessels
@@ -47,7 +47,7 @@ VesselAppearance refineTissueLevel(const TubeDetector& ground, const Eigen::Vect
     return look;
 }
 
-/// Takes the tissue value from the rest of the path if a vessel is so wide that nothing else surrounds its axis.
+/// Takes the tissue value from the rest of the path if a vessel is so wide that nothing else surrounds its centerline.
 void correctWideSections(std::vector<VesselAppearance>& appearances)
 {
     std::vector<double> contrasts;

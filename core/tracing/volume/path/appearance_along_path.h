@@ -17,7 +17,8 @@ public:
     /// Returns the opacification near the path: 0 as in the surroundings, 1 as in the vessel.
     double opacification(const Eigen::Vector3d& pointMm) const;
 
-    /// Faster variant of `fill`: looks up the vessel's appearance once per cubic millimeter. Not thread-safe.
+    /// Returns a faster variant of `opacification`, with the vessel's appearance looked up once per cubic millimeter.
+    /// Not thread-safe.
     PointOpacification cachedOpacification() const;
 
 private:

@@ -96,7 +96,7 @@ private:
                                   (voxel - end).cast<double>().cwiseProduct(box_.spacingMm).norm());
     }
 
-    /// Settles the next voxel; false if a cheaper path has reached it in the meantime.
+    /// Settles the next voxel; returns false if a cheaper path has reached it in the meantime.
     bool settleNext(std::size_t side)
     {
         const QueuedVoxel next = queues_[side].top();

@@ -10,8 +10,7 @@
 
 namespace angiopose::core {
 
-/// Cost per millimeter through a voxel: positive, or infinite if impassable. Evaluated once for each voxel that the
-/// search reaches.
+/// Cost per millimeter through a voxel, positive or (if impassable) infinite; evaluated once per voxel reached.
 struct VoxelCost {
     std::function<double(const Eigen::Vector3i& voxel)> perMm;
     double minPerMm = 0.0;   ///< lower bound of all costs; a tight bound speeds up the search
@@ -20,10 +19,10 @@ struct VoxelCost {
 /// Result of a path search.
 struct MinimalPath {
     std::vector<Eigen::Vector3i> voxels;   ///< path including both ends; empty if none was found
-    bool isTruncated = false;   ///< the search limit was reached
+    bool isTruncated = false;   ///< whether the search limit was reached
 };
 
-/// Voxel range of the search: the box around both ends, enlarged by 15 to 40 mm.
+/// Returns the voxel range of the search: the box around both ends, enlarged by 15 to 40 mm.
 VoxelRange searchRange(const VolumeGeometry& grid, const Eigen::Vector3i& from, const Eigen::Vector3i& to);
 
 /// Finds the cheapest path between two voxels within `searchRange` by bidirectional search with the straight-line

@@ -17,7 +17,7 @@ struct SearchCell {
 
     float perMm = unknown;
     std::array<float, 2> distance{std::numeric_limits<float>::infinity(), std::numeric_limits<float>::infinity()};
-    std::array<std::uint8_t, 2> arrivalStep{noArrival, noArrival};   ///< step that reached the voxel, per side
+    std::array<std::uint8_t, 2> arrivalStep{noArrival, noArrival};   ///< step by which each search front arrived here
 };
 
 /// Cells of a box of voxels, allocated in tiles on demand because a search visits only a small part of its box.

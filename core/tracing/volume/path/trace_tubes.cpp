@@ -17,7 +17,7 @@ namespace {
 constexpr double maxWidening = 1.4;   // maximum width relative to the parent vessel
 constexpr double radiusNoiseMm = 0.3;
 
-/// Marks the voxels inside the branches, in the scan's axis order.
+/// Returns the mask of the voxels inside the branches, in the scan's axis order.
 VoxelMask lumenOf(const VesselTree& tree, const VolumeGeometry& grid)
 {
     VoxelMask lumen(grid);

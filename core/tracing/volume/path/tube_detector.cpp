@@ -64,7 +64,7 @@ double TubeDetector::valueAt(const Eigen::Vector3i& voxel) const
     return volume_.value(volume_.geometry.index(inside.x(), inside.y(), inside.z()));
 }
 
-/// Counts the pairs with both values ≤ `limit`; returns 0 as soon as `atLeast` pairs can no longer be reached.
+/// Returns the number of pairs with both values ≤ `limit`; 0 as soon as `atLeast` pairs can no longer be reached.
 int TubeDetector::countDarkerPairs(const Shell& shell, const Eigen::Vector3i& voxel, double limit, int atLeast) const
 {
     const VolumeGeometry& grid = volume_.geometry;

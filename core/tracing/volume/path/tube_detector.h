@@ -16,8 +16,8 @@ struct VesselAppearance {
 
 /// Resemblance of a voxel to the center of a tube.
 struct TubeResemblance {
-    double fraction = 0.0;   ///< 0…1, from the directions darker on both sides, at the best distance
-    double shellMm = 0.0;   ///< best distance; the wall lies within it
+    double fraction = 0.0;   ///< 0…1, from the directions that are darker on both sides, at the best distance
+    double shellMm = 0.0;   ///< best distance, within which the wall lies
 };
 
 /// Measures how much the voxels of a scan resemble the inside of a vessel. The volume must outlive this object.
@@ -37,7 +37,7 @@ public:
     /// Computes how much a voxel resembles the center of a tube; low in chambers and in walls.
     TubeResemblance tube(const Eigen::Vector3i& voxel, double tissue) const;
 
-    /// Returns only `TubeResemblance::share`, which is faster to compute.
+    /// Returns only `TubeResemblance::fraction`, which is faster to compute.
     double tubeResemblance(const Eigen::Vector3i& voxel, double tissue) const;
 
     /// Returns the values in 26 directions at the given distance.
@@ -46,7 +46,7 @@ public:
     double valueAt(const Eigen::Vector3i& voxel) const;   ///< edge values are repeated beyond the boundary
 
 private:
-    /// Opposite pairs of positions at one distance.
+    /// Opposite pairs of positions at the same distance.
     struct Shell {
         double radiusMm = 0.0;
         std::vector<Eigen::Vector3i> steps;   ///< 13 steps; their opposites complete the pairs

@@ -39,7 +39,7 @@ struct ReachedVoxel {
     bool isTube = false;
     bool isSettled = false;
     int branch = noBranch;   ///< branch whose lumen contains the voxel
-    std::size_t axis = 0;   ///< nearest axis voxel of that branch
+    std::size_t axis = 0;   ///< nearest centerline voxel of that branch
     bool isTooShort = false;   ///< a path through this voxel was too short for a branch
 };
 
@@ -199,7 +199,7 @@ private:
         path.parent = start.branch;
         path.generation = start.branch == noBranch ? 0 : paths[static_cast<std::size_t>(start.branch)].generation + 1;
         if (start.branch != noBranch) {
-            way.back() = start.axis;   // starts on the axis of the parent branch
+            way.back() = start.axis;   // starts on the centerline of the parent branch
         }
         std::ranges::reverse(way);
         for (const std::size_t voxel : way) {

@@ -15,7 +15,7 @@ inline constexpr double maxTubeRadiusMm = 5.0;
 struct TubePaths {
     std::vector<BranchPath> paths;   ///< parents before children; mm along the grid's axes, radii assumed
     VesselAppearance look;   ///< median appearance of all tubes
-    bool isTruncated = false;   ///< the search limit was reached
+    bool isTruncated = false;   ///< whether the search limit was reached
 };
 
 struct TubeLimits {

@@ -78,7 +78,7 @@ PathEnd endInBlocks(const TubeDetector& blocks, const Eigen::Vector3i& voxel)
     return end;
 }
 
-/// Marks the blocks near the coarse path.
+/// Returns the blocks near the coarse path.
 VoxelMask markNearPath(const std::vector<Eigen::Vector3i>& way, const VolumeGeometry& blocks)
 {
     VoxelMask near(blocks);

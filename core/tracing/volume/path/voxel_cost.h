@@ -4,7 +4,7 @@
 
 namespace angiopose::core {
 
-/// Cost per millimeter in tissue (the highest possible) and in the center of a vessel (the lowest).
+/// Cost per millimeter in tissue (the highest possible) and in the center of a vessel (the lowest possible).
 inline constexpr double maxCostPerMm = 40.0;
 inline constexpr double minCostPerMm = 1.0 / (1.0 / maxCostPerMm + 1.0);
 
@@ -12,7 +12,7 @@ inline constexpr double minCostPerMm = 1.0 / (1.0 / maxCostPerMm + 1.0);
 /// (ALGORITHMS §9.12).
 double costOfVoxel(const TubeDetector& ground, const Eigen::Vector3i& voxel, const VesselAppearance& look);
 
-/// Same as `costOfVoxel` for a value with a known tube resemblance.
+/// Returns the same cost as `costOfVoxel` for a value with a known tube resemblance.
 double costOfTube(double value, double fraction, const VesselAppearance& look);
 
 }   // namespace angiopose::core

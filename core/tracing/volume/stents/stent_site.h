@@ -30,7 +30,7 @@ public:
         std::vector<double> inner;   ///< values of voxels with a lumen value above 1
     };
 
-    /// Covers the stents with a margin of `aroundMm` on all sides; nothing is labeled yet.
+    /// Creates a box around the stents with a margin of `aroundMm` on all sides; nothing is labeled yet.
     StentSite(const VoxelMask& lumen, const StentStruts& wires, const VoxelOpacification& opacification,
               double aroundMm);
 

@@ -119,7 +119,7 @@ private:
     std::vector<Eigen::Vector3d> pointsMm_;
     Eigen::Vector3d centerMm_ = Eigen::Vector3d::Zero();
     Eigen::Vector3d axis_ = Eigen::Vector3d::UnitZ();
-    double transverseMm_ = 0.0;   ///< standard deviation of the points across the axis; `axialMm_` along it
+    double transverseMm_ = 0.0;   ///< standard deviation of the points across the axis; `axialMm_` is the one along it
     double axialMm_ = 0.0;
 };
 

@@ -6,8 +6,8 @@
 
 namespace angiopose::core {
 
-/// Returns whether a metal component is a stent too thin to show lumen inside or beside it, with a vessel beyond both
-/// ends; wires in bone and clips have none, leads and catheters only at one end.
+/// Returns whether a metal component is a stent that is too thin to show lumen inside or beside it, with a vessel
+/// beyond both ends; wires in bone and clips have no vessel there, leads and catheters only at one end.
 bool isThinStent(const VoxelComponent& piece, const VolumeGeometry& grid, const VoxelOpacification& opacification);
 
 }   // namespace angiopose::core

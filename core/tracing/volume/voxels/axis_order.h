@@ -16,8 +16,8 @@ struct VoxelBox {
     bool operator==(const VoxelBox&) const = default;
 };
 
-/// Maps voxels counted along the patient's axes (i left, j posterior, k superior, as closely as the stored axes allow)
-/// to the stored order, so results do not depend on how a scan is stored.
+/// Maps voxel indices along the patient axes (i left, j posterior, k superior, as closely as the stored axes allow) to
+/// the stored order, so that results do not depend on how a scan is stored.
 struct AxisOrder {
     VolumeGeometry geometry;   ///< geometry of the reordered voxels
     std::ptrdiff_t first = 0;   ///< stored index of voxel (0, 0, 0)
@@ -32,11 +32,11 @@ struct AxisOrder {
 
 AxisOrder patientAxisOrder(const VolumeGeometry& stored);
 
-/// Restricts the order to `box`, counted from its low corner.
+/// Returns the order restricted to `box`, with indices starting at its low corner.
 AxisOrder cropped(const AxisOrder& order, const VoxelBox& box);
 VolumeGeometry cropped(const VolumeGeometry& geometry, const VoxelBox& box);
 
-/// Enlarges `box` by `margin` voxels on all sides, within the volume.
+/// Returns `box` enlarged by `margin` voxels on all sides, within the volume.
 VoxelBox enlarge(const VoxelBox& box, int margin, const VolumeGeometry& within);
 
 }   // namespace angiopose::core

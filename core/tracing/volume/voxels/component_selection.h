@@ -39,7 +39,7 @@ Result<std::vector<TracedComponent>> selectComponents(VoxelMask& mask,
                                                       const std::vector<Eigen::Vector3d>& seedsInPatient,
                                                       TracedPieces withoutSeeds, TracingProgress& progress);
 
-/// Measures the size of a component and finds its voxel nearest to the center.
+/// Returns the size of a component and the position of its voxel nearest to the center.
 TracedComponent describeComponent(const VoxelComponent& voxels, const VolumeGeometry& grid);
 
 Cancellation stoppedTracing();

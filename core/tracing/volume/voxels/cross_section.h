@@ -12,7 +12,7 @@ using PointOpacification = std::function<double(const Eigen::Vector3d& pointMm)>
 struct CrossSection {
     Eigen::Vector3d centerMm = Eigen::Vector3d::Zero();   ///< centroid of the area within the wall
     double radiusMm = 0.0;   ///< radius of a disc of equal area
-    double closedFraction = 0.0;   ///< fraction of rays that meet a wall, including the far one of a flattened vessel
+    double closedFraction = 0.0;   ///< fraction of rays that meet a wall, including the far wall of a flattened vessel
     double confidence = 0.0;   ///< 0 if no section was found, near 1 for a round section with walls all around
 };
 
@@ -20,7 +20,7 @@ struct CrossSection {
 struct SectionPlane {
     Eigen::Vector3d pointMm = Eigen::Vector3d::Zero();
     Eigen::Vector3d tangent = Eigen::Vector3d::UnitZ();
-    double expectedRadiusMm = 1.0;   ///< rays reach twice as far plus two voxels
+    double expectedRadiusMm = 1.0;   ///< the rays reach twice as far plus two voxels
     double voxelMm = 1.0;
 };
 

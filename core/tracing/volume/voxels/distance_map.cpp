@@ -56,7 +56,7 @@ public:
         const double squaredStep = step * step;
         const std::size_t apexes = build(count, squaredStep);
         if (apexes == 0) {
-            return;   // there is no clear voxel
+            return;   // the row has no clear voxel
         }
         std::size_t a = 0;
         for (int i = 0; i < count; ++i) {

@@ -5,7 +5,7 @@
 
 namespace angiopose::core {
 
-/// Traceable connected component.
+/// A connected component that can be traced.
 struct TracedComponent {
     std::size_t voxels = 0;
     double lengthMm = 0.0;   ///< total length of its branches; 0 if excluded

@@ -14,7 +14,7 @@ enum class TracedPieces { Usual, All, Largest };
 /// Treatment of vessels that form loops.
 enum class VesselLoops {
     Opened,   ///< cut at the thinnest point
-    Kept   ///< kept unless a segmentation flaw; the closing branch ends on another branch
+    Kept   ///< kept unless due to a segmentation flaw; the closing branch ends on another branch
 };
 
 /// Default tracing options for every scan.
@@ -31,8 +31,8 @@ struct VesselTracingOptions {
     double pointSpacingMm = 1.0;   ///< spacing along the branches
     TracedPieces pieces = TracedPieces::Usual;
     VesselLoops loops = VesselLoops::Opened;
-    bool tubesOnly = false;   ///< only thin vessels from the seeds; ends at chambers, organs and wide vessels
-    int threads = 0;   ///< 0 for one per processor core; does not affect the result
+    bool tubesOnly = false;   ///< traces only thin vessels from the seeds, ending at chambers, organs and wide vessels
+    int threads = 0;   ///< number of threads; 0 for one per processor core; does not affect the result
 
     bool operator==(const VesselTracingOptions&) const = default;
 };

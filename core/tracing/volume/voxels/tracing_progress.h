@@ -14,7 +14,7 @@ struct TracingReport {
     double progress = 0.0;   ///< 0…1, never decreasing
 };
 
-/// Called on the calling thread several times per second; returning Stop ends the work within a second.
+/// Called on the calling thread several times per second; if it returns Stop, the work ends within a second.
 using TracingObserver = std::function<ObserverDecision(const TracingReport&)>;
 
 /// Reports progress and receives stop requests, at most about twenty times per second. A stop is permanent.
@@ -31,7 +31,7 @@ public:
         report(0.0);
     }
 
-    /// Reports the completed fraction `share` of the stage; returns false to request a stop as soon as possible.
+    /// Reports the completed `fraction` of the stage; returns false to request a stop as soon as possible.
     bool advance(double fraction)
     {
         if (!stopped_ && std::chrono::steady_clock::now() >= nextReport_) {

@@ -12,7 +12,7 @@ bool isStopRequested(TracingProgress* progress, std::size_t done)
     return progress != nullptr && (done & componentProgressMask) == 0 && !progress->advance(0.0);
 }
 
-/// Removes the component around `seed` from `left` and returns it.
+/// Removes the component around `seed` from `remaining` and returns it.
 VoxelComponent extractComponent(VoxelMask& remaining, std::size_t seed, TracingProgress* progress)
 {
     const VolumeGeometry& grid = remaining.geometry;
