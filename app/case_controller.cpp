@@ -65,11 +65,11 @@ CaseController::CaseController(ui::MainWindow& window, QObject* parent)
       pivot_(document_, {window.actions(), window.pose(), window.angiogramView(), window.treeView()}),
       landmarks_(document_,
                  {window.actions(), window.landmarks(), window.angiogramView(), window.treeView(), window.slices()}),
-      measure_(document_, sync_, preview_,
-               {window.actions(),
-                window.measure(),
-                window.angiogramView(),
-                {window.slices(), window.slicesPage(), window.corner()}}),
+      measureController_(document_, sync_, preview_,
+                         {window.actions(),
+                          window.measure(),
+                          window.angiogramView(),
+                          {window.slices(), window.slicesPage(), window.corner()}}),
       marks_(document_, sync_, preview_,
              {window.actions(), window.marks(), window.angiogramView(), window.treeView(), window.slices()}),
       initialPose_(document_, window.actions()),
@@ -79,23 +79,23 @@ CaseController::CaseController(ui::MainWindow& window, QObject* parent)
       registration_(document_, target_),
       session_(document_, target_, registration_, preview_, notifications_,
                {window.actions(), window.welcome(), window.angiogramView(), window.strip(), window}),
-      profile_(document_, branches_, session_.exporting(),
+      profile_(document_, branches_, session_.exportController(),
                {window.actions(), window.profile(), window.angiogramView(), window.treeView(), window.slices()}),
-      title_(document_, session_.saving(), window.header(), window.strip(), window),
+      title_(document_, session_.saveController(), window.header(), window.strip(), window),
       patient_(document_, window.patient(), *window.actions()[ui::Command::HideIdentity]),
       review_(document_, sync_, preview_,
               {window.actions(), window.angiogramView(), window.treeView(), window.strip()}),
       cine_(document_, sync_, review_, window.actions(), window.strip()),
       overlayStyle_(document_, sync_,
                     {window.actions(), window.angiogramPanel(), window.angiogramView(), window.strip()}),
-      replay_(document_, preview_, window.actions(), window.strip()),
-      evaluation_(
-          {document_, target_, pose_, registration_, sync_, overlayStyle_, replay_, window.result(), window.pose()}),
-      gestures_({document_, pose_, review_, evaluation_, preview_, notifications_, window.actions(), window.pose(),
-                 window.registration(), window.angiogramView()}),
-      run_({document_, registration_, session_, review_, evaluation_, sync_, preview_, notifications_, window.actions(),
-            window.registration(), window.result(), window.pose(), window.geometryPanel(), window.treeView(),
-            window.strip()}),
+      replayController_(document_, preview_, window.actions(), window.strip()),
+      evaluationController_({document_, target_, pose_, registration_, sync_, overlayStyle_, replayController_,
+                             window.result(), window.pose()}),
+      gestures_({document_, pose_, review_, evaluationController_, preview_, notifications_, window.actions(),
+                 window.pose(), window.registration(), window.angiogramView()}),
+      runController_({document_, registration_, session_, review_, evaluationController_, sync_, preview_,
+                      notifications_, window.actions(), window.registration(), window.result(), window.pose(),
+                      window.geometryPanel(), window.treeView(), window.strip()}),
       slices_(document_, branches_,
               {window.actions(), window.slices(), window.slicesPage(), window.corner(), window.treeView()}),
       tracing_(document_, {window.actions(), window.tracing(), window.slices(), window.slicesPage(), window.strip()}),
@@ -106,9 +106,9 @@ CaseController::CaseController(ui::MainWindow& window, QObject* parent)
                    {window.actions(), window.branches(), window.treeView(), window.corner(), window.slices(),
                     window.slicesPage(), window}),
       steps_({document_, target_, pose_, registration_, treeActions_, session_, window}),
-      poses_({document_, target_, branches_, session_, review_, replay_, evaluation_, preview_, notifications_,
-              window.actions(), window.angiogramView(), window.result(), window.snapshots(), window.landmarks(),
-              window.trialBar(), window.strip(), window}),
+      poses_({document_, target_, branches_, session_, review_, replayController_, evaluationController_, preview_,
+              notifications_, window.actions(), window.angiogramView(), window.result(), window.snapshots(),
+              window.landmarks(), window.trialBar(), window.strip(), window}),
       viewPlacement_(window),
       layout_(registration_, window),
       views_(document_, target_, {window.actions(), window.views(), window.registration(), window}),
@@ -117,10 +117,10 @@ CaseController::CaseController(ui::MainWindow& window, QObject* parent)
       crosshair_(document_, preview_,
                  {window.actions(), window.views(), window.sideBySide(), window.treeView(), window.slices()}),
       angles_(document_, branches_, window.actions(), window),
-      trackingController_({document_, review_, sync_, preview_, session_.exporting(), notifications_, window.actions(),
-                           window.result(), window.strip()}),
-      movie_({document_, target_, session_.exporting(), trackingController_, cine_, notifications_, window.actions(),
-              window.strip(), window}),
+      trackingController_({document_, review_, sync_, preview_, session_.exportController(), notifications_,
+                           window.actions(), window.result(), window.strip()}),
+      movieController_({document_, target_, session_.exportController(), trackingController_, cine_, notifications_,
+                        window.actions(), window.strip(), window}),
       drr_({document_, target_, sync_, overlayStyle_, window.angiogramView(), window.strip()}),
       scan_(document_, {window.actions(), window.treeView(), window.corner(), window.slices(), window.strip()}),
       detectorDrr_(document_, sync_, {window.actions(), window.treeView()}),
@@ -149,7 +149,7 @@ void CaseController::begin(const QStringList& paths)
 bool CaseController::isBusy() const
 {
     return registration_.isRunning() || session_.isLoading() || tracing_.isRunning() || mask_.isRunning() ||
-           trackingController_.isRunning() || movie_.isRunning() || session_.isWriting() || poses_.isBusy() ||
+           trackingController_.isRunning() || movieController_.isRunning() || session_.isWriting() || poses_.isBusy() ||
            views_.isSummarizing() || document_.isInTrial();
 }
 
@@ -169,7 +169,7 @@ void CaseController::connectWindow()
     connect(&window_, &ui::MainWindow::pointPicked, &treeActions_.tree(), &TreeController::setClickedPoint);
     connect(&window_, &ui::MainWindow::escapePressed, &tracing_, &TracingController::endPicking);
     connect(&window_, &ui::MainWindow::escapePressed, &review_, &ReviewController::stopMotion);
-    connect(&window_, &ui::MainWindow::escapePressed, &replay_, &ReplayController::showCurrentPose);
+    connect(&window_, &ui::MainWindow::escapePressed, &replayController_, &ReplayController::showCurrentPose);
     connect(&window_, &ui::MainWindow::escapePressed, &poses_.snapshots(), &SnapshotController::showCurrentPose);
     connect(&window_, &ui::MainWindow::hideKeyToggled, &overlayStyle_, &OverlayStyleController::setHiddenWhileHeld);
     connect(&steps_, &StepController::stepSelected, &layout_, &StepLayoutController::goTo);
@@ -192,7 +192,7 @@ void CaseController::connectNotes()
     connect(&landmarks_, &LandmarkController::placed, &notifications_, &Notifications::showNote);
     connect(&profile_, &ProfileController::refused, &notifications_, &Notifications::showNote);
     connect(&marks_, &MarkController::refused, &notifications_, &Notifications::showNote);
-    connect(&measure_, &MeasureController::refused, &notifications_, &Notifications::showNote);
+    connect(&measureController_, &MeasureController::refused, &notifications_, &Notifications::showNote);
     connect(&initialPose_, &InitialPoseController::refused, &notifications_, &Notifications::showNote);
     connect(&initialPose_, &InitialPoseController::done, &notifications_, &Notifications::showNote);
 }
@@ -200,7 +200,7 @@ void CaseController::connectNotes()
 void CaseController::connectTracing()
 {
     connect(&tracing_, &TracingController::traced, &notifications_, &Notifications::showNote);
-    connect(&session_.opening(), &OpenController::inputsAdded, &tracing_, &TracingController::setWarnings);
+    connect(&session_.openController(), &OpenController::inputsAdded, &tracing_, &TracingController::setWarnings);
     connect(&tracing_, &TracingController::failed, this,
             [this](const QString& reason) { notifications_.showProblem(tr("Could not trace the vessels"), reason); });
     connect(&mask_, &MaskController::reported, &notifications_, &Notifications::showNote);
@@ -208,12 +208,12 @@ void CaseController::connectTracing()
             [this](const QString& reason) { notifications_.showProblem(tr("Could not trace the vessels"), reason); });
     connect(&paths_, &PathController::reported, &notifications_, &Notifications::showNote);
     connect(&paths_, &PathController::failed, &notifications_, &Notifications::showNote);
-    connect(&session_.saving(), &SaveController::saved, &mask_, &MaskController::noteSaved);
+    connect(&session_.saveController(), &SaveController::saved, &mask_, &MaskController::noteSaved);
 }
 
 void CaseController::connectReview()
 {
-    connect(&movie_, &MovieController::written, &session_.audit(),
+    connect(&movieController_, &MovieController::written, &session_.audit(),
             [this](const QString& path) { session_.audit().note(io::AuditEvent::Exported, {path}); });
     connect(&support_, &SupportController::written, &notifications_,
             [this](const QString& path) { notifications_.showNote(tr("Support bundle saved: %1").arg(path)); });
@@ -224,7 +224,7 @@ void CaseController::connectReview()
             [this](int branchId) { branches_.select({branchId}); });
     connect(&window_.registration(), &ui::RegistrationPanel::allViewsToggled, &preview_,
             &PosePreview::setMovesAllViews);
-    connect(&replay_, &ReplayController::solutionShown, &review_, &ReviewController::stopMotion);
+    connect(&replayController_, &ReplayController::solutionShown, &review_, &ReviewController::stopMotion);
 }
 
 void CaseController::updateFromDocument()
@@ -234,9 +234,9 @@ void CaseController::updateFromDocument()
     branches_.updateFromDocument();
     target_.setCase(document_.current());
     gestures_.show();
-    run_.show();
-    evaluation_.evaluate(document_.current().shown().cameraFromPatient);
-    evaluation_.show();
+    runController_.show();
+    evaluationController_.evaluate(document_.current().shown().cameraFromPatient);
+    evaluationController_.show();
     geometry_.show();
     steps_.show();
 }
@@ -253,8 +253,8 @@ void CaseController::showPage()
 void CaseController::updateFromTarget()
 {
     sync_.showTarget(target_.current());
-    evaluation_.evaluate(document_.current().shown().cameraFromPatient);
-    evaluation_.show();   // shows the reason if the fit cannot be assessed
+    evaluationController_.evaluate(document_.current().shown().cameraFromPatient);
+    evaluationController_.show();   // shows the reason if the fit cannot be assessed
     steps_.show();
 }
 

@@ -67,8 +67,8 @@ public:
     bool isBusy() const;   ///< true during a blind trial or while a long-running worker is active
 
     CaseDocument& document() { return document_; }
-    SaveController& saving() { return session_.saving(); }
-    ExportController& exporting() { return session_.exporting(); }
+    SaveController& saveController() { return session_.saveController(); }
+    ExportController& exportController() { return session_.exportController(); }
     RegistrationController& registration() { return registration_; }
     PoseController& pose() { return pose_; }
     BranchController& branches() { return branches_; }
@@ -78,11 +78,11 @@ public:
     MaskController& mask() { return mask_; }
     PoseTools& poses() { return poses_; }
     const PosePreview& preview() const { return preview_; }
-    TrackingController& following() { return trackingController_; }
-    const MovieController& movies() const { return movie_; }
+    TrackingController& tracking() { return trackingController_; }
+    const MovieController& movie() const { return movieController_; }
     UserPreferences& preferences() { return preferences_; }
     const ScanController& scan() const { return scan_; }
-    const SharedEvaluation& evaluation() const { return evaluation_.current(); }
+    const SharedEvaluation& evaluation() const { return evaluationController_.current(); }
 
 private:
     void connectWindow();
@@ -101,11 +101,11 @@ private:
     ViewSync sync_;
     HistoryController history_;
     BranchController branches_;
-    BranchPicking picking_;
+    BranchPicker picking_;
     PoseController pose_;
     PivotController pivot_;
     LandmarkController landmarks_;
-    MeasureController measure_;
+    MeasureController measureController_;
     MarkController marks_;
     InitialPoseController initialPose_;
     GeometryController geometry_;
@@ -118,10 +118,10 @@ private:
     ReviewController review_;
     CineController cine_;
     OverlayStyleController overlayStyle_;
-    ReplayController replay_;
-    EvaluationController evaluation_;
+    ReplayController replayController_;
+    EvaluationController evaluationController_;
     PoseGestures gestures_;
-    RunController run_;
+    RunController runController_;
     SliceController slices_;
     TracingController tracing_;
     MaskController mask_;
@@ -136,7 +136,7 @@ private:
     LinkedCrosshair crosshair_;
     AngleController angles_;
     TrackingController trackingController_;
-    MovieController movie_;
+    MovieController movieController_;
     DrrController drr_;
     ScanController scan_;
     DetectorDrrController detectorDrr_;

@@ -161,10 +161,10 @@ core::Result<Reportable> asItIs(core::Case session)
 
 core::Result<std::vector<ReportedView>> viewsOf(const Reportable& reported, const ReportCommandOptions& words)
 {
-    OverlayImageOptions look;
-    look.texts = windowTexts;
-    look.identity = words.identity;
-    return evaluateViews(caseForExport(reported.session), reported.target, look);
+    OverlayImageOptions imageOptions;
+    imageOptions.texts = windowTexts;
+    imageOptions.identity = words.identity;
+    return evaluateViews(caseForExport(reported.session), reported.target, imageOptions);
 }
 
 core::Status write(const std::vector<ReportedView>& views, const ReportCommandOptions& words)

@@ -50,7 +50,7 @@ void RunController::connectRun()
     connect(&run, &RegistrationController::runningChanged, this, &RunController::showRunning);
     connect(&run, &RegistrationController::tracingStarted, this,
             [this] { parts_.strip.showBusy(tr("Tracing the vessels of this frame…")); });
-    connect(&run, &RegistrationController::advanced, this, &RunController::showProgress);
+    connect(&run, &RegistrationController::progressed, this, &RunController::showProgress);
     connect(&run, &RegistrationController::finished, this, &RunController::showFinished);
     connect(&parts_.preview, &PosePreview::changed, this, [this] {
         parts_.result.setDimmed(parts_.preview.shown() && parts_.preview.colors() == ResidualColors::Hidden);
@@ -104,7 +104,7 @@ void RunController::showProgress(const RunReport& report)
     }
     const core::IterationReport& step = report.iteration;
     if (report.isOfShownView) {
-        parts_.preview.show(PreviewSource::Run, step.cameraFromPatient, ResidualColors::Kept);
+        parts_.preview.show(PreviewSource::Run, step.cameraFromPatient, ResidualColors::Visible);
         parts_.result.showProgress(step);
     }
     parts_.strip.showProgress(tr("Registering: %1 · %2 % · %3 px")
@@ -130,7 +130,7 @@ QString RunController::finishedText(const core::RegistrationResult& result)
 {
     const QString median = ui::numberText(result.metrics.medianMm, 2);
     if (result.stopReason == core::StopReason::StoppedByUser) {
-        return tr("Stopped, NOT RELIABLE: best pose so far kept; Undo restores the previous pose");
+        return tr("Stopped, NOT RELIABLE: the best pose so far is kept; Undo restores the previous pose");
     }
     if (result.trustworthy) {
         return tr("Registered: median %1 mm").arg(median);
@@ -138,7 +138,7 @@ QString RunController::finishedText(const core::RegistrationResult& result)
     const auto reason = std::ranges::find_if(result.warnings, core::lowersConfidence);
     const auto reported = reason == result.warnings.end() ? result.warnings.begin() : reason;
     return tr("NOT RELIABLE · median %1 mm over %2 % of the tree")
-               .arg(median, ui::numberText(100.0 * core::assessedShare(result), 0)) +
+               .arg(median, ui::numberText(100.0 * core::assessedFraction(result), 0)) +
            (reported == result.warnings.end() ? QString() : QStringLiteral(": ") + ui::messageText(*reported));
 }
 

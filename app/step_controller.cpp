@@ -29,15 +29,15 @@ StepController::StepController(const Parts& parts, QObject* parent) : QObject(pa
 
 void StepController::show()
 {
-    StepInputs facts;
-    facts.targetProblem = ui::messageText(parts_.target.problem());
-    facts.targetWarning = parts_.target.trace() ? ui::messagesText(parts_.target.trace()->warnings) : QString();
-    facts.isTracing = parts_.target.isTracing();
-    facts.isRunning = parts_.registration.isRunning();
-    facts.poseEdited = parts_.pose.differsFromInitialPose();
-    facts.exported = isExported_;
-    facts.treePieces = parts_.tree.gapFinder().pieceCount();
-    parts_.window.steps().showStates(stepStates(parts_.document.current(), facts));
+    StepInputs inputs;
+    inputs.targetProblem = ui::messageText(parts_.target.problem());
+    inputs.targetWarning = parts_.target.trace() ? ui::messagesText(parts_.target.trace()->warnings) : QString();
+    inputs.isTracing = parts_.target.isTracing();
+    inputs.isRunning = parts_.registration.isRunning();
+    inputs.poseEdited = parts_.pose.differsFromInitialPose();
+    inputs.exported = isExported_;
+    inputs.treePieces = parts_.tree.gapFinder().pieceCount();
+    parts_.window.steps().showStates(stepStates(parts_.document.current(), inputs));
 }
 
 /// Goes to a step, or opens the file dialog if the step's input is missing.

@@ -18,7 +18,7 @@ struct StepWords {
     Q_DECLARE_TR_FUNCTIONS(angiopose::app::StepStates)
 };
 
-StepState vessels(const core::Case& current, const StepInputs& facts)
+StepState vessels(const core::Case& current, const StepInputs& inputs)
 {
     if (!current.vessels.tree && current.vessels.scan) {
         return {StepMark::Attention, StepWords::tr("not traced"),
@@ -28,24 +28,24 @@ StepState vessels(const core::Case& current, const StepInputs& facts)
     if (!current.vessels.tree) {
         return {StepMark::Open, {}, StepWords::tr("Open a CT angiogram, a segmentation, a surface or a centerline.")};
     }
-    if (facts.treePieces > 1) {
-        return {StepMark::Attention, StepWords::tr("%1 components").arg(facts.treePieces),
+    if (inputs.treePieces > 1) {
+        return {StepMark::Attention, StepWords::tr("%1 components").arg(inputs.treePieces),
                 StepWords::tr("The vessel tree is not connected. The note below the branch list explains how to join "
-                              "its components.")};
+                              "the components of the tree.")};
     }
     const auto count = static_cast<int>(current.vessels.tree->branches.size());
     return {StepMark::Done, count == 1 ? StepWords::tr("1 branch") : StepWords::tr("%1 branches").arg(count), {}};
 }
 
-StepState angiogram(const core::Case& current, const StepInputs& facts)
+StepState angiogram(const core::Case& current, const StepInputs& inputs)
 {
     if (!current.shown().angiogram) {
         return {StepMark::Open, {}, StepWords::tr("Open an angiogram: DICOM XA, PNG or TIFF.")};
     }
-    if (!facts.targetProblem.isEmpty()) {
-        return {StepMark::Attention, StepWords::tr("no vessels traced"), facts.targetProblem};
+    if (!inputs.targetProblem.isEmpty()) {
+        return {StepMark::Attention, StepWords::tr("no vessels traced"), inputs.targetProblem};
     }
-    if (facts.isTracing) {
+    if (inputs.isTracing) {
         return {StepMark::Open, StepWords::tr("tracing…"), {}};
     }
     if (const auto mismatch = core::findMismatch(current); !mismatch.empty()) {
@@ -57,8 +57,8 @@ StepState angiogram(const core::Case& current, const StepInputs& facts)
                                                    : StepWords::tr("imported centerline"),
                 {}};
     }
-    if (!facts.targetWarning.isEmpty()) {
-        return {StepMark::Attention, StepWords::tr("no contrast?"), facts.targetWarning};
+    if (!inputs.targetWarning.isEmpty()) {
+        return {StepMark::Attention, StepWords::tr("no contrast?"), inputs.targetWarning};
     }
     return {StepMark::Done, StepWords::tr("frame %1").arg(current.shown().frame + 1), {}};
 }
@@ -97,8 +97,8 @@ StepState geometry(const core::Case& current)
             return {StepMark::Done, StepWords::tr("pixel spacing entered"), {}};
         case core::Origin::Derived:
             return {StepMark::Attention, StepWords::tr("pixel spacing derived"),
-                    StepWords::tr("The header contains no pixel spacing: %1. Enter it, or press Enter in the field to "
-                                  "confirm the value.")
+                    StepWords::tr("The header contains no pixel spacing: %1. Enter the pixel spacing, or press Enter "
+                                  "in the field to confirm the value.")
                         .arg(QString::fromStdString(current.shown().geometry.cArm.columnSpacingMm.basis))};
         default:
             return {StepMark::Done, StepWords::tr("from the header"), {}};
@@ -120,16 +120,16 @@ StepState initialPose(const core::Case& current)
             {}};
 }
 
-StepState registration(const core::Case& current, const StepInputs& facts)
+StepState registration(const core::Case& current, const StepInputs& inputs)
 {
-    if (facts.isRunning) {
+    if (inputs.isRunning) {
         return {StepMark::Open, StepWords::tr("running…"), {}};
     }
     if (!current.shown().result) {
         if (const core::TrackedRunFrame* frame = shownTrackedPose(current.shown())) {
             return {frame->tracked.isTrustworthy ? StepMark::Done : StepMark::Attention, StepWords::tr("tracked"), {}};
         }
-        return {StepMark::Open, facts.poseEdited ? StepWords::tr("moved manually") : QString(), {}};
+        return {StepMark::Open, inputs.poseEdited ? StepWords::tr("moved manually") : QString(), {}};
     }
     const core::RegistrationResult& result = *current.shown().result;
     const double ms = result.time.totalMs;
@@ -159,7 +159,7 @@ StepState review(const core::Case& current)
                 warnings.empty() ? QString() : ui::messageText(warnings.front())};
     }
     const QString median = ui::numberText(result->metrics.medianMm, 2);
-    const double share = core::assessedShare(*result);
+    const double share = core::assessedFraction(*result);
     return {StepMark::Done,
             share < 1.0 ? StepWords::tr("%1 mm median over %2 %").arg(median, ui::numberText(100.0 * share, 0))
                         : StepWords::tr("%1 mm median").arg(median),
@@ -168,11 +168,16 @@ StepState review(const core::Case& current)
 
 }   // namespace
 
-std::array<ui::StepState, ui::stepCount> stepStates(const core::Case& current, const StepInputs& facts)
+std::array<ui::StepState, ui::stepCount> stepStates(const core::Case& current, const StepInputs& inputs)
 {
-    const StepState exported = facts.exported ? StepState{StepMark::Done, StepWords::tr("exported"), {}} : StepState{};
-    return {vessels(current, facts),      angiogram(current, facts), geometry(current), initialPose(current),
-            registration(current, facts), review(current),           exported};
+    const StepState exported = inputs.exported ? StepState{StepMark::Done, StepWords::tr("exported"), {}} : StepState{};
+    return {vessels(current, inputs),
+            angiogram(current, inputs),
+            geometry(current),
+            initialPose(current),
+            registration(current, inputs),
+            review(current),
+            exported};
 }
 
 }   // namespace angiopose::app

@@ -17,6 +17,6 @@ struct StepInputs {
 };
 
 /// Returns the state and a short hint of each step for the step bar.
-std::array<ui::StepState, ui::stepCount> stepStates(const core::Case& current, const StepInputs& facts);
+std::array<ui::StepState, ui::stepCount> stepStates(const core::Case& current, const StepInputs& inputs);
 
 }   // namespace angiopose::app

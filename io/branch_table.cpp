@@ -28,8 +28,8 @@ std::string cellsOf(std::initializer_list<std::optional<double>> values)
 
 std::string stenosisCells(const std::optional<core::StenosisMeasure>& stenosis)
 {
-    return stenosis ? cellsOf({stenosis->percent, stenosis->atMm, stenosis->fromMm, stenosis->toMm,
-                               stenosis->diameterMm, stenosis->referenceMm})
+    return stenosis ? cellsOf({stenosis->percent, stenosis->positionMm, stenosis->fromMm, stenosis->toMm,
+                               stenosis->diameterMm, stenosis->referenceDiameterMm})
                     : ",,,,,,";
 }
 
@@ -49,7 +49,7 @@ std::string branchTable(const core::VesselTree& tree)
     std::string table(branchHeader);
     for (const core::VesselBranch& branch : tree.branches) {
         table += std::to_string(branch.id) + "," + csvCell(branch.name);
-        if (const auto measured = core::profileOf(branch)) {
+        if (const auto measured = core::measureProfile(branch)) {
             const core::BranchProfile& profile = measured.value();
             table += cellsOf({profile.lengthMm, profile.tortuosity, profile.maxCurvaturePerMm, profile.meanDiameterMm,
                               profile.minDiameterMm, profile.maxDiameterMm}) +
@@ -67,10 +67,10 @@ std::string profileTable(const core::BranchProfile& profile)
     std::string table(profileHeader);
     for (const core::ProfileSample& sample : profile.samples) {
         const Eigen::Vector3d& place = sample.pointInPatient;
-        table +=
-            toText(sample.arcMm) +
-            cellsOf({place.x(), place.y(), place.z(), sample.diameterMm, sample.referenceMm, sample.curvaturePerMm}) +
-            "\n";
+        table += toText(sample.arcLengthMm) +
+                 cellsOf({place.x(), place.y(), place.z(), sample.diameterMm, sample.referenceDiameterMm,
+                          sample.curvaturePerMm}) +
+                 "\n";
     }
     return table;
 }

@@ -23,7 +23,7 @@ void addNew(const core::Messages& from, core::Messages& to)
     }
 }
 
-core::Result<DeidentifiedDicom> deidentifyContent(const std::string& path, const DeidentificationOptions& requested,
+core::Result<DeidentifiedDicom> deidentifyContent(const std::string& path, const DeidentificationOptions& options,
                                                   const Pseudonyms& pseudonyms)
 {
     const auto input = openDicom(path);
@@ -31,13 +31,13 @@ core::Result<DeidentifiedDicom> deidentifyContent(const std::string& path, const
         return input.error();
     }
     const auto file = parseDicom(input.value().view(), path);
-    return file ? deidentifyDicom(file.value(), path, requested, pseudonyms) : file.error();
+    return file ? deidentifyDicom(file.value(), path, options, pseudonyms) : file.error();
 }
 
 }   // namespace
 
 core::Result<core::Messages> deidentifyFile(const std::string& path, const std::string& output,
-                                            const DeidentificationOptions& requested, const Pseudonyms& pseudonyms)
+                                            const DeidentificationOptions& options, const Pseudonyms& pseudonyms)
 {
     if (!isDicomFile(path)) {
         const auto input = openInput(path);
@@ -45,7 +45,7 @@ core::Result<core::Messages> deidentifyFile(const std::string& path, const std::
         const core::Status written = stripped ? writeAtomically(output, stripped.value()) : stripped.error();
         return written ? core::Result<core::Messages>(core::Messages{}) : written.error();
     }
-    const auto nameless = deidentifyContent(path, requested, pseudonyms);
+    const auto nameless = deidentifyContent(path, options, pseudonyms);
     if (!nameless) {
         return nameless.error();
     }
@@ -54,14 +54,14 @@ core::Result<core::Messages> deidentifyFile(const std::string& path, const std::
 }
 
 core::Result<core::Messages> deidentifyFolder(const std::string& path, const std::string& output,
-                                              const DeidentificationOptions& requested, const Pseudonyms& pseudonyms,
+                                              const DeidentificationOptions& options, const Pseudonyms& pseudonyms,
                                               const ReadObserver& observe)
 {
     const auto files = filesInFolder(path, FolderDepth::Recursive);
     if (!files) {
         return files.error();
     }
-    OutputFolder folder(output);
+    DeidentifiedFolder folder(output);
     if (const auto opened = folder.open(); !opened) {
         return opened.error();
     }
@@ -69,7 +69,7 @@ core::Result<core::Messages> deidentifyFolder(const std::string& path, const std
     std::size_t leftOut = 0;
     for (std::size_t n = 0; n < files.value().size(); ++n) {
         const std::string& file = files.value()[n];
-        const auto image = deidentifyContent(file, requested, pseudonyms);
+        const auto image = deidentifyContent(file, options, pseudonyms);
         if (!image) {
             if (++leftOut == 1) {
                 warnings.push_back(image.error().message);

@@ -42,8 +42,8 @@ std::string pictureEnding(std::string_view picture)
 
 class FileCleaner {
 public:
-    FileCleaner(const std::string& output, const DeidentificationOptions& requested, const Pseudonyms& pseudonyms)
-        : folder_(output), requested_(requested), pseudonyms_(pseudonyms)
+    FileCleaner(const std::string& output, const DeidentificationOptions& options, const Pseudonyms& pseudonyms)
+        : folder_(output), requested_(options), pseudonyms_(pseudonyms)
     {
     }
 
@@ -99,7 +99,7 @@ private:
         return written;
     }
 
-    OutputFolder folder_;
+    DeidentifiedFolder folder_;
     const DeidentificationOptions& requested_;
     const Pseudonyms& pseudonyms_;
     DeidentifiedFiles done_;
@@ -108,14 +108,14 @@ private:
 }   // namespace
 
 core::Result<DeidentifiedFiles> deidentifyFiles(const std::vector<std::string>& paths, const std::string& output,
-                                                const DeidentificationOptions& requested, const Pseudonyms& pseudonyms,
+                                                const DeidentificationOptions& options, const Pseudonyms& pseudonyms,
                                                 const ReadObserver& observe)
 {
     const auto files = filesOfAll(paths);
     if (!files) {
         return files.error();
     }
-    FileCleaner cleaner(output, requested, pseudonyms);
+    FileCleaner cleaner(output, options, pseudonyms);
     if (const auto opened = cleaner.open(); !opened) {
         return opened.error();
     }

@@ -19,7 +19,7 @@ struct DeidentifiedFiles {
 /// `series-1/00001.dcm`, PNG, JPEG and TIFF as `picture-1.png` and so on. Skips other files and lists them. If no file
 /// can be written, or on cancellation, fails and leaves no file behind.
 core::Result<DeidentifiedFiles> deidentifyFiles(const std::vector<std::string>& paths, const std::string& output,
-                                                const DeidentificationOptions& requested, const Pseudonyms& pseudonyms,
+                                                const DeidentificationOptions& options, const Pseudonyms& pseudonyms,
                                                 const ReadObserver& observe = {});
 
 }   // namespace angiopose::io

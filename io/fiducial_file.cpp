@@ -12,7 +12,7 @@ namespace {
 
 bool isMarkups(const std::string& path)
 {
-    return lowered(path).ends_with(".json");
+    return toLower(path).ends_with(".json");
 }
 
 }   // namespace
@@ -37,7 +37,7 @@ core::Status writeFiducials(const std::vector<Fiducial>& fiducials, const std::s
     if (fiducials.empty()) {
         return fileError(path, messages::fiducialsNone());
     }
-    if (lowered(path).ends_with(".mrk.json")) {
+    if (toLower(path).ends_with(".mrk.json")) {
         return writeAtomically(path, fiducialMarkups(fiducials));
     }
     return extensionOf(path) == ".fcsv" ? writeAtomically(path, fiducialTable(fiducials))

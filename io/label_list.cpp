@@ -43,7 +43,7 @@ std::vector<int> labelsWhere(const std::vector<LabelInfo>& labels, const IsMeant
 {
     std::vector<int> found;
     for (const LabelInfo& each : labels) {
-        if (isMeant(lowered(each.name))) {
+        if (isMeant(toLower(each.name))) {
             found.push_back(each.label);
         }
     }
@@ -145,7 +145,7 @@ core::Result<std::vector<int>> findLabels(const std::vector<std::string>& wanted
     for (const std::string& each : wanted) {
         const auto number = parseInteger(each);
         const auto found = std::find_if(labels.begin(), labels.end(), [&](const LabelInfo& label) {
-            return number ? label.label == *number : lowered(label.name) == lowered(each);
+            return number ? label.label == *number : toLower(label.name) == toLower(each);
         });
         if (found == labels.end()) {
             const std::string asked = each.substr(0, 40);

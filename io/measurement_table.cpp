@@ -65,7 +65,7 @@ std::string pointsOf(const core::ImageMeasurement& measurement)
     return points;
 }
 
-void addMeasurementRow(std::string& table, std::size_t place, const core::MeasuredView& seen,
+void addMeasurementRow(std::string& table, std::size_t place, const core::MeasurementContext& seen,
                        const core::ImageMeasurement& measurement)
 {
     const std::string plane = measurementPlanes[static_cast<std::size_t>(measurement.plane)];

@@ -27,10 +27,11 @@ core::Result<PoseWithCamera> poseAlone(const core::Result<core::RigidTransform>&
                 : fileError(path, pose.error());
 }
 
-core::Result<PoseWithCamera> withCamera(const core::Result<core::PosedCamera>& sight, const std::string& path)
+core::Result<PoseWithCamera> withCamera(const core::Result<core::PosedCamera>& posedCamera, const std::string& path)
 {
-    return sight ? core::Result<PoseWithCamera>(PoseWithCamera{sight.value().cameraFromPatient, sight.value().camera})
-                 : fileError(path, sight.error());
+    return posedCamera ? core::Result<PoseWithCamera>(
+                             PoseWithCamera{posedCamera.value().cameraFromPatient, posedCamera.value().camera})
+                       : fileError(path, posedCamera.error());
 }
 
 /// Reads the camera of a case or pose file; a key of the same name in a result file has another meaning.
@@ -66,7 +67,7 @@ core::Result<PoseWithCamera> ofJson(std::string_view text, const std::string& pa
         return valid.error();
     }
     if (const NamedMatrices matrices = parseJsonMatrices(text); describesCamera(matrices)) {
-        return withCamera(sightOf(matrices), path);
+        return withCamera(posedCameraFrom(matrices), path);
     }
     try {
         const PoseJson root = PoseJson::parse(text);
@@ -88,7 +89,7 @@ core::Result<PoseWithCamera> ofJson(std::string_view text, const std::string& pa
 core::Result<PoseWithCamera> poseFromNumbers(const std::vector<double>& numbers, const std::string& path)
 {
     if (numbers.size() == 12) {
-        return withCamera(sightOf({{"P", numbers}}), path);
+        return withCamera(posedCameraFrom({{"P", numbers}}), path);
     }
     if (numbers.size() != 16) {
         return fileError(path, messages::exchangeNumbers(numbers.size()));
@@ -108,10 +109,10 @@ bool isXml(std::string_view content)
 core::Result<PoseWithCamera> ofText(std::string_view content, const std::string& extension, const std::string& path)
 {
     if (content.starts_with("%YAML") || extension == ".yml" || extension == ".yaml") {
-        return withCamera(sightOf(parseYamlMatrices(content)), path);
+        return withCamera(posedCameraFrom(parseYamlMatrices(content)), path);
     }
     if (isXml(content) || extension == ".xml") {
-        return withCamera(sightOf(parseXmlMatrices(content)), path);
+        return withCamera(posedCameraFrom(parseXmlMatrices(content)), path);
     }
     if (const auto numbers = parseNumbers(content); !numbers.empty()) {
         return poseFromNumbers(numbers, path);
@@ -172,22 +173,22 @@ bool fitsImage(const core::ProjectionCamera& camera, int width, int height)
     return camera.width == 0 || (camera.width == width && camera.height == height);
 }
 
-core::Status writeSight(const core::PosedCamera& sight, const std::string& path)
+core::Status writePosedCamera(const core::PosedCamera& posedCamera, const std::string& path)
 {
-    if (!core::isRigid(sight.cameraFromPatient)) {
+    if (!core::isRigid(posedCamera.cameraFromPatient)) {
         return fileError(path, messages::poseNotSaved());
     }
     const std::string extension = extensionOf(path);
     if (extension == ".txt") {
-        return writeAtomically(path, projectionText(sight));
+        return writeAtomically(path, projectionText(posedCamera));
     }
     if (extension == ".yml" || extension == ".yaml") {
-        return writeAtomically(path, openCvYaml(sight));
+        return writeAtomically(path, openCvYaml(posedCamera));
     }
     if (extension == ".xml") {
-        return writeAtomically(path, openCvXml(sight));
+        return writeAtomically(path, openCvXml(posedCamera));
     }
-    return extension == ".json" ? writeAtomically(path, openCvJson(sight))
+    return extension == ".json" ? writeAtomically(path, openCvJson(posedCamera))
                                 : fileError(path, messages::exchangeExtension());
 }
 

@@ -30,6 +30,6 @@ bool isSameCamera(const core::ProjectionCamera& a, const core::ProjectionCamera&
 bool fitsImage(const core::ProjectionCamera& camera, int width, int height);
 
 /// Writes K, R and t (`.json`, `.yml`, `.yaml`, `.xml`) or P (`.txt`), depending on the extension.
-core::Status writeSight(const core::PosedCamera& sight, const std::string& path);
+core::Status writePosedCamera(const core::PosedCamera& posedCamera, const std::string& path);
 
 }   // namespace angiopose::io

@@ -21,7 +21,7 @@ core::Result<DiffDrrParts> readDiffDrr(const std::string& path)
                                : parseDiffDrrJson(input.value().view(), path);
 }
 
-core::Result<core::PosedCamera> sightOf(const DiffDrrParts& parts)
+core::Result<core::PosedCamera> posedCameraFrom(const DiffDrrParts& parts)
 {
     if (!parts.detector) {
         return core::Error(messages::diffDrrKeys("sdd"));

@@ -14,7 +14,7 @@ core::Result<DiffDrrParts> readDiffDrr(const std::string& path);
 
 /// Returns the view with its detector; fails and names the part if one is missing. Without a volume center, assumes the
 /// patient origin.
-core::Result<core::PosedCamera> sightOf(const DiffDrrParts& parts);
+core::Result<core::PosedCamera> posedCameraFrom(const DiffDrrParts& parts);
 
 core::Status writeDiffDrr(const core::DiffDrrView& view, const std::string& path);
 

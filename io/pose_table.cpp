@@ -12,7 +12,7 @@ core::Status writePoseTable(std::span<const core::TrackedRunFrame> frames, const
     for (const core::TrackedRunFrame& frame : frames) {
         const core::TrackedFrame& tracked = frame.tracked;
         table += std::to_string(frame.frame) + (tracked.isTrustworthy ? ",1" : ",0") +
-                 (tracked.searched ? ",1," : ",0,") + toText(tracked.score);
+                 (tracked.isFromSearch ? ",1," : ",0,") + toText(tracked.score);
         const Eigen::Matrix4d matrix = tracked.cameraFromPatient.matrix();
         for (Eigen::Index row = 0; row < 3; ++row) {
             for (Eigen::Index column = 0; column < 4; ++column) {

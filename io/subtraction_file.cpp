@@ -56,7 +56,7 @@ core::SubtractionPlan planOf(const DicomDataset& data)
 
 }   // namespace
 
-core::Result<core::RunProcessing> readTreatment(const std::string& path)
+core::Result<core::RunProcessing> readRunProcessing(const std::string& path)
 {
     const auto input = openInput(path);
     if (!input) {
@@ -70,16 +70,16 @@ core::Result<core::RunProcessing> readTreatment(const std::string& path)
         return file.error();
     }
     const DicomDataset& data = file.value().dataset;
-    core::RunProcessing treatment{.plan = planOf(data)};
-    treatment.isSubtracted =
-        (!treatment.plan.maskFrames.empty() || treatment.plan.interval) && data.text(recommendedViewingMode) != "NAT";
-    return treatment;
+    core::RunProcessing processing{.plan = planOf(data)};
+    processing.isSubtracted =
+        (!processing.plan.maskFrames.empty() || processing.plan.interval) && data.text(recommendedViewingMode) != "NAT";
+    return processing;
 }
 
 core::Result<core::SubtractionPlan> readSubtractionPlan(const std::string& path)
 {
-    const auto treatment = readTreatment(path);
-    return treatment ? core::Result<core::SubtractionPlan>(treatment.value().plan) : treatment.error();
+    const auto processing = readRunProcessing(path);
+    return processing ? core::Result<core::SubtractionPlan>(processing.value().plan) : processing.error();
 }
 
 }   // namespace angiopose::io

@@ -9,7 +9,7 @@ namespace angiopose::io {
 
 /// Returns how to display a DICOM run: subtracted if the header specifies mask frames or their distance from the
 /// contrast frames, unless it recommends native viewing (0028,1090). Includes the plan from `readSubtractionPlan`.
-core::Result<core::RunProcessing> readTreatment(const std::string& path);
+core::Result<core::RunProcessing> readRunProcessing(const std::string& path);
 
 /// Reads the subtraction attributes of a DICOM run: the mask frames or their distance from the contrast frames, the
 /// subpixel shift (Mask Module, PS3.3 C.7.6.10: the first item with AVG_SUB, TID or REV_TID) and the pixel intensity

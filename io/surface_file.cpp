@@ -100,7 +100,7 @@ double acrossMmOf(const core::SurfaceMesh& mesh)
     return (high - low).norm();
 }
 
-core::Messages checkSurface(const core::SurfaceMesh& mesh, double acrossMm)
+core::Messages checkSurface(const core::SurfaceMesh& mesh, double extentMm)
 {
     core::Messages warnings;
     const core::MeshCheck check = core::checkMesh(mesh);
@@ -109,17 +109,17 @@ core::Messages checkSurface(const core::SurfaceMesh& mesh, double acrossMm)
     } else if (!check.isOriented) {
         warnings.push_back(messages::surfaceDisoriented());
     }
-    if (!isPlausibleSize(acrossMm)) {
-        warnings.push_back(messages::surfaceUnusualSize(core::Quantity{acrossMm, 1, "mm"}));
+    if (!isPlausibleSize(extentMm)) {
+        warnings.push_back(messages::surfaceUnusualSize(core::Quantity{extentMm, 1, "mm"}));
     }
     return warnings;
 }
 
 }   // namespace
 
-bool isPlausibleSize(double acrossMm)
+bool isPlausibleSize(double extentMm)
 {
-    return acrossMm >= minPlausibleMm && acrossMm <= maxPlausibleMm;
+    return extentMm >= minPlausibleMm && extentMm <= maxPlausibleMm;
 }
 
 core::Result<LoadedSurface> readSurface(const std::string& path, double unitMm, const ReadObserver& observe)
@@ -144,8 +144,8 @@ core::Result<LoadedSurface> readSurface(const std::string& path, double unitMm, 
     if (loaded.mesh.triangles.empty()) {
         return fileError(path, messages::surfaceNoArea());
     }
-    loaded.acrossMm = acrossMmOf(loaded.mesh);
-    const core::Messages doubts = checkSurface(loaded.mesh, loaded.acrossMm);
+    loaded.extentMm = acrossMmOf(loaded.mesh);
+    const core::Messages doubts = checkSurface(loaded.mesh, loaded.extentMm);
     loaded.warnings.insert(loaded.warnings.end(), doubts.begin(), doubts.end());
     return loaded;
 }

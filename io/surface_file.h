@@ -13,11 +13,11 @@ struct LoadedSurface {
     core::SurfaceMesh mesh;   ///< triangle mesh with merged vertices, patient LPS
     core::Messages warnings;   ///< warnings about holes and an implausible size
     bool isUnitStated = false;   ///< whether the file states its unit
-    double acrossMm = 0.0;   ///< diagonal of the bounding box, mm
+    double extentMm = 0.0;   ///< diagonal of the bounding box, mm
 };
 
 /// Returns whether the size is plausible for vessels; if not, the file may use another unit.
-bool isPlausibleSize(double acrossMm);
+bool isPlausibleSize(double extentMm);
 
 /// Reads a triangle surface from VTP, legacy VTK (PolyData, UnstructuredGrid), STL, PLY or OBJ. `unitMm` is the length
 /// of one unit; if 0, uses the unit that the file states, otherwise mm. Converts files that state RAS. Fails if the

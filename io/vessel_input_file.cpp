@@ -80,7 +80,7 @@ core::Result<LoadedVessels> readCenterlines(const std::string& path, const core:
     loaded.tree = std::move(read).value().tree;
     if (!core::isPlausibleSize(loaded.tree)) {
         loaded.warnings.push_back(messages::vesselsUnusualSize(core::Quantity{
-            std::round(100.0 * core::acrossMm(loaded.tree)) / 100.0, core::Quantity::significantDigits, "mm"}));
+            std::round(100.0 * core::extentMm(loaded.tree)) / 100.0, core::Quantity::significantDigits, "mm"}));
     }
     return loaded;
 }
@@ -92,9 +92,9 @@ core::Result<LoadedVessels> traceSurface(const std::string& path, const core::Ve
     if (!surface) {
         return surface.error();
     }
-    if (surface.value().acrossMm > largestBodyMm) {   // the voxels would be as large as vessels, or too many
+    if (surface.value().extentMm > largestBodyMm) {   // the voxels would be as large as vessels, or too many
         return fileError(path,
-                         messages::surfaceLargerThanBody(core::Quantity{std::round(surface.value().acrossMm / 1000.0),
+                         messages::surfaceLargerThanBody(core::Quantity{std::round(surface.value().extentMm / 1000.0),
                                                                         core::Quantity::significantDigits, "m"}));
     }
     const core::SurfaceMesh& mesh = surface.value().mesh;

@@ -207,7 +207,7 @@ core::Result<LineSet> parseSwc(std::string_view text, const std::string& path)
     const bool saysMeetings = text.substr(0, text.find('\n')).find(meetingNote) != std::string_view::npos;
     std::unordered_map<long, std::size_t> indexOfId;
     std::vector<std::pair<long, int>> parents;   // for each point, its parent and its line number in the file
-    for (TextLines lines(text); lines.next();) {
+    for (LineReader lines(text); lines.next();) {
         const auto row = parseRow(lines.line());
         if (!row || !(std::abs((*row)[0]) < 1e9) || !(std::abs((*row)[6]) < 1e9)) {
             return fileError(path, messages::swcLine(lines.number()));

@@ -254,14 +254,14 @@ core::Status writeMetaImage(const core::VolumeGeometry& geometry, const Encoding
     return packInto(encoding.bytes, 15, [&](Bytes bytes) { return file.write(bytes); });
 }
 
-core::Status writeNifti(const std::string& header, const Producer& bytes, bool isPacked, AtomicFile& file)
+core::Status writeNifti(const std::string& header, const Producer& bytes, bool isCompressed, AtomicFile& file)
 {
     const Sink toFile = [&](Bytes piece) { return file.write(piece); };
     const Producer all = [&](const Sink& sink) {
         auto written = sink(header);
         return written ? bytes(sink) : written;
     };
-    return isPacked ? packInto(all, 15 + 16, toFile) : all(toFile);
+    return isCompressed ? packInto(all, 15 + 16, toFile) : all(toFile);
 }
 
 /// Returns the problem with the volume or the file name; nullopt if the volume can be written.

@@ -44,7 +44,7 @@ ColumnLayout MainWindow::columns() const
     const QList<int> heights = leftSplitter_->sizes();
     const int height = heights[0] + heights[1];
     return {leftColumn_->openWidth(), rightColumn_->openWidth(), leftColumn_->isFolded(), rightColumn_->isFolded(),
-            height > 0 ? static_cast<double>(heights[1]) / height : ColumnLayout{}.cornerShare};
+            height > 0 ? static_cast<double>(heights[1]) / height : ColumnLayout{}.cornerFraction};
 }
 
 void MainWindow::setColumns(const ColumnLayout& layout)
@@ -56,7 +56,7 @@ void MainWindow::setColumns(const ColumnLayout& layout)
     const int left = layout.isLeftFolded ? leftColumn_->minimumWidth() : layout.leftWidth;
     const int right = layout.isRightFolded ? rightColumn_->minimumWidth() : layout.rightWidth;
     columns_->setSizes({left, std::max(1, width() - left - right - 2 * columnBorderWidth), right});
-    leftSplitter_->setSizes(heightsOf(layout.cornerShare, std::max(leftSplitter_->height(), 720)));
+    leftSplitter_->setSizes(heightsOf(layout.cornerFraction, std::max(leftSplitter_->height(), 720)));
 }
 
 QByteArray MainWindow::layoutState() const

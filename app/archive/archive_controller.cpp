@@ -17,9 +17,9 @@ namespace angiopose::app {
 
 ArchiveController::ArchiveController(const Ui& ui, QObject* parent) : QObject(parent), ui_(ui)
 {
-    connect(&port_, &StorageScpService::changed, this, &ArchiveController::showPort);
-    connect(&port_, &StorageScpService::unaudited, this, &ArchiveController::unaudited);
-    connect(&port_, &StorageScpService::closed, this, [this](const QString& problem) {
+    connect(&scpService_, &StorageScpService::changed, this, &ArchiveController::showPort);
+    connect(&scpService_, &StorageScpService::auditFailed, this, &ArchiveController::auditFailed);
+    connect(&scpService_, &StorageScpService::closed, this, [this](const QString& problem) {
         showPort();
         if (dialog_ && !problem.isEmpty()) {
             dialog_->line().showProblem(problem);
@@ -39,7 +39,7 @@ void ArchiveController::show()
     dialog_ = new ui::ArchiveDialog(&ui_.dialogParent);
     dialog_->addAction(&ui_.hideIdentity);
     connectParts();
-    connectPort();
+    connectScpService();
     list_.read();
     dialog_->open();
     dialog_->fields().focusFirst();
@@ -52,25 +52,25 @@ void ArchiveController::connectParts()
     finder_ = new ArchiveFinder(dialog, searchResults_, ui_.hideIdentity, dialog_);
     retrieval_ = new ArchiveRetrieval(dialog, dialog_);
     auto* cache = new ArchiveCache(list_, {dialog.cache(), dialog.line(), dialog}, dialog_);
-    connect(nodes_, &ArchiveNodes::chosen, finder_, [this] { finder_->selectArchive(nodes_->node()); });
+    connect(nodes_, &ArchiveNodes::archiveSelected, finder_, [this] { finder_->selectArchive(nodes_->node()); });
     connect(dialog_, &ui::ArchiveDialog::retrieveRequested, this, &ArchiveController::retrieve);
     connect(retrieval_, &ArchiveRetrieval::ended, cache, &ArchiveCache::measure);
     const auto offerRetrieved = [this] { offerToOpen(retrieval_->folders(), dialog_->nodes().node()); };
     connect(retrieval_, &ArchiveRetrieval::retrieved, this, offerRetrieved);
-    connect(retrieval_, &ArchiveRetrieval::unaudited, this, &ArchiveController::unaudited);
+    connect(retrieval_, &ArchiveRetrieval::auditFailed, this, &ArchiveController::auditFailed);
     connect(dialog_, &ui::ArchiveDialog::partialSeriesRequested, this, offerRetrieved);
 }
 
-void ArchiveController::connectPort()
+void ArchiveController::connectScpService()
 {
     ui::ReceiveLine& line = dialog_->receive();
     line.showPort(settings::receivePort.read(), settings::receiveTitle.read());
     showPort();
-    connect(&line, &ui::ReceiveLine::toggled, this, &ArchiveController::switchPort);
+    connect(&line, &ui::ReceiveLine::toggled, this, &ArchiveController::setScpEnabled);
     connect(&line, &ui::ReceiveLine::securityRequested, new StorageScpSecurity(*dialog_, dialog_),
             &StorageScpSecurity::openDialog);
     connect(&line, &ui::ReceiveLine::openRequested, this,
-            [this] { offerToOpen(port_.folders(), tr("objects received on port %1").arg(port_.port())); });
+            [this] { offerToOpen(scpService_.folders(), tr("objects received on port %1").arg(scpService_.port())); });
 }
 
 void ArchiveController::retrieve()
@@ -90,26 +90,27 @@ void ArchiveController::offerToOpen(const QStringList& folders, const QString& n
         this, [this, folders, name] { emit retrieved(folders, name); }, Qt::QueuedConnection);
 }
 
-void ArchiveController::switchPort(bool isOn)
+void ArchiveController::setScpEnabled(bool isOn)
 {
     if (!isOn) {
-        port_.close();
+        scpService_.close();
         return;
     }
     const ui::ReceiveLine& line = dialog_->receive();
     settings::receivePort.write(line.port());
     settings::receiveTitle.write(line.title());
-    port_.open({receiverOptions(line.port(), line.title()), list_.settings().cache(), list_.settings().cacheBytes});
+    scpService_.open(
+        {receiverOptions(line.port(), line.title()), list_.settings().cache(), list_.settings().cacheBytes});
     showPort();
 }
 
 QString ArchiveController::scpStatusText() const
 {
-    const StorageScpService::ReceivedObjects& received = port_.received();
+    const StorageScpService::ReceivedObjects& received = scpService_.received();
     QStringList words;
     if (received.objects > 0) {
         words << tr("Objects received: %1").arg(received.objects);
-    } else if (port_.isOpen()) {
+    } else if (scpService_.isOpen()) {
         words << tr("Nothing received yet");
     }
     if (received.problem) {
@@ -126,8 +127,8 @@ void ArchiveController::showPort()
         }
         return;
     }
-    dialog_->receive().showListening(port_.isOpen());
-    dialog_->receive().showReceived(scpStatusText(), port_.received().objects > 0);
+    dialog_->receive().showListening(scpService_.isOpen());
+    dialog_->receive().showReceived(scpStatusText(), scpService_.received().objects > 0);
 }
 
 }   // namespace angiopose::app

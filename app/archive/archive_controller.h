@@ -37,20 +37,20 @@ signals:
     /// Emitted with the folders of the retrieved series and a common display name.
     void retrieved(const QStringList& folders, const QString& name);
     void reported(const QString& words);   ///< emitted with a message of the storage SCP while the dialog is closed
-    void unaudited(const QString& reason);   ///< emitted when received objects are missing from the audit file
+    void auditFailed(const QString& reason);   ///< emitted when received objects are missing from the audit file
 
 private:
     void connectParts();
-    void connectPort();
+    void connectScpService();
     void retrieve();
     void offerToOpen(const QStringList& folders, const QString& name);
-    void switchPort(bool isOn);
+    void setScpEnabled(bool isOn);
     void showPort();
     QString scpStatusText() const;
 
     Ui ui_;
     ArchiveList list_;
-    StorageScpService port_;
+    StorageScpService scpService_;
     ArchiveSearchResults searchResults_;
     QPointer<ui::ArchiveDialog> dialog_;
     ArchiveNodes* nodes_ = nullptr;   ///< owned by the dialog

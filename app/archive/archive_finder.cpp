@@ -21,9 +21,9 @@ namespace {
 Job<io::ArchiveMatches>::Work findWork(const io::ArchiveNode& node, const io::ArchiveQuery& query)
 {
     return [node, query](JobLink<double>& link) {
-        const NetworkWait waiting;
+        const ThreadPoolRelease waiting;
         return io::queryArchive(node, io::ArchiveProtocol::Default, query,
-                                [&link](const io::ArchiveProgress&) { return link.verdict(); });
+                                [&link](const io::ArchiveProgress&) { return link.decision(); });
     };
 }
 
@@ -116,11 +116,10 @@ void ArchiveFinder::showNoMatches()
         return;   // the dialog already reports that no archive is selected
     }
     const QString name = QString::fromStdString(node_->name);
-    dialog_.list().setPlaceholderText(
-        searchResults_.studies
-            ? tr("%1 has no matching study. Broaden the search: use a shorter name, more days or any modality.")
-                  .arg(name)
-            : tr("Search to list the studies in %1.").arg(name));
+    dialog_.list().setPlaceholderText(searchResults_.studies ? tr("%1 has no matching study. Broaden the search: use a "
+                                                                  "shorter name, a wider date range or any modality.")
+                                                                   .arg(name)
+                                                             : tr("Search to list the studies in %1.").arg(name));
 }
 
 void ArchiveFinder::showStatus()
@@ -133,7 +132,7 @@ void ArchiveFinder::showStatus()
     if (!searchResults_.studies->warnings.empty()) {
         words << ui::messagesText(searchResults_.studies->warnings);
     }
-    dialog_.line().showDone(ui::joinedSentences(words));
+    dialog_.line().showDone(ui::joinSentences(words));
     if (count > 0) {
         dialog_.list().setFocus();
     }
@@ -173,7 +172,7 @@ void ArchiveFinder::showSeriesMatches(const io::ArchiveMatches& series)
 std::vector<io::RetrieveRequest> ArchiveFinder::requests() const
 {
     std::vector<io::RetrieveRequest> requests;
-    for (const auto& [study, series] : dialog_.list().chosen()) {
+    for (const auto& [study, series] : dialog_.list().selection()) {
         auto request = std::ranges::find(requests, study.toStdString(), &io::RetrieveRequest::studyUid);
         const bool isNew = request == requests.end();
         if (isNew) {

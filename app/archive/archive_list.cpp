@@ -30,7 +30,7 @@ void ArchiveList::read()
         });
 }
 
-void ArchiveList::change(Change change, Callback answer)
+void ArchiveList::change(Change change, Callback callback)
 {
     const auto changedSettings = std::make_shared<io::ArchiveSettings>();
     files_.run(
@@ -49,12 +49,12 @@ void ArchiveList::change(Change change, Callback answer)
             }
             return QString::fromStdString(path);
         },
-        [this, changedSettings, answer = std::move(answer)](const core::Result<QString>& outcome) {
+        [this, changedSettings, callback = std::move(callback)](const core::Result<QString>& outcome) {
             if (outcome) {
                 settings_ = *changedSettings;
             }
-            if (answer) {
-                answer(outcome ? std::nullopt : std::optional(outcome.error().message));
+            if (callback) {
+                callback(outcome ? std::nullopt : std::optional(outcome.error().message));
             }
             if (outcome) {
                 emit changed();

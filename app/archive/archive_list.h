@@ -24,7 +24,7 @@ public:
 
     void read();
     /// Applies the change to the file as it is now, since another process may have modified it.
-    void change(Change change, Callback answer = {});
+    void change(Change change, Callback callback = {});
 
     const io::ArchiveSettings& settings() const { return settings_; }
     QStringList names() const;

@@ -35,26 +35,26 @@ void putNode(std::vector<io::ArchiveNode>& nodes, const io::ArchiveNode& node, c
 
 ArchiveEcho::ArchiveEcho(ui::TransferLine& line, QObject* parent)
     : QObject(parent),
-      line_(line),
+      statusRow_(line),
       job_({[this](const core::Messages& notes) { showEchoResult(notes); },
-            [this](const core::Error& error) { line_.showProblem(ui::messageText(error.message)); }})
+            [this](const core::Error& error) { statusRow_.showProblem(ui::messageText(error.message)); }})
 {
-    connect(&line_, &ui::TransferLine::stopRequested, this, [this] {
+    connect(&statusRow_, &ui::TransferLine::stopRequested, this, [this] {
         if (job_.isRunning()) {
             job_.drop();   // abandons the test rather than waiting for an unresponsive archive
-            line_.showHint(tr("Stopped."));
+            statusRow_.showHint(tr("Stopped."));
         }
     });
 }
 
-void ArchiveEcho::ask(const io::ArchiveNode& node)
+void ArchiveEcho::sendEcho(const io::ArchiveNode& node)
 {
     name_ = QString::fromStdString(node.name);
-    line_.showBusy(tr("Contacting %1…").arg(name_));
+    statusRow_.showBusy(tr("Contacting %1…").arg(name_));
     job_.start([node](JobLink<double>& link) -> core::Result<core::Messages> {
-        const NetworkWait waiting;
+        const ThreadPoolRelease waiting;
         const auto answered = io::echoArchive(node, io::ArchiveProtocol::Default,
-                                              [&link](const io::ArchiveProgress&) { return link.verdict(); });
+                                              [&link](const io::ArchiveProgress&) { return link.decision(); });
         return answered ? core::Result<core::Messages>(io::connectionWarnings(node)) : answered.error();
     });
 }
@@ -65,7 +65,7 @@ void ArchiveEcho::showEchoResult(const core::Messages& notes)
     if (!notes.empty()) {
         words << ui::messagesText(notes);
     }
-    line_.showDone(ui::joinedSentences(words));
+    statusRow_.showDone(ui::joinSentences(words));
 }
 
 ArchiveNodes::ArchiveNodes(ArchiveList& list, const Ui& ui, QObject* parent)
@@ -75,7 +75,7 @@ ArchiveNodes::ArchiveNodes(ArchiveList& list, const Ui& ui, QObject* parent)
     connect(&list_, &ArchiveList::failed, this, [this](const QString& reason) { ui_.line.showProblem(reason); });
     connect(&ui_.bar, &ui::NodeBar::nodeChosen, this, [this](const QString& name) {
         settings::archiveNode.write(name);
-        emit chosen();
+        emit archiveSelected();
     });
     connect(&ui_.bar, &ui::NodeBar::testRequested, this, &ArchiveNodes::test);
     connect(&ui_.bar, &ui::NodeBar::addRequested, this, &ArchiveNodes::add);
@@ -91,13 +91,13 @@ std::optional<io::ArchiveNode> ArchiveNodes::node() const
 void ArchiveNodes::show()
 {
     ui_.bar.showNodes(list_.names(), settings::archiveNode.read());
-    emit chosen();
+    emit archiveSelected();
 }
 
 void ArchiveNodes::test()
 {
     if (const auto asked = node()) {
-        echo_.ask(*asked);
+        echo_.sendEcho(*asked);
     }
 }
 
@@ -122,7 +122,7 @@ void ArchiveNodes::openDialog(const ui::ArchiveEntry& entry, const QString& form
     connect(editor_, &NodeDialog::testRequested, echo, [this, echo](const ui::ArchiveEntry& tested) {
         const io::ArchiveNode node = toArchiveNode(tested);
         if (const auto checked = io::checkNode(node); checked) {
-            echo->ask(node);
+            echo->sendEcho(node);
         } else {
             editor_->line().showProblem(ui::messageText(checked.error().message));
         }

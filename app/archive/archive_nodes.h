@@ -22,12 +22,12 @@ class ArchiveEcho : public QObject {
 public:
     explicit ArchiveEcho(ui::TransferLine& line, QObject* parent = nullptr);
 
-    void ask(const io::ArchiveNode& node);
+    void sendEcho(const io::ArchiveNode& node);
 
 private:
     void showEchoResult(const core::Messages& notes);
 
-    ui::TransferLine& line_;
+    ui::TransferLine& statusRow_;
     QString name_;
     Job<core::Messages> job_;
 };
@@ -47,7 +47,7 @@ public:
     std::optional<io::ArchiveNode> node() const;   ///< the selected archive
 
 signals:
-    void chosen();   ///< emitted when the selection changes or the same archive is selected again
+    void archiveSelected();   ///< emitted when the selection changes or the same archive is selected again
 
 private:
     void show();

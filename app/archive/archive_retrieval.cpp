@@ -29,7 +29,7 @@ void add(io::TransferReport& sum, const io::TransferReport& part)
     sum.bytes += part.bytes;
     sum.folders.insert(sum.folders.end(), part.folders.begin(), part.folders.end());
     for (const core::Message& problem : part.problems) {
-        sum.note(problem);
+        sum.addProblem(problem);
     }
     sum.end = part.end;
 }
@@ -54,8 +54,8 @@ ArchiveRetrieval::ArchiveRetrieval(ui::ArchiveDialog& dialog, QObject* parent)
     : QObject(parent),
       dialog_(dialog),
       job_({[this](const RetrievalOutcome& came) {
-                if (came.unaudited) {
-                    emit unaudited(ui::messageText(*came.unaudited));
+                if (came.auditFailed) {
+                    emit auditFailed(ui::messageText(*came.auditFailed));
                 }
                 showReport(came.report);
             },
@@ -74,7 +74,7 @@ ArchiveRetrieval::RetrievalJob::Work ArchiveRetrieval::makeRetrieval(const io::A
 {
     const std::string audit = auditPath().toStdString();
     return [node, settings, requests, audit](JobLink<Progress>& link) -> core::Result<RetrievalOutcome> {
-        const NetworkWait waiting;
+        const ThreadPoolRelease waiting;
         const auto store = io::ObjectStore::open(settings.cache(), io::defaultMaxObjectBytes);
         if (!store) {
             return store.error();
@@ -157,10 +157,10 @@ void ArchiveRetrieval::showReport(const io::TransferReport& report)
         return;
     }
     if (report.end && report.end->isCancellation()) {
-        dialog_.line().showHint(ui::joinedSentences({tr("Stopped."), count, tr("Retrieve again to get the rest.")}));
+        dialog_.line().showHint(ui::joinSentences({tr("Stopped."), count, tr("Retrieve again to get the rest.")}));
     } else {
         QStringList words{report.end ? ui::messageText(report.end->message) : problemSummary(report.problems)};
-        dialog_.line().showProblem(ui::joinedSentences(words << count));
+        dialog_.line().showProblem(ui::joinSentences(words << count));
     }
     dialog_.offerPartialSeries(came > 0);
     emit ended();
@@ -213,7 +213,7 @@ void ArchiveCache::confirmLowerLimit(std::uint64_t bytes)
 {
     auto* question = new ui::QuestionDialog(
         {tr("Reduce the cache below its current size?"),
-         tr("The cache contains %1. The least recently used objects are deleted until %2 remain.")
+         tr("The cache contains %1. The least recently used objects will be deleted until %2 remain.")
              .arg(byteSizeText(usedBytes_), byteSizeText(bytes)),
          {}},
         {tr("Delete"), tr("Cancel")}, &ui_.dialog);
@@ -247,8 +247,8 @@ void ArchiveCache::confirmEmptying()
 {
     auto* question = new ui::QuestionDialog(
         {tr("Empty the cache?"),
-         tr("All retrieved objects are deleted. When you open a case whose images were in the cache, AngioPose asks "
-            "for their location. “Share case as ZIP” keeps case and images together."),
+         tr("All retrieved objects will be deleted. When you open a case whose images were in the cache, AngioPose "
+            "will ask for the location of the images. “Share case as ZIP” keeps case and images together."),
          {}},
         {tr("Empty"), tr("Cancel")}, &ui_.dialog);
     question->setObjectName(QStringLiteral("cacheEmptying"));

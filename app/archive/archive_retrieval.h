@@ -30,7 +30,7 @@ public:
 signals:
     void retrieved();   ///< emitted when all objects were received
     void ended();   ///< emitted whatever the outcome
-    void unaudited(const QString& reason);   ///< emitted when received objects are missing from the audit file
+    void auditFailed(const QString& reason);   ///< emitted when received objects are missing from the audit file
 
 private:
     /// Progress within the current study, and its index among all studies.
@@ -40,7 +40,7 @@ private:
     };
     struct RetrievalOutcome {
         io::TransferReport report;
-        std::optional<core::Message> unaudited;   ///< reason why the audit file is incomplete
+        std::optional<core::Message> auditFailed;   ///< reason why the audit file is incomplete
     };
     using RetrievalJob = Job<RetrievalOutcome, Progress>;
 

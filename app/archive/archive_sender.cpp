@@ -15,7 +15,7 @@ namespace angiopose::app {
 
 /// Created objects and their folder. Only one worker uses them at a time; the last owner removes the folder.
 struct ArchiveSender::CreatedObjects {
-    ObjectWriter maker;
+    ObjectWriter objectWriter;
     io::ScratchFolder folder{QDir(QDir::tempPath()).filePath(QStringLiteral("objects")).toStdString()};
     core::Messages notes;   ///< messages from creating the objects
     bool isMade = false;
@@ -31,13 +31,13 @@ ArchiveSender::ArchiveSender(ArchiveList& list, QWidget& dialogParent, QObject* 
 {
 }
 
-void ArchiveSender::openDialog(const ObjectWriter& maker)
+void ArchiveSender::openDialog(const ObjectWriter& objectWriter)
 {
     created_ = std::make_shared<CreatedObjects>();
-    created_->maker = maker;
+    created_->objectWriter = objectWriter;
     dialog_ = new ui::SendDialog(&dialogParent_);
     nodes_ = new ArchiveNodes(list_, {dialog_->nodes(), dialog_->line(), *dialog_}, dialog_);
-    connect(nodes_, &ArchiveNodes::chosen, dialog_, &ui::SendDialog::showNode);
+    connect(nodes_, &ArchiveNodes::archiveSelected, dialog_, &ui::SendDialog::showNode);
     connect(dialog_, &ui::SendDialog::sendRequested, this, &ArchiveSender::send);
     connect(&dialog_->line(), &ui::TransferLine::stopRequested, this, [this] {
         if (job_.isRunning()) {
@@ -60,27 +60,27 @@ void ArchiveSender::send()
         return;
     }
     dialog_->line().showBusy(tr("Creating the objects…"));
-    job_.start([made = created_, node = *node](JobLink<Progress>& link) { return work(*made, node, link); });
+    job_.start([created = created_, node = *node](JobLink<Progress>& link) { return work(*created, node, link); });
 }
 
-core::Result<io::TransferReport> ArchiveSender::work(CreatedObjects& made, const io::ArchiveNode& node,
+core::Result<io::TransferReport> ArchiveSender::work(CreatedObjects& created, const io::ArchiveNode& node,
                                                      JobLink<Progress>& link)
 {
-    const std::string folder = made.folder.path().string();
-    if (!made.isMade) {
-        if (auto there = made.folder.make(); !there) {
+    const std::string folder = created.folder.path().string();
+    if (!created.isMade) {
+        if (auto there = created.folder.make(); !there) {
             return there.error();
         }
-        const auto files = made.maker(folder, [&link](double fraction) {
+        const auto files = created.objectWriter(folder, [&link](double fraction) {
             return link.tell({fraction, io::ArchiveProgress()});
         });
         if (!files) {
             return files.error();
         }
-        made.notes = files.value().notes;
-        made.isMade = true;
+        created.notes = files.value().notes;
+        created.isMade = true;
     }
-    const NetworkWait waiting;
+    const ThreadPoolRelease waiting;
     return io::sendToArchive(node, io::ArchiveProtocol::Default, {folder},
                              [&link](const io::ArchiveProgress& progress) {
                                  return link.tell({1.0, progress});
@@ -93,7 +93,8 @@ void ArchiveSender::follow(const Progress& progress)
         return;
     }
     if (progress.sending.all == 0) {
-        dialog_->line().showProgress(tr("Creating the objects…"), static_cast<qsizetype>(1000.0 * progress.made), 1000);
+        dialog_->line().showProgress(tr("Creating the objects…"), static_cast<qsizetype>(1000.0 * progress.created),
+                                     1000);
         return;
     }
     dialog_->line().showProgress(tr("Sent: %1 of %2 objects, %3")
@@ -112,29 +113,29 @@ void ArchiveSender::showReport(const io::TransferReport& report)
     const QString name = dialog_->nodes().node();
     const std::size_t there = report.transferred + report.duplicates;
     if (report.isComplete()) {
-        const QString words =
+        const QString summary =
             tr("%1 received all objects: %2 (%3).").arg(name, QString::number(there), byteSizeText(report.bytes));
-        dialog_->showSent(words);
+        dialog_->showSent(summary);
         QStringList notes;
         for (const core::Message& note : created_->notes) {
             notes << ui::messageText(note);
         }
-        emit sent(words, notes);
+        emit sent(summary, notes);
         return;
     }
     const QString count = tr("%1 of %2 objects were delivered.").arg(there).arg(report.all);
     if (report.end && report.end->isCancellation()) {
-        dialog_->line().showHint(ui::joinedSentences({tr("Stopped."), count, tr("Send again to transfer the rest.")}));
+        dialog_->line().showHint(ui::joinSentences({tr("Stopped."), count, tr("Send again to transfer the rest.")}));
         return;
     }
-    QStringList words;
+    QStringList summary;
     if (report.end) {
-        words << ui::messageText(report.end->message);
+        summary << ui::messageText(report.end->message);
     }
     for (const core::Message& problem : report.problems) {
-        words << ui::messageText(problem);
+        summary << ui::messageText(problem);
     }
-    dialog_->line().showProblem((words << count).join(u'\n'));
+    dialog_->line().showProblem((summary << count).join(u'\n'));
 }
 
 void ArchiveSender::showError(const core::Error& error)

@@ -32,22 +32,22 @@ public:
 
     ArchiveSender(ArchiveList& list, QWidget& dialogParent, QObject* parent = nullptr);
 
-    void openDialog(const ObjectWriter& maker);
+    void openDialog(const ObjectWriter& objectWriter);
 
 signals:
-    void sent(const QString& words,
+    void sent(const QString& summary,
               const QStringList& notes);   ///< emitted when all objects were sent; `notes` holds remarks for the user
 
 private:
     struct CreatedObjects;   ///< objects that were created, kept while the dialog is open
     /// Progress of creating the objects, then of sending them.
     struct Progress {
-        double made = 0.0;
+        double created = 0.0;
         io::ArchiveProgress sending;
     };
 
     void send();
-    static core::Result<io::TransferReport> work(CreatedObjects& made, const io::ArchiveNode& node,
+    static core::Result<io::TransferReport> work(CreatedObjects& created, const io::ArchiveNode& node,
                                                  JobLink<Progress>& link);
     void follow(const Progress& progress);
     void showReport(const io::TransferReport& report);

@@ -176,7 +176,7 @@ QString problemSummary(const core::Messages& problems)
     const QString first = ui::messageText(problems.front());
     return problems.size() == 1
                ? first
-               : ui::joinedSentences({first, ArchiveWords::tr("Other errors: %1.").arg(problems.size() - 1)});
+               : ui::joinSentences({first, ArchiveWords::tr("Number of further errors: %1.").arg(problems.size() - 1)});
 }
 
 }   // namespace angiopose::app

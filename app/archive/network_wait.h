@@ -5,12 +5,12 @@
 namespace angiopose::app {
 
 /// Releases the worker's thread-pool slot while the worker waits for the network, so that another worker can compute.
-class NetworkWait {
+class ThreadPoolRelease {
 public:
-    NetworkWait() { QThreadPool::globalInstance()->releaseThread(); }
-    ~NetworkWait() { QThreadPool::globalInstance()->reserveThread(); }
-    NetworkWait(const NetworkWait&) = delete;
-    NetworkWait& operator=(const NetworkWait&) = delete;
+    ThreadPoolRelease() { QThreadPool::globalInstance()->releaseThread(); }
+    ~ThreadPoolRelease() { QThreadPool::globalInstance()->reserveThread(); }
+    ThreadPoolRelease(const ThreadPoolRelease&) = delete;
+    ThreadPoolRelease& operator=(const ThreadPoolRelease&) = delete;
 };
 
 }   // namespace angiopose::app

@@ -49,8 +49,8 @@ public:
 private:
     void reportUnaudited()
     {
-        if (audit_.problem() && !received_.unaudited) {
-            received_.unaudited = audit_.problem();
+        if (audit_.problem() && !received_.auditFailed) {
+            received_.auditFailed = audit_.problem();
             link_.tell(received_);
         }
     }
@@ -62,7 +62,7 @@ private:
 
 PortJob::Outcome receive(const StorageScpService::Request& request, const std::string& auditFile, PortJob::Link& link)
 {
-    const NetworkWait waiting;
+    const ThreadPoolRelease waiting;
     const auto store = io::ObjectStore::open(request.folder, io::defaultMaxObjectBytes);
     if (!store) {
         return store.error();
@@ -73,13 +73,13 @@ PortJob::Outcome receive(const StorageScpService::Request& request, const std::s
     }
     io::StorageScp receiver = std::move(listening).value();
     io::TransferReport report;
-    const io::ArchiveObserver observe = [&link](const io::ArchiveProgress&) { return link.verdict(); };
+    const io::ArchiveObserver observe = [&link](const io::ArchiveProgress&) { return link.decision(); };
     io::StoreWriter storeWriter(store.value(), {request.maxBytes, io::StoreLimit::FullStorePolicy::DeleteOldest},
                                 report, observe);
     ReceiveReporter news(storeWriter, auditFile, link);
     receiver.serve(storeWriter, [&link, &news] {
         news.flushIfDue();
-        return link.verdict() == core::ObserverDecision::Stop;
+        return link.decision() == core::ObserverDecision::Stop;
     });
     news.flush();
     report.end = receiver.failure();
@@ -136,11 +136,11 @@ void StorageScpService::open(const Request& request)
 
 void StorageScpService::addReceived(const ReceivedObjects& received)
 {
-    const bool isNew = received.unaudited && !received_.unaudited;
+    const bool isNew = received.auditFailed && !received_.auditFailed;
     received_ = received;
     emit changed();
     if (isNew) {
-        emit unaudited(ui::messageText(*received.unaudited));
+        emit auditFailed(ui::messageText(*received.auditFailed));
     }
 }
 

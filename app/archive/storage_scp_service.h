@@ -33,7 +33,7 @@ public:
         std::set<std::string> folders;   ///< folders of the series
         std::optional<core::Message>
             problem;   ///< latest problem: a rejected association or an object that was not stored
-        std::optional<core::Message> unaudited;   ///< reason why some objects are missing from the audit file
+        std::optional<core::Message> auditFailed;   ///< reason why some objects are missing from the audit file
     };
 
     explicit StorageScpService(QObject* parent = nullptr);
@@ -48,7 +48,7 @@ public:
 signals:
     void changed();   ///< emitted when objects were received
     void closed(const QString& problem);   ///< `problem` is empty if the user stopped the SCP
-    void unaudited(const QString& reason);   ///< emitted once when received objects are missing from the audit file
+    void auditFailed(const QString& reason);   ///< emitted once when received objects are missing from the audit file
 
 private:
     void addReceived(const ReceivedObjects& received);

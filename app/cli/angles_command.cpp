@@ -58,15 +58,16 @@ int runAngles(const AnglesArguments& arguments)
         return reportInputError(loaded.error(), arguments.format);
     }
     const core::Case& session = loaded.value();
-    const auto sight =
+    const auto evaluator =
         core::makeViewEvaluator(*session.vessels.tree, arguments.branchId,
                                 arguments.takeoffOnly ? core::EvaluatedPart::Takeoff : core::EvaluatedPart::Branch);
     const auto poseAt = core::poseForGantryAngles(session.shown());
-    if (!sight || !poseAt) {
-        return reportInputError((sight ? poseAt.error() : sight.error()).about(arguments.casePath), arguments.format);
+    if (!evaluator || !poseAt) {
+        return reportInputError((evaluator ? poseAt.error() : evaluator.error()).about(arguments.casePath),
+                                arguments.format);
     }
     ProgressLine progress("looking");
-    const auto map = core::computeAngleMap(sight.value(), poseAt.value(), arguments.map, [&](double done) {
+    const auto map = core::computeAngleMap(evaluator.value(), poseAt.value(), arguments.map, [&](double done) {
         progress.show(done, "");
         return isInterrupted() ? core::ObserverDecision::Stop : core::ObserverDecision::Continue;
     });
@@ -77,7 +78,7 @@ int runAngles(const AnglesArguments& arguments)
         printWarnings({core::messages::radiiAssumed()});
     }
     const core::GantryAngles now = *core::gantryAnglesOf(session.shown());
-    printAll({now, sight.value().from(poseAt.value()(now))}, map.value(), arguments.format);
+    printAll({now, evaluator.value().from(poseAt.value()(now))}, map.value(), arguments.format);
     if (!arguments.outputPath.empty()) {
         if (const auto status = io::writeAngleMap(map.value(), arguments.outputPath); !status) {
             return reportInputError(status.error(), arguments.format);

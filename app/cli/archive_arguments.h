@@ -15,18 +15,18 @@ namespace angiopose::app {
 struct ArchiveArguments {
     std::string nodeFile;   ///< if empty, the user's archive list
     std::string nodeName;
-    io::ArchiveProtocol way = io::ArchiveProtocol::Default;
+    io::ArchiveProtocol protocol = io::ArchiveProtocol::Default;
     OutputFormat format = OutputFormat::Text;
 };
 
 struct ArchiveFindArguments {
-    ArchiveArguments common;
+    ArchiveArguments connection;
     io::ArchiveQuery query;
     std::string dates;   ///< study dates, as typed
 };
 
 struct ArchiveRetrieveArguments {
-    ArchiveArguments common;
+    ArchiveArguments connection;
     io::RetrieveRequest request;
     std::string folder;   ///< if empty, the cache
     std::string auditFile;   ///< empty if not requested
@@ -34,7 +34,7 @@ struct ArchiveRetrieveArguments {
 };
 
 struct ArchiveSendArguments {
-    ArchiveArguments common;
+    ArchiveArguments connection;
     std::vector<std::string> paths;
 };
 
@@ -49,13 +49,13 @@ struct ArchiveReceiveArguments {
 };
 
 struct ArchiveNodeArguments {
-    ArchiveArguments common;
+    ArchiveArguments connection;
     io::ArchiveNode node;
     bool isHostUnchecked = false;
 };
 
 struct ArchiveCacheArguments {
-    ArchiveArguments common;
+    ArchiveArguments connection;
     std::optional<double> limitGb;
 };
 

@@ -8,19 +8,20 @@
 namespace angiopose::app {
 namespace {
 
-void addNodeFile(CLI::App& command, ArchiveArguments& common)
+void addNodeFile(CLI::App& command, ArchiveArguments& connection)
 {
-    command.add_option("--nodes", common.nodeFile, "PACS list file (default: the user's list)");
+    command.add_option("--nodes", connection.nodeFile, "PACS list file (default: the user's list)");
     command.add_flag_callback(
-        "--json", [&common] { common.format = OutputFormat::Json; }, "Print JSON only");
+        "--json", [&connection] { connection.format = OutputFormat::Json; }, "Print JSON only");
 }
 
-void addNode(CLI::App& command, ArchiveArguments& common)
+void addNode(CLI::App& command, ArchiveArguments& connection)
 {
-    command.add_option("ARCHIVE", common.nodeName, "Name in the PACS list")->required();
-    addNodeFile(command, common);
+    command.add_option("ARCHIVE", connection.nodeName, "Name in the PACS list")->required();
+    addNodeFile(command, connection);
     command.add_flag_callback(
-        "--web", [&common] { common.way = io::ArchiveProtocol::Web; }, "Use DICOMweb even if the PACS also has a host");
+        "--web", [&connection] { connection.protocol = io::ArchiveProtocol::Web; },
+        "Use DICOMweb even if a host is also specified for the PACS");
 }
 
 /// Returns the audit file of the program to which the archive commands belong.
@@ -41,7 +42,7 @@ void addFind(CLI::App& archive, int& exitCode)
 {
     auto* command = archive.add_subcommand("find", "Query a PACS for studies or series");
     auto arguments = std::make_shared<ArchiveFindArguments>();
-    addNode(*command, arguments->common);
+    addNode(*command, arguments->connection);
     io::ArchiveQuery& query = arguments->query;
     command->add_option("--patient", query.patientName, "Beginning of the patient name, or a pattern with * and ?");
     command->add_option("--id", query.patientId, "Patient ID");
@@ -61,7 +62,7 @@ void addRetrieve(CLI::App& archive, int& exitCode)
 {
     auto* command = archive.add_subcommand("retrieve", "Retrieve a study or series");
     auto arguments = std::make_shared<ArchiveRetrieveArguments>();
-    addNode(*command, arguments->common);
+    addNode(*command, arguments->connection);
     command->add_option("--study", arguments->request.studyUid, "Study Instance UID")->required();
     command->add_option("--series", arguments->request.seriesUids,
                         "Series Instance UID; may be repeated (default: all)");
@@ -79,7 +80,7 @@ void addSend(CLI::App& archive, int& exitCode)
 {
     auto* command = archive.add_subcommand("send", "Send DICOM files unchanged to a PACS");
     auto arguments = std::make_shared<ArchiveSendArguments>();
-    addNode(*command, arguments->common);
+    addNode(*command, arguments->connection);
     command->add_option("FILE", arguments->paths, "Files or folders")->required();
     command->footer("Example: angiopose-cli archive send pacs result.dcm");
     command->callback([arguments, &exitCode] { exitCode = runArchiveSend(*arguments); });
@@ -92,7 +93,9 @@ void addReceive(CLI::App& archive, int& exitCode)
     io::StorageScpOptions& options = arguments->options;
     command->add_option("--port", options.port, "Port to listen on")->required()->check(CLI::Range(1, 65535));
     command->add_option("--into", arguments->folder, "Folder for received objects")->required();
-    command->add_option("--title", options.ownAeTitle, "Local AE title, which calling applications must use")
+    command
+        ->add_option("--title", options.ownAeTitle,
+                     "Local AE title; calling applications must use it as the called AE title")
         ->capture_default_str();
     command->add_option("--from-title", options.titles, "Calling AE title to accept; may be repeated (default: any)");
     command->add_option("--from-host", options.hosts, "IP address to accept; may be repeated (default: any)");
@@ -103,7 +106,7 @@ void addReceive(CLI::App& archive, int& exitCode)
     command->add_option("--count", arguments->count, "Stop after this many objects");
     auto* certificate =
         command->add_option("--tls-certificate", options.tls.certificateFile, "Local certificate (PEM); enables TLS");
-    auto* key = command->add_option("--tls-key", options.tls.keyFile, "Private key of the certificate (PEM)");
+    auto* key = command->add_option("--tls-key", options.tls.keyFile, "Private key of the local certificate (PEM)");
     command
         ->add_option("--tls-ca", options.tls.caFile,
                      "CA certificates (PEM) used to verify calling applications (default: the system's)")
@@ -135,10 +138,10 @@ void addNodeList(CLI::App& archive, int& exitCode)
     remove->callback([removed, &exitCode] { exitCode = runArchiveRemove(*removed); });
 
     auto arguments = std::make_shared<ArchiveNodeArguments>();
-    auto* add = nodes->add_subcommand("add", "Add a PACS, or replace the one of the same name");
+    auto* add = nodes->add_subcommand("add", "Add a PACS, or replace the PACS with the same name");
     io::ArchiveNode& node = arguments->node;
     add->add_option("ARCHIVE", node.name, "Name of the PACS")->required();
-    addNodeFile(*add, arguments->common);
+    addNodeFile(*add, arguments->connection);
     add->add_option("--host", node.host, "Host name or IP address");
     add->add_option("--port", node.port, "DICOM port of the PACS")->capture_default_str();
     add->add_option("--title", node.title, "Called AE title")->capture_default_str();
@@ -147,7 +150,7 @@ void addNodeList(CLI::App& archive, int& exitCode)
     add->add_flag("--tls", node.isTls, "Use TLS for DIMSE");
     add->add_option("--ca", node.caFile, "CA certificates (PEM) used to verify the PACS (default: the system's)");
     add->add_option("--certificate", node.certificateFile, "Local certificate (PEM)");
-    add->add_option("--key", node.keyFile, "Private key of the certificate (PEM); only its path is stored");
+    add->add_option("--key", node.keyFile, "Private key of the local certificate (PEM); only its path is stored");
     add->add_flag("--any-host-name", arguments->isHostUnchecked, "Accept a certificate issued for another host name");
     add->add_option("--url", node.webUrl, "DICOMweb address (https://…)");
     add->add_option("--authorization", node.authorizationFile,
@@ -164,13 +167,13 @@ void addCache(CLI::App& archive, int& exitCode)
     cache->require_subcommand(1);
     auto listed = std::make_shared<ArchiveCacheArguments>();
     auto* list = cache->add_subcommand("list", "List the cache; --limit sets its maximum size");
-    addNodeFile(*list, listed->common);
+    addNodeFile(*list, listed->connection);
     list->add_option("--limit", listed->limitGb, "Maximum size in GB; the least recently used series are deleted first")
         ->check(CLI::Range(0.0, 1e5));
     list->callback([listed, &exitCode] { exitCode = runArchiveCacheList(*listed); });
     auto emptied = std::make_shared<ArchiveCacheArguments>();
     auto* empty = cache->add_subcommand("empty", "Delete all cached objects");
-    addNodeFile(*empty, emptied->common);
+    addNodeFile(*empty, emptied->connection);
     empty->callback([emptied, &exitCode] { exitCode = runArchiveCacheEmpty(*emptied); });
 }
 
@@ -178,7 +181,8 @@ void addCache(CLI::App& archive, int& exitCode)
 
 void addArchive(CLI::App& app, int& exitCode)
 {
-    auto* archive = app.add_subcommand("archive", "Query a PACS, retrieve from it, send to it, and receive objects");
+    auto* archive = app.add_subcommand(
+        "archive", "Query a PACS, retrieve objects from it, send objects to it, and receive objects");
     archive->require_subcommand(1);
     addEcho(*archive, exitCode);
     addFind(*archive, exitCode);

@@ -146,7 +146,7 @@ int runArchiveEcho(const ArchiveArguments& arguments)
     if (!node) {
         return reportInputError(node.error(), arguments.format);
     }
-    const auto answered = io::echoArchive(node.value(), arguments.way, [](const auto&) { return stopVerdict(); });
+    const auto answered = io::echoArchive(node.value(), arguments.protocol, [](const auto&) { return stopVerdict(); });
     if (!answered) {
         return reportInputError(answered.error(), arguments.format);
     }
@@ -164,8 +164,8 @@ int runArchiveEcho(const ArchiveArguments& arguments)
 
 int runArchiveFind(const ArchiveFindArguments& arguments)
 {
-    const OutputFormat format = arguments.common.format;
-    const auto node = nodeOf(arguments.common);
+    const OutputFormat format = arguments.connection.format;
+    const auto node = nodeOf(arguments.connection);
     const auto dates = io::parseQueryDates(arguments.dates);
     if (!node || !dates) {
         return reportInputError(node ? dates.error() : node.error(), format);
@@ -173,7 +173,7 @@ int runArchiveFind(const ArchiveFindArguments& arguments)
     io::ArchiveQuery query = arguments.query;
     query.dates = dates.value();
     const auto found =
-        io::queryArchive(node.value(), arguments.common.way, query, [](const auto&) { return stopVerdict(); });
+        io::queryArchive(node.value(), arguments.connection.protocol, query, [](const auto&) { return stopVerdict(); });
     if (!found) {
         return reportInputError(found.error(), format);
     }
@@ -196,9 +196,9 @@ int runArchiveFind(const ArchiveFindArguments& arguments)
 
 int runArchiveRetrieve(const ArchiveRetrieveArguments& arguments)
 {
-    const OutputFormat format = arguments.common.format;
-    const auto settings = io::readArchiveSettings(listOf(arguments.common));
-    const auto node = nodeOf(arguments.common);
+    const OutputFormat format = arguments.connection.format;
+    const auto settings = io::readArchiveSettings(listOf(arguments.connection));
+    const auto node = nodeOf(arguments.connection);
     if (!settings || !node) {
         return reportInputError(settings ? node.error() : settings.error(), format);
     }
@@ -211,21 +211,21 @@ int runArchiveRetrieve(const ArchiveRetrieveArguments& arguments)
     io::StoreLimit limit;
     limit.maxBytes = isCache ? settings.value().cacheBytes : 0;
     ProgressLine line("retrieving");
-    const auto report = io::retrieveFromArchive(node.value(), arguments.common.way, arguments.request, store.value(),
-                                                limit, showing(line));
+    const auto report = io::retrieveFromArchive(node.value(), arguments.connection.protocol, arguments.request,
+                                                store.value(), limit, showing(line));
     auditRetrieved(arguments.auditFile, report, node.value().name);
     return finishTransfer(report, "came", format);
 }
 
 int runArchiveSend(const ArchiveSendArguments& arguments)
 {
-    const auto node = nodeOf(arguments.common);
+    const auto node = nodeOf(arguments.connection);
     if (!node) {
-        return reportInputError(node.error(), arguments.common.format);
+        return reportInputError(node.error(), arguments.connection.format);
     }
     ProgressLine line("sending");
-    const auto report = io::sendToArchive(node.value(), arguments.common.way, arguments.paths, showing(line));
-    return finishTransfer(report, "sent", arguments.common.format);
+    const auto report = io::sendToArchive(node.value(), arguments.connection.protocol, arguments.paths, showing(line));
+    return finishTransfer(report, "sent", arguments.connection.format);
 }
 
 int runArchiveReceive(const ArchiveReceiveArguments& arguments)

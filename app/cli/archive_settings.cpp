@@ -71,7 +71,7 @@ int runArchiveAdd(const ArchiveNodeArguments& arguments)
 {
     io::ArchiveNode node = arguments.node;
     node.verifiesHost = !arguments.isHostUnchecked;
-    const int exitCode = changeSettings(arguments.common, [&node](io::ArchiveSettings& settings) {
+    const int exitCode = changeSettings(arguments.connection, [&node](io::ArchiveSettings& settings) {
         dropNode(settings.nodes, node.name);
         settings.nodes.push_back(node);
         return core::Status(core::Done{});
@@ -95,15 +95,15 @@ int runArchiveRemove(const ArchiveArguments& arguments)
 
 int runArchiveCacheList(const ArchiveCacheArguments& arguments)
 {
-    const auto settings = io::readArchiveSettings(nodeFileOf(arguments.common));
+    const auto settings = io::readArchiveSettings(nodeFileOf(arguments.connection));
     if (!settings) {
-        return reportInputError(settings.error(), arguments.common.format);
+        return reportInputError(settings.error(), arguments.connection.format);
     }
     std::uint64_t limit = settings.value().cacheBytes;
     const std::string folder = settings.value().cache();
     if (arguments.limitGb) {
         limit = static_cast<std::uint64_t>(*arguments.limitGb * 1e9);
-        const int exitCode = changeSettings(arguments.common, [limit](io::ArchiveSettings& changed) {
+        const int exitCode = changeSettings(arguments.connection, [limit](io::ArchiveSettings& changed) {
             changed.cacheBytes = limit;
             return core::Status(core::Done{});
         });
@@ -122,12 +122,12 @@ int runArchiveCacheList(const ArchiveCacheArguments& arguments)
                                   {"objects", series.objects},
                                   {"bytes", series.bytes},
                                   {"whole", series.isComplete}});
-        if (arguments.common.format == OutputFormat::Text) {
+        if (arguments.connection.format == OutputFormat::Text) {
             std::printf("%s  %zu objects  %s%s\n", series.folder.c_str(), series.objects,
                         io::sizeText(series.bytes).c_str(), series.isComplete ? "" : "  incomplete");
         }
     }
-    if (arguments.common.format == OutputFormat::Json) {
+    if (arguments.connection.format == OutputFormat::Json) {
         printSettingsJson(json);
     } else {
         std::printf("%s of at most %s in %s\n", io::sizeText(bytes).c_str(), io::sizeText(limit).c_str(),
@@ -138,15 +138,15 @@ int runArchiveCacheList(const ArchiveCacheArguments& arguments)
 
 int runArchiveCacheEmpty(const ArchiveCacheArguments& arguments)
 {
-    const auto settings = io::readArchiveSettings(nodeFileOf(arguments.common));
+    const auto settings = io::readArchiveSettings(nodeFileOf(arguments.connection));
     if (!settings) {
-        return reportInputError(settings.error(), arguments.common.format);
+        return reportInputError(settings.error(), arguments.connection.format);
     }
     const auto dropped = io::clearCache(settings.value().cache());
     if (!dropped) {
-        return reportInputError(dropped.error(), arguments.common.format);
+        return reportInputError(dropped.error(), arguments.connection.format);
     }
-    if (arguments.common.format == OutputFormat::Json) {
+    if (arguments.connection.format == OutputFormat::Json) {
         printSettingsJson({{"dropped", dropped.value()}});
     } else {
         std::printf("%zu objects deleted\n", dropped.value());

@@ -105,8 +105,7 @@ void reportUnaudited(const core::Message& problem)
 
 void addAudit(CLI::App& app)
 {
-    app.add_option("--audit",
-                   "Audit log: file to which one line is appended for each file opened or written (FORMATS §4)")
+    app.add_option("--audit", "Audit log to which one line is appended for each file opened or written (FORMATS §4)")
         ->option_text("FILE");
     for (CLI::App* command : app.get_subcommands(nullptr)) {
         command->parse_complete_callback([&app, command] {

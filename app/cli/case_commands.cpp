@@ -45,7 +45,7 @@ void addRegister(CLI::App& app, int& exitCode)
                      "Angiogram, if CASE is not a case file but a vessel tree or a scan to trace")
         ->excludes("--from");
     command->add_option("--save", arguments->savedPath,
-                        "Case file (*.angiopose) to write with the result, for the window and all other commands");
+                        "Case file (*.angiopose) in which to save the result, for the window and all other commands");
     command->add_option("--method", arguments->method, "Method ID; see the list below");
     command->add_option("--set", arguments->options, "Method option as key=value; may be repeated");
     command->add_option("--auxiliary", arguments->auxiliaryBranchIds, "Auxiliary branches, e.g. 1,2,5")->delimiter(',');
@@ -54,13 +54,13 @@ void addRegister(CLI::App& app, int& exitCode)
         ->delimiter(',');
     addFrameOption(*command, arguments->frame, "Frame of the angiogram, starting at 1");
     command->add_option("--view", arguments->otherViews,
-                        "Case with another view of the same vessels, registered jointly; may be repeated");
+                        "Case with another view of the same vessels, to be registered jointly; may be repeated");
     command->add_flag("--same-patient", arguments->isSamePatient,
-                      "Confirm that all images show the same patient even if their headers differ; otherwise no result "
-                      "is rated reliable");
-    command->add_flag(
-        "--deformable", arguments->deformVessels,
-        "Deform the vessels after the rigid registration if the image suggests it; writes bent.vtp and motion.csv");
+                      "Confirm that all images show the same patient even if their headers differ; without this "
+                      "option, results from such images are never rated reliable");
+    command->add_flag("--deformable", arguments->deformVessels,
+                      "Deform the vessels after rigid registration if the image supports a deformation; writes "
+                      "bent.vtp and motion.csv");
     command->add_option("--output", arguments->outputFolder,
                         "Output folder for result.json, overlay.png and pose.tfm (default: CASE-registered)");
     command->add_flag_callback(
@@ -84,9 +84,9 @@ void addTrack(CLI::App& app, int& exitCode)
     command->add_option("CASE", arguments->casePath, "Case file, *.angiopose")->required();
     command->add_option("--output", arguments->outputPath, "Pose table to write (.csv)")->required();
     command->add_flag("--keep-pose", arguments->keepPose,
-                      "Track from the pose of the case (default: its frame is registered first)");
+                      "Track from the pose of the case (default: register the frame of the case first)");
     command->add_option("--bent", arguments->deformedFolder,
-                        "Output folder for the deformed vessels of each frame that has any (frame0.vtp, …)");
+                        "Output folder for the vessels of each frame in which they are deformed (frame0.vtp, …)");
     command->footer("Example: angiopose-cli track case.angiopose --output poses.csv");
     command->callback([arguments, &exitCode] { exitCode = runTrack(*arguments); });
 }
@@ -101,12 +101,13 @@ void addProject(CLI::App& app, int& exitCode)
     command->add_option("--output", arguments->outputPath, "Image to write (.png or .svg)")->required();
     command
         ->add_option("--width", arguments->widthPx,
-                     "Width of the written image in pixels (default: twice the angiogram)")
+                     "Width of the written image in pixels (default: twice that of the angiogram)")
         ->check(CLI::Range(64, 8192));
     addFrameOption(*command, arguments->frame, "Frame of the angiogram, starting at 1");
     command->add_flag("--depth-cue", arguments->depthCue, "Depth cueing");
-    command->add_option("--swipe", arguments->swipePx,
-                        "Swipe position as an angiogram column; no vessels are drawn to the right of it");
+    command->add_option(
+        "--swipe", arguments->swipePx,
+        "Swipe position as a column of the angiogram; no vessels are drawn to the right of this column");
     command->add_flag("--rigid", arguments->isRigid,
                       "Draw the vessels at the rigid pose even if the case has deformed vessels");
     command->add_flag("--motion", arguments->isMotionColored, "Colors: displacement of the deformed vessels");
@@ -137,20 +138,23 @@ void addMovie(CLI::App& app, int& exitCode)
         {"run", MovieContent::Run}, {"convergence", MovieContent::Convergence}, {"turn", MovieContent::Turn}};
     command
         ->add_option("--show", arguments->content,
-                     "run: the overlay through the frames (default); convergence: the poses of the registration, which "
-                     "is performed first if the case contains none; turn: one full rotation of the vessels alone")
+                     "run: the overlay through the frames (default); convergence: the poses of the registration (a "
+                     "case without a registration is registered first); turn: one full rotation of the vessels alone")
         ->transform(CLI::CheckedTransformer(contents, CLI::ignore_case).description("{run,convergence,turn}"));
     command->add_option("--frames", arguments->frames, "First and last frame of the run, starting at 1 (default: all)")
         ->expected(2);
     command->add_flag("--back-and-forth", arguments->isBackAndForth, "Play the run forward, then backward");
     command->add_flag("--register", arguments->isRegistered, "Register the frame of the case first");
-    command->add_flag("--follow", arguments->isTracked,
-                      "Track the vessels from that pose through the run, with a separate pose for each frame");
+    command->add_flag(
+        "--follow", arguments->isTracked,
+        "Track the vessels through the run, starting from the pose of the case, and show each frame with its own pose");
     command->add_option("--fps", arguments->framesPerSecond, "Frames per second (default: the acquisition rate)")
         ->check(CLI::Range(0.5, 100.0));
-    command->add_option("--speed", arguments->speed, "Speed factor relative to that rate")
+    command->add_option("--speed", arguments->speed, "Speed factor relative to the frame rate")
         ->check(CLI::Range(0.05, 20.0));
-    command->add_option("--width", arguments->widthPx, "Width of the movie in pixels (default: twice the angiogram)")
+    command
+        ->add_option("--width", arguments->widthPx,
+                     "Width of the movie in pixels (default: twice that of the angiogram)")
         ->check(CLI::Range(64, 8192));
     addFrameOption(*command, arguments->frame, "Frame to which the pose of the case belongs, starting at 1");
     command->add_flag("--depth-cue", arguments->depthCue, "Depth cueing");
@@ -163,7 +167,7 @@ void addMovie(CLI::App& app, int& exitCode)
 void addAngles(CLI::App& app, int& exitCode)
 {
     auto* command =
-        app.add_subcommand("angles", "Find C-arm angles that show a branch without foreshortening and overlap");
+        app.add_subcommand("angles", "Find C-arm angles that show a branch without foreshortening or overlap");
     auto arguments = std::make_shared<AnglesArguments>();
     command->add_option("CASE", arguments->casePath, "Case file, *.angiopose; its pose and angles are used")
         ->required();
@@ -192,8 +196,8 @@ void addAngles(CLI::App& app, int& exitCode)
 
 void addMeasure(CLI::App& app, int& exitCode)
 {
-    auto* command =
-        app.add_subcommand("measure", "Print the measurements in the images or along the branches of a case as CSV");
+    auto* command = app.add_subcommand(
+        "measure", "Print the measurements of a case as CSV, either those in the images or those along the branches");
     auto arguments = std::make_shared<MeasureArguments>();
     command->add_option("CASE", arguments->casePath, "Case file, *.angiopose")->required();
     command->add_option("--output", arguments->outputPath, "Table to write (.csv; default: standard output)");
@@ -221,30 +225,30 @@ void addBatch(CLI::App& app, int& exitCode)
     auto arguments = std::make_shared<BatchArguments>();
     command
         ->add_option("MANIFEST", arguments->manifestPath,
-                     "CSV file with the column case, or vessels and angiogram (paths relative to the file), and "
-                     "optionally seeds, name, method, frame, set.NAME")
+                     "CSV file with the column case, or the columns vessels and angiogram (paths relative to the "
+                     "file), and optionally the columns seeds, name, method, frame and set.NAME")
         ->required();
     command->add_option("--output", arguments->outputFolder, "Output folder for summary.csv and one folder per case")
         ->required();
     command->add_option("--threads", arguments->threads, "Number of cases to run in parallel (default: all cores)")
         ->check(CLI::Range(1, 1024));
-    command->add_flag("--resume", arguments->isResumed,
+    command->add_flag("--resume", arguments->resumes,
                       "Skip cases that were already completed with the same inputs and settings");
-    command->add_flag(
-        "--no-pictures", arguments->skipImages,
-        "Write only results, poses and tables, no images: takes two thirds of the time and a tenth of the disk space");
+    command->add_flag("--no-pictures", arguments->skipImages,
+                      "Write only results, poses and tables but no images, which takes two thirds of the time and a "
+                      "tenth of the disk space");
     command->add_option("--time-limit", arguments->timeLimitSeconds, "Time limit per case in seconds")
         ->check(CLI::Range(0.1, 1e7));
     command->add_option("--set", arguments->settings,
                         "Setting for all cases as name=value; may be repeated. A column set.NAME overrides it.");
     auto* shard = command
                       ->add_option("--shard", arguments->shard,
-                                   "Process part I of N of the rows, as I/N; its table is summary-I-of-N.csv, and the "
-                                   "last part to finish writes the combined table")
+                                   "Process only part I of N of the rows, given as I/N, and write its table, "
+                                   "summary-I-of-N.csv; the last part to finish also writes the combined table")
                       ->capture_default_str();
     command
         ->add_option("--merge", arguments->mergedFolders,
-                     "Process no cases; write the tables for the results of the shards in these folders")
+                     "Process no cases; merge the results of the shards in these folders and write the tables")
         ->excludes(shard);
     command->footer([] {
         return "Exit codes: 0 all completed, 3 some failed or missing, 4 some not reliable, 130 stopped; see "

@@ -152,11 +152,10 @@ struct BatchArguments {
     std::string shard = "1/1";
     std::optional<int> threads;   ///< if not set, one per core
     std::optional<double> timeLimitSeconds;   ///< time limit per case, s
-    bool isResumed = false;   ///< whether to keep outcomes that are up to date
+    bool resumes = false;   ///< whether to keep outcomes that are up to date
     bool skipImages = false;
     std::vector<std::string> settings;   ///< "name=value" pairs common to all rows
-    std::vector<std::string>
-        mergedFolders;   ///< if not empty, only write the tables of the outcomes in these folders
+    std::vector<std::string> mergedFolders;   ///< if not empty, only write the tables of the outcomes in these folders
     std::string outputFolder;
 };
 int runBatch(const BatchArguments& arguments);

@@ -12,13 +12,13 @@ void addCaseOrResult(CLI::App* command, std::string& casePath, ResultSource& fro
     auto* file = command->add_option("CASE", casePath, "Case file, *.angiopose");
     auto* result = command
                        ->add_option("--from", from.path,
-                                    "Result to use instead of a case (result.json or joint.json), with all inputs from "
-                                    "which it was computed")
+                                    "Result to use instead of a case (result.json or joint.json), together with all "
+                                    "inputs from which it was computed")
                        ->excludes(file);
     command
         ->add_option("--inputs", from.inputFolders,
-                     "Folder to search for the inputs of that result, by name and content, in addition to the folder "
-                     "of the result; may be repeated")
+                     "Folder to search for the inputs of the result, by file name and contents, in addition to the "
+                     "folder of the result; may be repeated")
         ->needs(result);
 }
 

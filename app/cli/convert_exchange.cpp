@@ -101,12 +101,12 @@ core::Result<ExchangedPose> readXreg(const std::string& path, std::optional<Exch
     }
     const core::XregCamera theirs = camera ? core::xregCamera(*camera->pose.camera, usualSourceToDetectorMm)
                                            : core::xregCamera({-1.0, 1.0, 0.0, 0.0, 0, 0}, usualSourceToDetectorMm);
-    const auto sight = core::posedCameraFromXreg(theirs, volumeFromWorld.value());
-    if (!sight) {
-        return sight.error().about(path);
+    const auto posedCamera = core::posedCameraFromXreg(theirs, volumeFromWorld.value());
+    if (!posedCamera) {
+        return posedCamera.error().about(path);
     }
     ExchangedPose read = camera.value_or(ExchangedPose{});
-    read.pose.cameraFromPatient = sight.value().cameraFromPatient;
+    read.pose.cameraFromPatient = posedCamera.value().cameraFromPatient;
     return read;
 }
 
@@ -147,11 +147,11 @@ core::Result<ExchangedPose> readFromDiffDrr(const std::string& path, const Excha
     if (center.value()) {
         view.volumeCenterInPatient = center.value();
     }
-    const auto sight = io::sightOf(view);
-    if (!sight) {
-        return sight.error().about(path);
+    const auto posedCamera = io::posedCameraFrom(view);
+    if (!posedCamera) {
+        return posedCamera.error().about(path);
     }
-    return ExchangedPose{{sight.value().cameraFromPatient, sight.value().camera}, view.detector->sddMm};
+    return ExchangedPose{{posedCamera.value().cameraFromPatient, posedCamera.value().camera}, view.detector->sddMm};
 }
 
 core::Result<ExchangedPose> readExchanged(const std::string& path, const ExchangeArguments& exchange)
@@ -218,7 +218,7 @@ Status writeExchanged(const ExchangedPose& pose, const std::string& path, const 
     if (exchange.to == PoseConvention::AngioPose && isPoseFormat(path)) {
         return writeOwn(pose.pose, path);
     }
-    return pose.pose.camera ? io::writeSight({*pose.pose.camera, pose.pose.cameraFromPatient}, path)
+    return pose.pose.camera ? io::writePosedCamera({*pose.pose.camera, pose.pose.cameraFromPatient}, path)
                             : Status(core::Error(io::messages::exchangeNoCamera().about(path)));
 }
 
@@ -236,7 +236,7 @@ core::Result<std::vector<io::Fiducial>> pointsOfCase(const std::string& path)
 
 bool isPointsConversion(const ConvertArguments& arguments)
 {
-    const std::string out = io::lowered(arguments.outputPath);
+    const std::string out = io::toLower(arguments.outputPath);
     return out.ends_with(".fcsv") ||
            (out.ends_with(".mrk.json") && (isCasePath(arguments.inputPath) || io::isFiducialFile(arguments.inputPath)));
 }

@@ -13,17 +13,17 @@ constexpr std::size_t minKeyBytes = 16;
 std::shared_ptr<DeidentifyArguments> addDeidentifyOptions(CLI::App& command)
 {
     auto arguments = std::make_shared<DeidentifyArguments>();
-    auto* wanted =
-        command.add_flag("--deidentify", arguments->isRequested,
-                         "Remove names, IDs, dates, private elements and texts; replace UIDs and the patient");
+    auto* wanted = command.add_flag(
+        "--deidentify", arguments->isRequested,
+        "Remove names, IDs, dates, private elements and free text; replace UIDs and the patient's name and ID");
     command
         .add_option("--dates", arguments->dates,
-                    "Dates: removed, or shifted by the same amount for all files of a patient")
+                    "Whether to remove dates or to shift them by the same amount for all files of a patient")
         ->check(CLI::IsMember({"removed", "shifted"}))
         ->needs(wanted);
     command
         .add_flag("--black-out", arguments->maskBurnedInText,
-                  "Mask burned-in text in projections instead of only reporting it")
+                  "Mask burned-in text in projection images instead of only reporting it")
         ->needs(wanted);
     command
         .add_option("--pseudonym", arguments->patientName,

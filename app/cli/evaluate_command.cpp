@@ -134,7 +134,7 @@ core::Status writeRunReport(const core::RunSet& runs, const fs::path& folder)
     if (auto status = io::writeRuns(runs, folder.string()); !status) {
         return status;
     }
-    return writeReport({"Evaluation: " + runs.protocol, core::tablesOf(runs), core::plotsOf(runs)}, folder);
+    return writeReport({"Evaluation: " + runs.protocol, core::makeTables(runs), core::makePlots(runs)}, folder);
 }
 
 int finishReport(const core::Status& status, const std::string& folder, int exitCode)

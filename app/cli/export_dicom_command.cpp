@@ -38,23 +38,23 @@ core::Result<std::string> pdfBytes(const std::string& path)
 
 core::Result<DicomExport> exportFor(const ExportDicomArguments& arguments)
 {
-    DicomExport wanted;
+    DicomExport dicomExport;
     for (const std::string& id : arguments.objects) {
         const auto kind = parseDicomKind(id);
         if (!kind) {
             return core::Error(messages::dicomKindUnknown(id, dicomKindIds()).about("--objects"));
         }
-        wanted.kinds.push_back(*kind);
+        dicomExport.kinds.push_back(*kind);
     }
-    wanted.look.widthPx = arguments.widthPx;
-    wanted.look.coloring = OverlayColoring::Branches;
-    wanted.look.shape = arguments.isRigid ? VesselShape::Rigid : VesselShape::Deformed;
-    wanted.look.identity = arguments.isIdentityShown ? Identity::Shown : Identity::Hidden;
-    wanted.author = arguments.author;
+    dicomExport.imageOptions.widthPx = arguments.widthPx;
+    dicomExport.imageOptions.coloring = OverlayColoring::Branches;
+    dicomExport.imageOptions.shape = arguments.isRigid ? VesselShape::Rigid : VesselShape::Deformed;
+    dicomExport.imageOptions.identity = arguments.isIdentityShown ? Identity::Shown : Identity::Hidden;
+    dicomExport.author = arguments.author;
     if (!arguments.reportPath.empty()) {
-        wanted.report = [path = arguments.reportPath] { return pdfBytes(path); };
+        dicomExport.report = [path = arguments.reportPath] { return pdfBytes(path); };
     }
-    return wanted;
+    return dicomExport;
 }
 
 core::Result<core::Case> caseFor(const ExportDicomArguments& arguments)
@@ -74,10 +74,11 @@ core::Result<core::Case> caseFor(const ExportDicomArguments& arguments)
     return found ? core::Result<core::Case>(std::move(found).value().session) : core::Result<core::Case>(found.error());
 }
 
-core::Result<DicomFiles> writeObjects(const core::Case& session, const DicomExport& wanted, const std::string& folder)
+core::Result<DicomFiles> writeObjects(const core::Case& session, const DicomExport& dicomExport,
+                                      const std::string& folder)
 {
     ProgressLine progress("writing");
-    return writeDicomObjects(session, {}, wanted, folder, [&progress](double fraction) {
+    return writeDicomObjects(session, {}, dicomExport, folder, [&progress](double fraction) {
         progress.show(fraction, "");
         return isInterrupted() ? core::ObserverDecision::Stop : core::ObserverDecision::Continue;
     });
@@ -85,16 +86,16 @@ core::Result<DicomFiles> writeObjects(const core::Case& session, const DicomExpo
 
 int runExportDicom(const ExportDicomArguments& arguments)
 {
-    const auto wanted = exportFor(arguments);
-    if (!wanted) {
-        printMessage(wanted.error().message.text());
+    const auto dicomExport = exportFor(arguments);
+    if (!dicomExport) {
+        printMessage(dicomExport.error().message.text());
         return exitUsageError;
     }
     const auto session = caseFor(arguments);
     if (!session) {
         return reportInputError(session.error());
     }
-    const auto files = writeObjects(session.value(), wanted.value(), arguments.outputFolder);
+    const auto files = writeObjects(session.value(), dicomExport.value(), arguments.outputFolder);
     if (!files) {
         return reportInputError(files.error());
     }
@@ -120,7 +121,9 @@ void addExportDicom(CLI::App& app, int& exitCode)
     command->add_option("--report", arguments->reportPath,
                         "PDF of the report, written by `angiopose-cli report`, for pdf");
     addFrameOption(*command, arguments->frame, "Frame of the angiogram, starting at 1");
-    command->add_option("--width", arguments->widthPx, "Width of the images in pixels (default: twice the angiogram)")
+    command
+        ->add_option("--width", arguments->widthPx,
+                     "Width of the images in pixels (default: twice that of the angiogram)")
         ->check(CLI::Range(64, 8192));
     command->add_flag("--register", arguments->isRegistered, "Register the frame of the case first");
     command->add_flag("--start-pose", arguments->isStartWanted,

@@ -33,12 +33,12 @@ void addTraceAngiogram(CLI::App& app, int& exitCode)
     addFrameOption(*command, arguments->frame, "Frame, starting at 1 (default: peak opacification)");
     command->add_option("--output", arguments->outputPath, "Centerlines to write (.csv)")->required();
     command->add_option("--apart", arguments->devicePath,
-                        "Write curves that may be catheters, guidewires or bone edges to this .csv file instead; the "
-                        "method wire can use it as the path of a guidewire");
+                        "Write curves that may be catheters, guidewires or bone edges to this .csv file instead of to "
+                        "the output; the method wire can use this file as the path of a guidewire");
     command->add_option("--mask", arguments->maskPath, "Vessel mask to write (.png)");
     command
         ->add_option("--sensitivity", arguments->sensitivity,
-                     "Tracing sensitivity; values above 1 also detect fainter vessels")
+                     "Tracing sensitivity; above 1, fainter vessels are also traced")
         ->check(CLI::Range(0.2, 5.0));
     command->add_flag("--subtract,!--native", arguments->subtract,
                       "Subtract the frames before contrast arrival, or use native frames (default: subtract if the "
@@ -53,7 +53,8 @@ void addTraceAngiogram(CLI::App& app, int& exitCode)
     command
         ->add_option_function<std::string>(
             "--composite", [arguments](const std::string&) { arguments->composite = true; },
-            "Trace the peak-opacification image of the run: minimum (lowest value of each pixel over all frames)")
+            "Trace the peak-opacification image of the run; the only value is minimum (lowest value of each pixel over "
+            "all frames)")
         ->check(CLI::IsMember({"minimum"}))
         ->excludes("--frame");
     command->footer("Example: angiopose-cli trace-angiogram run.dcm --frame 5 --output centerline.csv --mask mask.png");

@@ -34,7 +34,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json sourcedJson(const core::Sourced<double>& sourced)
+Json sourcedJson(const core::SourcedValue<double>& sourced)
 {
     Json json{{"value", nullptr}, {"origin", originText(sourced.origin)}};
     if (sourced.value) {
@@ -47,7 +47,7 @@ Json sourcedJson(const core::Sourced<double>& sourced)
 }
 
 template <class Vector>
-Json sourcedJson(const core::Sourced<Vector>& sourced)
+Json sourcedJson(const core::SourcedValue<Vector>& sourced)
 {
     Json json{{"value", nullptr}, {"origin", originText(sourced.origin)}};
     if (sourced.value) {
@@ -101,7 +101,7 @@ Json geometryJson(const core::CArm& cArm, const core::Angiogram& angiogram)
     }
     const core::Messages contradictions =
         core::findContradictions(cArm, angiogram.gantry, {angiogram.width(), angiogram.height()});
-    const core::Messages missing = core::findMissing(cArm);
+    const core::Messages missing = core::findMissingGeometry(cArm);
     json["contradictions"] = io::sentencesOf(contradictions);
     json["missing"] = io::sentencesOf(missing);
     json["messages"] = Json::array();

@@ -17,7 +17,7 @@ core::Result<std::string> profileOfBranch(const core::VesselTree& tree, int bran
     if (!branch) {
         return core::Error(core::messages::noSuchBranch(branchId));
     }
-    const auto profile = core::profileOf(*branch);
+    const auto profile = core::measureProfile(*branch);
     return profile ? core::Result<std::string>(io::profileTable(profile.value())) : profile.error();
 }
 

@@ -78,7 +78,7 @@ int runMovie(const MovieArguments& arguments)
     if (const auto written = write(session, arguments, plan); !written) {
         return reportInputError(written.error());
     }
-    const MovieLength length = lengthOf(session, plan);
+    const MovieLength length = movieLength(session, plan);
     std::printf("%s: %zu frames, %s s\n", arguments.outputPath.c_str(), length.pictures,
                 fixedText(length.seconds, 2).c_str());
     return exitSuccess;

@@ -40,15 +40,15 @@ core::Result<core::Case> openPair(const InputPair& pair, const io::CaseSettings&
         return read.error();
     }
     const io::LoadedInputs inputs = std::move(read).value();
-    if (!inputs.offered.empty()) {
-        return core::Error(messages::batchSeveralSeries(inputs.offered.size()).about(pair.vesselsPath));
+    if (!inputs.offeredSeries.empty()) {
+        return core::Error(messages::batchSeveralSeries(inputs.offeredSeries.size()).about(pair.vesselsPath));
     }
     if (inputs.extentInUnknownUnits) {
         return core::Error(
             messages::batchUnitUnclear(core::Quantity{*inputs.extentInUnknownUnits, 1}).about(pair.vesselsPath));
     }
     warnings.insert(warnings.end(), inputs.warnings.begin(), inputs.warnings.end());
-    core::Case session = io::withInputs(core::Case(), inputs);
+    core::Case session = io::assembleCase(core::Case(), inputs);
     settings.applyTo(session);
     return session;
 }

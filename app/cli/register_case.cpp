@@ -17,7 +17,7 @@ core::Result<core::PoseLocks> locksFrom(const std::vector<std::string>& ids)
 {
     core::PoseLocks locks{};
     for (const std::string& id : ids) {
-        const auto axis = core::poseAxisFrom(id);
+        const auto axis = core::parsePoseAxis(id);
         if (axis) {
             locks[static_cast<std::size_t>(*axis)] = true;
         } else if (id != "none") {

@@ -95,7 +95,7 @@ int runRegister(const RegisterArguments& arguments)
         view.isSamePatient = view.isSamePatient || arguments.isSamePatient;
     }
     core::RegistrationPlan plan;
-    plan.readMs = watch.lapMs();
+    plan.readMs = watch.takeLapMs();
     const auto registered = registerForCommand(std::move(session), "registering", std::move(plan));
     if (!registered) {
         return reportInputError(registered.error().about(inputPathOf(arguments)), arguments.format);
@@ -110,7 +110,7 @@ int runRegister(const RegisterArguments& arguments)
         }
     }
     if (arguments.format == OutputFormat::Json) {
-        std::puts(io::registrationJson(registered.value(), io::inputCaseText(registered.value())).c_str());
+        std::puts(io::registrationJson(registered.value(), io::inputCaseJson(registered.value())).c_str());
     } else {
         printSummary(registered.value(), folder);
     }

@@ -223,7 +223,7 @@ void printDisagreeingBranches(const RegisteredCase& registered)
         names += (names.empty() ? "" : ", ") + std::to_string(id);
     }
     printLine("", (found.branchIds.size() == 1 ? "branch " : "branches ") + names + " up to " +
-                      fixedText(found.worstMm, 1) + " mm off: possibly unopacified in this frame, or displaced");
+                      fixedText(found.maxDistanceMm, 1) + " mm off: possibly unopacified in this frame, or displaced");
 }
 
 /// Formats a path: "branches 3, 7, 9: 82 %, 95 % of the guidewire along these branches, 1.2 mm from their centerlines".
@@ -265,7 +265,7 @@ core::Status writeOutputs(const RegisteredCase& registered, const std::string& f
         }
     }
     return registered.joint ? io::writeJointResult(registered, (fs::path(folder) / "joint.json").string(),
-                                                   io::inputCaseText(registered))
+                                                   io::inputCaseJson(registered))
                             : core::Status(core::Done{});
 }
 

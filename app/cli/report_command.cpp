@@ -77,7 +77,7 @@ void addReport(CLI::App& app, int& exitCode)
     command->add_option("--template", arguments->templatePath, "Report template (.html; default: built-in)");
     command->add_option("--author", arguments->author, "Author of the report (default: the account name)");
     command->add_flag("--identity", arguments->isIdentityShown, "Include the patient's identity (default: omitted)");
-    command->add_option("--language", arguments->language, "Language of the report (default: language of the window)")
+    command->add_option("--language", arguments->language, "Language of the report (default: UI language)")
         ->check(CLI::IsMember({"en", "de", "zh_CN"}));
     command->footer(
         "The report is created by the program angiopose, which must be in the same folder; no display is "

@@ -97,7 +97,7 @@ Json treeJson(const io::StudyTree& tree)
         json["dicomdir"] = directoryJson(*tree.directory);
     }
     json["damaged"] = Json::array();
-    for (const io::DamagedFile& file : tree.damaged) {
+    for (const io::DamagedFile& file : tree.damagedFiles) {
         json["damaged"].push_back({{"file", file.path}, {"reason", file.reason.text()}});
     }
     return json;
@@ -154,8 +154,8 @@ void printTree(const io::StudyTree& tree)
         }
     }
     std::printf("%zu files read, %zu of them not DICOM, %zu damaged\n", tree.readFiles, tree.otherFiles,
-                tree.damaged.size());
-    for (const io::DamagedFile& file : tree.damaged) {
+                tree.damagedFiles.size());
+    for (const io::DamagedFile& file : tree.damagedFiles) {
         printText("  damaged: " + file.path + ": " + file.reason.text());
     }
     if (tree.directory && tree.directory->damage) {

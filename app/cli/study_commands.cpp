@@ -44,9 +44,9 @@ void addSimulate(CLI::App& app, int& exitCode)
     auto arguments = std::make_shared<SimulateArguments>();
     auto* seed =
         command->add_option("--seed", arguments->seed, "Seed for one case; the same seed reproduces the same case");
-    auto* study =
-        command->add_option("--study", arguments->studyPath,
-                            "Study file for many cases: describes trees, settings and the number of each (FORMATS)");
+    auto* study = command->add_option("--study", arguments->studyPath,
+                                      "Study file for many cases; specifies the trees, the settings and how many cases "
+                                      "of each to generate (FORMATS)");
     study->excludes(seed);
     command->add_option("--output", arguments->outputFolder, "Output folder for the case and its files")->required();
     command->add_option("--branches", arguments->branches, "Number of branches")->check(CLI::Range(1, 200));
@@ -58,9 +58,10 @@ void addSimulate(CLI::App& app, int& exitCode)
                       "Also write a simulated CT angiogram of the same vessels, scan.nii.gz");
     auto* room =
         command
-            ->add_option("--room", arguments->room,
-                         "Two views of one study, view-1 and view-2, with the headers of a room: siemens, standard "
-                         "(with isocenter and table position), without-table, object-plane (with neither)")
+            ->add_option(
+                "--room", arguments->room,
+                "Generate two views of one study, view-1 and view-2, with the headers of an angiography room: siemens, "
+                "standard (with isocenter and table position), without-table, object-plane (with neither)")
             ->check(CLI::IsMember({"siemens", "standard", "without-table", "object-plane"}))
             ->needs(seed);
     command->add_flag("--table-moves", arguments->moveTable, "With --room: the table moves during the second view")
@@ -85,7 +86,8 @@ void addSimulate(CLI::App& app, int& exitCode)
 
 void addEvaluate(CLI::App& app, int& exitCode)
 {
-    auto* command = app.add_subcommand("evaluate", "Run an experiment with known ground truth; print and write tables");
+    auto* command = app.add_subcommand(
+        "evaluate", "Run an experiment with known ground truth; print the result tables and write them to files");
     auto arguments = std::make_shared<EvaluateArguments>();
     command->add_option("EXPERIMENT", arguments->protocol, "Experiment; see the list below")
         ->required()

@@ -68,7 +68,7 @@ int runSupportBundle(const SupportArguments& arguments)
 void addSupportBundle(CLI::App& app, int& exitCode)
 {
     auto* command = app.add_subcommand(
-        "support-bundle", "Create a support bundle with diagnostic information for a bug report, without names");
+        "support-bundle", "Create a support bundle with diagnostic information for a bug report; it contains no names");
     auto arguments = std::make_shared<SupportArguments>();
     auto* archive = command->add_option("OUTPUT", arguments->archivePath, "Archive to write (.zip)");
     command->add_option("--case", arguments->casePath, "Case to summarize in the bundle: input types, sizes, options");

@@ -73,7 +73,7 @@ void addThumbnail(CLI::App& app, int& exitCode)
         ->check(CLI::Range(16, 1024));
     command
         ->add_option("--limit", arguments->limitSeconds,
-                     "Time limit for reading in seconds; if exceeded, no thumbnail is written (default: 8)")
+                     "Time limit in seconds for reading the case; if exceeded, no thumbnail is written (default: 8)")
         ->check(CLI::Range(0.0, 600.0));
     command->footer("Example: angiopose-cli thumbnail case.angiopose case.png --size 128");
     command->callback([arguments, &exitCode] { exitCode = runThumbnail(*arguments); });

@@ -30,7 +30,7 @@ std::string joined(const std::vector<int>& numbers, int first = 0)
 /// Subtracts the mask from the frames if the arguments or the file request it.
 core::Status subtractIfRequested(const TraceAngiogramArguments& arguments, Angiogram& angiogram)
 {
-    const auto header = io::readTreatment(arguments.imagePath);
+    const auto header = io::readRunProcessing(arguments.imagePath);
     if (!header) {
         return header.error();
     }
@@ -39,20 +39,20 @@ core::Status subtractIfRequested(const TraceAngiogramArguments& arguments, Angio
     if (!isAsked) {
         return core::Done{};
     }
-    core::SubtractionPlan chosen = header.value().plan;
+    core::SubtractionPlan subtraction = header.value().plan;
     if (!arguments.maskFrames.empty()) {
-        chosen.interval.reset();
-        chosen.maskFrames.clear();
-        std::ranges::transform(arguments.maskFrames, std::back_inserter(chosen.maskFrames),
+        subtraction.interval.reset();
+        subtraction.maskFrames.clear();
+        std::ranges::transform(arguments.maskFrames, std::back_inserter(subtraction.maskFrames),
                                [](int number) { return std::max(number, 0) - 1; });
     }
-    if (chosen.maskFrames.empty() && !chosen.interval) {
-        chosen.maskFrames = core::suggestMaskFrames(angiogram.frames, angiogram.polarity, angiogram.shutter);
+    if (subtraction.maskFrames.empty() && !subtraction.interval) {
+        subtraction.maskFrames = core::suggestMaskFrames(angiogram.frames, angiogram.polarity, angiogram.shutter);
     }
     if (arguments.maskShiftPx.size() == 2) {
-        chosen.maskShiftPx = Eigen::Vector2d(arguments.maskShiftPx[0], arguments.maskShiftPx[1]);
+        subtraction.maskShiftPx = Eigen::Vector2d(arguments.maskShiftPx[0], arguments.maskShiftPx[1]);
     }
-    auto run = core::subtractRun(angiogram.frames, angiogram.polarity, chosen);
+    auto run = core::subtractRun(angiogram.frames, angiogram.polarity, subtraction);
     if (!run) {
         return run.error().about(arguments.imagePath);
     }

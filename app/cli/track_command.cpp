@@ -22,7 +22,7 @@ void printFrames(const std::vector<core::TrackedRunFrame>& frames)
     for (const core::TrackedRunFrame& frame : frames) {
         const char* verdict = frame.problem                  ? "nothing traced"
                               : !frame.tracked.isTrustworthy ? "not explained"
-                              : frame.tracked.searched       ? "found again"
+                              : frame.tracked.isFromSearch   ? "found again"
                                                              : "followed";
         std::printf("frame %-6d agreement %s  %s%s\n", frame.frame + 1, fixedText(frame.tracked.score, 2).c_str(),
                     verdict,
@@ -94,8 +94,8 @@ int runTrack(const TrackArguments& arguments)
     }
     printFrames(frames);
     const core::RunPeriods periods = core::periodsOf(session, frames);
-    printPeriod("breath", periods.breath);
-    printPeriod("heartbeat", periods.heart);
+    printPeriod("breath", periods.breathMotion);
+    printPeriod("heartbeat", periods.heartMotion);
     if (isInterrupted()) {
         return exitInterrupted;
     }

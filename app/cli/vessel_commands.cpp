@@ -68,7 +68,7 @@ void addSections(CLI::App* command, std::vector<VesselSection>& sections)
                 }
             },
             "x,y,z,x,y,z (LPS mm): trace only the vessel between two points, along the most vessel-like path; may be "
-            "repeated, with later vessels joined to the earlier ones")
+            "repeated: each further vessel is joined to those traced before")
         ->allow_extra_args(false)
         ->check([](const std::string& text) {
             return numbersFrom<6>(text) ? std::string() : "specify two points as x,y,z,x,y,z in mm, not '" + text + "'";
@@ -110,9 +110,9 @@ void addTraceVessel(CLI::App& app, int& exitCode)
               "the aorta or main artery is found automatically; in a mask, all components are traced)");
     addPoints(command, "--avoid", arguments->tracing.avoidInPatient,
               "x,y,z (LPS mm) in the heart, a vein or bone to avoid; may be repeated");
-    command->add_flag(
-        "--tubes", arguments->tracing.tubesOnly,
-        "Trace only thin vessels, from the seeds; tracing ends at chambers, organs and structures wider than 1 cm");
+    command->add_flag("--tubes", arguments->tracing.tubesOnly,
+                      "Trace only thin vessels, starting at the seeds; tracing stops at heart chambers, organs and "
+                      "other structures wider than 1 cm");
     addSections(command, arguments->sections);
     command->add_option("--into", arguments->baseTreePath,
                         "Vessel tree to which the vessels traced with --between are added");
@@ -134,7 +134,7 @@ void addTraceVessel(CLI::App& app, int& exitCode)
                      "Vessel labels, by number or name (e.g., 1,2 or aorta); `info` lists them (default: labels with "
                      "vessel names, otherwise all)")
         ->delimiter(',');
-    command->add_option("--unit-mm", arguments->unitMm, "Length of one unit of a surface in mm")
+    command->add_option("--unit-mm", arguments->unitMm, "Coordinate unit of a surface, in mm")
         ->check(CLI::Range(1e-6, 1e4));
     auto pieces = std::make_shared<std::string>();
     command
@@ -176,9 +176,9 @@ void addConvert(CLI::App& app, int& exitCode)
                      "X-ray runs: .dcm; with --deidentify also DICOM slices, PNG, JPEG, and folders")
         ->required();
     command->add_option("--series", arguments->seriesId, "Series of a DICOM folder; `info FOLDER` lists them");
-    command->add_option("--unit-mm", arguments->unitMm, "Length of one unit of a surface or centerline file in mm")
+    command->add_option("--unit-mm", arguments->unitMm, "Coordinate unit of a surface or centerline file, in mm")
         ->check(CLI::Range(1e-6, 1e4));
-    command->add_option("--spacing-mm", arguments->spacingMm, "Voxel size in mm for filling a surface")
+    command->add_option("--spacing-mm", arguments->spacingMm, "Voxel size in mm for voxelizing a surface")
         ->check(CLI::Range(0.01, 100.0));
     arguments->identity = addDeidentifyOptions(*command);
     const auto exchange = addExchangeOptions(*command);

@@ -104,7 +104,7 @@ std::vector<Section> sectionsIn(std::string_view content)
         if (end + 1 == content.size() || std::isalpha(static_cast<unsigned char>(content[end + 1])) == 0) {
             continue;
         }
-        io::TextCursor words(content.substr(end + 1, 80));
+        io::TextReader words(content.substr(end + 1, 80));
         std::string name(words.word());
         std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::toupper(c); });
         if (name == "OFFSETS" && !sections.empty()) {
@@ -160,7 +160,7 @@ DecoderReply readWith(const std::string& path)
     const vtkNew<Reader> reader;
     reader->ReadFromInputStringOn();
     reader->SetInputString(content);
-    readOrRefuse(*reader, [&] {
+    readOrThrow(*reader, [&] {
         std::istream* stream = reader->GetIStream();
         const auto place = stream ? stream->rdbuf()->pubseekoff(0, std::ios::cur, std::ios::in) : std::streampos(-1);
         return sectionAt(sections, place < 0 ? content.size() : static_cast<std::size_t>(place));

@@ -58,7 +58,7 @@ bool addProperty(const std::string& countType, const std::string& type, const st
 }
 
 /// Reads the header up to the first value; nullopt if a line is not valid in a PLY header (VTK would skip it).
-std::optional<Header> readHeader(io::TextCursor& lines)
+std::optional<Header> readHeader(io::TextReader& lines)
 {
     static const std::regex known(
         R"(ply|(?:comment|obj_info).*|format\s+(ascii|binary_little_endian|binary_big_endian)\s+1\.0|)"
@@ -87,7 +87,7 @@ std::optional<Header> readHeader(io::TextCursor& lines)
 
 /// Returns the size of the body: the count of numbers in a text file, or the bytes of a binary file. Returns nullopt if
 /// a word of the text is not a number (VTK would read 0).
-std::optional<std::size_t> sizeOfBody(io::TextCursor body, bool isText)
+std::optional<std::size_t> sizeOfBody(io::TextReader body, bool isText)
 {
     std::size_t count = 0;
     for (; isText && !body.isAtEnd(); ++count) {
@@ -124,7 +124,7 @@ DecoderReply refusal(const std::string& place)
 DecoderReply readPly(const std::string& path)
 {
     const std::string content = readWholeFile(path);
-    io::TextCursor cursor(content);
+    io::TextReader cursor(content);
     const auto header = readHeader(cursor);
     if (!header) {
         return refusal("header");
@@ -147,7 +147,7 @@ DecoderReply readPly(const std::string& path)
     const vtkNew<vtkPLYReader> reader;
     reader->ReadFromInputStringOn();
     reader->SetInputString(content);
-    readOrRefuse(*reader, [] { return "data"; });
+    readOrThrow(*reader, [] { return "data"; });
     vtkPolyData* data = reader->GetOutput();
     const auto corners = static_cast<std::size_t>(data->GetPolys()->GetNumberOfConnectivityIds());
     auto lines = matchesHeader(*header, corners, *bodySize) ? io::linesOf(data) : std::nullopt;

@@ -46,7 +46,7 @@ std::string readWholeFile(const std::string& path)
     return content;
 }
 
-void readOrRefuse(vtkAlgorithm& reader, const std::function<std::string()>& place)
+void readOrThrow(vtkAlgorithm& reader, const std::function<std::string()>& place)
 {
     const vtkNew<ErrorOutputWindow> window;
     window->place = place;

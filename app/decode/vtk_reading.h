@@ -11,6 +11,6 @@ std::string readWholeFile(const std::string& path);
 
 /// Runs a VTK reader and reports its progress to the waiting process. At the first VTK error or warning, exits this
 /// process with a refusal that contains the reader's position from `place`, since some readers crash if they continue.
-void readOrRefuse(vtkAlgorithm& reader, const std::function<std::string()>& place);
+void readOrThrow(vtkAlgorithm& reader, const std::function<std::string()>& place);
 
 }   // namespace angiopose::decode

@@ -13,7 +13,7 @@ std::unique_ptr<QUndoCommand> changeVessels(CaseDocument& document, Vessels vess
     const auto before = core::initialPoseOf(document.current());
     const auto after = core::initialPoseOf(shown, vessels);
     const bool follows = after && (!before || isSame(before.value(), shown.cameraFromPatient));
-    std::vector<View> views = withoutResults(document.current().views);
+    std::vector<View> views = removeResults(document.current().views);
     if (follows) {
         views[document.current().shownView].cameraFromPatient = after.value();
     }
@@ -22,7 +22,7 @@ std::unique_ptr<QUndoCommand> changeVessels(CaseDocument& document, Vessels vess
 
 }   // namespace
 
-std::vector<View> withoutResults(std::vector<View> views)
+std::vector<View> removeResults(std::vector<View> views)
 {
     for (View& view : views) {
         core::discardResults(view);
@@ -30,9 +30,9 @@ std::vector<View> withoutResults(std::vector<View> views)
     return views;
 }
 
-std::unique_ptr<QUndoCommand> changeGeometry(CaseDocument& document, const Case& wanted, const ui::LocalizedText& name)
+std::unique_ptr<QUndoCommand> changeGeometry(CaseDocument& document, const Case& newCase, const ui::LocalizedText& name)
 {
-    return std::make_unique<ChangeGeometry>(document, ChangeGeometry::valuesOf(wanted), name);
+    return std::make_unique<ChangeGeometry>(document, ChangeGeometry::valuesOf(newCase), name);
 }
 
 std::unique_ptr<QUndoCommand> editTree(CaseDocument& document, core::VesselTree tree, const ui::LocalizedText& name)
@@ -74,14 +74,14 @@ std::unique_ptr<QUndoCommand> applyTrace(CaseDocument& document, const TracedTre
     return changeVessels(document, std::move(vessels), name);
 }
 
-std::unique_ptr<QUndoCommand> showView(CaseDocument& document, const Case& wanted, const ui::LocalizedText& name)
+std::unique_ptr<QUndoCommand> showView(CaseDocument& document, const Case& newCase, const ui::LocalizedText& name)
 {
-    return std::make_unique<ShowView>(document, ShowView::valuesOf(wanted), name);
+    return std::make_unique<ShowView>(document, ShowView::valuesOf(newCase), name);
 }
 
-std::unique_ptr<QUndoCommand> addInputs(CaseDocument& document, const Case& wanted, const ui::LocalizedText& name)
+std::unique_ptr<QUndoCommand> addInputs(CaseDocument& document, const Case& newCase, const ui::LocalizedText& name)
 {
-    return std::make_unique<AddInputs>(document, AddInputs::valuesOf(wanted), name);
+    return std::make_unique<AddInputs>(document, AddInputs::valuesOf(newCase), name);
 }
 
 }   // namespace angiopose::app

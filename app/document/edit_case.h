@@ -28,7 +28,7 @@ using StartBlindTrial = SetFields<&View::cameraFromPatient, &View::initialCamera
 using ShowFrame = SetFields<&View::frame, &View::initialCameraFromPatient, &View::cameraFromPatient, &View::result>;
 
 using SelectAuxiliary = SetFields<&Vessels::auxiliaryBranchIds>;
-using ExcludeBranches = SetFields<&Vessels::excludedBranchIds, &Case::views>;   // views as from withoutResults
+using ExcludeBranches = SetFields<&Vessels::excludedBranchIds, &Case::views>;   // views as from removeResults
 using HideBranches = SetFields<&Vessels::hiddenBranchIds>;
 using RelabelTree = SetFields<&Vessels::tree, &Vessels::isTreeEdited>;
 using PickPivot = SetFields<&Vessels::pickedPivotInPatient>;
@@ -50,7 +50,7 @@ using ChangeMeasurements = SetFields<&View::measurements, &Vessels::measurements
 using SetPixelScale = SetFields<&View::enteredMmPerPx>;
 using ChangeMarks = SetFields<&Vessels::marks>;
 using RemoveMarks = SetFields<&Vessels::marks, &Case::views>;   // with their positions in the images of all views
-using ChangeSightings = SetFields<&View::observations>;
+using ChangeObservations = SetFields<&View::observations>;
 using ChangeAnnotations = SetFields<&View::annotations>;
 
 /// Initial pose set manually or from landmarks.
@@ -61,16 +61,18 @@ using ChangeTracing = SetFields<&View::traceOptions, &View::result, &View::follo
 
 /// Change of the target, which invalidates the result found with the previous one.
 using ChangeTarget = SetFields<&View::target, &View::result, &View::followed>;
-using ChangeTreatment = SetFields<&View::treatment, &View::angiogram, &View::storedRun, &View::result, &View::followed>;
+using ChangeTreatment =
+    SetFields<&View::processing, &View::angiogram, &View::storedRun, &View::result, &View::followed>;
 
 /// Change of the inputs and everything that depends on them.
 using AddInputs = SetFields<&Case::title, &Case::vessels, &Case::views>;
 
 /// Returns the views without results and tracked poses, for use after a change of the vessels.
-std::vector<View> withoutResults(std::vector<View> views);
+std::vector<View> removeResults(std::vector<View> views);
 
 /// Creates the edit that gives the document's case the geometry of `wanted`.
-std::unique_ptr<QUndoCommand> changeGeometry(CaseDocument& document, const Case& wanted, const ui::LocalizedText& name);
+std::unique_ptr<QUndoCommand> changeGeometry(CaseDocument& document, const Case& newCase,
+                                             const ui::LocalizedText& name);
 
 /// Creates the edit that replaces the tree by an edited one. Removes deleted branches from all selections, and removes
 /// the result of the last registration; an initial pose stays initial.
@@ -90,9 +92,9 @@ std::unique_ptr<QUndoCommand> applyTrace(CaseDocument& document, const TracedTre
                                          const ui::LocalizedText& name);
 
 /// Creates the edit that gives the document's case the views of `wanted`; see core::withShownView.
-std::unique_ptr<QUndoCommand> showView(CaseDocument& document, const Case& wanted, const ui::LocalizedText& name);
+std::unique_ptr<QUndoCommand> showView(CaseDocument& document, const Case& newCase, const ui::LocalizedText& name);
 
 /// Creates the edit that takes the inputs of `wanted` and everything that depends on them.
-std::unique_ptr<QUndoCommand> addInputs(CaseDocument& document, const Case& wanted, const ui::LocalizedText& name);
+std::unique_ptr<QUndoCommand> addInputs(CaseDocument& document, const Case& newCase, const ui::LocalizedText& name);
 
 }   // namespace angiopose::app

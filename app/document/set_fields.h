@@ -53,8 +53,8 @@ class SetFields : public NamedEdit {
 public:
     using Values = std::tuple<decltype(valueOf(Fields))...>;
 
-    SetFields(CaseDocument& document, Values values, ui::LocalizedText name, int burst = noMergeId)
-        : NamedEdit(std::move(name)), document_(document), swapValues_(std::move(values)), burst_(burst)
+    SetFields(CaseDocument& document, Values values, ui::LocalizedText name, int mergeId = noMergeId)
+        : NamedEdit(std::move(name)), document_(document), swapValues_(std::move(values)), mergeId_(mergeId)
     {
     }
 
@@ -63,7 +63,7 @@ public:
 
     void redo() override { swapWithDocument(); }
     void undo() override { swapWithDocument(); }
-    int id() const override { return burst_; }
+    int id() const override { return mergeId_; }
 
     /// Merges without copying: the document holds the later values, and `swapValues_` those from before the burst.
     bool mergeWith(const QUndoCommand* later) override { return dynamic_cast<const SetFields*>(later) != nullptr; }
@@ -78,7 +78,7 @@ private:
 
     CaseDocument& document_;
     Values swapValues_;   ///< values that undo or redo will swap into the document
-    int burst_;
+    int mergeId_;
 };
 
 }   // namespace angiopose::app

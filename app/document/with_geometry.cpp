@@ -10,7 +10,7 @@ bool isSamePose(const core::RigidTransform& a, const core::RigidTransform& b)
 
 }   // namespace
 
-core::Case withGeometry(core::Case base, const core::CArm& cArm)
+core::Case replaceGeometry(core::Case base, const core::CArm& cArm)
 {
     const auto before = core::initialPoseOf(base);
     core::View& view = base.shown();

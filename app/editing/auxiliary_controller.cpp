@@ -57,7 +57,7 @@ QString namesOf(const std::shared_ptr<const core::VesselTree>& tree, const std::
         const core::VesselBranch* branch = tree ? tree->find(id) : nullptr;
         names << (branch ? ui::displayName(*branch) : QString::number(id));
     }
-    return ui::joinedNames(names);
+    return ui::joinNames(names);
 }
 
 /// Describes which branches the alternating method would currently use.
@@ -81,7 +81,8 @@ QString previewWords(const core::Case& current)
     }
     const QString chosen =
         chosenIds.empty()
-            ? AuxiliaryController::tr("No auxiliary branches selected: the alternation uses the %1 nodes of the tree.")
+            ? AuxiliaryController::tr(
+                  "No auxiliary branches selected: the method uses the %1 nodes of the tree as auxiliary points.")
                   .arg(core::findNodes(*current.vessels.tree).size())
             : AuxiliaryController::tr("Auxiliary: %1 (%2 mm, %3 % of the tree).")
                   .arg(namesOf(current.vessels.tree, chosenIds))
@@ -90,16 +91,19 @@ QString previewWords(const core::Case& current)
     if (current.options.method == defaultMethod) {
         return chosenIds.empty()
                    ? AuxiliaryController::tr(
-                         "No auxiliary branches selected: AngioPose weights all branches equally. Auxiliary branches "
-                         "determine the pose components they constrain; the other branches constrain the rest.")
+                         "No auxiliary branches selected: the method AngioPose weights all branches equally. If "
+                         "auxiliary branches are selected, they determine the pose components that they constrain; the "
+                         "other branches determine the remaining components.")
                    : AuxiliaryController::tr(
-                         "%1 In AngioPose, they determine the pose components they constrain; the other branches "
-                         "constrain the rest. The result also reports the fit of all branches. If confidence is low, "
-                         "AngioPose also tries poses found from these branches alone.")
+                         "%1 In the method AngioPose, these branches determine the pose components that they "
+                         "constrain; the other branches determine the remaining components. The result also reports "
+                         "the fit of all branches. If confidence is low, AngioPose also tries poses found from these "
+                         "branches alone.")
                          .arg(chosen);
     }
     if (!alternates(current.options.method)) {
-        return AuxiliaryController::tr("%1 The current method does not alternate and uses all branches.").arg(chosen);
+        return AuxiliaryController::tr("%1 The current method ignores this selection and uses all branches.")
+            .arg(chosen);
     }
     const auto set = current.options.seed.auxiliary;
     return set == core::AuxiliarySet::Chosen
@@ -126,7 +130,7 @@ ui::AuxiliaryAdvice auxiliaryTexts(const core::Case& current, const std::optiona
     for (const core::VesselBranch& branch : tree ? tree->branches : std::vector<core::VesselBranch>{}) {
         shown.generations = std::max(shown.generations, branch.generation + 1);
         if (!branch.radiusMm.empty()) {
-            shown.largestRadiusMm = std::max(shown.largestRadiusMm.value_or(0.0), medianRadiusMm(branch));
+            shown.maxRadiusMm = std::max(shown.maxRadiusMm.value_or(0.0), medianRadiusMm(branch));
         }
     }
     for (std::size_t step = 0; advice && step < advice->constrainedBy.size(); ++step) {
@@ -165,7 +169,7 @@ AuxiliaryController::AuxiliaryController(CaseDocument& document, BranchControlle
 {
     auto* lasso = new ui::LassoTool(view_);
     ui::bindTool(*actions_[ui::Command::Lasso], view_, *lasso);
-    connect(lasso, &ui::LassoTool::enclosed, this, &AuxiliaryController::selectInside);
+    connect(lasso, &ui::LassoTool::outlineDrawn, this, &AuxiliaryController::selectInside);
     connect(actions_[ui::Command::AuxiliaryAdvice], &QAction::triggered, this, &AuxiliaryController::open);
     connect(&document_, &CaseDocument::changed, this, &AuxiliaryController::request);
     connect(&adviser_, &BranchAdviser::adviceReady, this, &AuxiliaryController::show);
@@ -286,7 +290,7 @@ void AuxiliaryController::selectSuggested()
 void AuxiliaryController::request()
 {
     if (dialog_ && dialog_->isVisible()) {
-        adviser_.ask();
+        adviser_.requestAdvice();
         show();   // shows the selection now; the figures follow once computed
     }
 }

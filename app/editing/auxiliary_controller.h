@@ -39,7 +39,7 @@ public:
     void selectSuggested();
 
 signals:
-    void refused(const QString& why);
+    void refused(const QString& reason);
 
 private:
     void connectDialog();

@@ -19,14 +19,14 @@ core::Vector6d inDegrees(core::Vector6d std)
 
 /// Derives the advice. `chosen` are the auxiliary branches; `priorStd` is the solver's prior standard deviation of an
 /// initial pose.
-BranchAdvice adviceFrom(const std::vector<core::BranchInformation>& branches, const std::vector<int>& chosen,
+BranchAdvice adviceFrom(const std::vector<core::BranchInformation>& branches, const std::vector<int>& auxiliary,
                         const core::Vector6d& priorStd)
 {
     std::vector<int> all(branches.size());
     std::ranges::transform(branches, all.begin(), &core::BranchInformation::branchId);
     BranchAdvice advice;
     advice.stdAllBranches = inDegrees(core::expectedStd(branches, all, priorStd));
-    advice.stdAuxiliary = inDegrees(core::expectedStd(branches, chosen.empty() ? all : chosen, priorStd));
+    advice.stdAuxiliary = inDegrees(core::expectedStd(branches, auxiliary.empty() ? all : auxiliary, priorStd));
     for (std::size_t step = 0; step < advice.constrainedBy.size(); ++step) {
         advice.constrainedBy[step] =
             core::bestBranchesForComponent(branches, static_cast<int>(step), priorStd, branchesPerStep);
@@ -42,7 +42,7 @@ BranchAdviser::BranchAdviser(const CaseDocument& document, QObject* parent)
 {
 }
 
-void BranchAdviser::ask()
+void BranchAdviser::requestAdvice()
 {
     if (job_.isRunning()) {
         isRestartPending_ = true;
@@ -60,10 +60,11 @@ void BranchAdviser::start()
         return;
     }
     job_.start([tree = current.vessels.tree, camera = camera.value(), pose = current.shown().cameraFromPatient,
-                excluded = current.vessels.excludedBranchIds, chosen = current.vessels.auxiliaryBranchIds,
+                excluded = current.vessels.excludedBranchIds, auxiliary = current.vessels.auxiliaryBranchIds,
                 priorStd = core::Vector6d(core::initialPosePrior({}, current.options).std())](
                    JobLink<double>&) -> core::Result<BranchAdvice> {
-        return adviceFrom(core::branchInformation(core::without(*tree, excluded), camera, pose), chosen, priorStd);
+        return adviceFrom(core::branchInformation(core::withoutBranches(*tree, excluded), camera, pose), auxiliary,
+                          priorStd);
     });
 }
 

@@ -28,7 +28,7 @@ class BranchAdviser : public QObject {
 public:
     explicit BranchAdviser(const CaseDocument& document, QObject* parent = nullptr);
 
-    void ask();   ///< requests the advice for the current case
+    void requestAdvice();   ///< requests the advice for the current case
     bool isRunning() const { return job_.isRunning(); }
     const std::optional<BranchAdvice>& advice() const { return advice_; }   ///< nullopt until known
 

@@ -109,7 +109,7 @@ void BranchController::toggleExcluded(const std::set<int>& branchIds)
     };
     document_.push(std::make_unique<ExcludeBranches>(
         document_,
-        ExcludeBranches::Values{{excluded.begin(), excluded.end()}, withoutResults(document_.current().views)}, name));
+        ExcludeBranches::Values{{excluded.begin(), excluded.end()}, removeResults(document_.current().views)}, name));
 }
 
 void BranchController::setAuxiliaryInside(const std::map<int, ui::ViewRect>& extents, const ui::ViewRect& part)

@@ -35,7 +35,7 @@ public:
 
 signals:
     void marksChanged();
-    void refused(const QString& why);
+    void refused(const QString& reason);
 
 private:
     ui::LocalizedText branchNamesOf(const std::set<int>& branchIds) const;

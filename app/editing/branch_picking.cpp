@@ -7,8 +7,8 @@
 
 namespace angiopose::app {
 
-BranchPicking::BranchPicking(const CaseDocument& document, BranchController& branches, ViewSync& sync, const Ui& ui,
-                             QObject* parent)
+BranchPicker::BranchPicker(const CaseDocument& document, BranchController& branches, ViewSync& sync, const Ui& ui,
+                           QObject* parent)
     : QObject(parent), document_(document), branches_(branches), ui_(ui)
 {
     connect(&branches, &BranchController::marksChanged, this, [&branches, &sync] { sync.showMarks(branches.marks()); });
@@ -17,7 +17,7 @@ BranchPicking::BranchPicking(const CaseDocument& document, BranchController& bra
     connectCommands();
 }
 
-void BranchPicking::connectList()
+void BranchPicker::connectList()
 {
     const ui::BranchPanel& panel = ui_.panel;
     connect(&panel, &ui::BranchPanel::hovered, &branches_, &BranchController::hover);
@@ -28,7 +28,7 @@ void BranchPicking::connectList()
     connect(&panel, &ui::BranchPanel::auxiliaryCleared, this, [this] { branches_.setAuxiliary({}); });
 }
 
-void BranchPicking::connectViews()
+void BranchPicker::connectViews()
 {
     const auto selectNone = [this] { branches_.select({}); };
     const ui::AngiogramView& image = ui_.view;
@@ -41,7 +41,7 @@ void BranchPicking::connectViews()
     connect(&tree, &ui::TreeView::backgroundClicked, this, selectNone);
 }
 
-void BranchPicking::connectCommands()
+void BranchPicker::connectCommands()
 {
     const ui::WindowActions& actions = ui_.actions;
     connect(actions[ui::Command::ToggleAuxiliary], &QAction::triggered, this,
@@ -50,11 +50,11 @@ void BranchPicking::connectCommands()
             [this] { branches_.toggleExcluded(branches_.marks().selected); });
     connect(actions[ui::Command::AuxiliaryLargeVessels], &QAction::triggered, &branches_,
             &BranchController::setAuxiliaryByRadius);
-    connect(actions[ui::Command::AuxiliaryInView], &QAction::triggered, this, &BranchPicking::setAuxiliaryInView);
+    connect(actions[ui::Command::AuxiliaryInView], &QAction::triggered, this, &BranchPicker::setAuxiliaryInView);
     connect(actions[ui::Command::SelectAll], &QAction::triggered, &branches_, &BranchController::selectAll);
 }
 
-void BranchPicking::setAuxiliaryInView()
+void BranchPicker::setAuxiliaryInView()
 {
     std::map<int, ui::ViewRect> extents;
     if (const auto& tree = document_.current().vessels.tree) {

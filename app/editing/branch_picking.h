@@ -15,7 +15,7 @@ class WindowActions;
 namespace angiopose::app {
 
 /// Connects picking in the list, in the views and by command to the branch controller, and shows branch marks there.
-class BranchPicking : public QObject {
+class BranchPicker : public QObject {
     Q_OBJECT
 public:
     /// Parts of the window that the class uses.
@@ -25,8 +25,8 @@ public:
         ui::AngiogramView& view;
         ui::TreeView& treeView;
     };
-    BranchPicking(const CaseDocument& document, BranchController& branches, ViewSync& sync, const Ui& ui,
-                  QObject* parent = nullptr);
+    BranchPicker(const CaseDocument& document, BranchController& branches, ViewSync& sync, const Ui& ui,
+                 QObject* parent = nullptr);
 
 private:
     void connectList();

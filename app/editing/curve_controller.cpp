@@ -78,7 +78,7 @@ void CurveController::connectTool()
         view_.setFocus();
     });
     connect(&panel_, &ui::AngiogramPanel::editingRequested, mode, [mode] { mode->setChecked(true); });
-    connect(tool_, &ui::EditCurvesTool::begun, this, [this] {
+    connect(tool_, &ui::EditCurvesTool::activated, this, [this] {
         actions_[ui::Command::Cine]->setChecked(false);
         shownCurves_.reset();
         updateFromDocument();
@@ -91,9 +91,9 @@ void CurveController::connectTool()
         tool_->setEdit(edit);
         view_.setFocus();   // gives the image the keyboard focus, since the mode has keys of its own
     });
-    connect(bar_, &ui::CurveEditBar::doneRequested, this, [this] { view_.setTool(nullptr); });
+    connect(bar_, &ui::CurveEditBar::finishRequested, this, [this] { view_.setTool(nullptr); });
     connect(bar_, &ui::CurveEditBar::traceAgainRequested, this, &CurveController::confirmRetrace);
-    connect(bar_, &ui::CurveEditBar::followRequested, this, &CurveController::followDevice);
+    connect(bar_, &ui::CurveEditBar::trackDeviceRequested, this, &CurveController::trackDevice);
     connect(actions_[ui::Command::TraceAgain], &QAction::triggered, this, &CurveController::confirmRetrace);
 }
 
@@ -193,7 +193,7 @@ std::vector<int> CurveController::acceptedIds() const
     return target_.trace() ? std::vector<int>() : document_.current().shown().target.acceptedCurveIds;
 }
 
-void CurveController::applyEdit(const core::Centerline2d& curves, const ui::LocalizedText& what)
+void CurveController::applyEdit(const core::Centerline2d& curves, const ui::LocalizedText& undoText)
 {
     const core::SeparatedCurves edited = core::separateDevices(curves, core::devicesAfterEdit(currentCurves(), curves));
     if (edited.vessels.pointCount() == 0) {
@@ -202,7 +202,7 @@ void CurveController::applyEdit(const core::Centerline2d& curves, const ui::Loca
     }
     std::vector<int> accepted = acceptedIds();
     std::erase_if(accepted, [&](int id) { return !hasCurve(edited.vessels, id); });
-    push({{}, shared(edited.vessels), {}, std::move(accepted), shared(edited.devices)}, what);
+    push({{}, shared(edited.vessels), {}, std::move(accepted), shared(edited.devices)}, undoText);
 }
 
 void CurveController::accept(int curveId)
@@ -214,13 +214,13 @@ void CurveController::accept(int curveId)
 }
 
 /// Marks a curve as a catheter or guidewire, or as a vessel; a vessel is also no longer suspect.
-void CurveController::setExcluded(int curveId, bool apart)
+void CurveController::setExcluded(int curveId, bool isExcluded)
 {
     const core::SeparatedCurves before = currentCurves();
     std::vector<int> deviceIds = core::curveIds(before.devices);
     std::vector<int> accepted = acceptedIds();
     std::erase(accepted, curveId);
-    if (apart) {
+    if (isExcluded) {
         deviceIds.push_back(curveId);
     } else {
         std::erase(deviceIds, curveId);
@@ -233,11 +233,11 @@ void CurveController::setExcluded(int curveId, bool apart)
         return;
     }
     push({{}, shared(curves.vessels), {}, std::move(accepted), shared(curves.devices)},
-         apart ? ui::LocalizedText([] { return tr("Mark curve as device"); })
-               : ui::LocalizedText([] { return tr("Mark curve as vessel"); }));
+         isExcluded ? ui::LocalizedText([] { return tr("Mark curve as device"); })
+                    : ui::LocalizedText([] { return tr("Mark curve as vessel"); }));
 }
 
-void CurveController::followDevice()
+void CurveController::trackDevice()
 {
     core::RegistrationOptions options = document_.current().options;
     if (options.method != "wire") {
@@ -248,14 +248,14 @@ void CurveController::followDevice()
     actions_[ui::Command::Register]->trigger();
 }
 
-void CurveController::push(core::GivenTarget target, const ui::LocalizedText& what)
+void CurveController::push(core::GivenTarget target, const ui::LocalizedText& undoText)
 {
     const core::Case& current = document_.current();
     const auto formerFrame = current.shown().target.editedFrame;
     const int frame = current.shown().frame;
     target.editedFrame = frame;
     const bool isPushed = document_.push(
-        std::make_unique<ChangeTarget>(document_, ChangeTarget::Values{std::move(target), std::nullopt, {}}, what));
+        std::make_unique<ChangeTarget>(document_, ChangeTarget::Values{std::move(target), std::nullopt, {}}, undoText));
     if (isPushed && formerFrame && formerFrame != frame) {
         notifications_.showNote(
             tr("The edited curves of frame %1 were replaced. Undo restores them.").arg(*formerFrame + 1));

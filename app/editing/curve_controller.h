@@ -33,12 +33,12 @@ private:
     void releaseEdgeData();   ///< frees the edge data of the tool, which also keep the angiogram in memory
     std::vector<int> suspects() const;
     std::vector<int> acceptedIds() const;
-    void applyEdit(const core::Centerline2d& curves, const ui::LocalizedText& what);
+    void applyEdit(const core::Centerline2d& curves, const ui::LocalizedText& undoText);
     void accept(int curveId);
-    void setExcluded(int curveId, bool apart);
-    void followDevice();
+    void setExcluded(int curveId, bool isExcluded);
+    void trackDevice();
     void push(core::GivenTarget target,
-              const ui::LocalizedText& what);   ///< sets the target edited in the shown frame as that of the case
+              const ui::LocalizedText& undoText);   ///< sets the target edited in the shown frame as that of the case
     core::SeparatedCurves currentCurves() const;
     void retrace();
 

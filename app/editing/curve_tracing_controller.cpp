@@ -25,9 +25,10 @@ CurveTracingController::CurveTracingController(const AngiogramParts& parts, QObj
     connect(actions_[ui::Command::ShowTrace], &QAction::toggled, this, &CurveTracingController::showExcludedRegions);
 }
 
-void CurveTracingController::change(const core::TraceOptions& options, const ui::LocalizedText& what)
+void CurveTracingController::change(const core::TraceOptions& options, const ui::LocalizedText& undoText)
 {
-    document_.push(std::make_unique<ChangeTracing>(document_, ChangeTracing::Values{options, std::nullopt, {}}, what));
+    document_.push(
+        std::make_unique<ChangeTracing>(document_, ChangeTracing::Values{options, std::nullopt, {}}, undoText));
 }
 
 /// Shows the image regions excluded from tracing while the curves are displayed or edited.

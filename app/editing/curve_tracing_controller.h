@@ -14,7 +14,7 @@ public:
     explicit CurveTracingController(const AngiogramParts& parts, QObject* parent = nullptr);
 
 private:
-    void change(const core::TraceOptions& options, const ui::LocalizedText& what);
+    void change(const core::TraceOptions& options, const ui::LocalizedText& undoText);
     void showExcludedRegions();
 
     CaseDocument& document_;

@@ -19,18 +19,18 @@ void GeometryController::show()
     panel_.showGeometry(geometryState(document_.current()));
 }
 
-void GeometryController::change(const core::CArm& cArm, const ui::LocalizedText& what)
+void GeometryController::change(const core::CArm& cArm, const ui::LocalizedText& undoText)
 {
-    document_.push(changeGeometry(document_, withGeometry(document_.current(), cArm),
-                                  [what] { return tr("Change %1").arg(what()); }));
+    document_.push(changeGeometry(document_, replaceGeometry(document_.current(), cArm),
+                                  [undoText] { return tr("Change %1").arg(undoText()); }));
 }
 
 void GeometryController::removeCameraOverride()
 {
-    core::Case wanted = document_.current();
-    wanted.shown().geometry.cameraOverride.reset();
-    core::discardResults(wanted.shown());
-    document_.push(changeGeometry(document_, wanted, [] { return tr("Use distances and spacing"); }));
+    core::Case newCase = document_.current();
+    newCase.shown().geometry.cameraOverride.reset();
+    core::discardResults(newCase.shown());
+    document_.push(changeGeometry(document_, newCase, [] { return tr("Use distances and spacing"); }));
 }
 
 }   // namespace angiopose::app

@@ -20,7 +20,7 @@ public:
     void show();
 
 private:
-    void change(const core::CArm& cArm, const ui::LocalizedText& what);
+    void change(const core::CArm& cArm, const ui::LocalizedText& undoText);
     void removeCameraOverride();
 
     CaseDocument& document_;

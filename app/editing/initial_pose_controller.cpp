@@ -27,7 +27,7 @@ void InitialPoseController::setFromAngles()
         document_, ChangeInitialPose::Values{std::nullopt, start.value(), std::nullopt, {}},
         [] { return tr("Initial pose from angles"); }));
     if (isDone) {
-        emit done(tr("Initial pose from the angles, with the isocenter in the vessels"));
+        emit done(tr("Initial pose from the angles, with the isocenter placed in the vessels"));
     }
 }
 

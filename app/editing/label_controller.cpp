@@ -79,8 +79,8 @@ void LabelController::updateFromDocument()
 /// Reads the label image once the list is visible, since the image may be large.
 void LabelController::readIfVisible()
 {
-    const bool isInSight = actions_[ui::Command::SlicesLarge]->isChecked();
-    if (isInSight && !shownFile_.path.empty() && !overview_ && !job_.isRunning()) {
+    const bool isPanelVisible = actions_[ui::Command::SlicesLarge]->isChecked();
+    if (isPanelVisible && !shownFile_.path.empty() && !overview_ && !job_.isRunning()) {
         job_.start(shownFile_.path);
     }
 }
@@ -130,7 +130,7 @@ void LabelController::showCheckedLabels()
     if (!overview_) {
         return;
     }
-    choice_.showChosen(checked_);
+    choice_.showChosenLabels(checked_);
     ui::LabelLayer layer{overview_->rows, {}, {}};
     for (const io::LabelInfo& label : overview_->labels) {
         const std::size_t place = layer.tints.size();

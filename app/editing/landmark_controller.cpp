@@ -115,9 +115,9 @@ void LandmarkController::connectTool()
         moved[static_cast<std::size_t>(index)].pixel = pixel;
         change(std::move(moved), [index] { return tr("Move landmark %1").arg(index + 1); });
     });
-    connect(tool_, &ui::LandmarkTool::lastRemoved, this,
+    connect(tool_, &ui::LandmarkTool::removeLastRequested, this,
             [this] { removePairs({static_cast<int>(document_.current().shown().landmarks.size()) - 1}); });
-    connect(tool_, &ui::LandmarkTool::pendingDropped, this, &LandmarkController::clearPending);
+    connect(tool_, &ui::LandmarkTool::cancelRequested, this, &LandmarkController::clearPending);
     connect(tool_, &ui::LandmarkTool::poseRequested, this, &LandmarkController::setInitialPose);
 }
 

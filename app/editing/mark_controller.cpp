@@ -141,7 +141,7 @@ std::optional<Eigen::Vector3d> MarkController::vesselPointAt(const Eigen::Vector
 Eigen::Vector3d MarkController::toRigidPoint(const Eigen::Vector3d& drawnPoint) const
 {
     const core::Vessels& vessels = current().vessels;
-    const DrawnVessels drawn = drawnVessels(current().shown(), vessels, preview_.pose(), preview_.shape());
+    const DrawnVessels drawn = vesselsToDraw(current().shown(), vessels, preview_.pose(), preview_.shape());
     VesselMark mark;
     mark.pointInPatient = drawnPoint;
     return drawn.shape == VesselShape::Deformed ? core::moveWithVessels(drawn.tree, *vessels.tree, mark).pointInPatient
@@ -170,7 +170,7 @@ void MarkController::pickPoint(const Eigen::Vector3d& pointInPatient)
 void MarkController::place(MarkMode mode, const Eigen::Vector2d& pixel)
 {
     if (mode == MarkMode::TargetInImage) {
-        addSighting(pixel, selectedTargetPoint(pixel));
+        addObservation(pixel, selectedTargetPoint(pixel));
         return;
     }
     const auto point = vesselPointAt(pixel);
@@ -207,7 +207,7 @@ void MarkController::add(VesselMarkKind kind, const Eigen::Vector3d& pointInPati
 std::optional<int> MarkController::selectedTargetPoint(const Eigen::Vector2d& pixel) const
 {
     const auto isPoint = [this](std::size_t i) { return marks()[i].kind == VesselMarkKind::TargetPoint; };
-    for (const int row : ui_.panel.chosen()) {
+    for (const int row : ui_.panel.selectedRows()) {
         if (static_cast<std::size_t>(row) < marks().size() && isPoint(static_cast<std::size_t>(row))) {
             return marks()[static_cast<std::size_t>(row)].id;
         }
@@ -226,7 +226,7 @@ std::optional<int> MarkController::selectedTargetPoint(const Eigen::Vector2d& pi
     return nearest;
 }
 
-void MarkController::addSighting(const Eigen::Vector2d& pixel, std::optional<int> markId)
+void MarkController::addObservation(const Eigen::Vector2d& pixel, std::optional<int> markId)
 {
     if (!markId) {
         emit refused(tr("Add a target point on the vessels first."));
@@ -234,8 +234,8 @@ void MarkController::addSighting(const Eigen::Vector2d& pixel, std::optional<int
     }
     std::vector<TargetObservation> all = current().shown().observations;
     const int frame = sync_.shownFrame();
-    const auto isSame = [&](const TargetObservation& sighting) {
-        return sighting.markId == *markId && sighting.frame == frame;
+    const auto isSame = [&](const TargetObservation& observation) {
+        return observation.markId == *markId && observation.frame == frame;
     };
     const auto known = std::ranges::find_if(all, isSame);
     if (known != all.end()) {
@@ -243,8 +243,8 @@ void MarkController::addSighting(const Eigen::Vector2d& pixel, std::optional<int
     } else {
         all.push_back({*markId, pixel, frame});
     }
-    document_.push(std::make_unique<ChangeSightings>(document_, ChangeSightings::Values{std::move(all)},
-                                                     [] { return tr("Mark target point in image"); }));
+    document_.push(std::make_unique<ChangeObservations>(document_, ChangeObservations::Values{std::move(all)},
+                                                        [] { return tr("Mark target point in image"); }));
     show();
 }
 
@@ -261,7 +261,7 @@ void MarkController::moveHandle(MarkMode mode, std::size_t handle, const Eigen::
 {
     const Handle held = handles_[positionOf(mode)].at(handle);
     if (mode == MarkMode::TargetInImage) {
-        addSighting(pixel, marks().at(held.index).id);
+        addObservation(pixel, marks().at(held.index).id);
         return;
     }
     if (!isOnVessels(mode)) {
@@ -317,7 +317,7 @@ void MarkController::remove(const std::set<int>& rows)
     std::vector<core::View> views = current().views;
     for (core::View& view : views) {
         std::erase_if(view.observations,
-                      [&gone](const TargetObservation& sighting) { return gone.contains(sighting.markId); });
+                      [&gone](const TargetObservation& observation) { return gone.contains(observation.markId); });
     }
     std::vector<ImageAnnotation>& annotations = views[current().shownView].annotations;
     const std::size_t before = annotations.size();
@@ -332,9 +332,9 @@ void MarkController::remove(const std::set<int>& rows)
 
 void MarkController::removeSelectedOrLast()
 {
-    const std::set<int> chosen = ui_.panel.chosen();
+    const std::set<int> selectedRows = ui_.panel.selectedRows();
     const std::size_t count = marks().size() + current().shown().annotations.size();
-    remove(chosen.empty() ? std::set<int>{static_cast<int>(count) - 1} : chosen);
+    remove(selectedRows.empty() ? std::set<int>{static_cast<int>(count) - 1} : selectedRows);
 }
 
 void MarkController::changeMarks(std::vector<VesselMark> marks, const ui::LocalizedText& name)

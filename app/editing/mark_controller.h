@@ -50,7 +50,7 @@ private:
     void connectPanel();
     void place(ui::MarkMode mode, const Eigen::Vector2d& pixel);
     void add(core::VesselMarkKind kind, const Eigen::Vector3d& pointInPatient);
-    void addSighting(const Eigen::Vector2d& pixel, std::optional<int> markId);
+    void addObservation(const Eigen::Vector2d& pixel, std::optional<int> markId);
     void addText(const std::vector<Eigen::Vector2d>& pixels, const QString& words);
     void moveHandle(ui::MarkMode mode, std::size_t handle, const Eigen::Vector2d& pixel);
     void rename(std::size_t row, const QString& name);
@@ -59,7 +59,7 @@ private:
     void changeMarks(std::vector<core::VesselMark> marks, const ui::LocalizedText& name);
     void changeAnnotations(std::vector<core::ImageAnnotation> annotations, const ui::LocalizedText& name);
     void show();
-    void showPlaces();
+    void showVesselMarks();
     void showHandles();
     std::optional<Eigen::Vector3d> vesselPointAt(const Eigen::Vector2d& pixel) const;
     Eigen::Vector3d toRigidPoint(const Eigen::Vector3d& drawnPoint) const;

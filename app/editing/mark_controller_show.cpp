@@ -43,14 +43,14 @@ void MarkController::show()
                                   ? tr("Named points on the vessels, with the distance between their projection and "
                                        "their position in the image; arrows and text annotations for exported images.")
                                   : QString());
-    showPlaces();
+    showVesselMarks();
     showHandles();
 }
 
-void MarkController::showPlaces()
+void MarkController::showVesselMarks()
 {
     MarkedView placed{current(), current().shownView, sync_.shownFrame(), preview_.shape(), poseOf()};
-    for (const int row : ui_.panel.chosen()) {
+    for (const int row : ui_.panel.selectedRows()) {
         const auto count = static_cast<int>(marks().size());
         (row < count ? placed.selectedMarks : placed.selectedAnnotations).insert(row < count ? row : row - count);
     }
@@ -63,7 +63,7 @@ void MarkController::showPlaces()
                          isRing ? core::ringPoints(mark, ringSteps3d) : std::vector<Eigen::Vector3d>{},
                          QString::fromStdString(mark.name)});
     }
-    ui_.treeView.showPlaces(std::move(signs));
+    ui_.treeView.showVesselMarks(std::move(signs));
     std::vector<ui::SliceMark> places;
     for (const VesselMark& mark : marks()) {
         const bool isRing = mark.kind == VesselMarkKind::OstiumRing;

@@ -35,14 +35,14 @@ ui::MaskSettings storedSettings()
             settings::cutRangeMm.read()};
 }
 
-void store(const ui::MaskSettings& chosen)
+void store(const ui::MaskSettings& newSettings)
 {
-    settings::maskOpacity.write(chosen.opacity);
-    settings::brushRadiusMm.write(chosen.radiusMm);
-    settings::isBrush3d.write(chosen.is3d);
-    settings::brushAboveThreshold.write(chosen.isAboveThreshold);
-    settings::cutDepth.write(static_cast<int>(chosen.depth));
-    settings::cutRangeMm.write(chosen.rangeMm);
+    settings::maskOpacity.write(newSettings.opacity);
+    settings::brushRadiusMm.write(newSettings.radiusMm);
+    settings::isBrush3d.write(newSettings.is3d);
+    settings::brushAboveThreshold.write(newSettings.isAboveThreshold);
+    settings::cutDepth.write(static_cast<int>(newSettings.depth));
+    settings::cutRangeMm.write(newSettings.rangeMm);
 }
 
 /// Returns the mask with which editing starts: the lumen, otherwise the voxels above the displayed threshold, otherwise
@@ -89,7 +89,7 @@ MaskController::MaskController(CaseDocument& document, Options options, const Ui
                *actions[ui::Command::TraceMask], *actions[ui::Command::ExportMask]);
     connect(&panel, &ui::MaskPanel::settingsEdited, this, &MaskController::applySettings);
     connect(actions[ui::Command::TraceMask], &QAction::triggered, this, &MaskController::trace);
-    connect(&ui_.strip, &ui::BottomStrip::stopRequested, &tracing_, &MaskTracing::requestStop);
+    connect(&ui_.strip, &ui::BottomStrip::stopRequested, &tracing_, &MaskTracer::requestStop);
     connectTracing();
     connect(&document, &CaseDocument::aboutToUndoOrRedo, this, &MaskController::endStroke);
     connect(&document, &CaseDocument::changed, this, &MaskController::updateFromDocument);
@@ -102,17 +102,16 @@ MaskController::MaskController(CaseDocument& document, Options options, const Ui
 
 void MaskController::connectTracing()
 {
-    connect(&tracing_, &MaskTracing::advanced, this, [this](double fraction) {
+    connect(&tracing_, &MaskTracer::progressed, this, [this](double fraction) {
         ui_.strip.showProgress(tr("Tracing the mask… %1 %").arg(ui::numberText(100.0 * fraction, 0)), fraction);
     });
-    connect(&tracing_, &MaskTracing::ended, this, [this] {
+    connect(&tracing_, &MaskTracer::ended, this, [this] {
         ui_.strip.showIdle(tr("Ready"));
         showState();
     });
-    connect(&tracing_, &MaskTracing::traced, this, &MaskController::applyTrace);
-    connect(&tracing_, &MaskTracing::stopped, this,
-            [this] { emit reported(tr("Stopped: the vessels are unchanged")); });
-    connect(&tracing_, &MaskTracing::failed, this, &MaskController::failed);
+    connect(&tracing_, &MaskTracer::traced, this, &MaskController::applyTrace);
+    connect(&tracing_, &MaskTracer::stopped, this, [this] { emit reported(tr("Stopped: the vessels are unchanged")); });
+    connect(&tracing_, &MaskTracer::failed, this, &MaskController::failed);
 }
 
 void MaskController::connectTools()
@@ -147,13 +146,13 @@ void MaskController::connectTool(QAction& action, ui::SliceTool& tool)
     });
 }
 
-void MaskController::applySettings(const ui::MaskSettings& chosen)
+void MaskController::applySettings(const ui::MaskSettings& newSettings)
 {
-    settings_ = chosen;
-    store(chosen);
-    ui_.slices.setMaskOpacity(chosen.opacity);
+    settings_ = newSettings;
+    store(newSettings);
+    ui_.slices.setMaskOpacity(newSettings.opacity);
     for (ui::MaskBrushTool* tool : brushes_) {
-        tool->setRadiusMm(chosen.radiusMm);
+        tool->setRadiusMm(newSettings.radiusMm);
     }
 }
 
@@ -241,15 +240,15 @@ bool MaskController::canEdit() const
     return draft_ && !draft_->isBeingRead() && !document_.isLocked();
 }
 
-void MaskController::brush(BrushMode aim, const core::SliceGrid& slice, const core::BrushStep& step)
+void MaskController::brush(BrushMode mode, const core::SliceGrid& slice, const core::BrushStep& step)
 {
     if (!canEdit()) {
         return;
     }
     const auto& scan = ui_.slices.volume();
     const std::optional<double> threshold = ui_.panel.thresholdShown();
-    core::MaskBrush brush{aim, settings_.radiusMm};
-    if (aim == BrushMode::Paint && settings_.isAboveThreshold && scan && threshold) {
+    core::MaskBrush brush{mode, settings_.radiusMm};
+    if (mode == BrushMode::Paint && settings_.isAboveThreshold && scan && threshold) {
         brush.scan = scan.get();
         brush.minValue = *threshold;
     }
@@ -257,7 +256,7 @@ void MaskController::brush(BrushMode aim, const core::SliceGrid& slice, const co
     const core::VoxelIndices found =
         settings_.is3d ? core::brushVolume(mask, brush, step) : core::brushSlice(mask, slice, brush, step);
     draft_->apply(core::makeMaskChange(found));
-    strokeAim_ = aim;
+    strokeMode_ = mode;
     stroke_.insert(stroke_.end(), found.begin(), found.end());
 }
 
@@ -270,8 +269,8 @@ void MaskController::endStroke()
         }
         return;
     }
-    const ui::LocalizedText name = strokeAim_ == BrushMode::Paint ? ui::LocalizedText([] { return tr("Paint mask"); })
-                                                                  : ui::LocalizedText([] { return tr("Erase mask"); });
+    const ui::LocalizedText name = strokeMode_ == BrushMode::Paint ? ui::LocalizedText([] { return tr("Paint mask"); })
+                                                                   : ui::LocalizedText([] { return tr("Erase mask"); });
     const core::MaskChange change = core::makeMaskChange(std::exchange(stroke_, {}));
     if (!document_.push(std::make_unique<EditMask>(document_, draft_, change, name))) {
         draft_->apply(change);   // applying it again reverts the change
@@ -343,7 +342,7 @@ void MaskController::applyTrace(const VesselTrace& traced, const std::shared_ptr
     for (const core::Message& warning : traced.warnings) {
         notes << ui::messageText(warning);
     }
-    emit reported(ui::joinedSentences(notes));
+    emit reported(ui::joinSentences(notes));
 }
 
 int MaskController::pendingStrokes() const

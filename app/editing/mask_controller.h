@@ -55,7 +55,7 @@ private:
     std::shared_ptr<MaskDraft> findDraft() const;
     bool fits(const MaskDraft& draft) const;   ///< returns whether the draft belongs to the lumen of the case
     bool canEdit() const;
-    void brush(core::BrushMode aim, const core::SliceGrid& slice, const core::BrushStep& step);
+    void brush(core::BrushMode mode, const core::SliceGrid& slice, const core::BrushStep& step);
     void endStroke();
     void cut(core::MaskCut cut);
     void applyCut(const core::VoxelIndices& found);
@@ -74,13 +74,13 @@ private:
     std::shared_ptr<MaskDraft> draft_;   ///< draft of the lumen of the case; null until it is edited
     std::vector<std::weak_ptr<MaskDraft>> drafts_;   ///< drafts that undo steps reference
     core::VoxelIndices stroke_;   ///< voxels of the current stroke
-    core::BrushMode strokeAim_ = core::BrushMode::Paint;
+    core::BrushMode strokeMode_ = core::BrushMode::Paint;
     std::shared_ptr<MaskDraft> cutDraft_;   ///< draft that the active cut reads
     int caseNumber_ = 0;   ///< number of the case to which the drafts belong
     std::shared_ptr<const core::VoxelMask> copiedLumen_;   ///< lumen that is being copied
     Job<std::shared_ptr<core::VoxelMask>> copy_;
     Job<core::VoxelIndices> cut_;
-    MaskTracing tracing_;
+    MaskTracer tracing_;
 };
 
 }   // namespace angiopose::app

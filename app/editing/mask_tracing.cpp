@@ -35,17 +35,17 @@ core::Result<VesselTrace> traceOf(const VoxelMask& draft, const core::VesselTrac
 
 }   // namespace
 
-MaskTracing::MaskTracing(QObject* parent)
+MaskTracer::MaskTracer(QObject* parent)
     : QObject(parent),
       job_({[this](const VesselTrace& trace) { finish(trace); }, [this](const core::Error& error) { fail(error); },
             [this](double fraction) {
                 releaseDraft();
-                emit advanced(fraction);
+                emit progressed(fraction);
             }})
 {
 }
 
-void MaskTracing::start(const std::shared_ptr<MaskDraft>& draft, const core::VesselTracingOptions& options)
+void MaskTracer::start(const std::shared_ptr<MaskDraft>& draft, const core::VesselTracingOptions& options)
 {
     draft_ = draft;
     strokes_ = draft->strokes();
@@ -57,27 +57,27 @@ void MaskTracing::start(const std::shared_ptr<MaskDraft>& draft, const core::Ves
     });
 }
 
-void MaskTracing::requestStop()
+void MaskTracer::requestStop()
 {
     stopRequested_ = isRunning();
     job_.requestStop();
 }
 
-void MaskTracing::releaseDraft()
+void MaskTracer::releaseDraft()
 {
     if (std::exchange(isReading_, false)) {
         draft_->endReading();
     }
 }
 
-void MaskTracing::finish(const VesselTrace& trace)
+void MaskTracer::finish(const VesselTrace& trace)
 {
     releaseDraft();
     emit ended();
     emit traced(trace, std::exchange(draft_, nullptr), strokes_);
 }
 
-void MaskTracing::fail(const core::Error& error)
+void MaskTracer::fail(const core::Error& error)
 {
     releaseDraft();
     draft_.reset();

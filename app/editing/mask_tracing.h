@@ -7,17 +7,17 @@
 namespace angiopose::app {
 
 /// Traces the vessels of an edited mask on a worker. The draft does not change until the worker has copied the mask.
-class MaskTracing : public QObject {
+class MaskTracer : public QObject {
     Q_OBJECT
 public:
-    explicit MaskTracing(QObject* parent = nullptr);
+    explicit MaskTracer(QObject* parent = nullptr);
 
     void start(const std::shared_ptr<MaskDraft>& draft, const core::VesselTracingOptions& options);
     void requestStop();
     bool isRunning() const { return job_.isRunning(); }
 
 signals:
-    void advanced(double fraction);
+    void progressed(double fraction);
     void ended();   ///< emitted before each of the three signals below
     /// Emitted with the vessels traced from the draft in its state after `strokes`.
     void traced(const VesselTrace& trace, const std::shared_ptr<MaskDraft>& draft, const MaskDraft::Strokes& strokes);

@@ -78,7 +78,7 @@ void MeasureController::connectPanel()
         goToSelected();
     });
     connect(&panel, &ui::MeasurePanel::renamed, this,
-            [this](int place, const QString& name) { rename(static_cast<std::size_t>(place), name); });
+            [this](int index, const QString& name) { rename(static_cast<std::size_t>(index), name); });
     connect(&panel, &ui::MeasurePanel::removeRequested, this, &MeasureController::remove);
     connect(&panel, &ui::MeasurePanel::exportRequested, ui_.actions[ui::Command::ExportMeasurements],
             &QAction::trigger);
@@ -116,32 +116,32 @@ const std::vector<SliceMeasurement>& MeasureController::sliceMeasurements() cons
 std::set<int> MeasureController::selectedImageMeasurements() const
 {
     const auto count = static_cast<int>(measurements().size());
-    std::set<int> places;
-    for (const int place : ui_.panel.chosen()) {
-        if (place < count) {
-            places.insert(place);
+    std::set<int> indices;
+    for (const int index : ui_.panel.selectedRows()) {
+        if (index < count) {
+            indices.insert(index);
         }
     }
-    return places;
+    return indices;
 }
 
 std::set<int> MeasureController::selectedSliceMeasurements() const
 {
     const auto count = static_cast<int>(measurements().size());
-    std::set<int> places;
-    for (const int place : ui_.panel.chosen()) {
-        if (place >= count) {
-            places.insert(place - count);
+    std::set<int> indices;
+    for (const int index : ui_.panel.selectedRows()) {
+        if (index >= count) {
+            indices.insert(index - count);
         }
     }
-    return places;
+    return indices;
 }
 
 /// Shows the slice of the selected measurement if that was drawn in a slice.
 void MeasureController::goToSelected()
 {
-    if (const std::set<int> places = selectedSliceMeasurements(); places.size() == 1) {
-        slices_.goTo(*places.begin());
+    if (const std::set<int> indices = selectedSliceMeasurements(); indices.size() == 1) {
+        slices_.goTo(*indices.begin());
     }
 }
 
@@ -150,7 +150,7 @@ const std::vector<ImageMeasurement>& MeasureController::measurements() const
     return document_.current().shown().measurements;
 }
 
-core::MeasuredView MeasureController::measuredView() const
+core::MeasurementContext MeasureController::measuredView() const
 {
     const core::Case& current = document_.current();
     return {current.shown(), current.vessels.tree.get(),
@@ -176,17 +176,17 @@ void MeasureController::movePoint(std::size_t measurement, std::size_t point, co
     change(std::move(all), [] { return tr("Move measurement point"); });
 }
 
-void MeasureController::rename(std::size_t place, const QString& name)
+void MeasureController::rename(std::size_t index, const QString& name)
 {
     std::vector<ImageMeasurement> all = measurements();
     std::vector<SliceMeasurement> slices = sliceMeasurements();
     const QString trimmed = name.trimmed();
     const ui::LocalizedText edit = [] { return tr("Rename measurement"); };
-    const std::size_t slice = place - all.size();   // meaningful only for a measurement in a slice
-    if (place < all.size() && trimmed != measureRow(all[place], measuredView()).name) {
-        all[place].name = trimmed.toStdString();
+    const std::size_t slice = index - all.size();   // meaningful only for a measurement in a slice
+    if (index < all.size() && trimmed != measureRow(all[index], measuredView()).name) {
+        all[index].name = trimmed.toStdString();
         change(std::move(all), edit);
-    } else if (place >= all.size() && slice < slices.size() && trimmed != slices_.rows()[slice].name) {
+    } else if (index >= all.size() && slice < slices.size() && trimmed != slices_.rows()[slice].name) {
         slices[slice].name = trimmed.toStdString();
         changeInSlices(std::move(slices), edit);
     } else {
@@ -194,12 +194,12 @@ void MeasureController::rename(std::size_t place, const QString& name)
     }
 }
 
-void MeasureController::remove(const std::set<int>& places)
+void MeasureController::remove(const std::set<int>& indices)
 {
     std::vector<ImageMeasurement> images = measurements();
     std::vector<SliceMeasurement> slices = sliceMeasurements();
-    int place = 0;
-    const auto isGone = [&](const auto&) { return places.contains(place++); };
+    int index = 0;
+    const auto isGone = [&](const auto&) { return indices.contains(index++); };
     const std::size_t gone = std::erase_if(images, isGone) + std::erase_if(slices, isGone);
     if (gone > 0) {
         document_.push(std::make_unique<ChangeMeasurements>(
@@ -213,7 +213,7 @@ void MeasureController::remove(const std::set<int>& places)
 /// the image or in the slices, depending on where the key was pressed.
 void MeasureController::removeSelectedOrLast(int first, int end)
 {
-    std::set<int> gone = ui_.panel.chosen();
+    std::set<int> gone = ui_.panel.selectedRows();
     if (gone.empty() && end > first) {
         gone.insert(end - 1);
     }
@@ -224,8 +224,8 @@ void MeasureController::pickPlane(MeasurementPlane plane)
 {
     plane_ = plane;
     std::vector<ImageMeasurement> all = measurements();
-    for (const int place : selectedImageMeasurements()) {
-        all[static_cast<std::size_t>(place)].plane = plane;
+    for (const int index : selectedImageMeasurements()) {
+        all[static_cast<std::size_t>(index)].plane = plane;
     }
     if (all != measurements()) {
         change(std::move(all), [] { return tr("Measure in another plane"); });
@@ -265,9 +265,9 @@ void MeasureController::show()
     }
     const std::vector<ui::MeasureRow> sliceRows = slices_.rows();
     state.rows.insert(state.rows.end(), sliceRows.begin(), sliceRows.end());
-    const std::set<int> chosen = selectedImageMeasurements();
-    const bool isOne = !chosen.empty();
-    state.plane = isOne ? measurements()[static_cast<std::size_t>(*chosen.begin())].plane : nextPlane();
+    const std::set<int> selectedRows = selectedImageMeasurements();
+    const bool isOne = !selectedRows.empty();
+    state.plane = isOne ? measurements()[static_cast<std::size_t>(*selectedRows.begin())].plane : nextPlane();
     state.basis = document_.current().shown().angiogram ? planeBasis(state.plane, measuredView()) : QString();
     state.enteredMmPerPx = document_.current().shown().enteredMmPerPx;
     ui_.panel.showMeasurements(state);
@@ -280,13 +280,13 @@ void MeasureController::showMarks()
     const int frame = sync_.shownFrame();
     std::vector<ui::ImageMark> marks = windowMarks(measuredView(), frame);
     std::vector<ImageMeasurement> there = measurements();
-    const std::set<int> chosen = selectedImageMeasurements();
+    const std::set<int> selectedRows = selectedImageMeasurements();
     std::size_t mark = 0;
     for (std::size_t i = 0; i < there.size(); ++i) {
         if (there[i].frame != frame) {
             there[i].pixels.clear();
         } else {
-            marks[mark++].isChosen = chosen.contains(static_cast<int>(i));
+            marks[mark++].isSelected = selectedRows.contains(static_cast<int>(i));
         }
     }
     ui_.view.setMarks(std::move(marks));

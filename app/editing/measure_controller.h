@@ -43,8 +43,8 @@ private:
     void connectSlices();
     void add(core::MeasurementKind kind, const std::vector<Eigen::Vector2d>& pixels);
     void movePoint(std::size_t measurement, std::size_t point, const Eigen::Vector2d& pixel);
-    void rename(std::size_t place, const QString& name);
-    void remove(const std::set<int>& places);
+    void rename(std::size_t index, const QString& name);
+    void remove(const std::set<int>& indices);
     void pickPlane(core::MeasurementPlane plane);
     void setPixelScale(double mmPerPx);
     void removeSelectedOrLast(int first, int end);
@@ -56,7 +56,7 @@ private:
     void show();
     void showMarks();
     core::MeasurementPlane nextPlane() const;
-    core::MeasuredView measuredView() const;
+    core::MeasurementContext measuredView() const;
     const std::vector<core::ImageMeasurement>& measurements() const;
     const std::vector<core::SliceMeasurement>& sliceMeasurements() const;
 

@@ -50,7 +50,7 @@ void OpacificationController::show()
     if (!plot_) {
         return;
     }
-    const core::SubtractionPlan& plan = document_.current().shown().treatment.plan;
+    const core::SubtractionPlan& plan = document_.current().shown().processing.plan;
     plot_->showFrames(sync_.frameCurve());
     plot_->showMasks(plan.interval             ? std::vector<int>()
                      : plan.maskFrames.empty() ? sync_.suggestedMasks()

@@ -38,11 +38,11 @@ PathController::PathController(CaseDocument& document, const Ui& ui, QObject* pa
             ui_.actions[ui::Command::SlicesLarge]->setChecked(true);
         }
     });
-    connect(tool_, &ui::PathTool::begun, this, [this] { preview_.drop(); });
+    connect(tool_, &ui::PathTool::pathReset, this, [this] { preview_.drop(); });
     connect(tool_, &ui::PathTool::pathRequested, this, [this](const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
         preview_.request({from, to});
     });
-    connect(tool_, &ui::PathTool::chosen, this, [this](const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
+    connect(tool_, &ui::PathTool::endsPicked, this, [this](const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
         trace({from, to});
     });
     connect(&document, &CaseDocument::changed, this, &PathController::updateFromDocument);
@@ -92,7 +92,7 @@ void PathController::add(const core::VesselPath& path)
     for (const core::Message& warning : path.warnings) {
         notes << ui::messageText(warning);
     }
-    emit reported(ui::joinedSentences(notes));
+    emit reported(ui::joinSentences(notes));
 }
 
 }   // namespace angiopose::app

@@ -15,7 +15,7 @@ PivotController::PivotController(CaseDocument& document, const Ui& ui, QObject* 
 {
     ui::bindTool(*ui_.actions[ui::Command::PickPivot], ui_.view, *tool_);
     connect(tool_, &ui::PivotTool::picked, this, &PivotController::pick);
-    connect(tool_, &ui::PivotTool::centroidWanted, this, &PivotController::resetToCentroid);
+    connect(tool_, &ui::PivotTool::centroidRequested, this, &PivotController::resetToCentroid);
     connect(ui_.actions[ui::Command::CentroidPivot], &QAction::triggered, this, &PivotController::resetToCentroid);
     connect(&document, &CaseDocument::changed, this, &PivotController::updateFromDocument);
     updateFromDocument();
@@ -24,9 +24,10 @@ PivotController::PivotController(CaseDocument& document, const Ui& ui, QObject* 
 void PivotController::pick(const Eigen::Vector3d& pointInPatient)
 {
     const auto& tree = document_.current().vessels.tree;
-    const auto place = tree ? core::nearestPointOnTree(
-                                  core::without(*tree, document_.current().vessels.hiddenBranchIds), pointInPatient)
-                            : std::nullopt;
+    const auto place =
+        tree ? core::nearestPointOnTree(core::withoutBranches(*tree, document_.current().vessels.hiddenBranchIds),
+                                        pointInPatient)
+             : std::nullopt;
     if (place) {
         change(
             *place, [] { return tr("Set rotation center"); }, tr("The vessels now rotate about the selected point."));
@@ -64,7 +65,7 @@ void PivotController::updateFromDocument()
     if (current.vessels.tree != tree_ || current.vessels.hiddenBranchIds != hidden_) {
         tree_ = current.vessels.tree;
         hidden_ = current.vessels.hiddenBranchIds;
-        tool_->showTree(tree_ ? core::without(*tree_, hidden_) : core::VesselTree{});
+        tool_->showTree(tree_ ? core::withoutBranches(*tree_, hidden_) : core::VesselTree{});
     }
     const auto& picked = tree_ ? current.vessels.pickedPivotInPatient : std::nullopt;
     ui_.view.setPickedPivot(picked);

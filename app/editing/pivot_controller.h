@@ -34,7 +34,7 @@ public:
     void resetToCentroid();
 
 signals:
-    void reported(const QString& what);
+    void reported(const QString& message);
 
 private:
     void change(const std::optional<Eigen::Vector3d>& pivot, const ui::LocalizedText& name, const QString& note);

@@ -63,7 +63,7 @@ void PoseController::setOffset(const core::PoseOffset& fromStart)
     if (const auto context = frame()) {
         move(
             core::applyOffset(context->initialPose, fromStart, context->pivotInPatient, context->camera),
-            [] { return tr("Move vessels"); }, burstFor(fieldKind));
+            [] { return tr("Move vessels"); }, mergeIdFor(fieldKind));
     }
 }
 
@@ -85,7 +85,7 @@ void PoseController::nudge(const ui::Nudge& nudge)
     move(
         core::applyOffset(document_.current().shown().cameraFromPatient, change, context->pivotInPatient,
                           context->camera),
-        [] { return tr("Move vessels"); }, burstFor(static_cast<int>(nudge.axis)));
+        [] { return tr("Move vessels"); }, mergeIdFor(static_cast<int>(nudge.axis)));
 }
 
 void PoseController::reset()
@@ -136,13 +136,13 @@ void PoseController::cancelDrag()
     emit previewEnded();
 }
 
-void PoseController::move(const core::RigidTransform& pose, const ui::LocalizedText& name, int burst)
+void PoseController::move(const core::RigidTransform& pose, const ui::LocalizedText& name, int mergeId)
 {
-    push(core::viewsAfterMotion(document_.current(), pose), name, burst);
+    push(core::viewsAfterMotion(document_.current(), pose), name, mergeId);
 }
 
 /// Pushes the new pose of the shown view, and those of the other views if all views move together.
-void PoseController::push(std::vector<core::View> moved, const ui::LocalizedText& name, int burst)
+void PoseController::push(std::vector<core::View> moved, const ui::LocalizedText& name, int mergeId)
 {
     const core::Case& current = document_.current();
     const core::RigidTransform pose = moved[current.shownView].cameraFromPatient;
@@ -150,21 +150,21 @@ void PoseController::push(std::vector<core::View> moved, const ui::LocalizedText
         return;
     }
     if (movesOtherViews()) {
-        document_.push(std::make_unique<ChangeViews>(document_, ChangeViews::Values{std::move(moved)}, name, burst));
+        document_.push(std::make_unique<ChangeViews>(document_, ChangeViews::Values{std::move(moved)}, name, mergeId));
     } else {
-        document_.push(std::make_unique<MovePose>(document_, MovePose::Values{pose, std::nullopt, {}}, name, burst));
+        document_.push(std::make_unique<MovePose>(document_, MovePose::Values{pose, std::nullopt, {}}, name, mergeId));
     }
 }
 
-int PoseController::burstFor(int kind)
+int PoseController::mergeIdFor(int kind)
 {
-    const bool shouldContinue = kind == burstKind_ && sinceEdit_.isValid() && sinceEdit_.elapsed() < poseBurstPauseMs;
+    const bool shouldContinue = kind == mergeKind_ && sinceEdit_.isValid() && sinceEdit_.elapsed() < poseBurstPauseMs;
     if (!shouldContinue) {
-        ++burst_;
-        burstKind_ = kind;
+        ++mergeId_;
+        mergeKind_ = kind;
     }
     sinceEdit_.start();
-    return burst_;
+    return mergeId_;
 }
 
 }   // namespace angiopose::app

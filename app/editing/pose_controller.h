@@ -36,7 +36,7 @@ public:
 signals:
     void previewed(const core::RigidTransform& cameraFromPatient);   ///< emitted during a drag
     void previewEnded();
-    void refused(const QString& why);
+    void refused(const QString& reason);
 
 private:
     struct Frame {
@@ -45,17 +45,17 @@ private:
         Eigen::Vector3d pivotInPatient;
     };
     std::optional<Frame> frame() const;
-    void move(const core::RigidTransform& pose, const ui::LocalizedText& name, int burst);
-    void push(std::vector<core::View> moved, const ui::LocalizedText& name, int burst);
+    void move(const core::RigidTransform& pose, const ui::LocalizedText& name, int mergeId);
+    void push(std::vector<core::View> moved, const ui::LocalizedText& name, int mergeId);
     bool movesOtherViews() const { return movesAllViews_ && document_.current().views.size() > 1; }
-    int burstFor(int kind);
+    int mergeIdFor(int kind);
 
     CaseDocument& document_;
     std::optional<core::RigidTransform> dragStart_;
     std::optional<core::RigidTransform> dragged_;
     QElapsedTimer sinceEdit_;
-    int burst_ = 0;
-    int burstKind_ = -1;
+    int mergeId_ = 0;
+    int mergeKind_ = -1;
     bool movesAllViews_ = true;
 };
 

@@ -52,17 +52,17 @@ std::vector<ui::MeasureRow> SliceMeasureController::rows() const
 
 void SliceMeasureController::show(const std::set<int>& chosen)
 {
-    std::vector<ui::LabeledMeasurement> measured;
+    std::vector<ui::LabeledMeasurement> labeled;
     for (std::size_t i = 0; i < measurements().size(); ++i) {
         const SliceMeasurement& each = measurements()[i];
-        measured.push_back({each, sliceLabel(each), chosen.contains(static_cast<int>(i))});
+        labeled.push_back({each, sliceLabel(each), chosen.contains(static_cast<int>(i))});
     }
-    ui_.slices.setMeasurements(std::move(measured));
+    ui_.slices.setMeasurements(std::move(labeled));
 }
 
-void SliceMeasureController::goTo(int place)
+void SliceMeasureController::goTo(int index)
 {
-    const auto at = static_cast<std::size_t>(place);
+    const auto at = static_cast<std::size_t>(index);
     if (!hasScan() || at >= measurements().size()) {
         return;
     }

@@ -31,7 +31,7 @@ public:
     void bind(core::MeasurementKind kind, QAction& action);
     std::vector<ui::MeasureRow> rows() const;
     void show(const std::set<int>& chosen);   ///< `chosen` holds indices among the slice measurements
-    void goTo(int place);   ///< shows the slice of a measurement
+    void goTo(int index);   ///< shows the slice of a measurement
     bool hasScan() const;
 
 signals:

@@ -22,12 +22,12 @@ namespace {
 using namespace std::chrono_literals;
 
 core::Result<std::shared_ptr<const core::Angiogram>> make(const core::Angiogram& stored,
-                                                          const core::RunProcessing& treatment,
+                                                          const core::RunProcessing& processing,
                                                           const std::atomic<bool>& stop)
 {
     return guarded<std::shared_ptr<const core::Angiogram>>(
         [&]() -> core::Result<std::shared_ptr<const core::Angiogram>> {
-            auto run = core::processRun(stored, treatment, [&stop] { return stop.load(); });
+            auto run = core::processRun(stored, processing, [&stop] { return stop.load(); });
             if (!run) {
                 return run.error();
             }
@@ -68,12 +68,12 @@ SubtractionController::~SubtractionController()
 void SubtractionController::connectCommands()
 {
     connect(actions_[ui::Command::Subtract], &QAction::triggered, this, [this](bool on) {
-        core::RunProcessing wanted = document_.current().shown().treatment;
+        core::RunProcessing wanted = document_.current().shown().processing;
         wanted.isSubtracted = on;
         change(wanted, [on] { return on ? tr("Subtract mask") : tr("Show native frames"); });
     });
     connect(actions_[ui::Command::Composite], &QAction::triggered, this, [this](bool on) {
-        core::RunProcessing wanted = document_.current().shown().treatment;
+        core::RunProcessing wanted = document_.current().shown().processing;
         wanted.isComposite = on;
         change(wanted, [on] { return on ? tr("Peak-opacification image") : tr("Single frames"); });
     });
@@ -97,7 +97,7 @@ void SubtractionController::markMasks(const std::vector<int>& frames)
     if (!document_.current().shown().angiogram) {
         return;
     }
-    core::RunProcessing wanted = document_.current().shown().treatment;
+    core::RunProcessing wanted = document_.current().shown().processing;
     wanted.plan.maskFrames = frames;
     wanted.plan.interval.reset();
     wanted.isSubtracted = true;
@@ -111,13 +111,13 @@ void SubtractionController::connectShift()
         actions_[ui::Command::ShiftMask]->setChecked(true);
         view_.setFocus();
     });
-    connect(shiftTool_, &ui::MaskShiftTool::begun, this, &SubtractionController::beginShift);
+    connect(shiftTool_, &ui::MaskShiftTool::activated, this, &SubtractionController::beginShift);
     connect(shiftTool_, &ui::MaskShiftTool::shifted, this, [this](const Eigen::Vector2d& shiftPx) {
         isShiftFound_ = true;
         idleTimer_.stop();
         previewShift(shiftPx);
     });
-    connect(shiftTool_, &ui::MaskShiftTool::settled, &idleTimer_, qOverload<>(&QTimer::start));
+    connect(shiftTool_, &ui::MaskShiftTool::shiftFinished, &idleTimer_, qOverload<>(&QTimer::start));
     connect(shiftTool_, &ui::MaskShiftTool::ended, this, &SubtractionController::applyShift);
     idleTimer_.setSingleShot(true);
     idleTimer_.setInterval(600ms);
@@ -125,7 +125,7 @@ void SubtractionController::connectShift()
     connect(&preview_, &QFutureWatcherBase::finished, this, &SubtractionController::showPreview);
 }
 
-void SubtractionController::change(const core::RunProcessing& wanted, const ui::LocalizedText& what)
+void SubtractionController::change(const core::RunProcessing& wanted, const ui::LocalizedText& undoText)
 {
     const core::Case& current = document_.current();
     if (!current.shown().angiogram || document_.isLocked()) {
@@ -134,8 +134,8 @@ void SubtractionController::change(const core::RunProcessing& wanted, const ui::
         showState();
         return;
     }
-    request_ = Request{core::storedRunOf(current.shown()), wanted, what};
-    if (wanted == current.shown().treatment) {
+    request_ = Request{core::storedRunOf(current.shown()), wanted, undoText};
+    if (wanted == current.shown().processing) {
         request_.reset();   // the requested processing is the current one, so that nothing needs to be computed
     } else if (!wanted.changesFrames()) {
         applyRun(*std::exchange(request_, std::nullopt), nullptr);
@@ -155,8 +155,8 @@ void SubtractionController::compute()
     }
     computing_ = request_;
     stop_ = std::make_shared<std::atomic<bool>>(false);
-    run_.setFuture(QtConcurrent::run([stored = request_->stored, treatment = request_->treatment, stop = stop_] {
-        return make(*stored, treatment, *stop);
+    run_.setFuture(QtConcurrent::run([stored = request_->stored, processing = request_->processing, stop = stop_] {
+        return make(*stored, processing, *stop);
     }));
 }
 
@@ -166,7 +166,7 @@ void SubtractionController::publish()
     const Request done = *std::exchange(computing_, std::nullopt);
     const auto& stored = core::storedRunOf(document_.current().shown());
     if (outcome && done.stored == stored) {   // otherwise another run has been opened in the meantime
-        treatedRuns_.remember(done.stored, done.treatment, outcome.value());
+        treatedRuns_.remember(done.stored, done.processing, outcome.value());
     }
     if (request_ && request_->stored != stored) {
         request_.reset();
@@ -175,7 +175,7 @@ void SubtractionController::publish()
         showState();
         return;
     }
-    if (!(request_->stored == done.stored && request_->treatment == done.treatment)) {
+    if (!(request_->stored == done.stored && request_->processing == done.processing)) {
         compute();
         return;
     }
@@ -193,15 +193,15 @@ void SubtractionController::applyRun(const Request& request, const SharedRun& ru
     document_.push(std::make_unique<ChangeTreatment>(
         document_,
         ChangeTreatment::Values{
-            request.treatment, run ? run : request.stored, run ? request.stored : nullptr, std::nullopt, {}},
-        request.what));
+            request.processing, run ? run : request.stored, run ? request.stored : nullptr, std::nullopt, {}},
+        request.undoText));
 }
 
 /// Starts the manual pixel shift from the shift of the case, or from the automatic one of the shown frame.
 void SubtractionController::beginShift()
 {
     actions_[ui::Command::Cine]->setChecked(false);
-    const auto& given = document_.current().shown().treatment.plan.maskShiftPx;
+    const auto& given = document_.current().shown().processing.plan.maskShiftPx;
     isShiftFound_ = given.has_value();
     isPreviewRangeChanged_ = true;
     initialShift_ = given.value_or(Eigen::Vector2d(Eigen::Vector2d::Zero()));
@@ -211,7 +211,7 @@ void SubtractionController::beginShift()
 
 void SubtractionController::previewShift(const std::optional<Eigen::Vector2d>& shiftPx)
 {
-    pendingPreview_ = document_.current().shown().treatment.plan;
+    pendingPreview_ = document_.current().shown().processing.plan;
     pendingPreview_->maskShiftPx = shiftPx;
     startPreview();
 }
@@ -224,7 +224,7 @@ void SubtractionController::startPreview()
     }
     preview_.setFuture(QtConcurrent::run(
         [stored = core::storedRunOf(current.shown()), plan = *std::exchange(pendingPreview_, std::nullopt),
-         frame = current.shown().frame, polarity = current.shown().angiogram->polarity]() -> Picture {
+         frame = current.shown().frame, polarity = current.shown().angiogram->polarity]() -> PreviewFrame {
             auto picture = core::subtractFrame(stored->frames, polarity, plan, frame);
             if (!picture) {
                 return picture.error();
@@ -235,7 +235,7 @@ void SubtractionController::startPreview()
 
 void SubtractionController::showPreview()
 {
-    const Picture picture = takeResult(preview_);
+    const PreviewFrame picture = takeResult(preview_);
     if (view_.tool() == shiftTool_) {
         if (!picture) {
             notifications_.showNote(ui::messageText(picture.error().message));
@@ -263,7 +263,7 @@ void SubtractionController::applyShift()
         return;
     }
     initialShift_ = shiftTool_->shiftPx();
-    core::RunProcessing wanted = document_.current().shown().treatment;
+    core::RunProcessing wanted = document_.current().shown().processing;
     wanted.plan.maskShiftPx = shiftTool_->shiftPx();
     wanted.isSubtracted = true;
     change(wanted, [] { return tr("Pixel shift"); });
@@ -273,9 +273,9 @@ void SubtractionController::updateFromDocument()
 {
     const core::Case& current = document_.current();
     treatedRuns_.retainOnly(core::storedRunOf(current.shown()));
-    if (view_.tool() == shiftTool_ && current.shown().treatment.plan.maskShiftPx && !idleTimer_.isActive() &&
+    if (view_.tool() == shiftTool_ && current.shown().processing.plan.maskShiftPx && !idleTimer_.isActive() &&
         !request_) {
-        initialShift_ = *current.shown().treatment.plan.maskShiftPx;   // undo may have changed the shift
+        initialShift_ = *current.shown().processing.plan.maskShiftPx;   // undo may have changed the shift
         shiftTool_->showShift(initialShift_);
     }
     showState();
@@ -285,19 +285,19 @@ void SubtractionController::showState()
 {
     const core::Case& current = document_.current();
     ui::RunState state;
-    state.treatment = current.shown().treatment;
+    state.processing = current.shown().processing;
     state.polarity = current.shown().angiogram ? current.shown().angiogram->polarity : core::Polarity::VesselsDark;
-    state.maskFrames = current.shown().treatment.plan.maskFrames.empty() ? sync_.suggestedMasks()
-                                                                         : current.shown().treatment.plan.maskFrames;
+    state.maskFrames = current.shown().processing.plan.maskFrames.empty() ? sync_.suggestedMasks()
+                                                                          : current.shown().processing.plan.maskFrames;
     state.hasRun = current.shown().angiogram && current.shown().angiogram->frameCount() > 1;
     state.isComputing = isComputing();
     panel_.showRun(state);
-    strip_.showMasks(state.hasRun && !current.shown().treatment.plan.interval ? state.maskFrames : std::vector<int>(),
-                     current.shown().treatment.isSubtracted);
-    actions_[ui::Command::Subtract]->setChecked(request_ ? request_->treatment.isSubtracted
-                                                         : current.shown().treatment.isSubtracted);
-    actions_[ui::Command::Composite]->setChecked(request_ ? request_->treatment.isComposite
-                                                          : current.shown().treatment.isComposite);
+    strip_.showMasks(state.hasRun && !current.shown().processing.plan.interval ? state.maskFrames : std::vector<int>(),
+                     current.shown().processing.isSubtracted);
+    actions_[ui::Command::Subtract]->setChecked(request_ ? request_->processing.isSubtracted
+                                                         : current.shown().processing.isSubtracted);
+    actions_[ui::Command::Composite]->setChecked(request_ ? request_->processing.isComposite
+                                                          : current.shown().processing.isComposite);
     for (const ui::Command command :
          {ui::Command::Subtract, ui::Command::Composite, ui::Command::ShiftMask, ui::Command::SetMaskFrame}) {
         actions_[command]->setEnabled(state.hasRun);

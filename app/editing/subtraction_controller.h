@@ -25,7 +25,7 @@ public:
     ~SubtractionController() override;   ///< cancels a computation at its next frame and discards the result
 
     /// Requests the run with these processing settings; a newer request replaces a pending one.
-    void change(const core::RunProcessing& wanted, const ui::LocalizedText& what);
+    void change(const core::RunProcessing& wanted, const ui::LocalizedText& undoText);
     bool isComputing() const { return request_.has_value(); }
     bool isFindingShift() const
     {
@@ -35,11 +35,11 @@ public:
 private:
     using SharedRun = TreatedRunCache::SharedRun;
     using Outcome = core::Result<SharedRun>;
-    using Picture = core::Result<std::shared_ptr<const core::SubtractedFrame>>;
+    using PreviewFrame = core::Result<std::shared_ptr<const core::SubtractedFrame>>;
     struct Request {
         SharedRun stored;
-        core::RunProcessing treatment;
-        ui::LocalizedText what;
+        core::RunProcessing processing;
+        ui::LocalizedText undoText;
     };
 
     void connectCommands();
@@ -70,7 +70,7 @@ private:
     std::shared_ptr<std::atomic<bool>> stop_;
     QFutureWatcher<Outcome> run_;
     TreatedRunCache treatedRuns_;
-    QFutureWatcher<Picture> preview_;
+    QFutureWatcher<PreviewFrame> preview_;
     std::optional<core::SubtractionPlan> pendingPreview_;
     bool isShiftFound_ = true;   ///< false while the automatic shift of the frame is computed
     Eigen::Vector2d initialShift_ = Eigen::Vector2d::Zero();   ///< shift of the case, or the automatic one

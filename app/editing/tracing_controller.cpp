@@ -82,7 +82,7 @@ TracingController::TracingController(CaseDocument& document, const Ui& ui, QObje
             finish(*std::exchange(pendingResult_, std::nullopt));
         }
     });
-    connect(&job_, &VesselTraceJob::advanced, this, [this](double fraction) {
+    connect(&job_, &VesselTraceJob::progressed, this, [this](double fraction) {
         ui_.strip.showProgress(tr("Tracing the vessels of the scan… %1 %").arg(ui::numberText(100.0 * fraction, 0)),
                                fraction);
     });
@@ -308,7 +308,7 @@ void TracingController::finish(const VesselTrace& result)
     for (const core::Message& warning : result.warnings) {
         notes << ui::messageText(warning);
     }
-    emit traced(ui::joinedSentences(notes));
+    emit traced(ui::joinSentences(notes));
 }
 
 void TracingController::ended()

@@ -9,20 +9,20 @@ constexpr std::size_t keptRuns = 3;
 
 }   // namespace
 
-void TreatedRunCache::remember(const SharedRun& stored, const core::RunProcessing& treatment, const SharedRun& run)
+void TreatedRunCache::remember(const SharedRun& stored, const core::RunProcessing& processing, const SharedRun& run)
 {
     std::erase_if(entries_, [](const Entry& made) { return made.run.expired(); });
-    entries_.push_back({stored, treatment, run});
+    entries_.push_back({stored, processing, run});
     recentRuns_.push_back(run);
     if (recentRuns_.size() > keptRuns) {
         recentRuns_.pop_front();
     }
 }
 
-TreatedRunCache::SharedRun TreatedRunCache::find(const SharedRun& stored, const core::RunProcessing& treatment) const
+TreatedRunCache::SharedRun TreatedRunCache::find(const SharedRun& stored, const core::RunProcessing& processing) const
 {
     const auto known = std::ranges::find_if(
-        entries_, [&](const Entry& made) { return made.stored.lock() == stored && made.treatment == treatment; });
+        entries_, [&](const Entry& made) { return made.stored.lock() == stored && made.processing == processing; });
     return known == entries_.end() ? nullptr : known->run.lock();
 }
 

@@ -14,15 +14,15 @@ class TreatedRunCache {
 public:
     using SharedRun = std::shared_ptr<const core::Angiogram>;
 
-    void remember(const SharedRun& stored, const core::RunProcessing& treatment, const SharedRun& run);
+    void remember(const SharedRun& stored, const core::RunProcessing& processing, const SharedRun& run);
     SharedRun find(const SharedRun& stored,
-                   const core::RunProcessing& treatment) const;   ///< null if no longer available
+                   const core::RunProcessing& processing) const;   ///< null if no longer available
     void retainOnly(const SharedRun& stored);   ///< call when another case has been opened
 
 private:
     struct Entry {
         std::weak_ptr<const core::Angiogram> stored;
-        core::RunProcessing treatment;
+        core::RunProcessing processing;
         std::weak_ptr<const core::Angiogram> run;
     };
     std::deque<Entry> entries_;   ///< known versions, newest last

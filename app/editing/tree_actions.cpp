@@ -30,7 +30,7 @@ constexpr std::array branchCommands{Command::RenameBranch,   Command::CutBranch,
 
 int countPruned(const core::VesselTree& tree, const ui::PruneLimits& limits)
 {
-    const auto left = core::prunedTree(tree, limits.minLengthMm, limits.minRadiusMm);
+    const auto left = core::pruneTree(tree, limits.minLengthMm, limits.minRadiusMm);
     return left ? static_cast<int>(tree.branches.size() - left.value().branches.size()) : -1;
 }
 
@@ -191,7 +191,7 @@ void TreeActions::goToGap()
 
 void TreeActions::bridgeGap()
 {
-    if (!gapFinder_.gaps().empty() && !gapFinder_.isLooking()) {
+    if (!gapFinder_.gaps().empty() && !gapFinder_.isSearching()) {
         tree_.bridge(gapFinder_.gaps().front());
     }
 }

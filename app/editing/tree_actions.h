@@ -38,7 +38,7 @@ public:
     const TreeGapFinder& gapFinder() const { return gapFinder_; }
 
 signals:
-    void refused(const QString& why);
+    void refused(const QString& reason);
     void gapsChanged();
     void pivotRequested(const Eigen::Vector3d& pointInPatient);   ///< emitted when a menu sets the rotation center
 

@@ -82,7 +82,7 @@ void TreeController::deleteSelected()
         return;
     }
     const std::set<int> gone = branches_.marks().selected;
-    const core::VesselTree left = core::without(*tree(), {gone.begin(), gone.end()});
+    const core::VesselTree left = core::withoutBranches(*tree(), {gone.begin(), gone.end()});
     if (left.branches.empty()) {
         emit refused(tr("At least one branch must remain."));
         return;
@@ -126,7 +126,7 @@ void TreeController::joinSelected()
         emit refused(tr("Select two branches to join (Ctrl+click adds the second)."));
         return;
     }
-    apply(core::joined(*tree(), *pair.begin(), *pair.rbegin()), joinName(*pair.begin(), *pair.rbegin()));
+    apply(core::joinBranches(*tree(), *pair.begin(), *pair.rbegin()), joinName(*pair.begin(), *pair.rbegin()));
 }
 
 void TreeController::smoothSelected()
@@ -185,7 +185,7 @@ void TreeController::prune(double minLengthMm, double minRadiusMm)
     if (!tree()) {
         return;
     }
-    const EditResult left = core::prunedTree(*tree(), minLengthMm, minRadiusMm);
+    const EditResult left = core::pruneTree(*tree(), minLengthMm, minRadiusMm);
     if (left && left.value().branches.size() == tree()->branches.size()) {
         emit refused(tr("No terminal branch is below these limits."));
         return;
@@ -199,7 +199,7 @@ void TreeController::rename(int branchId, const QString& name)
     const core::VesselBranch* branch = tree() ? tree()->find(branchId) : nullptr;
     const std::string wanted = name.trimmed().toStdString();
     if (branch && branch->name != wanted) {
-        relabel(core::renamed(*tree(), branchId, wanted),
+        relabel(core::renameBranch(*tree(), branchId, wanted),
                 [names = branchNamesOf({branchId})] { return tr("Rename %1").arg(names()); });
     }
 }

@@ -36,7 +36,7 @@ public:
     void bridge(const core::TreeGap& gap);
 
 signals:
-    void refused(const QString& why);
+    void refused(const QString& reason);
 
 private:
     using EditResult = core::Result<core::VesselTree>;

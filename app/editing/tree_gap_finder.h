@@ -19,7 +19,7 @@ public:
 
     int pieceCount() const { return report_.pieceCount; }
     const std::vector<core::TreeGap>& gaps() const { return report_.gaps; }
-    bool isLooking() const { return job_.isRunning(); }
+    bool isSearching() const { return job_.isRunning(); }
 
 signals:
     void changed();

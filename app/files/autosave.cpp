@@ -218,7 +218,8 @@ CaseFileGuard::CaseFileGuard(const CaseDocument& document, FileQueue& files, QOb
     connect(&document_, &CaseDocument::stateChanged, this, &CaseFileGuard::updateFromDocument);
 }
 
-std::function<core::Status()> CaseFileGuard::saving(core::Case snapshot, const QString& path, Overwrite replaced) const
+std::function<core::Status()> CaseFileGuard::guardedSave(core::Case snapshot, const QString& path,
+                                                         Overwrite replaced) const
 {
     return [kept = fileState_, snapshot = std::move(snapshot), file = path.toStdString(), replaced]() -> core::Status {
         const bool isCompared = replaced == Overwrite::KnownContent && kept->path == file;
@@ -273,7 +274,7 @@ void CaseFileGuard::updateFromDocument()
         [this, holder, path = path_](const core::Result<QString>&) {
             if (*holder && path == path_) {
                 const std::string name = QFileInfo(path).fileName().toStdString();
-                emit openElsewhere(ui::messageText(
+                emit foundOpenElsewhere(ui::messageText(
                     io::messages::caseOpenElsewhere((*holder)->process, (*holder)->machine).about(name)));
             }
         });

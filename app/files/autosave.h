@@ -74,13 +74,13 @@ public:
     enum class Overwrite { KnownContent, AnyContent };   ///< contents that a save may overwrite
 
     /// Returns the job that writes a case. The job fails without writing if another program has changed the file.
-    std::function<core::Status()> saving(core::Case snapshot, const QString& path, Overwrite replaced) const;
+    std::function<core::Status()> guardedSave(core::Case snapshot, const QString& path, Overwrite replaced) const;
 
     /// Call for a case recovered from a copy written at `savedAt`; a newer file counts as changed by another program.
     void expectUnchangedSince(const QDateTime& savedAt);
 
 signals:
-    void openElsewhere(const QString& words);   ///< the case just opened, saved or recovered is open elsewhere
+    void foundOpenElsewhere(const QString& note);   ///< the case just opened, saved or recovered is open elsewhere
 
 private:
     /// Accessed only by jobs of the queue.

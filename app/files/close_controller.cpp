@@ -10,7 +10,11 @@ namespace angiopose::app {
 
 CloseController::CloseController(CaseDocument& document, SaveController& save, RegistrationController& registration,
                                  const ui::WindowActions& actions, QWidget& dialogParent, QObject* parent)
-    : QObject(parent), document_(document), save_(save), registration_(registration), dialogParent_(dialogParent)
+    : QObject(parent),
+      document_(document),
+      saveController_(save),
+      registration_(registration),
+      dialogParent_(dialogParent)
 {
     connect(actions[ui::Command::CloseCase], &QAction::triggered, this, [this] { requestClose(CloseTarget::Case); });
     connect(&registration_, &RegistrationController::runningChanged, this, [this](bool running) {
@@ -28,7 +32,7 @@ void CloseController::requestClose(CloseTarget closed)
     }
     target_ = closed;
     emit aboutToClose();
-    if (!registration_.isRunning() && !save_.hasUnsavedWork()) {
+    if (!registration_.isRunning() && !saveController_.hasUnsavedWork()) {
         close();
         return;
     }
@@ -52,11 +56,12 @@ CloseController::Question CloseController::question() const
 {
     using enum Closing;
     if (registration_.isRunning()) {
-        return {{tr("A registration is running"), tr("Stop it and close? Unsaved changes to this case are lost."), {}},
-                {{tr("Stop, save and close"), AfterSaving}, {tr("Stop and close"), Now}, {tr("Keep running"), No}}};
+        return {
+            {tr("A registration is running"), tr("Stop it and close? Unsaved changes to this case will be lost."), {}},
+            {{tr("Stop, save and close"), AfterSaving}, {tr("Stop and close"), Now}, {tr("Keep running"), No}}};
     }
     const QString title = QString::fromStdString(document_.current().title);
-    switch (save_.savable()) {
+    switch (saveController_.savable()) {
         case SaveController::Savable::Case:
             break;
         case SaveController::Savable::Vessels:
@@ -92,15 +97,15 @@ void CloseController::close()
 {
     if (std::exchange(closing_, Closing::No) == Closing::AfterSaving) {
         // Edits made during saving are not in the file, so ask again instead of discarding them.
-        const auto goOn = [this] { save_.hasUnsavedWork() ? requestClose(target_) : close(); };
-        if (save_.savable() == SaveController::Savable::Vessels) {
-            save_.saveVessels(goOn);
+        const auto goOn = [this] { saveController_.hasUnsavedWork() ? requestClose(target_) : close(); };
+        if (saveController_.savable() == SaveController::Savable::Vessels) {
+            saveController_.saveVessels(goOn);
         } else {
-            save_.save(goOn);
+            saveController_.save(goOn);
         }
         return;
     }
-    save_.discardAutosave();
+    saveController_.discardAutosave();
     if (target_ == CloseTarget::Case) {
         document_.replace({}, {});
         return;

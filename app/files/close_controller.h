@@ -48,7 +48,7 @@ private:
     void close();
 
     CaseDocument& document_;
-    SaveController& save_;
+    SaveController& saveController_;
     RegistrationController& registration_;
     QWidget& dialogParent_;
     Closing closing_ = Closing::No;

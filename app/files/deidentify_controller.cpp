@@ -15,18 +15,18 @@
 namespace angiopose::app {
 namespace {
 
-std::optional<io::DeidentificationOptions> deidentificationFor(const ui::ShareOptions& choice)
+std::optional<io::DeidentificationOptions> deidentificationFor(const ui::ShareOptions& options)
 {
-    return choice.identity == ui::Toggle::On ? std::nullopt : std::optional(deidentificationOf(choice));
+    return options.identity == ui::Toggle::On ? std::nullopt : std::optional(deidentificationOf(options));
 }
 
 }   // namespace
 
-io::DeidentificationOptions deidentificationOf(const ui::ShareOptions& choice)
+io::DeidentificationOptions deidentificationOf(const ui::ShareOptions& options)
 {
-    return {choice.shiftedDates == ui::Toggle::On ? io::DatePolicy::Shifted : io::DatePolicy::None,
-            choice.maskText == ui::Toggle::On ? io::BurnedInTextPolicy::Masked : io::BurnedInTextPolicy::Reported,
-            choice.pseudonym.trimmed().toStdString()};
+    return {options.shiftedDates == ui::Toggle::On ? io::DatePolicy::Shifted : io::DatePolicy::None,
+            options.maskText == ui::Toggle::On ? io::BurnedInTextPolicy::Masked : io::BurnedInTextPolicy::Reported,
+            options.pseudonym.trimmed().toStdString()};
 }
 
 DeidentifyController::DeidentifyController(ui::BottomStrip& strip, QWidget& dialogParent, QObject* parent)
@@ -45,18 +45,18 @@ DeidentifyController::DeidentifyController(ui::BottomStrip& strip, QWidget& dial
 void DeidentifyController::openDialog()
 {
     if (job_.isRunning()) {
-        emit failed(tr("Files are already being written. Wait for it to finish, or stop it."));
+        emit failed(tr("A de-identification is already running. Wait for it to finish, or stop it."));
         return;
     }
     dialog_ = new ui::DeidentifyDialog(&dialogParent_);
-    connect(dialog_, &ui::DeidentifyDialog::addFilesRequested, this, &DeidentifyController::askFiles);
-    connect(dialog_, &ui::DeidentifyDialog::addFolderRequested, this, &DeidentifyController::askFolder);
-    connect(dialog_, &ui::DeidentifyDialog::outputFolderRequested, this, &DeidentifyController::askOutput);
+    connect(dialog_, &ui::DeidentifyDialog::addFilesRequested, this, &DeidentifyController::askForFiles);
+    connect(dialog_, &ui::DeidentifyDialog::addFolderRequested, this, &DeidentifyController::askForFolder);
+    connect(dialog_, &ui::DeidentifyDialog::outputFolderRequested, this, &DeidentifyController::askForOutputFolder);
     connect(dialog_, &ui::DeidentifyDialog::chosen, this, &DeidentifyController::write);
     dialog_->open();
 }
 
-void DeidentifyController::askFiles()
+void DeidentifyController::askForFiles()
 {
     auto* files = new QFileDialog(dialog_, tr("Files to de-identify"), settings::lastFolder.read());
     files->setAttribute(Qt::WA_DeleteOnClose);
@@ -65,7 +65,7 @@ void DeidentifyController::askFiles()
     files->open();
 }
 
-void DeidentifyController::askFolder()
+void DeidentifyController::askForFolder()
 {
     auto* folder = new QFileDialog(dialog_, tr("Folder to de-identify"), settings::lastFolder.read());
     folder->setAttribute(Qt::WA_DeleteOnClose);
@@ -74,7 +74,7 @@ void DeidentifyController::askFolder()
     folder->open();
 }
 
-void DeidentifyController::askOutput()
+void DeidentifyController::askForOutputFolder()
 {
     auto* folder = new QFileDialog(dialog_, tr("Output folder"), saveFolder({}));
     folder->setAttribute(Qt::WA_DeleteOnClose);
@@ -83,15 +83,15 @@ void DeidentifyController::askOutput()
     folder->open();
 }
 
-void DeidentifyController::write(const ui::DeidentifyOptions& choice)
+void DeidentifyController::write(const ui::DeidentifyOptions& options)
 {
     std::vector<std::string> paths;
-    for (const QString& path : choice.paths) {
+    for (const QString& path : options.paths) {
         paths.push_back(path.toStdString());
     }
-    output_ = choice.outputFolder;
+    output_ = options.outputFolder;
     strip_.showBusy(tr("De-identifying…"));
-    job_.start([paths, output = output_.toStdString(), requested = deidentificationOf(choice.how)](
+    job_.start([paths, output = output_.toStdString(), requested = deidentificationOf(options.sharing)](
                    JobLink<double>& link) -> core::Result<io::DeidentifiedFiles> {
         const auto pseudonyms = io::Pseudonyms::create();
         if (!pseudonyms) {
@@ -106,21 +106,22 @@ void DeidentifyController::reportOutcome(const io::DeidentifiedFiles& done)
 {
     strip_.showIdle(tr("Ready"));
     rememberSaveFolder(output_);
-    QStringList words{
+    QStringList summary{
         tr("De-identified files: %1, in %2.").arg(ui::numberText(static_cast<double>(done.written), 0), output_)};
     if (!done.warnings.empty()) {
-        words << ui::messagesText(done.warnings);
+        summary << ui::messagesText(done.warnings);
     }
-    emit written(output_, ui::joinedSentences(words));
+    emit written(output_, ui::joinSentences(summary));
     if (!done.skipped.empty()) {
         QStringList lines;
         for (const core::Message& skipped : done.skipped) {
             lines << ui::messageText(skipped);
         }
-        emit partlyRejected(tr("%1 files were de-identified; %2 were not, for the reasons below. The output is in %3.")
-                                .arg(ui::numberText(static_cast<double>(done.written), 0),
-                                     ui::numberText(static_cast<double>(done.skipped.size()), 0), output_),
-                            lines.join(QLatin1Char('\n')));
+        emit partlyRejected(
+            tr("%1 files were de-identified; %2 were not, for the reasons listed below. The output folder is %3.")
+                .arg(ui::numberText(static_cast<double>(done.written), 0),
+                     ui::numberText(static_cast<double>(done.skipped.size()), 0), output_),
+            lines.join(QLatin1Char('\n')));
     }
 }
 
@@ -171,27 +172,27 @@ void PackController::openDialog()
         return;
     }
     auto* dialog = new ui::PackDialog(&dialogParent_);
-    connect(dialog, &ui::PackDialog::chosen, this, &PackController::askPath,
+    connect(dialog, &ui::PackDialog::chosen, this, &PackController::askForPath,
             Qt::QueuedConnection);   // queued: this dialog closes before the next one opens
     dialog->open();
 }
 
-void PackController::askPath(const ui::ShareOptions& choice)
+void PackController::askForPath(const ui::ShareOptions& options)
 {
     const QString proposed = QDir(saveFolder(document_.path())).filePath(QStringLiteral("case.zip"));
     auto* dialog = new QFileDialog(&dialogParent_, tr("Share case as ZIP"), proposed, tr("ZIP archives (*.zip)"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     dialog->setDefaultSuffix(QStringLiteral("zip"));
-    connect(dialog, &QFileDialog::fileSelected, this, [this, choice](const QString& path) { write(choice, path); });
+    connect(dialog, &QFileDialog::fileSelected, this, [this, options](const QString& path) { write(options, path); });
     dialog->open();
 }
 
-void PackController::write(const ui::ShareOptions& choice, const QString& path)
+void PackController::write(const ui::ShareOptions& options, const QString& path)
 {
     archive_ = path;
     strip_.showBusy(tr("Packing…"));
-    job_.start([session = document_.current(), request = deidentificationFor(choice),
+    job_.start([session = document_.current(), request = deidentificationFor(options),
                 archive = path.toStdString()](JobLink<double>& link) -> core::Result<QStringList> {
         const auto pseudonyms = io::Pseudonyms::create();
         if (!pseudonyms) {

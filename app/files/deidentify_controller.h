@@ -18,7 +18,7 @@ class BottomStrip;
 namespace angiopose::app {
 
 /// Converts the de-identification options of the dialog.
-io::DeidentificationOptions deidentificationOf(const ui::ShareOptions& choice);
+io::DeidentificationOptions deidentificationOf(const ui::ShareOptions& options);
 
 /// De-identifies files and folders: asks for options, then writes on a worker thread with progress and a Stop button.
 class DeidentifyController : public QObject {
@@ -27,19 +27,19 @@ public:
     DeidentifyController(ui::BottomStrip& strip, QWidget& dialogParent, QObject* parent = nullptr);
 
     void openDialog();
-    void write(const ui::DeidentifyOptions& choice);   ///< returns at once
+    void write(const ui::DeidentifyOptions& options);   ///< returns at once
     bool isRunning() const { return job_.isRunning(); }
 
 signals:
-    void written(const QString& folder, const QString& words);
-    void partlyRejected(const QString& words, const QString& details);   ///< `details` has one line per skipped file
+    void written(const QString& folder, const QString& summary);
+    void partlyRejected(const QString& summary, const QString& details);   ///< `details` has one line per skipped file
     void stopped();
     void failed(const QString& reason);
 
 private:
-    void askFiles();
-    void askFolder();
-    void askOutput();
+    void askForFiles();
+    void askForFolder();
+    void askForOutputFolder();
     void reportOutcome(const io::DeidentifiedFiles& done);
     void reportFailure(const core::Error& error);
 
@@ -58,7 +58,7 @@ public:
     PackController(CaseDocument& document, ui::BottomStrip& strip, QWidget& dialogParent, QObject* parent = nullptr);
 
     void openDialog();
-    void write(const ui::ShareOptions& choice, const QString& path);   ///< returns at once
+    void write(const ui::ShareOptions& options, const QString& path);   ///< returns at once
     bool isRunning() const { return job_.isRunning(); }
 
 signals:
@@ -67,7 +67,7 @@ signals:
     void failed(const QString& reason);
 
 private:
-    void askPath(const ui::ShareOptions& choice);
+    void askForPath(const ui::ShareOptions& options);
 
     CaseDocument& document_;
     ui::BottomStrip& strip_;

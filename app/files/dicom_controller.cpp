@@ -21,11 +21,11 @@ namespace {
 
 /// Returns a function that creates the same report as the menu command.
 std::function<core::Result<std::string>()> reportMaker(const core::Case& session, const core::Centerline2d& target,
-                                                       const OverlayImageOptions& look)
+                                                       const OverlayImageOptions& imageOptions)
 {
-    return [session, target, look, author = observerName(), typeface = QApplication::font().families(),
+    return [session, target, imageOptions, author = observerName(), typeface = QApplication::font().families(),
             page = settings::reportTemplate.read()]() -> core::Result<std::string> {
-        const auto views = evaluateViews(session, target, look);
+        const auto views = evaluateViews(session, target, imageOptions);
         if (!views) {
             return views.error();
         }
@@ -41,9 +41,13 @@ core::Status writeBytes(const QByteArray& bytes, const QString& path)
 
 }   // namespace
 
-DicomController::DicomController(CaseDocument& document, TargetProvider& target, ExportController& exporting,
+DicomController::DicomController(CaseDocument& document, TargetProvider& target, ExportController& exportController,
                                  QWidget& dialogParent, QObject* parent)
-    : QObject(parent), document_(document), target_(target), exporting_(exporting), dialogParent_(dialogParent)
+    : QObject(parent),
+      document_(document),
+      target_(target),
+      exportController_(exportController),
+      dialogParent_(dialogParent)
 {
 }
 
@@ -89,7 +93,7 @@ ui::DicomDialog* DicomController::createDialog(ui::DicomPurpose purpose)
 void DicomController::openDialog()
 {
     if (const auto* dialog = createDialog(ui::DicomPurpose::Export)) {
-        connect(dialog, &ui::DicomDialog::chosen, this, &DicomController::askFolder,
+        connect(dialog, &ui::DicomDialog::chosen, this, &DicomController::askForFolder,
                 Qt::QueuedConnection);   // queued: this dialog closes before the next one opens
     }
 }
@@ -101,7 +105,7 @@ void DicomController::selectObjectsToSend()
     }
 }
 
-void DicomController::askFolder(const ui::DicomExportOptions& choice)
+void DicomController::askForFolder(const ui::DicomExportOptions& choice)
 {
     auto* dialog = new QFileDialog(&dialogParent_, tr("Folder for the DICOM objects"), saveFolder(document_.path()));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
@@ -121,10 +125,10 @@ DicomExport DicomController::exportOptions(const ui::DicomExportOptions& choice)
     for (const ui::DicomPart part : choice.parts) {
         wanted.kinds.push_back(static_cast<DicomKind>(part));
     }
-    wanted.look = exporting_.overlayOptions(picture);
+    wanted.imageOptions = exportController_.overlayOptions(picture);
     wanted.author = observerName().toStdString();
     if (target_.current()) {
-        wanted.report = reportMaker(document_.current(), *target_.current(), wanted.look);
+        wanted.report = reportMaker(document_.current(), *target_.current(), wanted.imageOptions);
     }
     return wanted;
 }
@@ -166,9 +170,13 @@ void DicomController::write(const ui::DicomExportOptions& choice, const QString&
         });
 }
 
-ReportController::ReportController(CaseDocument& document, TargetProvider& target, ExportController& exporting,
+ReportController::ReportController(CaseDocument& document, TargetProvider& target, ExportController& exportController,
                                    QWidget& dialogParent, QObject* parent)
-    : QObject(parent), document_(document), target_(target), exporting_(exporting), dialogParent_(dialogParent)
+    : QObject(parent),
+      document_(document),
+      target_(target),
+      exportController_(exportController),
+      dialogParent_(dialogParent)
 {
 }
 
@@ -181,14 +189,14 @@ void ReportController::openDialog()
     }
     // The identity option is off whenever the dialog opens; its state is not remembered.
     auto* dialog = new ui::ReportDialog({ui::Toggle::Off, settings::reportTemplate.read()}, &dialogParent_);
-    connect(dialog, &ui::ReportDialog::templateWanted, this, [this, dialog] { askTemplate(*dialog); });
-    connect(dialog, &ui::ReportDialog::copyWanted, this, &ReportController::askCopy);
-    connect(dialog, &ui::ReportDialog::chosen, this, &ReportController::askFile,
+    connect(dialog, &ui::ReportDialog::templateRequested, this, [this, dialog] { askForTemplate(*dialog); });
+    connect(dialog, &ui::ReportDialog::templateCopyRequested, this, &ReportController::askForCopyPath);
+    connect(dialog, &ui::ReportDialog::chosen, this, &ReportController::askForFile,
             Qt::QueuedConnection);   // queued: this dialog closes before the next one opens
     dialog->open();
 }
 
-void ReportController::askTemplate(ui::ReportDialog& dialog)
+void ReportController::askForTemplate(ui::ReportDialog& dialog)
 {
     const QString last = settings::reportTemplate.read();
     auto* files =
@@ -199,13 +207,14 @@ void ReportController::askTemplate(ui::ReportDialog& dialog)
     files->open();
 }
 
-void ReportController::askCopy()
+void ReportController::askForCopyPath()
 {
-    exporting_.askFile({tr("Save report template"), tr("Templates (*.html)"), QStringLiteral("template.html"), false},
-                       [](const QString& path) { return writeBytes(builtInReportTemplate(), path); });
+    exportController_.askForFile(
+        {tr("Save report template"), tr("Templates (*.html)"), QStringLiteral("template.html"), false},
+        [](const QString& path) { return writeBytes(builtInReportTemplate(), path); });
 }
 
-void ReportController::askFile(const ui::ReportOptions& choice)
+void ReportController::askForFile(const ui::ReportOptions& choice)
 {
     settings::reportTemplate.write(choice.templatePath);
     const core::Case current = caseForExport(document_.current());
@@ -215,19 +224,20 @@ void ReportController::askFile(const ui::ReportOptions& choice)
     ui::OverlayExportOptions picture;
     picture.residualColors = ui::Toggle::On;
     picture.identity = choice.identity;
-    exporting_.askFile({tr("Export report"), tr("Reports (*.pdf *.html)"), QStringLiteral("pdf")},
-                       [current, target = *target_.current(), look = exporting_.overlayOptions(picture),
-                        author = observerName(), typeface = QApplication::font().families(),
-                        templatePath = choice.templatePath](const QString& path) -> core::Status {
-                           const auto views = evaluateViews(current, target, look);
-                           if (!views) {
-                               return views.error();
-                           }
-                           const bool isHtml = path.endsWith(QLatin1String(".html"), Qt::CaseInsensitive);
-                           const auto bytes = reportBytes({views.value(), author, typeface, templatePath},
-                                                          isHtml ? ReportKind::Html : ReportKind::Pdf);
-                           return bytes ? writeBytes(bytes.value(), path) : bytes.error();
-                       });
+    exportController_.askForFile(
+        {tr("Export report"), tr("Reports (*.pdf *.html)"), QStringLiteral("pdf")},
+        [current, target = *target_.current(), imageOptions = exportController_.overlayOptions(picture),
+         author = observerName(), typeface = QApplication::font().families(),
+         templatePath = choice.templatePath](const QString& path) -> core::Status {
+            const auto views = evaluateViews(current, target, imageOptions);
+            if (!views) {
+                return views.error();
+            }
+            const bool isHtml = path.endsWith(QLatin1String(".html"), Qt::CaseInsensitive);
+            const auto bytes = reportBytes({views.value(), author, typeface, templatePath},
+                                           isHtml ? ReportKind::Html : ReportKind::Pdf);
+            return bytes ? writeBytes(bytes.value(), path) : bytes.error();
+        });
 }
 
 }   // namespace angiopose::app

@@ -21,8 +21,8 @@ class ExportController;
 class DicomController : public QObject {
     Q_OBJECT
 public:
-    DicomController(CaseDocument& document, TargetProvider& target, ExportController& exporting, QWidget& dialogParent,
-                    QObject* parent = nullptr);
+    DicomController(CaseDocument& document, TargetProvider& target, ExportController& exportController,
+                    QWidget& dialogParent, QObject* parent = nullptr);
 
     void openDialog();
     /// Asks which objects to send; emits `wanted` if the user selects any.
@@ -44,12 +44,12 @@ signals:
 private:
     ui::DicomDialog* createDialog(ui::DicomPurpose purpose);
     std::vector<ui::DicomPart> availableParts() const;
-    void askFolder(const ui::DicomExportOptions& choice);
+    void askForFolder(const ui::DicomExportOptions& choice);
     DicomExport exportOptions(const ui::DicomExportOptions& choice) const;
 
     CaseDocument& document_;
     TargetProvider& target_;
-    ExportController& exporting_;
+    ExportController& exportController_;
     QWidget& dialogParent_;
     FileQueue files_;
 };
@@ -60,8 +60,8 @@ class ExportController;
 class ReportController : public QObject {
     Q_OBJECT
 public:
-    ReportController(CaseDocument& document, TargetProvider& target, ExportController& exporting, QWidget& dialogParent,
-                     QObject* parent = nullptr);
+    ReportController(CaseDocument& document, TargetProvider& target, ExportController& exportController,
+                     QWidget& dialogParent, QObject* parent = nullptr);
 
     void openDialog();
 
@@ -69,13 +69,13 @@ signals:
     void failed(const QString& reason);
 
 private:
-    void askTemplate(ui::ReportDialog& dialog);
-    void askCopy();
-    void askFile(const ui::ReportOptions& choice);
+    void askForTemplate(ui::ReportDialog& dialog);
+    void askForCopyPath();
+    void askForFile(const ui::ReportOptions& choice);
 
     CaseDocument& document_;
     TargetProvider& target_;
-    ExportController& exporting_;
+    ExportController& exportController_;
     QWidget& dialogParent_;
 };
 

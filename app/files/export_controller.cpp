@@ -56,14 +56,14 @@ ExportController::ExportController(CaseDocument& document, TargetProvider& targe
 {
 }
 
-void ExportController::askFile(const FileQuestion& question, const Write& write, const Continuation& then)
+void ExportController::askForFile(const FileQuestion& question, const Write& write, const Continuation& then)
 {
-    askPath(question, [this, write, then, isOfCase = question.isOfCase](const QString& path) {
+    askForPath(question, [this, write, then, isOfCase = question.isOfCase](const QString& path) {
         run(path, write, then, isOfCase);
     });
 }
 
-void ExportController::askPath(const FileQuestion& question, const std::function<void(const QString& path)>& use)
+void ExportController::askForPath(const FileQuestion& question, const std::function<void(const QString& path)>& use)
 {
     const QString own = document_.path().isEmpty() ? QString::fromStdString(document_.current().title)
                                                    : QFileInfo(document_.path()).completeBaseName();
@@ -108,7 +108,7 @@ void ExportController::run(const QString& path, const Write& write, const Contin
         });
 }
 
-void ExportController::askOverlay()
+void ExportController::openOverlayDialog()
 {
     const core::Case& current = document_.current();
     if (!current.vessels.tree || !current.shown().angiogram) {
@@ -126,39 +126,39 @@ void ExportController::askOverlay()
                                    chosen(settings::exportEnglish)};
     usual.format = static_cast<ui::ImageFileFormat>(std::clamp(settings::exportFormat.read(), 0, 2));
     usual.dotsPerInch = settings::exportDotsPerInch.read();
-    dialog->showChoice(usual);
-    const auto ask = [this](const ui::OverlayExportOptions& choice) {
-        settings::exportWidthPx.write(choice.widthPx);
-        settings::exportResiduals.write(choice.residualColors == ui::Toggle::On);
-        settings::exportEnglish.write(choice.english == ui::Toggle::On);
-        settings::exportDotsPerInch.write(choice.dotsPerInch);
-        if (choice.part != ui::ImageContent::Frame16) {
-            settings::exportFormat.write(static_cast<int>(choice.format));
+    dialog->showOptions(usual);
+    const auto ask = [this](const ui::OverlayExportOptions& exportOptions) {
+        settings::exportWidthPx.write(exportOptions.widthPx);
+        settings::exportResiduals.write(exportOptions.residualColors == ui::Toggle::On);
+        settings::exportEnglish.write(exportOptions.english == ui::Toggle::On);
+        settings::exportDotsPerInch.write(exportOptions.dotsPerInch);
+        if (exportOptions.part != ui::ImageContent::Frame16) {
+            settings::exportFormat.write(static_cast<int>(exportOptions.format));
         }
-        askFile(questionFor(choice.format), overlayWriter(choice));
+        askForFile(questionFor(exportOptions.format), overlayWriter(exportOptions));
     };
     connect(dialog, &ui::ExportDialog::chosen, this, ask,
             Qt::QueuedConnection);   // queued: this dialog closes before another one opens
     dialog->open();
 }
 
-OverlayImageOptions ExportController::overlayOptions(const ui::OverlayExportOptions& choice) const
+OverlayImageOptions ExportController::overlayOptions(const ui::OverlayExportOptions& exportOptions) const
 {
     ui::AngiogramView& view = view_;
     const OverlayColoring coloring = preview_.isMotionColored() ? OverlayColoring::Motion : OverlayColoring::Residuals;
-    OverlayImageOptions options{choice.widthPx,
-                                choice.residualColors == ui::Toggle::On ? coloring : OverlayColoring::Branches,
-                                choice.identity == ui::Toggle::On ? Identity::Shown : Identity::Hidden,
-                                choice.english == ui::Toggle::On ? englishTexts : windowTexts};
+    OverlayImageOptions options{exportOptions.widthPx,
+                                exportOptions.residualColors == ui::Toggle::On ? coloring : OverlayColoring::Branches,
+                                exportOptions.identity == ui::Toggle::On ? Identity::Shown : Identity::Hidden,
+                                exportOptions.english == ui::Toggle::On ? englishTexts : windowTexts};
     options.vessels = view.scene().mode();   // exports use the displayed vessel style
     options.range = view.shownRange();
     options.depthCue = view.scene().depthCue();
     options.shape = preview_.shape();
-    options.cutout = choice.cutout == ui::Toggle::On ? view.scene().cutout() : ui::Cutout{};
-    options.isInitialPoseShown = choice.startBeside == ui::Toggle::On;
+    options.cutout = exportOptions.cutout == ui::Toggle::On ? view.scene().cutout() : ui::Cutout{};
+    options.isInitialPoseShown = exportOptions.initialPose == ui::Toggle::On;
     if (view.scene().hasDrr()) {
         const core::Centerline2d target = target_.current() ? *target_.current() : core::Centerline2d{};
-        if (auto input = core::registrationInputOf(document_.current(), target)) {
+        if (auto input = core::makeRegistrationInput(document_.current(), target)) {
             const auto source = std::make_shared<DrrSource>(std::move(input).value(), document_.current().options);
             options.drr = [source](const core::RigidTransform& pose) { return source->from(pose); };
         }
@@ -179,10 +179,11 @@ ExportController::FileQuestion ExportController::questionFor(ui::ImageFileFormat
     return {tr("Export overlay"), tr("PNG images (*.png)"), QStringLiteral("png")};
 }
 
-ExportController::Write ExportController::overlayWriter(const ui::OverlayExportOptions& choice) const
+ExportController::Write ExportController::overlayWriter(const ui::OverlayExportOptions& exportOptions) const
 {
-    const OverlayImageOptions options = overlayOptions(choice);
-    const ImageFileOptions file{static_cast<ImageFileContent>(choice.part), static_cast<double>(choice.dotsPerInch)};
+    const OverlayImageOptions options = overlayOptions(exportOptions);
+    const ImageFileOptions file{static_cast<ImageFileContent>(exportOptions.part),
+                                static_cast<double>(exportOptions.dotsPerInch)};
     return [snapshot = caseForExport(document_.current()), target = target_.current(), options,
             file](const QString& path) {
         const core::Centerline2d traced = target ? *target : core::Centerline2d{};
@@ -192,52 +193,52 @@ ExportController::Write ExportController::overlayWriter(const ui::OverlayExportO
     };
 }
 
-void ExportController::exportOverlay(const ui::OverlayExportOptions& choice, const QString& path)
+void ExportController::exportOverlay(const ui::OverlayExportOptions& exportOptions, const QString& path)
 {
-    writeFile(path, overlayWriter(choice));
+    writeFile(path, overlayWriter(exportOptions));
 }
 
-void ExportController::askResult()
+void ExportController::askForResultFile()
 {
     if (!document_.current().shown().result) {
         emit failed(tr("There is no result for this pose. Register first (R)."));
         return;
     }
-    askFile({tr("Export result"), tr("Results (*.json)"), QStringLiteral("result.json")},
-            [snapshot = document_.current()](const QString& path) {
-                return io::writeResult(snapshot, path.toStdString());
-            });
+    askForFile({tr("Export result"), tr("Results (*.json)"), QStringLiteral("result.json")},
+               [snapshot = document_.current()](const QString& path) {
+                   return io::writeResult(snapshot, path.toStdString());
+               });
 }
 
-void ExportController::askPose()
+void ExportController::askForPoseFile()
 {
     const core::View& shown = document_.current().shown();
     const auto camera = core::cameraOf(shown);
     const QString filters =
         tr("Poses (*.json *.tfm *.h5)") + QStringLiteral(";;") + tr("Poses with camera (*.txt *.yml *.xml)");
-    askFile({tr("Export pose"), camera ? filters : tr("Poses (*.json *.tfm *.h5)"), QStringLiteral("pose.json")},
-            [pose = shown.cameraFromPatient, camera](const QString& path) {
-                const QString ending = QFileInfo(path).suffix().toLower();
-                const bool isBoth = ending == QStringLiteral("txt") || ending == QStringLiteral("yml") ||
-                                    ending == QStringLiteral("yaml") || ending == QStringLiteral("xml");
-                return isBoth && camera ? io::writeSight({camera.value(), pose}, path.toStdString())
-                                        : io::writePose(pose, path.toStdString());
-            });
+    askForFile({tr("Export pose"), camera ? filters : tr("Poses (*.json *.tfm *.h5)"), QStringLiteral("pose.json")},
+               [pose = shown.cameraFromPatient, camera](const QString& path) {
+                   const QString ending = QFileInfo(path).suffix().toLower();
+                   const bool isBoth = ending == QStringLiteral("txt") || ending == QStringLiteral("yml") ||
+                                       ending == QStringLiteral("yaml") || ending == QStringLiteral("xml");
+                   return isBoth && camera ? io::writePosedCamera({camera.value(), pose}, path.toStdString())
+                                           : io::writePose(pose, path.toStdString());
+               });
 }
 
-void ExportController::askTrace()
+void ExportController::askForTraceFile()
 {
     if (!target_.current()) {
         emit failed(tr("No vessels have been traced in this frame yet."));
         return;
     }
-    askFile({tr("Export traced vessels"), tr("2-D centerlines (*.csv)"), QStringLiteral("csv")},
-            [target = target_.current()](const QString& path) {
-                return io::writeCenterline2d(*target, path.toStdString());
-            });
+    askForFile({tr("Export traced vessels"), tr("2-D centerlines (*.csv)"), QStringLiteral("csv")},
+               [target = target_.current()](const QString& path) {
+                   return io::writeCenterline2d(*target, path.toStdString());
+               });
 }
 
-void ExportController::askMeasurements()
+void ExportController::askForMeasurementFile()
 {
     const auto isMeasured = [](const core::View& view) { return !view.measurements.empty(); };
     const core::Case& current = document_.current();
@@ -245,28 +246,28 @@ void ExportController::askMeasurements()
         emit failed(tr("Nothing has been measured yet."));
         return;
     }
-    askFile({tr("Export measurements"), tr("Tables (*.csv)"), QStringLiteral("measurements.csv")},
-            [snapshot = document_.current()](const QString& path) {
-                return io::writeMeasurements(snapshot, path.toStdString());
-            });
+    askForFile({tr("Export measurements"), tr("Tables (*.csv)"), QStringLiteral("measurements.csv")},
+               [snapshot = document_.current()](const QString& path) {
+                   return io::writeMeasurements(snapshot, path.toStdString());
+               });
 }
 
-void ExportController::askTargetPoints()
+void ExportController::askForTargetPointFile()
 {
     if (document_.current().vessels.marks.empty()) {
         emit failed(tr("No target points or rings have been set yet."));
         return;
     }
     const QString filters = tr("Tables (*.csv)") + QStringLiteral(";;") + tr("3D Slicer points (*.fcsv *.mrk.json)");
-    askFile({tr("Export target points"), filters, QStringLiteral("checkpoints.csv")},
-            [snapshot = document_.current()](const QString& path) {
-                return path.endsWith(QStringLiteral(".csv"), Qt::CaseInsensitive)
-                           ? io::writeTargetPoints(snapshot, path.toStdString())
-                           : io::writeFiducials(io::caseFiducials(snapshot), path.toStdString());
-            });
+    askForFile({tr("Export target points"), filters, QStringLiteral("checkpoints.csv")},
+               [snapshot = document_.current()](const QString& path) {
+                   return path.endsWith(QStringLiteral(".csv"), Qt::CaseInsensitive)
+                              ? io::writeTargetPoints(snapshot, path.toStdString())
+                              : io::writeFiducials(io::caseFiducials(snapshot), path.toStdString());
+               });
 }
 
-void ExportController::askDeformed()
+void ExportController::askForDeformedFile()
 {
     const core::Case& current = document_.current();
     const auto deformed = deformationForPose(current.shown(), current.vessels, current.shown().cameraFromPatient);
@@ -274,31 +275,31 @@ void ExportController::askDeformed()
         emit failed(tr("There are no deformed vessels for this pose. Register first (R)."));
         return;
     }
-    askFile({tr("Export deformed vessels"),
-             tr("Deformed centerlines (*.vtp)") + QStringLiteral(";;") + tr("Displacement of each point (*.csv)"),
-             QStringLiteral("bent.vtp")},
-            [tree = current.vessels.tree, deformed](const QString& path) -> core::Status {
-                return path.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive)
-                           ? io::writeMotion(*tree, *deformed, path.toStdString())
-                           : io::writeVesselTree(core::deformedTree(*tree, *deformed), path.toStdString());
-            });
+    askForFile({tr("Export deformed vessels"),
+                tr("Deformed centerlines (*.vtp)") + QStringLiteral(";;") + tr("Displacement of each point (*.csv)"),
+                QStringLiteral("bent.vtp")},
+               [tree = current.vessels.tree, deformed](const QString& path) -> core::Status {
+                   return path.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive)
+                              ? io::writeMotion(*tree, *deformed, path.toStdString())
+                              : io::writeVesselTree(core::deformedTree(*tree, *deformed), path.toStdString());
+               });
 }
 
-void ExportController::askMask()
+void ExportController::askForMaskFile()
 {
-    askFile({tr("Export lumen mask"), tr("Label images (*.nrrd *.nii.gz *.nii *.mha)"), QStringLiteral("mask.nrrd")},
-            [lumen = document_.current().vessels.lumen](const QString& path) -> core::Status {
-                return io::writeMask(*lumen, path.toStdString());
-            });
+    askForFile({tr("Export lumen mask"), tr("Label images (*.nrrd *.nii.gz *.nii *.mha)"), QStringLiteral("mask.nrrd")},
+               [lumen = document_.current().vessels.lumen](const QString& path) -> core::Status {
+                   return io::writeMask(*lumen, path.toStdString());
+               });
 }
 
-void ExportController::askVessels(const Continuation& then)
+void ExportController::askForVesselFile(const Continuation& then)
 {
     if (!document_.current().vessels.tree) {
         emit failed(tr("There are no vessels yet. Open a centerline, or trace a scan."));
         return;
     }
-    askFile(
+    askForFile(
         {tr("Export vessel tree"), tr("Centerlines (*.vtp *.csv *.swc *.mrk.json)"), QStringLiteral("vtp")},
         [tree = document_.current().vessels.tree](const QString& path) {
             return io::writeVesselTree(*tree, path.toStdString());

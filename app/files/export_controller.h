@@ -35,22 +35,23 @@ public:
     /// Writes one file on a worker thread; holds copies of all its data.
     using Write = std::function<core::Status(const QString& path)>;
     using Continuation = std::function<void()>;   ///< called after the file is written
-    void askFile(const FileQuestion& question, const Write& write, const Continuation& then = {});
-    void askPath(const FileQuestion& question, const std::function<void(const QString& path)>& use);
+    void askForFile(const FileQuestion& question, const Write& write, const Continuation& then = {});
+    void askForPath(const FileQuestion& question, const std::function<void(const QString& path)>& use);
     void writeFile(const QString& path, const Write& write,
                    const Continuation& then = {});   ///< writes a file with data of the case; returns at once
 
-    void askOverlay();
-    OverlayImageOptions overlayOptions(const ui::OverlayExportOptions& choice) const;   ///< appearance as in the window
-    void exportOverlay(const ui::OverlayExportOptions& choice, const QString& path);   ///< returns at once
-    void askResult();
-    void askPose();
-    void askTrace();
-    void askMeasurements();
-    void askTargetPoints();
-    void askMask();   ///< exports the lumen as a label image
-    void askVessels(const Continuation& then = {});
-    void askDeformed();   ///< exports the deformed tree or the displacement of each of its points
+    void openOverlayDialog();
+    OverlayImageOptions overlayOptions(
+        const ui::OverlayExportOptions& exportOptions) const;   ///< appearance as in the window
+    void exportOverlay(const ui::OverlayExportOptions& exportOptions, const QString& path);   ///< returns at once
+    void askForResultFile();
+    void askForPoseFile();
+    void askForTraceFile();
+    void askForMeasurementFile();
+    void askForTargetPointFile();
+    void askForMaskFile();   ///< exports the lumen as a label image
+    void askForVesselFile(const Continuation& then = {});
+    void askForDeformedFile();   ///< exports the deformed tree or the displacement of each of its points
 
 signals:
     void started();
@@ -60,7 +61,7 @@ signals:
 
 private:
     static FileQuestion questionFor(ui::ImageFileFormat format);
-    Write overlayWriter(const ui::OverlayExportOptions& choice) const;
+    Write overlayWriter(const ui::OverlayExportOptions& exportOptions) const;
     void run(const QString& path, const Write& write, const Continuation& then, bool isOfCase);
 
     CaseDocument& document_;

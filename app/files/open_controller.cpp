@@ -92,7 +92,9 @@ void OpenController::openNextRun()
     }
     if (!document_.current().vessels.tree || !document_.current().shown().angiogram) {
         furtherRuns_.clear();
-        emit opened({tr("Additional runs can be added as views once the case has vessels. Open them again then.")});
+        emit opened(
+            {tr("Additional runs can be added as views only if the case has vessels. Open the vessels first, then the "
+                "runs again.")});
         return;
     }
     opensAsView_ = true;
@@ -199,7 +201,7 @@ void OpenController::load(const QStringList& paths, const io::OpenHints& hints)
         emit failed(ui::messageText(reason), paths);
     });
     const QString what = tr("Reading %1…").arg(namesOf(paths));
-    connect(job_, &LoadJob::advanced, this, [this, what](double fraction) { emit advanced(what, fraction); });
+    connect(job_, &LoadJob::progressed, this, [this, what](double fraction) { emit progressed(what, fraction); });
     emit started(what);
     job_->start(paths, hints);
 }
@@ -229,9 +231,9 @@ bool OpenController::requestDecision(const io::LoadedInputs& inputs, const QStri
         emit studyOffered(paths.front());
         return true;
     }
-    if (!inputs.offered.empty()) {
+    if (!inputs.offeredSeries.empty()) {
         pendingPaths_ = paths;
-        emit seriesChoiceNeeded(paths.join(QStringLiteral(", ")), inputs.offered);
+        emit seriesChoiceNeeded(paths.join(QStringLiteral(", ")), inputs.offeredSeries);
         return true;
     }
     if (inputs.extentInUnknownUnits) {
@@ -260,12 +262,14 @@ bool OpenController::requestDecision(const io::LoadedInputs& inputs, const QStri
 void OpenController::take(const io::LoadedInputs& inputs, const QStringList& paths)
 {
     if (document_.isInTrial()) {
-        emit failed(tr("A blind trial was started in the meantime. Open the file again after it has finished."), paths);
+        emit failed(tr("A blind trial was started in the meantime. Open the file again after the trial has finished."),
+                    paths);
         return;
     }
     if (document_.isLocked()) {
-        emit failed(tr("A registration was started in the meantime. Open the file again after it has finished."),
-                    paths);
+        emit failed(
+            tr("A registration was started in the meantime. Open the file again after the registration has finished."),
+            paths);
         return;
     }
     if (requestDecision(inputs, paths)) {
@@ -335,7 +339,7 @@ void OpenController::applyOpenedPose(const io::PoseWithCamera& pose, IncomingCam
 /// Adds the opened files to the case; asks first if they seem to belong to another patient.
 void OpenController::confirmPatient(const Opening& opening)
 {
-    const auto wanted = resultingCase(document_.current(), opening);
+    const auto wanted = mergeIntoCase(document_.current(), opening);
     const io::LoadedInputs& inputs = opening.inputs;
     const bool saysWhose = inputs.angiogram || inputs.volume || inputs.loadedCase;
     const core::Messages mismatch = wanted && saysWhose ? core::findMismatch(wanted.value()) : core::Messages();

@@ -54,7 +54,7 @@ public:
 signals:
     void inputsAdded(const core::Messages& warnings);   ///< warnings about files that are now part of the case
     void started(const QString& what);
-    void advanced(const QString& what, double fraction);
+    void progressed(const QString& what, double fraction);
     /// Emitted if a DICOM folder contains several series; answer with `openSeries` or do nothing.
     void seriesChoiceNeeded(const QString& folder, const std::vector<io::DicomSeries>& series);
     void ended();

@@ -143,27 +143,32 @@ std::vector<LengthUnit> unitsFor(double unitsAcross)
 
 OpenDialogs::OpenDialogs(CaseDocument& document, OpenController& open, SaveController& save,
                          Notifications& notifications, const Ui& ui, QObject* parent)
-    : QObject(parent), document_(document), open_(open), save_(save), notifications_(notifications), ui_(ui)
+    : QObject(parent),
+      document_(document),
+      openController_(open),
+      saveController_(save),
+      notifications_(notifications),
+      ui_(ui)
 {
-    connect(&open_, &OpenController::seriesChoiceNeeded, this, &OpenDialogs::chooseSeries);
-    connect(&open_, &OpenController::inputsMissing, this, &OpenDialogs::askForInputs);
-    connect(&open_, &OpenController::scanChoiceNeeded, this, &OpenDialogs::askScanUse);
-    connect(&open_, &OpenController::unitNeeded, this, &OpenDialogs::askUnit);
-    connect(&open_, &OpenController::viewChoiceNeeded, this, &OpenDialogs::askWhichView);
-    connect(&open_, &OpenController::cameraChoiceNeeded, this, &OpenDialogs::askWhichCamera);
-    connect(&open_, &OpenController::mismatchNeedsConsent, this, &OpenDialogs::confirmPatientMismatch);
-    connect(&open_, &OpenController::replacementNeedsConsent, this, &OpenDialogs::confirmReplace);
-    connect(&ui_.welcome, &ui::WelcomePage::openRequested, this, &OpenDialogs::askFiles);
-    connect(&ui_.welcome, &ui::WelcomePage::folderRequested, this, &OpenDialogs::askFolder);
+    connect(&openController_, &OpenController::seriesChoiceNeeded, this, &OpenDialogs::chooseSeries);
+    connect(&openController_, &OpenController::inputsMissing, this, &OpenDialogs::askForInputs);
+    connect(&openController_, &OpenController::scanChoiceNeeded, this, &OpenDialogs::askForScanUse);
+    connect(&openController_, &OpenController::unitNeeded, this, &OpenDialogs::askForUnit);
+    connect(&openController_, &OpenController::viewChoiceNeeded, this, &OpenDialogs::askForViewChoice);
+    connect(&openController_, &OpenController::cameraChoiceNeeded, this, &OpenDialogs::askForCameraChoice);
+    connect(&openController_, &OpenController::mismatchNeedsConsent, this, &OpenDialogs::confirmPatientMismatch);
+    connect(&openController_, &OpenController::replacementNeedsConsent, this, &OpenDialogs::confirmReplace);
+    connect(&ui_.welcome, &ui::WelcomePage::openRequested, this, &OpenDialogs::askForFiles);
+    connect(&ui_.welcome, &ui::WelcomePage::folderRequested, this, &OpenDialogs::askForFolder);
     connect(&ui_.welcome, &ui::WelcomePage::sampleRequested, this, &OpenDialogs::openSample);
     ui::WindowActions& actions = ui_.actions;
-    connect(actions[ui::Command::Open], &QAction::triggered, this, &OpenDialogs::askFiles);
-    connect(actions[ui::Command::OpenFolder], &QAction::triggered, this, &OpenDialogs::askFolder);
+    connect(actions[ui::Command::Open], &QAction::triggered, this, &OpenDialogs::askForFiles);
+    connect(actions[ui::Command::OpenFolder], &QAction::triggered, this, &OpenDialogs::askForFolder);
     connect(actions[ui::Command::OpenSample], &QAction::triggered, this, &OpenDialogs::openSample);
-    connect(actions[ui::Command::AddView], &QAction::triggered, this, &OpenDialogs::askView);
+    connect(actions[ui::Command::AddView], &QAction::triggered, this, &OpenDialogs::askForViewFiles);
 }
 
-void OpenDialogs::askFiles()
+void OpenDialogs::askForFiles()
 {
     auto* dialog = new QFileDialog(&ui_.dialogParent, tr("Open"), settings::lastFolder.read(),
                                    openFilters().join(QStringLiteral(";;")));
@@ -171,12 +176,12 @@ void OpenDialogs::askFiles()
     dialog->setFileMode(QFileDialog::ExistingFiles);
     connect(dialog, &QFileDialog::filesSelected, this, [this](const QStringList& paths) {
         settings::lastFolder.write(QFileInfo(paths.front()).absolutePath());
-        open_.open(paths);
+        openController_.open(paths);
     });
     dialog->open();
 }
 
-void OpenDialogs::askFolder()
+void OpenDialogs::askForFolder()
 {
     auto* dialog = new QFileDialog(&ui_.dialogParent, tr("Open DICOM folder/CD"), settings::lastFolder.read());
     dialog->setAttribute(Qt::WA_DeleteOnClose);
@@ -184,7 +189,7 @@ void OpenDialogs::askFolder()
     dialog->setOption(QFileDialog::ShowDirsOnly);
     connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& folder) {
         settings::lastFolder.write(folder);
-        open_.open({folder});
+        openController_.open({folder});
     });
     dialog->open();
 }
@@ -192,11 +197,11 @@ void OpenDialogs::askFolder()
 void OpenDialogs::chooseSeries(const QString& folder, const std::vector<io::DicomSeries>& series)
 {
     auto* chooser = new ui::SeriesChooser(folder, seriesRows(series), &ui_.dialogParent);
-    connect(chooser, &ui::SeriesChooser::chosen, &open_, &OpenController::openSeries);
+    connect(chooser, &ui::SeriesChooser::seriesChosen, &openController_, &OpenController::openSeries);
     chooser->open();
 }
 
-void OpenDialogs::askView()
+void OpenDialogs::askForViewFiles()
 {
     auto* dialog = new QFileDialog(&ui_.dialogParent, tr("Add a view"), settings::lastFolder.read(),
                                    openFilters().join(QStringLiteral(";;")));
@@ -204,12 +209,12 @@ void OpenDialogs::askView()
     dialog->setFileMode(QFileDialog::ExistingFile);
     connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
         settings::lastFolder.write(QFileInfo(path).absolutePath());
-        open_.openView({path});
+        openController_.openView({path});
     });
     dialog->open();
 }
 
-void OpenDialogs::askWhichView(const QString& name)
+void OpenDialogs::askForViewChoice(const QString& name)
 {
     auto* question =
         new ui::QuestionDialog({tr("Another view of the same vessels?"),
@@ -221,22 +226,22 @@ void OpenDialogs::askWhichView(const QString& name)
     question->setObjectName(QStringLiteral("viewQuestion"));
     connect(question, &ui::QuestionDialog::answered, this, [this](int index) {
         if (index == 0) {
-            open_.addPendingView();
+            openController_.addPendingView();
         } else if (index == 1) {
-            open_.replaceImage();
+            openController_.replaceImage();
         } else {
-            open_.abandon();
+            openController_.abandon();
         }
     });
     question->open();
 }
 
-void OpenDialogs::askWhichCamera(const QString& name)
+void OpenDialogs::askForCameraChoice(const QString& name)
 {
     auto* question =
         new ui::QuestionDialog({tr("Which camera should be used?"),
-                                tr("“%1” contains a camera that differs from the camera of the case. The pose is valid "
-                                   "only with the camera it was registered with.")
+                                tr("“%1” contains a camera that differs from that of the case. The pose is valid only "
+                                   "with the camera that was used for its registration.")
                                     .arg(name),
                                 {}},
                                {tr("Use pose and camera"), tr("Use pose only"), tr("Cancel")}, &ui_.dialogParent);
@@ -244,9 +249,9 @@ void OpenDialogs::askWhichCamera(const QString& name)
     question->setAnswerOnClose(2);
     connect(question, &ui::QuestionDialog::answered, this, [this](int index) {
         if (index == 2) {
-            open_.abandon();
+            openController_.abandon();
         } else {
-            open_.openPendingPose(index == 0 ? IncomingCamera::OfPose : IncomingCamera::OfCase);
+            openController_.openPendingPose(index == 0 ? IncomingCamera::OfPose : IncomingCamera::OfCase);
         }
     });
     question->open();
@@ -261,7 +266,7 @@ void OpenDialogs::confirmPatientMismatch(const QString& names, const core::Messa
         {tr("Different patient?"),
          ui::messagesText(mismatch) + patients + QStringLiteral("\n\n") +
              tr("If you open “%1” anyway, every image and report of the case will carry a warning, and no registration "
-                "of its images will count as reliable. If only the pseudonyms differ, open it as the same patient.")
+                "in this case will be rated reliable. If only the pseudonyms differ, open it as the same patient.")
                  .arg(names),
          {}},
         {tr("Do not open"), tr("Open anyway"), tr("Open as same patient")}, &ui_.dialogParent);
@@ -269,34 +274,34 @@ void OpenDialogs::confirmPatientMismatch(const QString& names, const core::Messa
     question->setAnswerOnClose(0);
     connect(question, &ui::QuestionDialog::answered, this, [this](int index) {
         if (index > 0) {
-            open_.openMismatched(index == 2);
+            openController_.openMismatched(index == 2);
         } else {
-            open_.abandon();
+            openController_.abandon();
         }
     });
     question->open();
 }
 
-void OpenDialogs::askScanUse(const QString& name)
+void OpenDialogs::askForScanUse(const QString& name)
 {
     auto* question =
         new ui::QuestionDialog({tr("Show the scan with the current vessels?"),
-                                tr("The vessels of the case come from a file. Show “%1” in slices with these vessels, "
-                                   "or trace its vessels and replace the current ones?")
+                                tr("The vessels of the case come from a file. Show the slices of “%1” with these "
+                                   "vessels, or replace them with vessels traced in this scan?")
                                     .arg(name),
                                 {}},
-                               {tr("Show with the vessels"), tr("Trace its vessels"), tr("Cancel")}, &ui_.dialogParent);
+                               {tr("Show with the vessels"), tr("Trace this scan"), tr("Cancel")}, &ui_.dialogParent);
     question->setObjectName(QStringLiteral("scanQuestion"));
     connect(question, &ui::QuestionDialog::answered, this, [this](int index) {
         if (index < 2) {
-            open_.openScan(index == 0 ? io::ScanUse::ShowWithVessels : io::ScanUse::Trace);
+            openController_.openScan(index == 0 ? io::ScanUse::ShowWithVessels : io::ScanUse::Trace);
         }
     });
     question->open();
 }
 
 /// Asks for the unit. Each button shows the size that results; the most likely unit comes first.
-void OpenDialogs::askUnit(const QString& name, double unitsAcross)
+void OpenDialogs::askForUnit(const QString& name, double unitsAcross)
 {
     const std::vector<LengthUnit> units = unitsFor(unitsAcross);
     QStringList verbs;
@@ -308,15 +313,15 @@ void OpenDialogs::askUnit(const QString& name, double unitsAcross)
     }
     auto* question =
         new ui::QuestionDialog({tr("Which unit does the file use?"),
-                                tr("“%1” does not specify the unit of its coordinates. If it were millimeters, the "
-                                   "vessels would be unusually small or large. Your choice is stored in the case.")
+                                tr("“%1” does not specify the unit of its coordinates. If the unit were millimeters, "
+                                   "the vessels would be unusually small or large. Your choice is stored in the case.")
                                     .arg(name),
                                 {}},
                                verbs + QStringList{tr("Cancel")}, &ui_.dialogParent);
     question->setObjectName(QStringLiteral("unitQuestion"));
     connect(question, &ui::QuestionDialog::answered, this, [this, units](int index) {
         if (index >= 0 && index < static_cast<int>(units.size())) {
-            open_.openInUnit(units[static_cast<std::size_t>(index)].mm);
+            openController_.openInUnit(units[static_cast<std::size_t>(index)].mm);
         }
     });
     question->open();
@@ -327,16 +332,16 @@ void OpenDialogs::askForInputs(const QString& casePath, const QStringList& missi
     const QFileInfo file(casePath);
     auto* dialog = new ui::MissingInputs(file.fileName(), missing, file.absolutePath(), &ui_.dialogParent);
     dialog->offerOpenWithout(areOptional);
-    connect(dialog, &ui::MissingInputs::openWithoutRequested, &open_, &OpenController::openWithoutOptional);
+    connect(dialog, &ui::MissingInputs::openWithoutRequested, &openController_, &OpenController::openWithoutOptional);
     connect(dialog, &ui::MissingInputs::located, this, [this](const std::map<QString, QString>& places) {
         io::MovedInputs moved;
         for (const auto& [wanted, place] : places) {
             moved[wanted.toStdString()] = place.toStdString();
         }
-        open_.openWithInputs(moved);
+        openController_.openWithInputs(moved);
     });
     connect(dialog, &ui::MissingInputs::searchRequested, this,
-            [this](const QString& folder) { open_.openWithInputs({}, folder); });
+            [this](const QString& folder) { openController_.openWithInputs({}, folder); });
     dialog->open();
 }
 
@@ -349,7 +354,7 @@ void OpenDialogs::openSample()
     files_.run(writeSampleCase, [this](const core::Result<QString>& path) {
         ui_.strip.showIdle(tr("Ready"));
         if (path) {
-            open_.open({path.value()});
+            openController_.open({path.value()});
         } else {
             notifications_.showProblem(tr("Could not create the sample case"), ui::messageText(path.error().message));
         }
@@ -358,11 +363,11 @@ void OpenDialogs::openSample()
 
 void OpenDialogs::confirmReplace()
 {
-    if (!save_.hasUnsavedWork()) {
-        open_.replaceOpenCase();
+    if (!saveController_.hasUnsavedWork()) {
+        openController_.replaceOpenCase();
         return;
     }
-    const bool isSavable = save_.savable() != SaveController::Savable::Nothing;
+    const bool isSavable = saveController_.savable() != SaveController::Savable::Nothing;
     const QString title = QString::fromStdString(document_.current().title);
     auto* question = new ui::QuestionDialog(
         {isSavable ? tr("Save the open case first?") : tr("Discard unsaved work?"),
@@ -376,11 +381,11 @@ void OpenDialogs::confirmReplace()
     question->setAnswerOnClose(keep);
     connect(question, &ui::QuestionDialog::answered, this, [this, keep](int index) {
         if (index == keep) {
-            open_.abandon();
+            openController_.abandon();
         } else if (index == 0) {
-            save_.save([this] { confirmReplace(); });   // no further question if nothing remains unsaved
+            saveController_.save([this] { confirmReplace(); });   // no further question if nothing remains unsaved
         } else {
-            open_.replaceOpenCase();
+            openController_.replaceOpenCase();
         }
     });
     question->open();

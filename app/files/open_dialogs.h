@@ -35,22 +35,22 @@ public:
                 const Ui& ui, QObject* parent = nullptr);
 
 private:
-    void askFiles();
-    void askFolder();
-    void askView();
+    void askForFiles();
+    void askForFolder();
+    void askForViewFiles();
     void openSample();
     void chooseSeries(const QString& folder, const std::vector<io::DicomSeries>& series);
     void askForInputs(const QString& casePath, const QStringList& missing, bool areOptional);
-    void askWhichView(const QString& name);
-    void askWhichCamera(const QString& name);
+    void askForViewChoice(const QString& name);
+    void askForCameraChoice(const QString& name);
     void confirmPatientMismatch(const QString& names, const core::Messages& mismatch, const core::Case& wanted);
-    void askScanUse(const QString& name);
-    void askUnit(const QString& name, double unitsAcross);
+    void askForScanUse(const QString& name);
+    void askForUnit(const QString& name, double unitsAcross);
     void confirmReplace();
 
     CaseDocument& document_;
-    OpenController& open_;
-    SaveController& save_;
+    OpenController& openController_;
+    SaveController& saveController_;
     Notifications& notifications_;
     Ui ui_;
     FileQueue files_;   ///< runs the job that generates the sample case

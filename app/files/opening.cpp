@@ -60,10 +60,10 @@ QStringList scanNotes(const io::LoadedInputs& inputs, const core::Case& opened)
                : QStringList();
 }
 
-QStringList replaceCase(CaseDocument& document, const core::Case& wanted, const Opening& opening)
+QStringList replaceCase(CaseDocument& document, const core::Case& newCase, const Opening& opening)
 {
     const QString path = opening.inputs.loadedCase ? opening.original.value_or(opening.paths.front()) : QString();
-    document.replace(wanted, path);
+    document.replace(newCase, path);
     if (!path.isEmpty()) {
         rememberCase(path);
     }
@@ -73,25 +73,26 @@ QStringList replaceCase(CaseDocument& document, const core::Case& wanted, const 
     return openNotes(opening.inputs, document.current());
 }
 
-QStringList joinCase(CaseDocument& document, const core::Case& wanted, const Opening& opening)
+QStringList joinCase(CaseDocument& document, const core::Case& newCase, const Opening& opening)
 {
     if (document.isEmpty() &&
         document.undoStack().count() == 0) {   // otherwise, replacing would discard a mask painted on a scan alone
-        document.replace(wanted, {});
+        document.replace(newCase, {});
     } else {
-        document.push(addInputs(document, wanted,
+        document.push(addInputs(document, newCase,
                                 [names = namesOf(opening.paths)] { return OpenController::tr("Open %1").arg(names); }));
     }
     return openNotes(opening.inputs, document.current()) + scanNotes(opening.inputs, document.current());
 }
 
-QStringList addView(CaseDocument& document, const core::Case& wanted, const Opening& opening)
+QStringList addView(CaseDocument& document, const core::Case& newCase, const Opening& opening)
 {
-    const QStringList notes = openNotes(opening.inputs, core::withShownView(wanted, wanted.views.size() - 1));
+    const QStringList notes = openNotes(opening.inputs, core::withShownView(newCase, newCase.views.size() - 1));
     document.push(std::make_unique<ChangeViews>(
-        document, ChangeViews::valuesOf(wanted),
+        document, ChangeViews::valuesOf(newCase),
         [names = namesOf(opening.paths)] { return OpenController::tr("Add view %1").arg(names); }));
-    return notes + QStringList{OpenController::tr("View added: to show it, click it in the strip above the image.")};
+    return notes +
+           QStringList{OpenController::tr("View added. To show it, click its entry in the strip above the image.")};
 }
 
 constexpr double farFromVesselsMm = 50.0;
@@ -109,8 +110,8 @@ QString whyCameraDoesNotFit(const core::View& view, const core::ProjectionCamera
     const int width = view.angiogram->width(), height = view.angiogram->height();
     if (!io::fitsImage(camera, width, height)) {
         return OpenController::tr(
-                   "The pose belongs to an image of %1 × %2 px, but the angiogram has %3 × %4. Open the pose that "
-                   "belongs to this image.")
+                   "The pose belongs to an image of %1 × %2 px, but the angiogram is %3 × %4 px. Open the pose that "
+                   "belongs to this angiogram.")
             .arg(camera.width)
             .arg(camera.height)
             .arg(width)
@@ -119,8 +120,8 @@ QString whyCameraDoesNotFit(const core::View& view, const core::ProjectionCamera
     const auto own = core::cameraOf(view);
     if (own && (own.value().fx < 0.0) != (camera.fx < 0.0)) {
         return OpenController::tr(
-            "The camera of the pose is mirrored relative to the angiogram: one is viewed from the detector, the other "
-            "from the source. Mirror the image, or change the viewing side in the geometry.");
+            "The camera stored with the pose is mirrored relative to the angiogram: one is viewed from the detector, "
+            "the other from the source. Mirror the image, or change the viewing side in the geometry panel.");
     }
     return {};
 }
@@ -141,7 +142,7 @@ QStringList notesOnInputs(const core::Case& open, const io::PoseWithCamera& pose
         notes << OpenController::tr("The pose was registered with different vessels.");
     }
     if (differ(pose.imageSha256, open.shown().imageFile.sha256)) {
-        notes << OpenController::tr("The pose was registered in a different angiogram.");
+        notes << OpenController::tr("The pose was registered to a different angiogram.");
     }
     return notes;
 }
@@ -164,42 +165,42 @@ bool isAnotherView(const core::Case& open, const io::LoadedInputs& inputs)
            isNew;
 }
 
-core::Result<core::Case> resultingCase(const core::Case& open, const Opening& opening)
+core::Result<core::Case> mergeIntoCase(const core::Case& open, const Opening& opening)
 {
     const io::LoadedInputs& inputs = opening.inputs;
-    core::Case wanted = open;
+    core::Case newCase = open;
     if (opening.mode == Opening::Mode::Replace) {
-        wanted = inputs.loadedCase ? *inputs.loadedCase : io::withInputs({}, inputs);
+        newCase = inputs.loadedCase ? *inputs.loadedCase : io::assembleCase({}, inputs);
     } else if (opening.mode == Opening::Mode::Join) {
-        wanted = io::withInputs(open, inputs);
+        newCase = io::assembleCase(open, inputs);
     } else {
         auto added = io::viewFromInputs(open, inputs, opening.paths.front().toStdString());
         if (!added) {
             return added.error();
         }
-        wanted.views.push_back(std::move(added).value());
+        newCase.views.push_back(std::move(added).value());
     }
-    for (core::View& view : wanted.views) {
+    for (core::View& view : newCase.views) {
         view.isSamePatient = opening.isSamePatient.value_or(view.isSamePatient);
     }
-    return wanted;
+    return newCase;
 }
 
 core::Result<QStringList> addToCase(CaseDocument& document, const Opening& opening)
 {
-    const auto wanted = resultingCase(document.current(), opening);
-    if (!wanted) {
-        return wanted.error();
+    const auto newCase = mergeIntoCase(document.current(), opening);
+    if (!newCase) {
+        return newCase.error();
     }
     switch (opening.mode) {
         case Opening::Mode::Replace:
-            return replaceCase(document, wanted.value(), opening);
+            return replaceCase(document, newCase.value(), opening);
         case Opening::Mode::AddView:
-            return addView(document, wanted.value(), opening);
+            return addView(document, newCase.value(), opening);
         case Opening::Mode::Join:
             break;
     }
-    return joinCase(document, wanted.value(), opening);
+    return joinCase(document, newCase.value(), opening);
 }
 
 PoseCompatibility checkPoseCompatibility(const core::Case& open, const io::PoseWithCamera& pose)
@@ -214,7 +215,7 @@ PoseCompatibility checkPoseCompatibility(const core::Case& open, const io::PoseW
     if (liesBehindSource(open, pose.cameraFromPatient)) {
         fit.refusal = OpenController::tr(
             "At this pose, the vessels lie behind the X-ray source. The pose may belong to another patient, or it may "
-            "map camera to patient; in the latter case, invert it.");
+            "map camera coordinates to patient coordinates; in the latter case, invert the pose.");
         return fit;
     }
     if (pose.camera) {
@@ -235,7 +236,8 @@ QStringList applyPose(CaseDocument& document, const io::PoseWithCamera& pose, In
     const bool isMissing = !core::cameraOf(view);
     if (pose.camera && (camera == IncomingCamera::OfPose || isMissing)) {
         geometry.cameraOverride = incomingCamera(view, *pose.camera);
-        notes << OpenController::tr("The camera of the pose is now in use. You can revert this in the geometry panel.");
+        notes << OpenController::tr(
+            "The camera stored with the pose is now in use. You can revert this in the geometry panel.");
     }
     document.push(std::make_unique<ChangeGeometry>(
         document, ChangeGeometry::Values{std::move(geometry), pose.cameraFromPatient, std::nullopt, {}},
@@ -250,7 +252,7 @@ core::Result<QStringList> addTargetPoints(CaseDocument& document, const std::vec
     if (!open.vessels.tree) {
         return core::Error(core::Message::verbatim(
             OpenController::tr(
-                "Points can be opened only together with vessels. Open the vessels first, then the points.")
+                "Points can be opened only in a case with vessels. Open the vessels first, then the points.")
                 .toStdString()));
     }
     std::vector<core::VesselMark> marks = open.vessels.marks;
@@ -267,8 +269,8 @@ core::Result<QStringList> addTargetPoints(CaseDocument& document, const std::vec
     QStringList notes{OpenController::tr("Target points added: %1.").arg(points.size())};
     if (!isNear) {
         notes << OpenController::tr(
-            "None of them is near the vessels. They may belong to another patient or use a different coordinate "
-            "system.");
+            "None of the target points is near the vessels. The points may belong to another patient or use a "
+            "different coordinate system.");
     }
     document.push(std::make_unique<ChangeMarks>(document, ChangeMarks::Values{std::move(marks)},
                                                 [name] { return OpenController::tr("Open points %1").arg(name); }));

@@ -28,7 +28,7 @@ struct Opening {
 bool isAnotherView(const core::Case& open, const io::LoadedInputs& inputs);
 
 /// Returns the case that would result from opening.
-core::Result<core::Case> resultingCase(const core::Case& open, const Opening& opening);
+core::Result<core::Case> mergeIntoCase(const core::Case& open, const Opening& opening);
 
 /// Adds the files to the document, as one undo step unless the case is replaced. Returns remarks for the user.
 core::Result<QStringList> addToCase(CaseDocument& document, const Opening& opening);

@@ -32,23 +32,23 @@ void writeTexts(QPainter& painter, const ui::VectorImage& picture)
 
 }   // namespace
 
-QByteArray toPdf(const ui::VectorImage& picture, const SvgMetadata& facts)
+QByteArray toPdf(const ui::VectorImage& picture, const SvgMetadata& metadata)
 {
     ui::VectorImage withoutTexts = picture;
     withoutTexts.texts.clear();
-    QSvgRenderer renderer(QByteArray::fromStdString(toSvgDocument(withoutTexts, facts)));
+    QSvgRenderer renderer(QByteArray::fromStdString(toSvgDocument(withoutTexts, metadata)));
     if (!renderer.isValid()) {
         return {};
     }
-    const double dotsPerInch = facts.dotsPerInch > 0.0 ? facts.dotsPerInch : screenDotsPerInch;
+    const double dotsPerInch = metadata.dotsPerInch > 0.0 ? metadata.dotsPerInch : screenDotsPerInch;
     QByteArray bytes;
     QBuffer buffer(&bytes);
     buffer.open(QIODevice::WriteOnly);
     QPdfWriter writer(&buffer);
-    writer.setTitle(QString::fromStdString(facts.title));
+    writer.setTitle(QString::fromStdString(metadata.title));
     writer.setCreator(QStringLiteral("AngioPose ") + QStringLiteral(ANGIOPOSE_VERSION));
     QString provenance;
-    for (const auto& [key, text] : facts.texts) {
+    for (const auto& [key, text] : metadata.texts) {
         provenance += QString::fromStdString(key + ": " + text + "\n");
     }
     writer.addFileAttachment(QStringLiteral("provenance.txt"), provenance.toUtf8(), QStringLiteral("text/plain"));

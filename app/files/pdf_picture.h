@@ -8,6 +8,6 @@ namespace angiopose::app {
 
 /// Returns the image as a PDF page of the same size, with lines as vectors and text as text; the provenance is an
 /// attached file. Empty if Qt cannot read the intermediate SVG.
-QByteArray toPdf(const ui::VectorImage& picture, const SvgMetadata& facts);
+QByteArray toPdf(const ui::VectorImage& picture, const SvgMetadata& metadata);
 
 }   // namespace angiopose::app

@@ -83,8 +83,8 @@ QByteArray plotAsPng(QWidget& plot)
     return bytes;
 }
 
-PlotExport::PlotExport(QWidget& window, ExportController& exporting, QObject* parent)
-    : QObject(parent), exporting_(exporting)
+PlotExport::PlotExport(QWidget& window, ExportController& exportController, QObject* parent)
+    : QObject(parent), exportController_(exportController)
 {
     for (QWidget* plot : plotsOf(window)) {
         plot->setContextMenuPolicy(Qt::CustomContextMenu);
@@ -107,7 +107,7 @@ void PlotExport::openDialog(QWidget& plot, Format format)
 {
     const QByteArray bytes = format == Format::Svg ? plotAsSvg(plot) : plotAsPng(plot);
     const bool isSvg = format == Format::Svg;
-    exporting_.askFile(
+    exportController_.askForFile(
         {tr("Export plot"), isSvg ? tr("Vector graphics (*.svg)") : tr("PNG images (*.png)"),
          isSvg ? QStringLiteral("plot.svg") : QStringLiteral("plot.png")},
         [bytes](const QString& path) {

@@ -18,7 +18,7 @@ QByteArray plotAsPng(QWidget& plot);
 class PlotExport : public QObject {
     Q_OBJECT
 public:
-    PlotExport(QWidget& window, ExportController& exporting, QObject* parent = nullptr);
+    PlotExport(QWidget& window, ExportController& exportController, QObject* parent = nullptr);
 
     void showMenu(QWidget& plot, const QPoint& position);
 
@@ -26,7 +26,7 @@ private:
     enum class Format { Svg, Png };
     void openDialog(QWidget& plot, Format format);
 
-    ExportController& exporting_;
+    ExportController& exportController_;
 };
 
 }   // namespace angiopose::app

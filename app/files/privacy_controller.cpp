@@ -25,13 +25,13 @@ void addPath(const std::string& path, QStringList& paths)
 }   // namespace
 
 PrivacyController::PrivacyController(QAction& mode, QWidget& dialogParent, QObject* parent)
-    : QObject(parent), mode_(mode), dialogParent_(dialogParent)
+    : QObject(parent), privateModeAction_(mode), dialogParent_(dialogParent)
 {
-    mode_.setChecked(isPrivate());
-    ui::withToolTip(&mode_, [] {
-        return tr("No list or thumbnails of recent cases, no names in the title bar, no stored folders.");
+    privateModeAction_.setChecked(isPrivate());
+    ui::withToolTip(&privateModeAction_, [] {
+        return tr("Stores no list or thumbnails of recent cases and no folders, and shows no names in the title bar.");
     });
-    connect(&mode_, &QAction::triggered, this, &PrivacyController::choose);
+    connect(&privateModeAction_, &QAction::triggered, this, &PrivacyController::choose);
 }
 
 PrivacyController::~PrivacyController()
@@ -49,8 +49,8 @@ void PrivacyController::choose(bool on)
     }
     auto* question = new ui::QuestionDialog(
         {tr("Turn on private mode?"),
-         tr("The list of recent cases (including pinned ones), their thumbnails, and all stored folders and names are "
-            "deleted permanently. Nothing of this kind is stored until private mode is turned off. Unsaved work is "
+         tr("The list of recent cases (including pinned ones), their thumbnails, and all stored folders and names will "
+            "be permanently deleted. No such data will be stored until private mode is turned off. Unsaved work is "
             "still autosaved; the copies are deleted when the case is closed."),
          {}},
         {tr("Turn on"), tr("Cancel")}, &dialogParent_);
@@ -59,7 +59,7 @@ void PrivacyController::choose(bool on)
         if (verb == 0) {
             turnOn();
         } else {
-            mode_.setChecked(false);
+            privateModeAction_.setChecked(false);
         }
     });
     question->open();
@@ -82,18 +82,18 @@ void PrivacyController::turnOff()
 }
 
 AuditController::AuditController(const CaseDocument& document, QAction& keep, QWidget& dialogParent, QObject* parent)
-    : QObject(parent), document_(document), keep_(keep), dialogParent_(dialogParent)
+    : QObject(parent), document_(document), auditAction_(keep), dialogParent_(dialogParent)
 {
-    keep_.setChecked(!auditPath().isEmpty());
-    keep_.setEnabled(
+    auditAction_.setChecked(!auditPath().isEmpty());
+    auditAction_.setEnabled(
         io::auditFileFromEnvironment().empty());   // an audit file set by the environment cannot be switched off here
-    ui::withToolTip(&keep_, [] {
+    ui::withToolTip(&auditAction_, [] {
         const QString kept = auditPath();
         return kept.isEmpty()
                    ? tr("Writes one line for each file opened, saved or exported: time, user, and SHA-256 of the file.")
                    : tr("Written to %1").arg(kept);
     });
-    connect(&keep_, &QAction::triggered, this, &AuditController::choose);
+    connect(&auditAction_, &QAction::triggered, this, &AuditController::choose);
 }
 
 void AuditController::choose(bool on)
@@ -103,7 +103,7 @@ void AuditController::choose(bool on)
         ui::retranslate();
         return;
     }
-    keep_.setChecked(false);   // stays off until a file has been chosen
+    auditAction_.setChecked(false);   // stays off until a file has been chosen
     auto* dialog = new QFileDialog(&dialogParent_, tr("Write audit log"),
                                    suggestedPath({}, QStringLiteral("audit.jsonl")), tr("Audit logs (*.jsonl)"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
@@ -112,7 +112,7 @@ void AuditController::choose(bool on)
     dialog->setDefaultSuffix(QStringLiteral("jsonl"));
     connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& chosen) {
         settings::auditFile.write(chosen);
-        keep_.setChecked(true);
+        auditAction_.setChecked(true);
         ui::retranslate();
     });
     dialog->open();

@@ -27,7 +27,7 @@ private:
     void turnOn();
     void turnOff();
 
-    QAction& mode_;
+    QAction& privateModeAction_;
     QWidget& dialogParent_;
 };
 
@@ -49,7 +49,7 @@ private:
     void choose(bool on);
 
     const CaseDocument& document_;
-    QAction& keep_;
+    QAction& auditAction_;
     QWidget& dialogParent_;
     FileQueue files_;
 };

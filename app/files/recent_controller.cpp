@@ -92,10 +92,10 @@ struct RecentCaseChecker::Shared {
     std::set<QString> askedAgain;   ///< cases requested again during a check, whose result may then be outdated
     std::vector<std::pair<QString, RecentCaseStatus>> answers;
 
-    void answer(const CheckRequest& asked, const CheckFunction& look)
+    void answer(const CheckRequest& asked, const CheckFunction& check)
     {
         for (bool isNews = true; isNews;) {
-            RecentCaseStatus found = look(asked.casePath, asked.picturePath);
+            RecentCaseStatus found = check(asked.casePath, asked.picturePath);
             const std::lock_guard lock(mutex);
             isNews = askedAgain.erase(asked.path) > 0;
             if (!isNews) {
@@ -106,8 +106,8 @@ struct RecentCaseChecker::Shared {
     }
 };
 
-RecentCaseChecker::RecentCaseChecker(CheckFunction look, QObject* parent)
-    : QObject(parent), check_(std::move(look)), shared_(std::make_shared<Shared>())
+RecentCaseChecker::RecentCaseChecker(CheckFunction check, QObject* parent)
+    : QObject(parent), check_(std::move(check)), shared_(std::make_shared<Shared>())
 {
     poll_.setInterval(pollMs);
     connect(&poll_, &QTimer::timeout, this, &RecentCaseChecker::publish);
@@ -119,7 +119,7 @@ RecentCaseChecker::~RecentCaseChecker()
     shared_->ended.wait_for(lock, graceAtEnd, [this] { return shared_->threads == 0; });
 }
 
-void RecentCaseChecker::look(const QStringList& paths)
+void RecentCaseChecker::check(const QStringList& paths)
 {
     std::map<QString, std::vector<CheckRequest>> byFolder;
     {
@@ -135,9 +135,9 @@ void RecentCaseChecker::look(const QStringList& paths)
         shared_->threads += static_cast<int>(byFolder.size());
     }
     for (auto& [folder, asked] : byFolder) {
-        std::thread([shared = shared_, look = check_, asked = std::move(asked)] {
+        std::thread([shared = shared_, check = check_, asked = std::move(asked)] {
             for (const CheckRequest& request : asked) {
-                shared->answer(request, look);
+                shared->answer(request, check);
             }
             const std::lock_guard lock(shared->mutex);
             --shared->threads;
@@ -159,17 +159,17 @@ void RecentCaseChecker::publish()
     if (isDone) {
         poll_.stop();
     }
-    for (const auto& [path, look] : answers) {
-        emit found(path, look);
+    for (const auto& [path, check] : answers) {
+        emit found(path, check);
     }
     if (!answers.empty()) {
         emit reported();
     }
 }
 
-RecentController::RecentController(const CaseDocument& document, const Ui& ui, RecentCaseChecker::CheckFunction look,
+RecentController::RecentController(const CaseDocument& document, const Ui& ui, RecentCaseChecker::CheckFunction check,
                                    QObject* parent)
-    : QObject(parent), document_(document), ui_(ui), checker_(std::move(look))
+    : QObject(parent), document_(document), ui_(ui), checker_(std::move(check))
 {
     const ui::RecentList& list = ui_.welcome.recent();
     connect(&list, &ui::RecentList::openRequested, this, &RecentController::openRequested);
@@ -199,7 +199,7 @@ RecentController::RecentController(const CaseDocument& document, const Ui& ui, R
 void RecentController::rebuild()
 {
     show();
-    checker_.look(recentCases());
+    checker_.check(recentCases());
 }
 
 void RecentController::show()
@@ -237,12 +237,12 @@ void RecentController::fillMenu(const QStringList& cases)
     }
 }
 
-void RecentController::updateCase(const QString& path, const RecentCaseStatus& look)
+void RecentController::updateCase(const QString& path, const RecentCaseStatus& check)
 {
     KnownCase& known = knownCases_[path];
-    const QImage picture = QImage::fromData(QByteArray::fromStdString(look.picture));
-    hasUpdates_ = hasUpdates_ || known.state != look.state || known.picture != picture;
-    known = {look.state, picture};
+    const QImage picture = QImage::fromData(QByteArray::fromStdString(check.picture));
+    hasUpdates_ = hasUpdates_ || known.state != check.state || known.picture != picture;
+    known = {check.state, picture};
 }
 
 /// Rebuilds the rows only if something has changed, since the mouse may be over one of them.
@@ -260,10 +260,10 @@ void RecentController::clear()
 }
 
 /// Switches thumbnails on or off; switching them off deletes those that are stored.
-void RecentController::setThumbnailsShown(bool wanted)
+void RecentController::setThumbnailsShown(bool enabled)
 {
-    settings::recentThumbnails.write(wanted);
-    if (!wanted) {
+    settings::recentThumbnails.write(enabled);
+    if (!enabled) {
         pruneCaseThumbnails({});
         knownCases_.clear();
     }
@@ -276,7 +276,7 @@ void RecentController::makeThumbnail()
     if (path.isEmpty() || isPrivate() || !settings::recentThumbnails.read()) {
         return;
     }
-    pictures_.run(
+    thumbnails_.run(
         [snapshot = document_.current(), path]() -> core::Result<QString> {
             if (!storeCaseThumbnail(snapshot, path)) {
                 return core::Error(messages::notShown());
@@ -284,9 +284,8 @@ void RecentController::makeThumbnail()
             return path;
         },
         [this](const core::Result<QString>& stored) {
-            pruneCaseThumbnails(settings::recentThumbnails.read()
-                                    ? recentCases()
-                                    : QStringList());   // as in the current setting
+            pruneCaseThumbnails(settings::recentThumbnails.read() ? recentCases()
+                                                                  : QStringList());   // as in the current setting
             if (stored) {
                 rebuild();
             }

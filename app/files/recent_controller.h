@@ -36,14 +36,14 @@ class RecentCaseChecker : public QObject {
     Q_OBJECT
 public:
     using CheckFunction = std::function<RecentCaseStatus(const std::string& casePath, const std::string& picturePath)>;
-    explicit RecentCaseChecker(CheckFunction look, QObject* parent = nullptr);
+    explicit RecentCaseChecker(CheckFunction check, QObject* parent = nullptr);
     ~RecentCaseChecker() override;
 
     /// Checks the cases; if a check is already in progress for a case, checks that case again afterwards.
-    void look(const QStringList& paths);
+    void check(const QStringList& paths);
 
 signals:
-    void found(const QString& path, const RecentCaseStatus& look);
+    void found(const QString& path, const RecentCaseStatus& check);
     void reported();   ///< emitted when all results so far have been reported
 
 private:
@@ -66,7 +66,7 @@ public:
         ui::WelcomePage& welcome;
     };
     RecentController(const CaseDocument& document, const Ui& ui,
-                     RecentCaseChecker::CheckFunction look = checkRecentCase, QObject* parent = nullptr);
+                     RecentCaseChecker::CheckFunction check = checkRecentCase, QObject* parent = nullptr);
 
     void rebuild();   ///< rebuilds the list and starts a check of every case in it
     void makeThumbnail();   ///< creates the thumbnail of the case that was just opened
@@ -82,14 +82,14 @@ private:
     void show();
     void fillMenu(const QStringList& cases);
     void showUpdates();
-    void updateCase(const QString& path, const RecentCaseStatus& look);
+    void updateCase(const QString& path, const RecentCaseStatus& check);
     void clear();
-    void setThumbnailsShown(bool wanted);
+    void setThumbnailsShown(bool enabled);
 
     const CaseDocument& document_;
     Ui ui_;
     RecentCaseChecker checker_;
-    FileQueue pictures_;
+    FileQueue thumbnails_;
     QHash<QString, KnownCase> knownCases_;
     bool hasUpdates_ = false;   ///< true if something has changed since the list was last shown
 };

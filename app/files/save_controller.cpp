@@ -35,14 +35,14 @@ QString suggestedCasePath(const CaseDocument& document)
 SaveController::SaveController(CaseDocument& document, ExportController& files, QWidget& window, QObject* parent)
     : QObject(parent),
       document_(document),
-      export_(files),
+      exportController_(files),
       window_(window),
       autosave_(document),
       fileGuard_(document, files_)
 {
     connect(&autosave_, &Autosave::saved, this, &SaveController::forgetRecovered);
     connect(&autosave_, &Autosave::failed, this, &SaveController::autosaveFailed);
-    connect(&fileGuard_, &CaseFileGuard::openElsewhere, this, &SaveController::openElsewhere);
+    connect(&fileGuard_, &CaseFileGuard::foundOpenElsewhere, this, &SaveController::foundOpenElsewhere);
 }
 
 void SaveController::save(const std::function<void()>& whenSaved)
@@ -70,7 +70,7 @@ bool SaveController::hasUnsavedWork() const
 
 void SaveController::saveVessels(const std::function<void()>& whenSaved)
 {
-    export_.askVessels([this, state = document_.state(), whenSaved] {
+    exportController_.askForVesselFile([this, state = document_.state(), whenSaved] {
         savedVesselsState_ = state;
         if (whenSaved) {
             whenSaved();
@@ -83,7 +83,7 @@ void SaveController::offerToSaveVessels(const std::function<void()>& whenSaved)
     auto* question = new ui::QuestionDialog(
         {tr("No angiogram yet"),
          tr("A case requires vessels and an angiogram. Without an angiogram, only the vessels can be saved, as "
-            "centerlines. To create a case later, open them together with an angiogram."),
+            "centerlines. To create a case later, open these vessels together with an angiogram."),
          {}},
         {tr("Save vessels…"), tr("Cancel")}, &window_);
     question->setObjectName(QStringLiteral("vesselsQuestion"));
@@ -99,7 +99,7 @@ void SaveController::offerToSaveVessels(const std::function<void()>& whenSaved)
 }
 
 /// Rejects a case that cannot be saved before asking for a file name.
-bool SaveController::cannotSave(const std::function<void()>& whenSaved)
+bool SaveController::reportSaveProblem(const std::function<void()>& whenSaved)
 {
     if (savable() == Savable::Vessels) {
         offerToSaveVessels(whenSaved);
@@ -115,7 +115,7 @@ bool SaveController::cannotSave(const std::function<void()>& whenSaved)
 
 void SaveController::saveAs(const std::function<void()>& whenSaved)
 {
-    if (cannotSave(whenSaved)) {
+    if (reportSaveProblem(whenSaved)) {
         return;
     }
     auto* dialog = new QFileDialog(&window_, tr("Save case"), suggestedCasePath(document_), tr("Cases (*.angiopose)"));
@@ -136,7 +136,7 @@ void SaveController::saveTo(const QString& path, const std::function<void()>& wh
     }
     emit started();
     files_.run(
-        [save = fileGuard_.saving(document_.current(), path, replaced), snapshot = document_.current(), path,
+        [save = fileGuard_.guardedSave(document_.current(), path, replaced), snapshot = document_.current(), path,
          withPicture = settings::recentThumbnails.read()]() -> core::Result<QString> {
             if (const auto written = save(); !written) {
                 return written.error();
@@ -156,9 +156,8 @@ void SaveController::saveTo(const QString& path, const std::function<void()>& wh
                 return;
             }
             finishSave(path, state);
-            pruneCaseThumbnails(settings::recentThumbnails.read()
-                                    ? recentCases()
-                                    : QStringList());   // as in the current setting
+            pruneCaseThumbnails(settings::recentThumbnails.read() ? recentCases()
+                                                                  : QStringList());   // as in the current setting
             if (whenSaved) {
                 whenSaved();
             }

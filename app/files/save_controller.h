@@ -43,13 +43,15 @@ signals:
     void failed(const QString& reason);
     void saved();
     void autosaveFailed(const QString& reason);   ///< emitted when autosave fails; autosave keeps trying
-    void openElsewhere(const QString& words);   ///< emitted if the open case is also open in another window or program
+    void foundOpenElsewhere(
+        const QString& note);   ///< emitted if the open case is also open in another window or program
     void reloadRequested(const QString& path);   ///< emitted to load changes made elsewhere instead of overwriting them
     void recoveryRequested(const app::RecoveryCopy& copy);
     void vesselsRecovered(const QString& path);   ///< emitted with the file of recovered vessels without an angiogram
 
 private:
-    bool cannotSave(const std::function<void()>& whenSaved);   ///< if so, states the reason or offers to save a part
+    bool reportSaveProblem(
+        const std::function<void()>& whenSaved);   ///< if so, states the reason or offers to save a part
     void offerToSaveVessels(const std::function<void()>& whenSaved);
     void confirmOverwrite(const QString& path, const std::function<void()>& whenSaved);
     void recover(const RecoveryCopy& copy);
@@ -57,7 +59,7 @@ private:
     void finishSave(const QString& path, const CaseState& written);
 
     CaseDocument& document_;
-    ExportController& export_;
+    ExportController& exportController_;
     QWidget& window_;
     Autosave autosave_;
     FileQueue files_;

@@ -53,16 +53,19 @@ public:
 
     /// Shows the notice and the recovery offer, and opens the files given on the command line.
     void begin(const QStringList& paths);
-    void open(const QStringList& paths) { open_.open(paths); }
-    void closeWindow() { close_.closeWindow(); }   ///< asks first if unsaved work would be lost
+    void open(const QStringList& paths) { openController_.open(paths); }
+    void closeWindow() { closeController_.closeWindow(); }   ///< asks first if unsaved work would be lost
     void abandonLoading();
-    bool isLoading() const { return open_.isLoading() || studies_.isReading(); }
-    bool isWriting() const { return pack_.isRunning() || deidentify_.isRunning(); }   ///< jobs that may take long
+    bool isLoading() const { return openController_.isLoading() || studyController_.isReading(); }
+    bool isWriting() const
+    {
+        return packController_.isRunning() || deidentifyController_.isRunning();
+    }   ///< jobs that may take long
 
-    SaveController& saving() { return save_; }
-    ExportController& exporting() { return export_; }
-    AuditController& audit() { return audit_; }
-    OpenController& opening() { return open_; }
+    SaveController& saveController() { return saveController_; }
+    ExportController& exportController() { return exportController_; }
+    AuditController& audit() { return auditController_; }
+    OpenController& openController() { return openController_; }
 
 signals:
     void firstStarted();   ///< emitted at the first start, after the notice, if no files are opened
@@ -89,21 +92,21 @@ private:
     CaseDocument& document_;
     Notifications& notifications_;
     Ui ui_;
-    OpenController open_;
-    ExportController export_;
-    ReportController report_;
-    DicomController dicom_;
-    PackController pack_;
-    DeidentifyController deidentify_;
-    SaveController save_;
+    OpenController openController_;
+    ExportController exportController_;
+    ReportController reportController_;
+    DicomController dicomController_;
+    PackController packController_;
+    DeidentifyController deidentifyController_;
+    SaveController saveController_;
     OpenDialogs dialogs_;
-    StudyController studies_;
-    CloseController close_;
-    RecentController recent_;
-    std::unique_ptr<ArchiveController> archive_;
-    std::unique_ptr<ArchiveSender> sender_;
-    PrivacyController privacy_;
-    AuditController audit_;
+    StudyController studyController_;
+    CloseController closeController_;
+    RecentController recentController_;
+    std::unique_ptr<ArchiveController> archiveController_;
+    std::unique_ptr<ArchiveSender> archiveSender_;
+    PrivacyController privacyController_;
+    AuditController auditController_;
     bool isRecoveryPending_ =
         false;   ///< true until the files from the command line were handled; recovery is offered then
     QStringList openingNotes_;

@@ -51,13 +51,13 @@ QImage imageOf(const core::ImageF& picture)
 }   // namespace
 
 StudyController::StudyController(OpenController& open, Notifications& notifications, const Ui& ui, QObject* parent)
-    : QObject(parent), open_(open), notifications_(notifications), ui_(ui), pictures_(picturePx, this)
+    : QObject(parent), openController_(open), notifications_(notifications), ui_(ui), thumbnails_(picturePx, this)
 {
     showBrowserTimer_.setSingleShot(true);
     showBrowserTimer_.setInterval(showBrowserDelayMs);
     connect(&showBrowserTimer_, &QTimer::timeout, this, &StudyController::showBrowser);
-    connect(&open_, &OpenController::studyOffered, this, &StudyController::openFolder);
-    connect(&job_, &StudyJob::advanced, this, &StudyController::follow);
+    connect(&openController_, &OpenController::studyOffered, this, &StudyController::openFolder);
+    connect(&job_, &StudyJob::progressed, this, &StudyController::follow);
     connect(&job_, &StudyJob::finished, this, &StudyController::showResult);
     connect(&job_, &StudyJob::failed, this, [this](const core::Message& reason) {
         ui_.strip.showIdle(tr("Ready"));
@@ -69,12 +69,12 @@ StudyController::StudyController(OpenController& open, Notifications& notificati
             showTree(tree_);
         }
     });
-    connect(&pictures_, &SeriesThumbnails::made, this, [this](const QString& key, const core::ImageF& picture) {
+    connect(&thumbnails_, &SeriesThumbnails::loaded, this, [this](const QString& key, const core::ImageF& picture) {
         if (browser_) {
             browser_->showThumbnail(key, imageOf(picture));
         }
     });
-    connect(&pictures_, &SeriesThumbnails::failed, this, [this](const QString& key) {
+    connect(&thumbnails_, &SeriesThumbnails::failed, this, [this](const QString& key) {
         if (browser_) {
             browser_->showThumbnail(key, {});
         }
@@ -109,24 +109,24 @@ void StudyController::createBrowser()
     connect(browser_, &ui::StudyBrowser::stopRequested, &job_, &StudyJob::requestStop);
     connect(browser_, &ui::StudyBrowser::allFilesRequested, this, [this] { start(io::StudyScope::AllFiles); });
     connect(browser_, &ui::StudyBrowser::thumbnailsRequested, this, &StudyController::requestThumbnails);
-    connect(browser_, &ui::StudyBrowser::chosen, this, &StudyController::open);
+    connect(browser_, &ui::StudyBrowser::seriesChosen, this, &StudyController::open);
     connect(browser_, &QDialog::finished, this, &StudyController::stopReading);
 }
 
-void StudyController::start(io::StudyScope reach)
+void StudyController::start(io::StudyScope scope)
 {
     isComplete_ = false;
-    reach_ = reach;
+    scope_ = scope;
     browser_->showProgress(0, 0);
     ui_.strip.showBusy(tr("Searching %1…").arg(QFileInfo(name_).fileName()));
-    job_.start(folders_, reach);
+    job_.start(folders_, scope);
 }
 
 /// Stops reading the folder and the thumbnails.
 void StudyController::stopReading()
 {
     showBrowserTimer_.stop();
-    pictures_.request({});
+    thumbnails_.request({});
     if (job_.isRunning()) {
         job_.abandon();
         ui_.strip.showIdle(tr("Ready"));
@@ -150,13 +150,13 @@ void StudyController::follow(const io::StudyProgress& progress)
         return;
     }
     browser_->showProgress(static_cast<qsizetype>(progress.read), static_cast<qsizetype>(progress.found));
-    const bool isDue =
-        !sinceRebuild_.isValid() || sinceRebuild_.elapsed() > restShare * rebuildMs_;   // updates long lists less often
-    if (progress.tree && progress.tree != tree_ && reach_ == io::StudyScope::Listed && isDue) {
+    const bool isDue = !sinceRebuild_.isValid() ||
+                       sinceRebuild_.elapsed() > restShare * lastRebuildMs_;   // updates long lists less often
+    if (progress.tree && progress.tree != tree_ && scope_ == io::StudyScope::Listed && isDue) {
         QElapsedTimer took;
         took.start();
         showTree(progress.tree);
-        rebuildMs_ = took.elapsed();
+        lastRebuildMs_ = took.elapsed();
         sinceRebuild_.start();
         if (usableOf(*tree_).size() > 1) {
             showBrowser();
@@ -176,7 +176,7 @@ void StudyController::showResult(const SharedStudies& tree)
     const auto usable = usableOf(*tree);
     const auto& directory = tree->directory;
     const bool isAsListed = !directory || (directory->unlistedFiles == 0 && directory->missingFiles == 0);
-    const bool isAllRead = !tree->isStopped && !tree->isTruncated && tree->damaged.empty() && isAsListed;
+    const bool isAllRead = !tree->isStopped && !tree->isTruncated && tree->damagedFiles.empty() && isAsListed;
     if (tree->patients.empty() && !isBrowserShown()) {
         abandon();
         notifications_.showProblem(tr("The folder could not be opened"),
@@ -188,11 +188,11 @@ void StudyController::showResult(const SharedStudies& tree)
         abandon();
         const bool isRun = only.use == io::SeriesUse::View;
         const bool isFolder = tree->directory == std::nullopt && folders_.size() == 1;
-        open_.openStudy({isRun      ? QString()
-                         : isFolder ? folders_.front()
-                                    : QString::fromStdString(only.place),
-                         QString::fromStdString(only.series.id),
-                         isRun ? QStringList{QString::fromStdString(only.place)} : QStringList()});
+        openController_.openStudy({isRun      ? QString()
+                                   : isFolder ? folders_.front()
+                                              : QString::fromStdString(only.place),
+                                   QString::fromStdString(only.series.id),
+                                   isRun ? QStringList{QString::fromStdString(only.place)} : QStringList()});
         return;
     }
     showSummary();
@@ -236,11 +236,11 @@ void StudyController::showSummary()
                               .arg(directory->unlistedFiles);
         }
     }
-    QStringList damaged;
-    for (const io::DamagedFile& file : tree_->damaged) {
-        damaged << QStringLiteral("%1: %2").arg(QString::fromStdString(file.path), ui::messageText(file.reason));
+    QStringList damagedFiles;
+    for (const io::DamagedFile& file : tree_->damagedFiles) {
+        damagedFiles << QStringLiteral("%1: %2").arg(QString::fromStdString(file.path), ui::messageText(file.reason));
     }
-    browser_->showSummary(words.join(u' '), damaged, offer);
+    browser_->showSummary(words.join(u' '), damagedFiles, offer);
 }
 
 void StudyController::showBrowser()
@@ -283,7 +283,7 @@ void StudyController::requestThumbnails(const QStringList& keys)
             wanted.push_back({key, {tree_, &series->series}});
         }
     }
-    pictures_.request(std::move(wanted));
+    thumbnails_.request(std::move(wanted));
 }
 
 void StudyController::open(const QString& vessels, const QStringList& views)
@@ -300,7 +300,7 @@ void StudyController::open(const QString& vessels, const QStringList& views)
         }
     }
     stopReading();
-    open_.openStudy(choice);
+    openController_.openStudy(choice);
 }
 
 }   // namespace angiopose::app

@@ -42,7 +42,7 @@ public:
 private:
     void begin(const QStringList& folders, const QString& name);
     void createBrowser();
-    void start(io::StudyScope reach);
+    void start(io::StudyScope scope);
     void stopReading();
     void follow(const io::StudyProgress& progress);
     void showResult(const SharedStudies& tree);
@@ -55,20 +55,20 @@ private:
     void open(const QString& vessels, const QStringList& views);
     const io::StudySeries* find(const QString& key) const;
 
-    OpenController& open_;
+    OpenController& openController_;
     Notifications& notifications_;
     Ui ui_;
     QStringList folders_;   ///< folder, or several folders that are listed together
     QString name_;   ///< common display name of the folders
     SharedStudies tree_;
     QPointer<ui::StudyBrowser> browser_;
-    io::StudyScope reach_ = io::StudyScope::Listed;
-    bool isComplete_ = false;   ///< true if all files within `reach_` have been read
+    io::StudyScope scope_ = io::StudyScope::Listed;
+    bool isComplete_ = false;   ///< true if all files within `scope_` have been read
     QElapsedTimer sinceRebuild_;   ///< time since the list was last rebuilt
-    qint64 rebuildMs_ = 0;   ///< duration of the last rebuild
+    qint64 lastRebuildMs_ = 0;   ///< duration of the last rebuild
     QTimer showBrowserTimer_;   ///< on timeout, shows the browser with whatever was found so far
     StudyJob job_;
-    SeriesThumbnails pictures_;
+    SeriesThumbnails thumbnails_;
 };
 
 }   // namespace angiopose::app

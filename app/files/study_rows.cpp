@@ -74,10 +74,10 @@ void addPace(const io::StudySeries& studySeries, ui::StudySeriesRow& row)
 {
     if (studySeries.use == io::SeriesUse::Vessels) {
         row.sortValue = studySeries.series.stack.geometry.spacingMm.z();
-        row.pace = StudyWords::tr("%1 mm").arg(ui::numberText(row.sortValue, 2));
+        row.frameRate = StudyWords::tr("%1 mm").arg(ui::numberText(row.sortValue, 2));
     } else if (studySeries.use == io::SeriesUse::View && studySeries.frameTimeMs > 0.0 && studySeries.imageCount > 1) {
         row.sortValue = 1000.0 / studySeries.frameTimeMs;
-        row.pace = StudyWords::tr("%1 frames/s").arg(ui::numberText(row.sortValue, 1));
+        row.frameRate = StudyWords::tr("%1 frames/s").arg(ui::numberText(row.sortValue, 1));
     }
 }
 

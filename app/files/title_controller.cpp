@@ -9,9 +9,14 @@ namespace angiopose::app {
 
 using namespace std::chrono_literals;
 
-TitleController::TitleController(CaseDocument& document, SaveController& saving, ui::HeaderBar& header,
+TitleController::TitleController(CaseDocument& document, SaveController& saveController, ui::HeaderBar& header,
                                  ui::BottomStrip& strip, QWidget& window, QObject* parent)
-    : QObject(parent), document_(document), saving_(saving), header_(header), strip_(strip), window_(window)
+    : QObject(parent),
+      document_(document),
+      saveController_(saveController),
+      header_(header),
+      strip_(strip),
+      window_(window)
 {
     connect(&document_, &CaseDocument::changed, this, &TitleController::show);
     connect(&document_, &CaseDocument::stateChanged, this, &TitleController::show);
@@ -31,16 +36,16 @@ void TitleController::show()
     window_.setWindowTitle(shown.isEmpty() ? tr("AngioPose · not for clinical use")
                                            : tr("%1 · AngioPose · not for clinical use").arg(shown));
     header_.showTitle(shown);
-    header_.showStudy(studyLine());
+    header_.showStudy(studyText());
     showSaveState();
 }
 
 void TitleController::showSaveState()
 {
-    strip_.showSaveState(saving_.saveState());
+    strip_.showSaveState(saveController_.saveState());
 }
 
-QString TitleController::studyLine() const
+QString TitleController::studyText() const
 {
     const core::Case& current = document_.current();
     if (!current.shown().angiogram) {

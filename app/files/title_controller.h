@@ -19,16 +19,16 @@ namespace angiopose::app {
 class TitleController : public QObject {
     Q_OBJECT
 public:
-    TitleController(CaseDocument& document, SaveController& saving, ui::HeaderBar& header, ui::BottomStrip& strip,
-                    QWidget& window, QObject* parent = nullptr);
+    TitleController(CaseDocument& document, SaveController& saveController, ui::HeaderBar& header,
+                    ui::BottomStrip& strip, QWidget& window, QObject* parent = nullptr);
 
 private:
     void show();
     void showSaveState();
-    QString studyLine() const;
+    QString studyText() const;
 
     CaseDocument& document_;
-    SaveController& saving_;
+    SaveController& saveController_;
     ui::HeaderBar& header_;
     ui::BottomStrip& strip_;
     QWidget& window_;

@@ -70,19 +70,20 @@ void HelpController::startTour()
           tr("Each step shows a check mark when complete; otherwise, its tooltip lists what is missing. The steps can "
              "be clicked in any order.")},
          {&window_.branches(), tr("The vessel tree"),
-          tr("Lists the branches with their lengths and distances to the image. A adds a branch to the auxiliary "
-             "branches, X excludes it.")},
+          tr("Lists the branches with their lengths and residuals. Press A to add a branch to the auxiliary branches, "
+             "X to exclude it.")},
          {&window_.angiogramView(), tr("The angiogram"),
-          tr("The projected tree is overlaid on it, colored by distance. Wheel: scroll through frames. N: move the "
-             "tree with arrow keys or mouse. H: hide it.")},
+          tr("The projected tree is overlaid on the angiogram and colored by its distance to the traced vessels. "
+             "Wheel: scroll through the frames. N: move the tree with the arrow keys or the mouse. H: hide the tree.")},
          {&window_.registration(), tr("Register"),
-          tr("R finds the pose. Stop keeps the best pose found so far; Ctrl+Z restores the previous one.")},
+          tr("R finds the pose. Stop keeps the best pose found so far; Ctrl+Z restores the pose from before the "
+             "registration.")},
          {&window_.result(), tr("Is the result reliable?"),
-          tr("Distances in mm, and notes on what this image cannot determine. Shift+F1 shows examples of good and bad "
-             "fits.")},
+          tr("Shows distances in mm and notes on what cannot be determined from this image. Shift+F1 shows examples of "
+             "good and bad fits.")},
          {&window_.header(), tr("Getting help"),
-          tr("F1 explains the item under the mouse pointer, ? lists and edits all shortcuts. This tour is in the Help "
-             "menu.")}},
+          tr("F1 explains the item under the mouse pointer; ? lists all shortcuts and lets you change them. This tour "
+             "is also available from the Help menu.")}},
         &window_);
 }
 
@@ -101,17 +102,17 @@ void HelpController::showFitExamples()
 void HelpController::loadFitExample(int index)
 {
     const auto example = static_cast<ui::FitExample>(index);
-    pictures_.run([example] { return fitExampleImage(example); },
-                  [this, example](const core::Result<QString>& path) {
-                      if (!goodFit_) {
-                          return;
-                      }
-                      if (path) {
-                          goodFit_->showExample(example, QImage(path.value()));
-                      } else {
-                          goodFit_->showProblem(ui::messageText(path.error().message));
-                      }
-                  });
+    exampleImages_.run([example] { return fitExampleImage(example); },
+                       [this, example](const core::Result<QString>& path) {
+                           if (!goodFit_) {
+                               return;
+                           }
+                           if (path) {
+                               goodFit_->showExample(example, QImage(path.value()));
+                           } else {
+                               goodFit_->showProblem(ui::messageText(path.error().message));
+                           }
+                       });
 }
 
 /// Describes the renderer and the OpenGL driver, for reports of display problems.
@@ -119,8 +120,8 @@ QString HelpController::rendererDescription() const
 {
     const ui::GlDriver& driver = ui::glDriver();
     const QString renderer = ui::chosenRenderer() == ui::Renderer::Vtk
-                                 ? tr("The angiogram is rendered by VTK (OpenGL).")
-                                 : tr("The angiogram is rendered by the CPU.");
+                                 ? tr("The angiogram is rendered with VTK (OpenGL).")
+                                 : tr("The angiogram is rendered on the CPU.");
     return driver.isAvailable()
                ? QStringLiteral("%1\nOpenGL %2: %3, %4").arg(renderer, driver.version, driver.vendor, driver.renderer)
                : renderer;

@@ -32,7 +32,7 @@ private:
     ui::MainWindow& window_;
     QPointer<ui::Tour> tour_;
     QPointer<ui::GoodFit> goodFit_;
-    FileQueue pictures_;
+    FileQueue exampleImages_;
 };
 
 }   // namespace angiopose::app

@@ -204,7 +204,7 @@ void SupportController::collect()
         texts.push_back({"settings.txt", preferences});
         texts.push_back({"case.txt", io::caseSummary(session)});
         texts = io::redact(std::move(texts), redaction);
-        texts.push_back({"log.txt", words.only(redaction.redact(log))});
+        texts.push_back({"log.txt", words.keepKnownWords(redaction.redact(log))});
         return SharedTexts(std::make_shared<const std::vector<io::SupportFile>>(std::move(texts)));
     });
 }
@@ -217,11 +217,11 @@ void SupportController::show(const SharedTexts& texts)
     }
     auto* dialog = new ui::SupportDialog(std::move(parts), &ui_.dialogParent);
     connect(
-        dialog, &ui::SupportDialog::saveRequested, this, [this, texts] { askPath(texts); }, Qt::QueuedConnection);
+        dialog, &ui::SupportDialog::saveRequested, this, [this, texts] { askForPath(texts); }, Qt::QueuedConnection);
     dialog->open();
 }
 
-void SupportController::askPath(const SharedTexts& texts)
+void SupportController::askForPath(const SharedTexts& texts)
 {
     auto* dialog =
         new QFileDialog(&ui_.dialogParent, tr("Save support bundle"),

@@ -48,7 +48,7 @@ private:
     void rememberCase();
     void collect();
     void show(const SharedTexts& texts);
-    void askPath(const SharedTexts& texts);
+    void askForPath(const SharedTexts& texts);
     void write(const SharedTexts& texts, const QString& path);
     std::string logText() const;
 

@@ -24,9 +24,9 @@ FileQueue::~FileQueue()
     }
 }
 
-void FileQueue::run(Work work, Answer answer)
+void FileQueue::run(Work work, Callback callback)
 {
-    tasks_.push_back({std::move(work), std::move(answer)});
+    tasks_.push_back({std::move(work), std::move(callback)});
     if (!running_) {
         startNext();
     }
@@ -46,8 +46,8 @@ void FileQueue::publish()
     tasks_.pop_front();
     const core::Result<QString> written = watcher_.result();
     startNext();
-    if (done.answer) {
-        done.answer(written);
+    if (done.callback) {
+        done.callback(written);
     }
 }
 

@@ -17,18 +17,18 @@ class FileQueue : public QObject {
     Q_OBJECT
 public:
     using Work = std::function<core::Result<QString>()>;
-    using Answer = std::function<void(const core::Result<QString>& written)>;
+    using Callback = std::function<void(const core::Result<QString>& written)>;
 
     explicit FileQueue(QObject* parent = nullptr);
     ~FileQueue() override;
 
-    void run(Work work, Answer answer);   ///< `answer` is called on this object's thread
+    void run(Work work, Callback callback);   ///< `answer` is called on this object's thread
     bool isBusy() const { return running_; }
 
 private:
     struct Task {
         Work work;
-        Answer answer;
+        Callback callback;
     };
     void startNext();
     void publish();

@@ -28,9 +28,9 @@ public:
     {
         const std::lock_guard lock(mutex_);
         report_ = std::move(report);
-        return verdict();
+        return decision();
     }
-    core::ObserverDecision verdict() const
+    core::ObserverDecision decision() const
     {
         return isStopRequested_ ? core::ObserverDecision::Stop : core::ObserverDecision::Continue;
     }
@@ -51,26 +51,26 @@ private:
 /// Runs one task at a time off the GUI thread. The task works on a snapshot; its reports (at most 30 per second) and
 /// its outcome are delivered on the thread that created the job. The destructor requests a stop and returns without
 /// waiting.
-template <class Found, class Report = double>
+template <class Value, class Report = double>
 class Job {
 public:
     using Link = JobLink<Report>;
-    using Outcome = core::Result<Found>;
+    using Outcome = core::Result<Value>;
     using Work = std::function<Outcome(Link&)>;   ///< holds copies of all data; exceptions become errors
 
     struct Callbacks {
-        std::function<void(const Found&)> finished;
+        std::function<void(const Value&)> finished;
         std::function<void(const core::Error&)> failed;   ///< called if the work failed or stopped without a result
-        std::function<void(const Report&)> advanced = {};
+        std::function<void(const Report&)> progressed = {};
     };
 
-    explicit Job(Callbacks answers) : callbacks_(std::move(answers))
+    explicit Job(Callbacks callbacks) : callbacks_(std::move(callbacks))
     {
         poll_.setInterval(33);   // 33 ms, i.e. about 30 updates per second
         QObject::connect(&poll_, &QTimer::timeout, &poll_, [this] { deliverReport(); });
     }
     /// Creates a job that ignores failures, for results that are optional.
-    explicit Job(std::function<void(const Found&)> finished)
+    explicit Job(std::function<void(const Value&)> finished)
         : Job(Callbacks{std::move(finished), [](const core::Error&) {}})
     {
     }
@@ -86,7 +86,7 @@ public:
         QObject::connect(watcher_.get(), &QFutureWatcherBase::finished, &poll_, [this] { publish(); });
         poll_.start();
         watcher_->setFuture(QtConcurrent::run([link = link_, work = std::move(work)]() -> Outcome {
-            return guarded<Found>([&] { return work(*link); });
+            return guarded<Value>([&] { return work(*link); });
         }));
     }
 
@@ -110,8 +110,8 @@ public:
 private:
     void deliverReport()
     {
-        if (auto report = link_->takeReport(); report && callbacks_.advanced) {
-            callbacks_.advanced(*report);
+        if (auto report = link_->takeReport(); report && callbacks_.progressed) {
+            callbacks_.progressed(*report);
         }
     }
 
@@ -141,16 +141,16 @@ private:
 
 /// Returns callbacks that emit the signals of `owner`: finished(found), failed(message) and advanced(report), the last
 /// only if `owner` has this signal.
-template <class Found, class Report = double, class Owner>
-typename Job<Found, Report>::Callbacks emitAsSignals(Owner& owner)
+template <class Value, class Report = double, class Owner>
+typename Job<Value, Report>::Callbacks emitAsSignals(Owner& owner)
 {
-    typename Job<Found, Report>::Callbacks answers{
-        [&owner](const Found& found) { emit owner.finished(found); },
+    typename Job<Value, Report>::Callbacks callbacks{
+        [&owner](const Value& found) { emit owner.finished(found); },
         [&owner](const core::Error& error) { emit owner.failed(error.message); }};
-    if constexpr (requires(const Report& report) { owner.advanced(report); }) {
-        answers.advanced = [&owner](const Report& report) { emit owner.advanced(report); };
+    if constexpr (requires(const Report& report) { owner.progressed(report); }) {
+        callbacks.progressed = [&owner](const Report& report) { emit owner.progressed(report); };
     }
-    return answers;
+    return callbacks;
 }
 
 }   // namespace angiopose::app

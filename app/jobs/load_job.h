@@ -20,7 +20,7 @@ public:
     const QStringList& paths() const { return paths_; }
 
 signals:
-    void advanced(double fraction);
+    void progressed(double fraction);
     void finished(const io::LoadedInputs& inputs);
     void failed(const core::Message& reason);
 

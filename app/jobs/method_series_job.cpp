@@ -32,7 +32,7 @@ core::Result<core::Done> MethodSeriesJob::solve(const core::RegistrationInput& i
 {
     Report report;
     const double share = 1.0 / static_cast<double>(methodIds.size());
-    for (std::size_t i = 0; i < methodIds.size() && link.verdict() == core::ObserverDecision::Continue; ++i) {
+    for (std::size_t i = 0; i < methodIds.size() && link.decision() == core::ObserverDecision::Continue; ++i) {
         options.method = report.methodId = methodIds[i];
         const auto observe = [&](const core::IterationReport& iteration) {
             report.progress = share * (static_cast<double>(i) + iteration.progress);
@@ -51,7 +51,7 @@ core::Result<core::Done> MethodSeriesJob::solve(const core::RegistrationInput& i
 
 void MethodSeriesJob::tell(const Report& report)
 {
-    emit advanced(QString::fromStdString(report.methodId), report.progress);
+    emit progressed(QString::fromStdString(report.methodId), report.progress);
     for (; reportedCount_ < report.ended.size(); ++reportedCount_) {
         const MethodOutcome& method = report.ended[reportedCount_];
         if (method.outcome) {

@@ -23,7 +23,7 @@ public:
     bool isRunning() const { return job_.isRunning(); }
 
 signals:
-    void advanced(const QString& methodId, double progress);   ///< `progress` covers all methods, 0…1
+    void progressed(const QString& methodId, double progress);   ///< `progress` covers all methods, 0…1
     void solved(const core::RegistrationResult& result);   ///< emitted for each completed method
     void failed(const QString& methodId, const core::Message& reason);   ///< the job continues with the next method
     void ended(bool wasStopped);

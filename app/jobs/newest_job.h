@@ -10,16 +10,16 @@ namespace angiopose::app {
 
 /// Processes the newest of many requests off the GUI thread: a request made while another is being processed replaces
 /// any pending one.
-template <class Request, class Found>
+template <class Request, class Value>
 class NewestJob {
 public:
-    using Work = std::function<core::Result<Found>(const Request&, JobLink<double>&)>;
+    using Work = std::function<core::Result<Value>(const Request&, JobLink<double>&)>;
 
     /// Calls `made` with each result on the thread that created the job. Failures are ignored.
-    explicit NewestJob(std::function<void(const Found&)> made)
-        : job_({[this, made = std::move(made)](const Found& found) {
+    explicit NewestJob(std::function<void(const Value&)> onResult)
+        : job_({[this, onResult = std::move(onResult)](const Value& found) {
                     startPending();
-                    made(found);
+                    onResult(found);
                 },
                 [this](const core::Error&) { startPending(); }})
     {
@@ -33,19 +33,19 @@ public:
     }
     void clear() { setWork({}); }
 
-    void request(Request wanted)
+    void request(Request newest)
     {
         if (job_.isRunning()) {
-            pending_ = std::move(wanted);
+            pending_ = std::move(newest);
         } else if (work_) {
-            start(std::move(wanted));
+            start(std::move(newest));
         }
     }
     /// Abandons the request in progress and starts this one at once.
-    void replaceWith(Request wanted)
+    void replaceWith(Request newest)
     {
         drop();
-        request(std::move(wanted));
+        request(std::move(newest));
     }
     void drop()
     {
@@ -54,9 +54,9 @@ public:
     }
 
 private:
-    void start(Request wanted)
+    void start(Request newest)
     {
-        job_.start([work = work_, wanted = std::move(wanted)](JobLink<double>& link) { return work(wanted, link); });
+        job_.start([work = work_, newest = std::move(newest)](JobLink<double>& link) { return work(newest, link); });
     }
     void startPending()
     {
@@ -67,7 +67,7 @@ private:
 
     Work work_;
     std::optional<Request> pending_;
-    Job<Found> job_;
+    Job<Value> job_;
 };
 
 }   // namespace angiopose::app

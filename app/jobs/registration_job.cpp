@@ -14,7 +14,7 @@ void RegistrationJob::start(core::Case session, core::RegistrationPlan plan)
     job_.start([session = std::move(session), plan = std::move(plan)](JobLink<RunReport>& link) {
         return core::registerCase(session, plan, [&link, shown = session.shownView](const core::WorkReport& report) {
             if (!report.iteration) {
-                return link.verdict();
+                return link.decision();
             }
             RunReport reported{*report.iteration, report.view == shown};
             reported.iteration.progress = report.fraction;

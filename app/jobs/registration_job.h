@@ -24,7 +24,7 @@ public:
     bool isRunning() const { return job_.isRunning(); }
 
 signals:
-    void advanced(const app::RunReport& report);   ///< emitted at most 30 times per second
+    void progressed(const app::RunReport& report);   ///< emitted at most 30 times per second
     void finished(const core::RegisteredCase& registered);   ///< after a stop, `registered` holds the best poses so far
     void failed(const core::Message& reason);
 

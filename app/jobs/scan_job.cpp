@@ -23,11 +23,11 @@ struct ScanJob::PreparedScan {
 
 ScanJob::ScanJob(QObject* parent)
     : QObject(parent),
-      preparation_({[this](const std::shared_ptr<const PreparedScan>& ready) { setPrepared(ready); },
+      preparation_({[this](const std::shared_ptr<const PreparedScan>& preparedScan) { setPrepared(preparedScan); },
                     [this](const core::Error& error) { emit failed(error.message); }}),
-      pictures_([this](const ScanRendering& picture) {
+      renderings_([this](const ScanRendering& picture) {
           isRenderingFine_ = false;
-          emit made(picture);
+          emit rendered(picture);
       })
 {
 }
@@ -36,14 +36,14 @@ void ScanJob::prepare(core::VolumePreparation what, std::optional<double> thresh
 {
     clear();
     preparation_.start([what = std::move(what), threshold](JobLink<double>& link) {
-        return prepareScan(what, threshold, [&link] { return link.verdict() == core::ObserverDecision::Continue; });
+        return prepareScan(what, threshold, [&link] { return link.decision() == core::ObserverDecision::Continue; });
     });
 }
 
 void ScanJob::clear()
 {
     preparation_.drop();
-    pictures_.clear();
+    renderings_.clear();
     isRenderingFine_ = false;
     preparedScan_.reset();
 }
@@ -68,34 +68,37 @@ core::Result<std::shared_ptr<const ScanJob::PreparedScan>> ScanJob::prepareScan(
     if (!rough) {
         return core::Error(messages::notShown());
     }
-    auto ready = std::make_shared<PreparedScan>();
-    ready->isMask = what.scan == nullptr;
-    ready->levels = ready->isMask ? core::IntensityLevels() : core::estimateLevels(*again.scan, threshold);
-    ready->fine = std::move(*fine);
-    ready->rough = std::move(*rough);
-    return std::shared_ptr<const PreparedScan>(std::move(ready));
+    auto preparedScan = std::make_shared<PreparedScan>();
+    preparedScan->isMask = what.scan == nullptr;
+    preparedScan->levels =
+        preparedScan->isMask ? core::IntensityLevels() : core::estimateLevels(*again.scan, threshold);
+    preparedScan->fine = std::move(*fine);
+    preparedScan->rough = std::move(*rough);
+    return std::shared_ptr<const PreparedScan>(std::move(preparedScan));
 }
 
-core::Result<ScanRendering> ScanJob::render(const PreparedScan& ready, const ScanRenderRequest& wanted,
+core::Result<ScanRendering> ScanJob::render(const PreparedScan& preparedScan, const ScanRenderRequest& renderRequest,
                                             const std::function<bool()>& shouldContinue)
 {
-    const bool isFine = wanted.detail == ScanDetail::Fine;
-    const core::PreparedVolume& scan = isFine ? ready.fine : ready.rough;
-    const core::ScanAppearance look = ready.isMask
-                                          ? core::maskAppearance(wanted.look)
-                                          : core::appearanceFor(ready.levels, wanted.look, scan.hasVesselLabels);
-    auto pixels = core::renderScan(scan, look, wanted.sight, isFine ? fineStepShare : roughStepShare, shouldContinue);
+    const bool isFine = renderRequest.detail == ScanDetail::Fine;
+    const core::PreparedVolume& scan = isFine ? preparedScan.fine : preparedScan.rough;
+    const core::ScanAppearance appearance =
+        preparedScan.isMask ? core::maskAppearance(renderRequest.appearance)
+                            : core::appearanceFor(preparedScan.levels, renderRequest.appearance, scan.hasVesselLabels);
+    auto pixels = core::renderScan(scan, appearance, renderRequest.projection, isFine ? fineStepShare : roughStepShare,
+                                   shouldContinue);
     if (!pixels) {
         return core::Error(messages::notShown());   // a newer request has stopped the rendering
     }
-    return ScanRendering{wanted.sight, std::move(*pixels), wanted.detail};
+    return ScanRendering{renderRequest.projection, std::move(*pixels), renderRequest.detail};
 }
 
-void ScanJob::setPrepared(const std::shared_ptr<const PreparedScan>& ready)
+void ScanJob::setPrepared(const std::shared_ptr<const PreparedScan>& preparedScan)
 {
-    preparedScan_ = freeOnWorker(ready);
-    pictures_.setWork([ready = preparedScan_](const ScanRenderRequest& wanted, JobLink<double>& link) {
-        return render(*ready, wanted, [&link] { return link.verdict() == core::ObserverDecision::Continue; });
+    preparedScan_ = freeOnWorker(preparedScan);
+    renderings_.setWork([preparedScan = preparedScan_](const ScanRenderRequest& renderRequest, JobLink<double>& link) {
+        return render(*preparedScan, renderRequest,
+                      [&link] { return link.decision() == core::ObserverDecision::Continue; });
     });
     emit prepared();
 }
@@ -117,15 +120,15 @@ Eigen::AlignedBox3d ScanJob::boxInPatient() const
     return box;
 }
 
-void ScanJob::request(const ScanRenderRequest& wanted)
+void ScanJob::request(const ScanRenderRequest& renderRequest)
 {
     if (!preparedScan_) {
         return;
     }
-    if (std::exchange(isRenderingFine_, wanted.detail == ScanDetail::Fine)) {
-        pictures_.replaceWith(wanted);
+    if (std::exchange(isRenderingFine_, renderRequest.detail == ScanDetail::Fine)) {
+        renderings_.replaceWith(renderRequest);
     } else {
-        pictures_.request(wanted);
+        renderings_.request(renderRequest);
     }
 }
 

@@ -13,13 +13,13 @@ enum class ScanDetail { Rough, Fine };
 
 /// Request to render the scan: its appearance, the view and the level of detail.
 struct ScanRenderRequest {
-    core::AppearanceOptions look;
-    core::ParallelProjection sight;
+    core::AppearanceOptions appearance;
+    core::ParallelProjection projection;
     ScanDetail detail = ScanDetail::Rough;
 };
 
 struct ScanRendering {
-    core::ParallelProjection sight;
+    core::ParallelProjection projection;
     core::Image2d<core::Rgba> pixels;
     ScanDetail detail = ScanDetail::Rough;
 };
@@ -39,26 +39,26 @@ public:
     bool isHu() const;   ///< returns whether the values are in HU; valid only after the scan is ready
     Eigen::AlignedBox3d boxInPatient() const;   ///< bounding box of the prepared scan
 
-    void request(const ScanRenderRequest& wanted);   ///< may be called only after the scan is ready
+    void request(const ScanRenderRequest& renderRequest);   ///< may be called only after the scan is ready
 
 signals:
     void prepared();
     void failed(const core::Message& reason);   ///< emitted if there is nothing to show
-    void made(const ScanRendering& picture);
+    void rendered(const ScanRendering& picture);
 
 private:
     struct PreparedScan;
     static core::Result<std::shared_ptr<const PreparedScan>> prepareScan(const core::VolumePreparation& what,
                                                                          std::optional<double> threshold,
                                                                          const std::function<bool()>& shouldContinue);
-    static core::Result<ScanRendering> render(const PreparedScan& ready, const ScanRenderRequest& wanted,
+    static core::Result<ScanRendering> render(const PreparedScan& preparedScan, const ScanRenderRequest& renderRequest,
                                               const std::function<bool()>& shouldContinue);
-    void setPrepared(const std::shared_ptr<const PreparedScan>& ready);
+    void setPrepared(const std::shared_ptr<const PreparedScan>& preparedScan);
 
     std::shared_ptr<const PreparedScan> preparedScan_;
     bool isRenderingFine_ = false;
     Job<std::shared_ptr<const PreparedScan>> preparation_;
-    NewestJob<ScanRenderRequest, ScanRendering> pictures_;
+    NewestJob<ScanRenderRequest, ScanRendering> renderings_;
 };
 
 }   // namespace angiopose::app

@@ -13,7 +13,7 @@ SeriesThumbnails::SeriesThumbnails(int sidePx, QObject* parent)
       job_({[this](const core::ImageF& picture) {
                 const QString key = std::exchange(currentKey_, {});
                 startNext();
-                emit made(key, picture);
+                emit loaded(key, picture);
             },
             [this](const core::Error&) {
                 const QString key = std::exchange(currentKey_, {});
@@ -23,16 +23,16 @@ SeriesThumbnails::SeriesThumbnails(int sidePx, QObject* parent)
 {
 }
 
-void SeriesThumbnails::request(std::deque<Request> wanted)
+void SeriesThumbnails::request(std::deque<Request> requests)
 {
-    const auto same = std::ranges::find(wanted, currentKey_, &Request::key);
-    if (!currentKey_.isEmpty() && same != wanted.end()) {
-        wanted.erase(same);
+    const auto same = std::ranges::find(requests, currentKey_, &Request::key);
+    if (!currentKey_.isEmpty() && same != requests.end()) {
+        requests.erase(same);
     } else {
         job_.drop();
         currentKey_.clear();
     }
-    pending_ = std::move(wanted);
+    pending_ = std::move(requests);
     if (currentKey_.isEmpty()) {
         startNext();
     }

@@ -23,10 +23,10 @@ public:
     SeriesThumbnails(int sidePx, QObject* parent);
 
     /// Replaces the previous requests. Work in progress stops unless its series is still requested.
-    void request(std::deque<Request> wanted);
+    void request(std::deque<Request> requests);
 
 signals:
-    void made(const QString& key, const core::ImageF& picture);   ///< emitted with values from 0 (black) to 1 (white)
+    void loaded(const QString& key, const core::ImageF& picture);   ///< emitted with values from 0 (black) to 1 (white)
     void failed(const QString& key);   ///< emitted if no thumbnail can be created
 
 private:

@@ -6,18 +6,18 @@ namespace angiopose::app {
 
 StudyJob::StudyJob(QObject* parent) : QObject(parent), job_(emitAsSignals<SharedStudies, io::StudyProgress>(*this)) {}
 
-void StudyJob::start(const QStringList& places, io::StudyScope reach)
+void StudyJob::start(const QStringList& folders, io::StudyScope scope)
 {
     std::vector<std::string> paths;
-    for (const QString& place : places) {
+    for (const QString& place : folders) {
         paths.push_back(place.toStdString());
     }
-    job_.start([paths, reach](JobLink<io::StudyProgress>& link) -> core::Result<SharedStudies> {
+    job_.start([paths, scope](JobLink<io::StudyProgress>& link) -> core::Result<SharedStudies> {
         const io::StudyObserver observe = [&link](const io::StudyProgress& progress) {
             return link.tell({progress.read, progress.found, freeOnWorker(progress.tree)});
         };
         auto tree =
-            paths.size() == 1 ? io::readStudies(paths.front(), reach, observe) : io::readSeriesFolders(paths, observe);
+            paths.size() == 1 ? io::readStudies(paths.front(), scope, observe) : io::readSeriesFolders(paths, observe);
         if (!tree) {
             return tree.error();
         }

@@ -18,13 +18,13 @@ public:
     explicit StudyJob(QObject* parent = nullptr);
 
     /// If there are several places, they must be folders of series, of which all files are read.
-    void start(const QStringList& places, io::StudyScope reach);
+    void start(const QStringList& folders, io::StudyScope scope);
     void requestStop() { job_.requestStop(); }
     void abandon() { job_.drop(); }   ///< abandons the search without further signals
     bool isRunning() const { return job_.isRunning(); }
 
 signals:
-    void advanced(const io::StudyProgress& progress);
+    void progressed(const io::StudyProgress& progress);
     void finished(const SharedStudies& tree);
     void failed(const core::Message& reason);
 

@@ -20,7 +20,7 @@ public:
     bool isRunning() const { return job_.isRunning(); }
 
 signals:
-    void advanced(double fraction);
+    void progressed(double fraction);
     void finished(const std::vector<core::TrackedRunFrame>& frames);   ///< after a stop, only the frames tracked so far
     void failed(const core::Message& reason);
 

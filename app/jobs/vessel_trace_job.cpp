@@ -26,10 +26,10 @@ core::Result<VesselTrace> traceVessels(const VesselTraceRequest& request, const 
 
 }   // namespace
 
-VesselTraceJob::VesselTraceJob(QObject* parent) : QObject(parent), job_(answers()) {}
+VesselTraceJob::VesselTraceJob(QObject* parent) : QObject(parent), job_(callbacks()) {}
 
 /// Returns callbacks that, after a stop request, emit only `stopped`, even if the trace has completed in the meantime.
-Job<VesselTrace>::Callbacks VesselTraceJob::answers()
+Job<VesselTrace>::Callbacks VesselTraceJob::callbacks()
 {
     const auto unlessStopped = [this](const auto& answer) {
         if (stopRequested_) {
@@ -40,7 +40,7 @@ Job<VesselTrace>::Callbacks VesselTraceJob::answers()
     };
     return {[this, unlessStopped](const VesselTrace& traced) { unlessStopped([&] { emit finished(traced); }); },
             [this, unlessStopped](const core::Error& error) { unlessStopped([&] { emit failed(error.message); }); },
-            [this](double fraction) { emit advanced(fraction); }};
+            [this](double fraction) { emit progressed(fraction); }};
 }
 
 void VesselTraceJob::start(VesselTraceRequest request)

@@ -37,13 +37,13 @@ public:
     bool isRunning() const { return job_.isRunning(); }
 
 signals:
-    void advanced(double fraction);
+    void progressed(double fraction);
     void finished(const app::VesselTrace& traced);
     void failed(const core::Message& reason);
     void stopped();
 
 private:
-    Job<VesselTrace>::Callbacks answers();
+    Job<VesselTrace>::Callbacks callbacks();
 
     bool stopRequested_ = false;
     Job<VesselTrace> job_;

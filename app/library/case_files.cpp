@@ -95,7 +95,7 @@ Case readCase(const std::string& vesselPath, const std::string& imagePath, const
         library::throwNotACase(vesselPath, *hints.vessels, imagePath);
     }
     content->warnings = inputs.warnings;
-    content->values = io::withInputs({}, inputs);
+    content->values = io::assembleCase({}, inputs);
     return Case(std::move(content));
 }
 

@@ -7,7 +7,7 @@ namespace angiopose::library {
 namespace {
 
 template <class T>
-core::Sourced<T> givenBy(const std::optional<T>& value)
+core::SourcedValue<T> givenBy(const std::optional<T>& value)
 {
     return {value, value ? core::Origin::User : core::Origin::Missing, {}};
 }

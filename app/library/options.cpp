@@ -59,7 +59,7 @@ core::RegistrationOptions toCore(const RegistrationOptions& options)
         check(core::setOption(converted, key + "=" + value));
     }
     for (const std::string& id : options.locks) {
-        const auto axis = core::poseAxisFrom(id);
+        const auto axis = core::parsePoseAxis(id);
         if (!axis) {
             throw Error("library.no-lock",
                         "There is no degree of freedom '" + id + "' to lock. Use " + core::poseAxisIds() + ".");

@@ -21,7 +21,7 @@ void requireInitialPose(const core::View& view, const core::Vessels& vessels)
 core::RegistrationInput coreInputOf(const core::Case& values)
 {
     requireInitialPose(values.shown(), values.vessels);
-    return valueOf(core::registrationInputOf(values, valueOf(core::targetOf(values.shown(), values.options.method))));
+    return valueOf(core::makeRegistrationInput(values, valueOf(core::targetOf(values.shown(), values.options.method))));
 }
 
 /// Throws if a view with an image lacks an initial pose; the registration itself reports views without an image.

@@ -78,7 +78,7 @@ ScreenshotController::ScreenshotController(ui::WindowActions& actions, ui::Botto
     : QObject(parent), strip_(strip), window_(window)
 {
     connect(actions[ui::Command::CopyScreenshot], &QAction::triggered, this, &ScreenshotController::copy);
-    connect(actions[ui::Command::SaveScreenshot], &QAction::triggered, this, &ScreenshotController::askFile);
+    connect(actions[ui::Command::SaveScreenshot], &QAction::triggered, this, &ScreenshotController::askForFile);
 }
 
 void ScreenshotController::copy()
@@ -87,14 +87,14 @@ void ScreenshotController::copy()
     strip_.showStatus(tr("Screenshot copied to the clipboard"));
 }
 
-void ScreenshotController::askFile()
+void ScreenshotController::askForFile()
 {
     const QPixmap picture = window_.grab();   // captured before the dialog covers the window
     QMetaObject::invokeMethod(
-        this, [this, picture] { askFileFor(picture); }, Qt::QueuedConnection);
+        this, [this, picture] { askForPictureFile(picture); }, Qt::QueuedConnection);
 }
 
-void ScreenshotController::askFileFor(const QPixmap& picture)
+void ScreenshotController::askForPictureFile(const QPixmap& picture)
 {
     const QString suggested = suggestedPath({}, QStringLiteral("angiopose.png"));
     auto* dialog = new QFileDialog(&window_, tr("Save screenshot"), suggested, tr("PNG images (*.png)"));

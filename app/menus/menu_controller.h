@@ -45,9 +45,9 @@ public:
 
 private:
     void copy();
-    void askFile();
-    void askFileFor(const QPixmap& picture);   ///< called in a separate event: capturing the window and opening the
-                                               ///< dialog each take most of the time budget of an event
+    void askForFile();
+    void askForPictureFile(const QPixmap& picture);   ///< called in a separate event: capturing the window and opening
+                                                      ///< the dialog each take most of the time budget of an event
 
     ui::BottomStrip& strip_;
     QWidget& window_;

@@ -67,7 +67,7 @@ MousePresetController::MousePresetController(ui::WindowActions& actions, ui::Ang
 ShortcutController::ShortcutController(ui::WindowActions& actions, QWidget& dialogParent, QObject* parent)
     : QObject(parent), actions_(actions), dialogParent_(dialogParent)
 {
-    for (const ui::ShortcutRow& line : keyLines()) {
+    for (const ui::ShortcutRow& line : sheetRows()) {
         if (line.action) {
             defaultShortcuts_[line.action] = line.action->shortcuts();
         }
@@ -76,9 +76,9 @@ ShortcutController::ShortcutController(ui::WindowActions& actions, QWidget& dial
     connect(actions_[ui::Command::Keys], &QAction::triggered, this, &ShortcutController::openSheet);
 }
 
-std::vector<ui::ShortcutRow> ShortcutController::keyLines() const
+std::vector<ui::ShortcutRow> ShortcutController::sheetRows() const
 {
-    return actions_.keySheet(mousePresetSetting());
+    return actions_.shortcutRows(mousePresetSetting());
 }
 
 void ShortcutController::loadStored()
@@ -95,7 +95,7 @@ void ShortcutController::openSheet()
     if (sheet_) {
         return;
     }
-    sheet_ = new ui::KeySheet(keyLines(), &dialogParent_);
+    sheet_ = new ui::KeySheet(sheetRows(), &dialogParent_);
     connect(sheet_, &ui::KeySheet::keyChosen, this, &ShortcutController::choose);
     connect(sheet_, &ui::KeySheet::resetRequested, this, &ShortcutController::resetAll);
     connect(sheet_, &QDialog::finished, this, [this] {
@@ -136,7 +136,7 @@ void ShortcutController::refresh()
 {
     shortcutsChanged_ = true;
     if (sheet_) {
-        sheet_->showLines(keyLines());
+        sheet_->showRows(sheetRows());
     }
 }
 

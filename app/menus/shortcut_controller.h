@@ -38,7 +38,7 @@ public:
     void openSheet();
 
 private:
-    std::vector<ui::ShortcutRow> keyLines() const;
+    std::vector<ui::ShortcutRow> sheetRows() const;
     void loadStored();
     void choose(QAction* action, const QKeySequence& key);
     void resetAll();

@@ -23,7 +23,7 @@ public:
           mouse_(ui.actions, ui.view),
           shortcuts_(ui.actions, ui.window),
           menus_(branches, ui.actions, ui.view, ui.treeView, ui.window),
-          pictures_(ui.actions, ui.strip, ui.window)
+          screenshots_(ui.actions, ui.strip, ui.window)
     {
     }
 
@@ -36,7 +36,7 @@ private:
     MousePresetController mouse_;
     ShortcutController shortcuts_;
     MenuController menus_;
-    ScreenshotController pictures_;
+    ScreenshotController screenshots_;
 };
 
 }   // namespace angiopose::app

@@ -22,17 +22,17 @@ void applyLanguageSetting()
 void applyShortcutSettings()
 {
     const QSettings stored;
-    std::map<ui::Command, QString> chosen;
+    std::map<ui::Command, QString> shortcuts;
     for (const ui::MenuRows& menu : ui::CommandTable::menus()) {
         for (const ui::CommandRow& row : menu.commands) {
             const QVariant keys = stored.value(QStringLiteral("keys/") + QLatin1String(row.name));
             if (keys.isValid()) {
-                chosen[row.command] =
+                shortcuts[row.command] =
                     QKeySequence::listFromString(keys.toString()).value(0).toString(QKeySequence::NativeText);
             }
         }
     }
-    ui::setCustomShortcuts(std::move(chosen));
+    ui::setCustomShortcuts(std::move(shortcuts));
 }
 
 void applyThemeSetting(QApplication& application)

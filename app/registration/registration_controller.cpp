@@ -13,7 +13,7 @@ RegistrationController::RegistrationController(CaseDocument& document, TargetPro
     : QObject(parent), document_(document), target_(target)
 {
     connect(&target_, &TargetProvider::changed, this, &RegistrationController::continueAfterTracing);
-    connect(&job_, &RegistrationJob::advanced, this, &RegistrationController::advanced);
+    connect(&job_, &RegistrationJob::progressed, this, &RegistrationController::progressed);
     connect(&job_, &RegistrationJob::finished, this, &RegistrationController::apply);
     connect(&job_, &RegistrationJob::failed, this, &RegistrationController::reportFailure);
 }

@@ -20,12 +20,12 @@ public:
     bool isRunning() const { return phase_ != Phase::Idle; }
     void start();
     void stop();   ///< returns at once
-    void setAllViews(bool together) { registersAllViews_ = together; }   ///< whether to register all views jointly
+    void setAllViews(bool allViews) { registersAllViews_ = allViews; }   ///< whether to register all views jointly
 
 signals:
     void runningChanged(bool running);
     void tracingStarted();
-    void advanced(const app::RunReport& report);
+    void progressed(const app::RunReport& report);
     void finished(const core::RegistrationResult& result);
     void failed(const QString& reason);
 

@@ -89,9 +89,9 @@ SharedTrace TargetProvider::findCached(const TraceRequest& request)
     return found == cache_.end() ? nullptr : found->trace;
 }
 
-void TargetProvider::addToCache(const TraceRequest& asked, const SharedTrace& traced)
+void TargetProvider::addToCache(const TraceRequest& traceRequest, const SharedTrace& traced)
 {
-    cache_.push_back({asked.angiogram, asked.frame, asked.options, traced});
+    cache_.push_back({traceRequest.angiogram, traceRequest.frame, traceRequest.options, traced});
     std::size_t bytes = 0;
     for (const CachedTrace& one : cache_) {
         bytes += bytesOf(one.trace);

@@ -37,7 +37,7 @@ private:
 
     void startRequested();
     SharedTrace findCached(const TraceRequest& request);
-    void addToCache(const TraceRequest& asked, const SharedTrace& traced);
+    void addToCache(const TraceRequest& traceRequest, const SharedTrace& traced);
     void setTarget(const SharedTrace& trace, const std::optional<core::Message>& problem);
     void setStoredTarget(const SharedCenterline& given);
     void setTarget(const SharedCenterline& target, const SharedTrace& trace,

@@ -84,7 +84,7 @@ QString mismatchLines(const core::Case& session)
 
 QString patientWords(const ReportedView& view)
 {
-    if (view.look.identity == Identity::Hidden) {
+    if (view.imageOptions.identity == Identity::Hidden) {
         return ui::messageText(messages::identityHidden());
     }
     const core::StudyIdentity& study = view.session.shown().angiogram->identity;
@@ -191,7 +191,7 @@ QString reportPage(const CaseReport& report, const ReportTemplate& page, const R
 
 core::Result<core::RegistrationResult> judgementOfView(const core::Case& session, const core::Centerline2d& target)
 {
-    const auto input = core::registrationInputOf(session, target);
+    const auto input = core::makeRegistrationInput(session, target);
     if (!input) {
         return input.error();
     }
@@ -205,7 +205,7 @@ core::Result<core::RegistrationResult> judgementOfView(const core::Case& session
 }
 
 core::Result<ReportedView> judgedView(const core::Case& session, const core::Result<core::Centerline2d>& target,
-                                      const OverlayImageOptions& look)
+                                      const OverlayImageOptions& imageOptions)
 {
     if (!target) {
         return target.error();
@@ -214,16 +214,16 @@ core::Result<ReportedView> judgedView(const core::Case& session, const core::Res
     if (!evaluation) {
         return evaluation.error();
     }
-    return ReportedView{session, look, target.value(), evaluation.value(), {}};
+    return ReportedView{session, imageOptions, target.value(), evaluation.value(), {}};
 }
 
 /// Draws the overlay image, side by side with that of the initial pose if the poses differ.
 core::Result<QImage> pictureOf(const ReportedView& view)
 {
-    OverlayImageOptions look = view.look;
-    look.widthPx = pictureWidthPx;
-    look.isInitialPoseShown = showsInitialPose(view);
-    const auto drawn = drawOverlay(view.session, view.target, look);
+    OverlayImageOptions imageOptions = view.imageOptions;
+    imageOptions.widthPx = pictureWidthPx;
+    imageOptions.isInitialPoseShown = showsInitialPose(view);
+    const auto drawn = drawOverlay(view.session, view.target, imageOptions);
     if (!drawn) {
         return drawn.error();
     }
@@ -289,13 +289,13 @@ QByteArray htmlOf(const CaseReport& report, const ReportTemplate& page, const Re
 }   // namespace
 
 core::Result<std::vector<ReportedView>> evaluateViews(const core::Case& session, const core::Centerline2d& shownTarget,
-                                                      const OverlayImageOptions& look)
+                                                      const OverlayImageOptions& imageOptions)
 {
-    auto shown = judgedView(session, shownTarget, look);
+    auto shown = judgedView(session, shownTarget, imageOptions);
     if (!shown) {
         return shown.error();
     }
-    OverlayImageOptions ofOthers = look;
+    OverlayImageOptions ofOthers = imageOptions;
     ofOthers.range.reset();
     ofOthers.drr = nullptr;
     ofOthers.cutout = {};

@@ -15,7 +15,7 @@ namespace angiopose::app {
 /// One view of the case as it appears in the report.
 struct ReportedView {
     core::Case session;   ///< case that displays this view
-    OverlayImageOptions look;
+    OverlayImageOptions imageOptions;
     core::Centerline2d target;
     core::RegistrationResult evaluation;   ///< evaluation of the view's current pose
     std::optional<core::Message>
@@ -36,7 +36,7 @@ struct CaseReport {
 /// shown view, the trace for other views). `look` applies to the shown view; the other views have no DRR and use
 /// automatic window/level. Fails if the shown view cannot be evaluated. Slow; call it on a worker thread.
 core::Result<std::vector<ReportedView>> evaluateViews(const core::Case& session, const core::Centerline2d& shownTarget,
-                                                      const OverlayImageOptions& look);
+                                                      const OverlayImageOptions& imageOptions);
 
 enum class ReportKind { Pdf, Html };
 

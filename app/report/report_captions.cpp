@@ -14,8 +14,8 @@ using report::PageWords;
 /// Returns whether the vessels are colored by residuals rather than by another quantity or not at all.
 bool showsResiduals(const ReportedView& view)
 {
-    return view.look.coloring == OverlayColoring::Residuals && view.target.pointCount() > 0 && !view.look.drr &&
-           view.look.vessels != ui::OverlayMode::Hidden;
+    return view.imageOptions.coloring == OverlayColoring::Residuals && view.target.pointCount() > 0 &&
+           !view.imageOptions.drr && view.imageOptions.vessels != ui::OverlayMode::Hidden;
 }
 
 double scaleEndMm(const core::Case& session)

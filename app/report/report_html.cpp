@@ -4,23 +4,23 @@
 
 namespace angiopose::app::report {
 
-QString heading(const QString& text, const char* moreStyle)
+QString heading(const QString& text, const char* extraStyle)
 {
     return QStringLiteral("<p style=\"font-size:10pt; font-weight:600; margin-top:10px; margin-bottom:3px%1\">%2</p>")
-        .arg(QLatin1String(moreStyle), text.toHtmlEscaped());
+        .arg(QLatin1String(extraStyle), text.toHtmlEscaped());
 }
 
-QString table(const ReportRows& rows, const char* moreStyle)
+QString table(const ReportRows& rows, const char* extraStyle)
 {
     QString text = QStringLiteral("<table cellspacing=\"0\" cellpadding=\"2\">");
     for (const auto& [name, value] : rows) {
         text += QStringLiteral("<tr><td style=\"color:#555555\">%1&nbsp;&nbsp;</td><td style=\"%3\">%2</td></tr>")
-                    .arg(name.toHtmlEscaped(), value.toHtmlEscaped(), QLatin1String(moreStyle));
+                    .arg(name.toHtmlEscaped(), value.toHtmlEscaped(), QLatin1String(extraStyle));
     }
     return text + QStringLiteral("</table>");
 }
 
-QString card(const QStringList& sentences, const CardColors& ground, const QString& verdict)
+QString card(const QStringList& sentences, const CardColors& colors, const QString& verdict)
 {
     const QString first = verdict.isEmpty() ? QString()
                                             : QStringLiteral(
@@ -31,8 +31,8 @@ QString card(const QStringList& sentences, const CardColors& ground, const QStri
                                : QStringLiteral(
                                      "<table width=\"100%\" cellspacing=\"0\" cellpadding=\"5\"><tr>"
                                      "<td style=\"background-color:%1; color:%2\">%3</td></tr></table>")
-                                     .arg(QLatin1String(ground.color), QLatin1String(ground.textColor),
-                                          first + ui::joinedSentences(sentences).toHtmlEscaped());
+                                     .arg(QLatin1String(colors.color), QLatin1String(colors.textColor),
+                                          first + ui::joinSentences(sentences).toHtmlEscaped());
 }
 
 QString sideBySideTable(const QString& left, const QString& right)

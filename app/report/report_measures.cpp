@@ -45,14 +45,14 @@ ReportRows targetPointRows(const core::Case& session)
 
 QString diameterText(const core::VesselBranch& branch)
 {
-    const auto profile = core::profileOf(branch);
+    const auto profile = core::measureProfile(branch);
     if (!profile || !profile.value().meanDiameterMm) {
         return {};
     }
     const core::BranchProfile& along = profile.value();
     const QString mean = QStringLiteral(" · ⌀ %1 mm").arg(ui::numberText(*along.meanDiameterMm, 1));
     const bool isNarrowed = along.stenosis && along.stenosis->percent >= minStenosisPercent;
-    return isNarrowed ? mean + PageWords::tr(", narrowest %1 mm (−%2 %)")
+    return isNarrowed ? mean + PageWords::tr(", narrowest point %1 mm (−%2 %)")
                                    .arg(ui::numberText(along.stenosis->diameterMm, 1),
                                         ui::numberText(along.stenosis->percent, 0))
                       : mean;

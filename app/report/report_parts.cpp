@@ -153,7 +153,7 @@ QString geometrySection(const core::Case& session)
     Rows rows;
     for (std::size_t i = 0; i < ui::geometryValueCount; ++i) {
         const auto value = static_cast<ui::GeometryValue>(i);
-        const core::Sourced<double> shown = ui::shownValue(state, value);
+        const core::SourcedValue<double> shown = ui::shownValue(state, value);
         if (!shown.value || shown.origin == core::Origin::Missing) {
             continue;
         }

@@ -45,7 +45,7 @@ BlindTrialController::BlindTrialController(CaseDocument& document, TargetProvide
 {
     connect(ui_.actions[ui::Command::BlindTrial], &QAction::triggered, this, &BlindTrialController::openDialog);
     connect(ui_.actions[ui::Command::FinishTrial], &QAction::triggered, this, &BlindTrialController::finish);
-    connect(&ui_.bar, &ui::TrialBar::doneRequested, this, &BlindTrialController::finish);
+    connect(&ui_.bar, &ui::TrialBar::finishRequested, this, &BlindTrialController::finish);
     connect(&ui_.bar, &ui::TrialBar::abandonRequested, this, &BlindTrialController::abandon);
     connect(&evaluationJob_, &EvaluationJob::evaluated, this,
             [this](const SharedEvaluation& evaluation) { addSnapshot(evaluation->result); });
@@ -101,7 +101,7 @@ void BlindTrialController::start(const ui::BlindTrialSetup& setup)
     trial_.centerPose = current.shown().cameraFromPatient;
     trial_.pivotInPatient = core::centroidInPatient(*current.vessels.tree);
     trial_.initialPose =
-        core::uniformlyDisplaced(trial_.centerPose, trial_.pivotInPatient, setup.rangeDeg, setup.rangeMm, random);
+        core::displaceUniformly(trial_.centerPose, trial_.pivotInPatient, setup.rangeDeg, setup.rangeMm, random);
     document_.beginTrial(std::make_unique<StartBlindTrial>(
         document_, StartBlindTrial::Values{trial_.initialPose, trial_.initialPose, std::nullopt, {}, {}},
         [] { return tr("Blind trial"); }));
@@ -182,7 +182,7 @@ void BlindTrialController::log(const io::ObserverTrial& trial)
 void BlindTrialController::evaluate(const io::ObserverTrial& trial)
 {
     const bool isSameFrame = target_.current() && trial.frame == document_.current().shown().frame;
-    auto input = isSameFrame ? core::registrationInputOf(document_.current(), *target_.current())
+    auto input = isSameFrame ? core::makeRegistrationInput(document_.current(), *target_.current())
                              : core::Result<core::RegistrationInput>(core::Error(messages::notShown()));
     if (input) {
         evaluationJob_.request({std::move(input).value(), trial.finalPose});

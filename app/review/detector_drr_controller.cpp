@@ -46,9 +46,9 @@ DetectorDrrController::DetectorDrrController(const CaseDocument& document, const
                                              QObject* parent)
     : QObject(parent), document_(document), ui_(ui), job_([this](const core::ImageF& picture) { show(picture); })
 {
-    QAction* wanted = ui.actions[Command::ScanOnDetector];
-    wanted->setChecked(settings::scanOnDetector.read());
-    connect(wanted, &QAction::toggled, this, [this](bool on) {
+    QAction* scanAction = ui.actions[Command::ScanOnDetector];
+    scanAction->setChecked(settings::scanOnDetector.read());
+    connect(scanAction, &QAction::toggled, this, [this](bool on) {
         settings::scanOnDetector.write(on);
         updateFromDocument();
     });
@@ -63,9 +63,9 @@ void DetectorDrrController::updateFromDocument()
     const core::Case& current = document_.current();
     const auto known = core::cameraOf(current.shown());
     const bool isPossible = current.vessels.scan && known;
-    QAction* wanted = ui_.actions[Command::ScanOnDetector];
-    wanted->setEnabled(isPossible);
-    const bool isOn = isPossible && wanted->isChecked();
+    QAction* scanAction = ui_.actions[Command::ScanOnDetector];
+    scanAction->setEnabled(isPossible);
+    const bool isOn = isPossible && scanAction->isChecked();
     const auto scan = isOn ? current.vessels.scan : nullptr;
     const auto camera = isOn ? std::optional(known.value()) : std::nullopt;
     if (scan == scan_ && camera == camera_) {

@@ -8,16 +8,16 @@
 namespace angiopose::app {
 DrrController::DrrController(const Parts& parts, QObject* parent) : QObject(parent), parts_(parts)
 {
-    connect(&parts_.look, &OverlayStyleController::drrRequested, this, &DrrController::setWanted);
+    connect(&parts_.overlayStyle, &OverlayStyleController::drrRequested, this, &DrrController::setEnabled);
     connect(&parts_.document, &CaseDocument::changed, this, &DrrController::updateFromDocument);
     connect(&parts_.target, &TargetProvider::changed, this, &DrrController::updateFromDocument);
     connect(&parts_.sync, &ViewSync::poseShown, this, [this](const core::RigidTransform& cameraFromPatient) {
-        if (isWanted_ && isReady_) {
+        if (isEnabled_ && isReady_) {
             job_.request(cameraFromPatient);
         }
     });
     connect(&job_, &DrrJob::rendered, this, [this](const core::ImageF& picture) {
-        if (isWanted_) {
+        if (isEnabled_) {
             show(picture);
         }
     });
@@ -25,10 +25,10 @@ DrrController::DrrController(const Parts& parts, QObject* parent) : QObject(pare
             [this](const core::Message& reason) { parts_.strip.showStatus(ui::messageText(reason)); });
 }
 
-void DrrController::setWanted(bool wanted)
+void DrrController::setEnabled(bool enabled)
 {
-    isWanted_ = wanted;
-    if (wanted) {
+    isEnabled_ = enabled;
+    if (enabled) {
         updateFromDocument();
         if (isReady_) {
             job_.request(parts_.document.current().shown().cameraFromPatient);
@@ -57,10 +57,10 @@ void DrrController::updateFromDocument()
     if (isReady_ && !(current.vessels.tree && current.shown().angiogram)) {
         clear();
     }
-    if (!isWanted_ || isSame || !parts_.target.current()) {
+    if (!isEnabled_ || isSame || !parts_.target.current()) {
         return;
     }
-    auto input = core::registrationInputOf(current, *parts_.target.current());
+    auto input = core::makeRegistrationInput(current, *parts_.target.current());
     if (!input) {
         clear();
         return;

@@ -23,21 +23,21 @@ public:
         const CaseDocument& document;
         const TargetProvider& target;
         const ViewSync& sync;
-        const OverlayStyleController& look;
+        const OverlayStyleController& overlayStyle;
         ui::AngiogramView& view;
         ui::BottomStrip& strip;
     };
     explicit DrrController(const Parts& parts, QObject* parent = nullptr);
 
 private:
-    void setWanted(bool wanted);
+    void setEnabled(bool enabled);
     void updateFromDocument();
     void clear();   ///< releases all data of the case, which may be closed
     void show(const core::ImageF& picture);
 
     Parts parts_;
     DrrJob job_;
-    bool isWanted_ = false;
+    bool isEnabled_ = false;
     bool isReady_ = false;   ///< true if the job holds the inputs described by the members below
     std::shared_ptr<const core::VesselTree> tree_;
     std::shared_ptr<const core::Volume> volume_;

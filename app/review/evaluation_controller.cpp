@@ -69,7 +69,7 @@ void EvaluationController::evaluate(const core::RigidTransform& cameraFromPatien
         return;
     }
     const core::Case& current = parts_.document.current();
-    if (auto input = core::registrationInputOf(current, judgedTarget(current.shown(), *target))) {
+    if (auto input = core::makeRegistrationInput(current, judgedTarget(current.shown(), *target))) {
         job_.request({std::move(input).value(), cameraFromPatient});
     }
 }
@@ -86,19 +86,19 @@ void EvaluationController::show()
     }
     const ui::AssessedPose evaluated = evaluatedPose(camera.value());
     parts_.sync.showAssessment(evaluation_);
-    parts_.look.setResiduals(evaluated.result.branches, evaluated.millimetersPerPixel);
+    parts_.overlayStyle.setResiduals(evaluated.result.branches, evaluated.millimetersPerPixel);
     parts_.replay.setUncertainty(evaluated.result.uncertainty);
     parts_.posePanel.showDepthUncertainty(
         evaluated.source == ui::PoseSource::Start ? std::nullopt : ui::uncertainDepthMm(evaluated.result.uncertainty));
     parts_.panel.showAssessment(evaluated, *current.vessels.tree);
-    const ui::FitVerdict verdict = ui::verdictOf(evaluated);
-    parts_.sync.showVerdict(verdict.tone, verdict.words);
+    const ui::FitVerdict verdict = ui::assessFit(evaluated);
+    parts_.sync.showVerdict(verdict.tone, verdict.sentence);
 }
 
 void EvaluationController::showNothing()
 {
     parts_.posePanel.showDepthUncertainty(std::nullopt);
-    parts_.look.setResiduals({}, 0.0);
+    parts_.overlayStyle.setResiduals({}, 0.0);
     parts_.replay.setUncertainty(std::nullopt);
     parts_.sync.showAssessment(nullptr);
     parts_.sync.showVerdict(ui::VerdictTone::Doubtful, {});
@@ -119,7 +119,7 @@ ui::AssessedPose EvaluationController::evaluatedPose(const core::ProjectionCamer
     evaluated.millimetersPerPixel = core::millimetersPerPixel(camera, shownDepthMm);
     evaluated.scaleMaximumMm = residualScaleMaximumPx(camera, shownDepthMm) * evaluated.millimetersPerPixel;
     if (const auto basis = core::fitBasis(current, evaluated.result, evaluation_->residualPx)) {
-        evaluated.assessedShare = basis->assessedShare;
+        evaluated.assessedFraction = basis->assessedFraction;
         evaluated.wholeMedianMm = basis->wholeMedianMm;
         evaluated.basis = fitBasisLines(*basis, current.vessels);
     }

@@ -31,7 +31,7 @@ public:
         const PoseController& pose;
         const RegistrationController& registration;
         ViewSync& sync;
-        OverlayStyleController& look;
+        OverlayStyleController& overlayStyle;
         ReplayController& replay;
         ui::ResultPanel& panel;
         ui::PosePanel& posePanel;

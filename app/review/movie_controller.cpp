@@ -52,48 +52,49 @@ void MovieController::openDialog()
         return;
     }
     const auto& result = current.shown().result;
-    ui::AvailableMovies offer{current.shown().angiogram->frameCount() > 1, result && !result->history.empty(),
-                              [this](ui::MoviePart part) { return defaultFrameRate(part); },
-                              [this](const ui::MovieOptions& choice) { return outcomeOf(choice); }};
-    auto* dialog = new ui::MovieDialog(std::move(offer), &parts_.dialogParent);
+    ui::AvailableMovies available{current.shown().angiogram->frameCount() > 1, result && !result->history.empty(),
+                                  [this](ui::MoviePart part) { return defaultFrameRate(part); },
+                                  [this](const ui::MovieOptions& exportOptions) { return outcomeOf(exportOptions); }};
+    auto* dialog = new ui::MovieDialog(std::move(available), &parts_.dialogParent);
     ui::MovieOptions usual;
     usual.format = settings::movieIsGif.read() ? ui::MovieFormat::Gif : ui::MovieFormat::Mp4;
     usual.widthPx = settings::movieWidthPx.read();
     usual.english = settings::exportEnglish.read() ? ui::Toggle::On : ui::Toggle::Off;
     usual.residualColors = settings::exportResiduals.read() ? ui::Toggle::On : ui::Toggle::Off;
-    dialog->showChoice(usual);
-    connect(dialog, &ui::MovieDialog::chosen, this, &MovieController::askFile,
+    dialog->showOptions(usual);
+    connect(dialog, &ui::MovieDialog::chosen, this, &MovieController::askForFile,
             Qt::QueuedConnection);   // queued: this dialog closes before the next one opens
     dialog->open();
 }
 
-void MovieController::askFile(const ui::MovieOptions& choice)
+void MovieController::askForFile(const ui::MovieOptions& exportOptions)
 {
-    const bool isGif = choice.format == ui::MovieFormat::Gif;
+    const bool isGif = exportOptions.format == ui::MovieFormat::Gif;
     settings::movieIsGif.write(isGif);
-    settings::movieWidthPx.write(choice.widthPx);
-    settings::exportEnglish.write(choice.english == ui::Toggle::On);
+    settings::movieWidthPx.write(exportOptions.widthPx);
+    settings::exportEnglish.write(exportOptions.english == ui::Toggle::On);
     const ExportController::FileQuestion question{tr("Export movie"),
                                                   isGif ? tr("GIF movies (*.gif)") : tr("MP4 movies (*.mp4)"),
                                                   isGif ? QStringLiteral("gif") : QStringLiteral("mp4")};
-    parts_.exporting.askPath(question, [this, choice](const QString& path) { start(choice, path); });
+    parts_.exportController.askForPath(question,
+                                       [this, exportOptions](const QString& path) { start(exportOptions, path); });
 }
 
-void MovieController::start(const ui::MovieOptions& choice, const QString& path)
+void MovieController::start(const ui::MovieOptions& exportOptions, const QString& path)
 {
     if (!parts_.document.current().vessels.tree || !parts_.document.current().shown().angiogram) {
         return;   // the case was closed or changed while the dialog was open
     }
-    ui::OverlayExportOptions look;
-    look.widthPx = choice.widthPx;
-    look.residualColors = choice.residualColors;
-    look.identity = choice.identity;
-    look.english = choice.english;
-    look.cutout = ui::Toggle::On;   // swipe and lens are drawn as in the window
-    OverlayImageOptions options = parts_.exporting.overlayOptions(look);
+    ui::OverlayExportOptions imageOptions;
+    imageOptions.widthPx = exportOptions.widthPx;
+    imageOptions.residualColors = exportOptions.residualColors;
+    imageOptions.identity = exportOptions.identity;
+    imageOptions.english = exportOptions.english;
+    imageOptions.cutout = ui::Toggle::On;   // swipe and lens are drawn as in the window
+    OverlayImageOptions options = parts_.exportController.overlayOptions(imageOptions);
     const auto target = parts_.target.current();
     parts_.strip.showBusy(tr("Writing the movie…"));
-    job_.start([snapshot = caseForExport(parts_.document.current()), target, options, plan = makePlan(choice),
+    job_.start([snapshot = caseForExport(parts_.document.current()), target, options, plan = makePlan(exportOptions),
                 path](JobLink<double>& link) -> core::Result<QString> {
         const auto written = writeMovie(snapshot, target ? *target : core::Centerline2d{}, options, plan,
                                         path.toStdString(), [&link](double fraction) { return link.tell(fraction); });
@@ -101,14 +102,14 @@ void MovieController::start(const ui::MovieOptions& choice, const QString& path)
     });
 }
 
-MoviePlan MovieController::makePlan(const ui::MovieOptions& choice) const
+MoviePlan MovieController::makePlan(const ui::MovieOptions& exportOptions) const
 {
     MoviePlan plan;
-    plan.content = static_cast<MovieContent>(choice.part);
+    plan.content = static_cast<MovieContent>(exportOptions.part);
     plan.frames = parts_.cine.loop();
     plan.order = parts_.cine.order();
     plan.followed = parts_.follow.frames();
-    plan.framesPerSecond = choice.framesPerSecond;
+    plan.framesPerSecond = exportOptions.framesPerSecond;
     return plan;
 }
 
@@ -126,17 +127,17 @@ double MovieController::defaultFrameRate(ui::MoviePart part) const
     return run ? framesPerSecondOf(*run) * parts_.cine.speed() : rotationFramesPerSecond;
 }
 
-ui::AvailableMovies::Outcome MovieController::outcomeOf(const ui::MovieOptions& choice) const
+ui::AvailableMovies::Outcome MovieController::outcomeOf(const ui::MovieOptions& exportOptions) const
 {
     const core::Case& current = parts_.document.current();
-    const MoviePlan plan = makePlan(choice);
-    const MovieLength length = lengthOf(current, plan);
-    const int height = static_cast<int>(std::lround(choice.widthPx * aspectOf(current, plan)));
-    const auto kind = choice.format == ui::MovieFormat::Gif ? io::MovieKind::Gif : io::MovieKind::Mp4;
-    const auto problem = io::findProblem(kind, {choice.widthPx, height});
+    const MoviePlan plan = makePlan(exportOptions);
+    const MovieLength length = movieLength(current, plan);
+    const int height = static_cast<int>(std::lround(exportOptions.widthPx * movieAspect(current, plan)));
+    const auto kind = exportOptions.format == ui::MovieFormat::Gif ? io::MovieKind::Gif : io::MovieKind::Mp4;
+    const auto problem = io::findProblem(kind, {exportOptions.widthPx, height});
     return {length.imageCount,
             length.seconds,
-            {choice.widthPx, height},
+            {exportOptions.widthPx, height},
             describePlan(plan),
             problem ? ui::messageText(*problem) : QString()};
 }

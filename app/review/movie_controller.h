@@ -21,7 +21,7 @@ public:
     struct Parts {
         CaseDocument& document;
         TargetProvider& target;
-        ExportController& exporting;
+        ExportController& exportController;
         const TrackingController& follow;
         const CineController& cine;
         Notifications& notifications;
@@ -38,11 +38,11 @@ signals:
 
 private:
     void openDialog();
-    void askFile(const ui::MovieOptions& choice);
-    void start(const ui::MovieOptions& choice, const QString& path);
-    MoviePlan makePlan(const ui::MovieOptions& choice) const;
+    void askForFile(const ui::MovieOptions& exportOptions);
+    void start(const ui::MovieOptions& exportOptions, const QString& path);
+    MoviePlan makePlan(const ui::MovieOptions& exportOptions) const;
     double defaultFrameRate(ui::MoviePart part) const;
-    ui::AvailableMovies::Outcome outcomeOf(const ui::MovieOptions& choice) const;
+    ui::AvailableMovies::Outcome outcomeOf(const ui::MovieOptions& exportOptions) const;
     QString describePlan(const MoviePlan& plan) const;
 
     Parts parts_;

@@ -123,7 +123,7 @@ bool OverlayStyleController::hasRadii() const
 
 QString OverlayStyleController::drrStyleName() const
 {
-    return document_.current().vessels.scan ? tr("Vessels as DRR of the scan") : tr("Vessels as DRR of tubes");
+    return document_.current().vessels.scan ? tr("Vessels as DRR of the scan") : tr("Vessels as DRR of the tube model");
 }
 
 void OverlayStyleController::cycleStyle()
@@ -145,7 +145,7 @@ void OverlayStyleController::cycleCutout()
     ui::AngiogramView& view = ui_.view;
     view.setCutout(view.cutout() == None ? RightOf : view.cutout() == RightOf ? Disc : None);
     ui_.strip.showStatus(view.cutout() == RightOf ? tr("Swipe: the overlay ends at the mouse pointer")
-                         : view.cutout() == Disc  ? tr("Lens: shows only the angiogram under the mouse pointer")
+                         : view.cutout() == Disc  ? tr("Lens: hides the overlay around the mouse pointer")
                                                   : tr("Swipe and lens off"));
 }
 

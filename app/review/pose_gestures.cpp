@@ -77,13 +77,13 @@ void PoseGestures::showNudgeMode(bool on)
     parts_.review.stopMotion();
     parts_.panel.showNudgeMode(on);
     parts_.panel.setActiveAxis(std::nullopt);
-    parts_.notifications.showNote(on ? tr("Nudge mode: arrow keys move, drag moves or rolls, N exits")
+    parts_.notifications.showNote(on ? tr("Nudge mode: arrow keys move, dragging moves or rolls, N exits")
                                      : tr("Nudge mode off"));
 }
 
 void PoseGestures::preview(const core::RigidTransform& pose)
 {
-    parts_.preview.show(PreviewSource::Drag, pose, ResidualColors::Kept);
+    parts_.preview.show(PreviewSource::Drag, pose, ResidualColors::Visible);
     parts_.panel.showOffset(parts_.pose.currentOffset());
     parts_.evaluation.evaluate(pose);
 }

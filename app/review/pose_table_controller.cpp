@@ -25,12 +25,12 @@ const std::vector<std::string> defaultComparedMethods{"angiopose", "dt-icp", "it
 }   // namespace
 
 PoseTableController::PoseTableController(CaseDocument& document, TargetProvider& target, SnapshotController& snapshots,
-                                         ExportController& exporting, const Ui& ui, QObject* parent)
+                                         ExportController& exportController, const Ui& ui, QObject* parent)
     : QObject(parent),
       document_(document),
       target_(target),
       snapshots_(snapshots),
-      exporting_(exporting),
+      exportController_(exportController),
       ui_(ui),
       methodIds_(defaultComparedMethods)
 {
@@ -133,7 +133,7 @@ void PoseTableController::run(const std::vector<std::string>& methodIds)
                                            : tr("The vessels of this frame are still being traced."));
         return;
     }
-    auto input = core::registrationInputOf(current, *target_.current());
+    auto input = core::makeRegistrationInput(current, *target_.current());
     if (!input) {
         table_->showIdle(ui::messageText(input.error().message));
         return;
@@ -142,14 +142,14 @@ void PoseTableController::run(const std::vector<std::string>& methodIds)
     methodIds_ = methodIds;
     failures_.clear();
     solvedCount_ = 0;
-    ++burst_;
+    ++mergeId_;
     table_->showRun(tr("Starting…"), 0.0);
     job_.start(std::move(input).value(), current.options, methodIds);
 }
 
 void PoseTableController::connectJob()
 {
-    connect(&job_, &MethodSeriesJob::advanced, this, [this](const QString& methodId, double progress) {
+    connect(&job_, &MethodSeriesJob::progressed, this, [this](const QString& methodId, double progress) {
         if (table_ && job_.isRunning()) {
             table_->showRun(ui::methodName(methodId.toStdString()), progress);
         }
@@ -184,7 +184,7 @@ void PoseTableController::storePending()
     if (stillFits) {
         document_.push(std::make_unique<ChangeSnapshots>(
             document_, ChangeSnapshots::Values{std::move(snapshots)}, [] { return tr("Run several methods"); },
-            seriesBursts + burst_));
+            seriesBursts + mergeId_));
     }
 }
 
@@ -205,7 +205,7 @@ void PoseTableController::exportTable()
     if (!reference || !document_.current().vessels.tree) {
         return;
     }
-    exporting_.askFile(
+    exportController_.askForFile(
         {tr("Export comparison"), tr("Tables (*.csv)"), QStringLiteral("poses.csv")},
         [all, chosen = *reference, pivot = core::centroidInPatient(*document_.current().vessels.tree)](
             const QString& path) { return io::writeSnapshotTable(all, chosen, pivot, path.toStdString()); });

@@ -34,7 +34,7 @@ public:
         QWidget& dialogParent;
     };
     PoseTableController(CaseDocument& document, TargetProvider& target, SnapshotController& snapshots,
-                        ExportController& exporting, const Ui& ui, QObject* parent = nullptr);
+                        ExportController& exportController, const Ui& ui, QObject* parent = nullptr);
 
     void open();
     void close();
@@ -63,7 +63,7 @@ private:
     CaseDocument& document_;
     TargetProvider& target_;
     SnapshotController& snapshots_;
-    ExportController& exporting_;
+    ExportController& exportController_;
     Ui ui_;
     QPointer<ui::PoseTable> table_;
     MethodSeriesJob job_;
@@ -72,7 +72,7 @@ private:
     std::vector<core::PoseSnapshot> pending_;   ///< results that arrived while the case was locked
     QStringList failures_;
     int solvedCount_ = 0;
-    int burst_ = 0;
+    int mergeId_ = 0;
     int referenceId_ = 0;
 };
 

@@ -7,26 +7,27 @@
 
 namespace angiopose::app {
 
-PoseTools::PoseTools(const Parts& on, QObject* parent)
+PoseTools::PoseTools(const Parts& parts, QObject* parent)
     : QObject(parent),
-      solutions_(on.document, on.result.solutions()),
-      snapshots_(on.document, on.preview, on.actions, on.snapshotPanel, on.strip),
-      table_(on.document, on.target, snapshots_, on.session.exporting(),
-             {on.actions, on.snapshotPanel, on.strip, on.dialogParent}),
-      blindTrial_(on.document, on.target,
-                  {on.actions, on.trialBar, {&on.snapshotPanel, &on.result, &on.landmarks}, on.dialogParent}),
-      auxiliary_(on.document, on.branches, on.actions, on.view, on.dialogParent),
-      plots_(on.dialogParent, on.session.exporting())
+      solutions_(parts.document, parts.result.solutions()),
+      snapshots_(parts.document, parts.preview, parts.actions, parts.snapshotPanel, parts.strip),
+      table_(parts.document, parts.target, snapshots_, parts.session.exportController(),
+             {parts.actions, parts.snapshotPanel, parts.strip, parts.dialogParent}),
+      blindTrial_(
+          parts.document, parts.target,
+          {parts.actions, parts.trialBar, {&parts.snapshotPanel, &parts.result, &parts.landmarks}, parts.dialogParent}),
+      auxiliary_(parts.document, parts.branches, parts.actions, parts.view, parts.dialogParent),
+      plots_(parts.dialogParent, parts.session.exportController())
 {
-    makeExclusive(on);
-    connectTrial(on);
-    connect(&auxiliary_, &AuxiliaryController::refused, &on.notifications, &Notifications::showNote);
+    makeExclusive(parts);
+    connectTrial(parts);
+    connect(&auxiliary_, &AuxiliaryController::refused, &parts.notifications, &Notifications::showNote);
 }
 
 /// Ensures that at most one alternative pose is shown at a time.
-void PoseTools::makeExclusive(const Parts& on)
+void PoseTools::makeExclusive(const Parts& parts)
 {
-    ReplayController* replay = &on.replay;
+    ReplayController* replay = &parts.replay;
     connect(&solutions_, &SolutionController::solutionSelected, replay, &ReplayController::showSolution);
     connect(&solutions_, &SolutionController::acceptRequested, replay, [replay](std::size_t index) {
         replay->showSolution(index);
@@ -34,20 +35,20 @@ void PoseTools::makeExclusive(const Parts& on)
     });
     connect(replay, &ReplayController::solutionChanged, &solutions_, &SolutionController::showCurrent);
     connect(replay, &ReplayController::solutionShown, &snapshots_, &SnapshotController::showCurrentPose);
-    connect(&snapshots_, &SnapshotController::snapshotShown, &on.review, &ReviewController::stopMotion);
-    connect(&on.evaluation, &EvaluationController::evaluated, &snapshots_, &SnapshotController::setEvaluation);
+    connect(&snapshots_, &SnapshotController::snapshotShown, &parts.review, &ReviewController::stopMotion);
+    connect(&parts.evaluation, &EvaluationController::evaluated, &snapshots_, &SnapshotController::setEvaluation);
 }
 
-void PoseTools::connectTrial(const Parts& on)
+void PoseTools::connectTrial(const Parts& parts)
 {
-    Notifications* notifications = &on.notifications;
+    Notifications* notifications = &parts.notifications;
     connect(&blindTrial_, &BlindTrialController::aboutToStart, this,
-            [this, review = &on.review, session = &on.session] {
+            [this, review = &parts.review, session = &parts.session] {
                 review->stopMotion();
                 table_.close();
-                session->saving().autosaveSoon();
+                session->saveController().autosaveSoon();
             });
-    connect(&on.session, &SessionController::aboutToClose, &blindTrial_, &BlindTrialController::abandon);
+    connect(&parts.session, &SessionController::aboutToClose, &blindTrial_, &BlindTrialController::abandon);
     connect(&blindTrial_, &BlindTrialController::logged, notifications, [notifications](const QString& path) {
         notifications->showNote(tr("Logged: %1").arg(QFileInfo(path).fileName()));
     });

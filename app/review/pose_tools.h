@@ -53,7 +53,7 @@ public:
         ui::BottomStrip& strip;
         QWidget& dialogParent;
     };
-    explicit PoseTools(const Parts& on, QObject* parent = nullptr);
+    explicit PoseTools(const Parts& parts, QObject* parent = nullptr);
 
     bool isBusy() const { return table_.isRunning() || auxiliary_.isRunning(); }
     SnapshotController& snapshots() { return snapshots_; }
@@ -62,8 +62,8 @@ public:
     AuxiliaryController& auxiliary() { return auxiliary_; }
 
 private:
-    void makeExclusive(const Parts& on);
-    void connectTrial(const Parts& on);
+    void makeExclusive(const Parts& parts);
+    void connectTrial(const Parts& parts);
 
     SolutionController solutions_;
     SnapshotController snapshots_;

@@ -13,25 +13,26 @@
 namespace angiopose::app {
 
 ProfileController::ProfileController(const CaseDocument& document, const BranchController& branches,
-                                     ExportController& exporting, const Ui& ui, QObject* parent)
-    : QObject(parent), document_(document), branches_(branches), exporting_(exporting), ui_(ui)
+                                     ExportController& exportController, const Ui& ui, QObject* parent)
+    : QObject(parent), document_(document), branches_(branches), exportController_(exportController), ui_(ui)
 {
     const auto showIfOther = [this] {
         const core::VesselBranch* branch = selectedBranch();
         const std::optional<int> wanted = branch ? std::optional(branch->id) : std::nullopt;
-        if (wanted != shown_ || tree_ != document_.current().vessels.tree) {
+        if (wanted != shownBranchId_ || tree_ != document_.current().vessels.tree) {
             show();
         }
     };
     connect(&branches_, &BranchController::marksChanged, this, showIfOther);
     connect(&document_, &CaseDocument::changed, this, showIfOther);
     const ui::ProfilePlot& plot = ui_.panel.plot();
-    connect(&plot, &ui::ProfilePlot::pointed, this, &ProfileController::point);
+    connect(&plot, &ui::ProfilePlot::pointerMoved, this, &ProfileController::point);
     connect(&plot, &ui::ProfilePlot::positionClicked, this,
             [this](const Eigen::Vector3d& place) { ui_.slices.setCrosshair(place); });
-    connect(&ui_.panel, &ui::ProfilePanel::tableRequested, ui_.actions[ui::Command::ExportBranches], &QAction::trigger);
-    connect(ui_.actions[ui::Command::ExportBranches], &QAction::triggered, this, &ProfileController::askTable);
-    connect(&ui_.panel, &ui::ProfilePanel::profileRequested, this, &ProfileController::askProfile);
+    connect(&ui_.panel, &ui::ProfilePanel::tableExportRequested, ui_.actions[ui::Command::ExportBranches],
+            &QAction::trigger);
+    connect(ui_.actions[ui::Command::ExportBranches], &QAction::triggered, this, &ProfileController::askForTableFile);
+    connect(&ui_.panel, &ui::ProfilePanel::profileExportRequested, this, &ProfileController::askForProfileFile);
     ui::keepTranslated(this, [this] { show(); });
 }
 
@@ -47,12 +48,12 @@ void ProfileController::show()
     tree_ = document_.current().vessels.tree;
     point(std::nullopt);
     const core::VesselBranch* branch = selectedBranch();
-    shown_ = branch ? std::optional(branch->id) : std::nullopt;
+    shownBranchId_ = branch ? std::optional(branch->id) : std::nullopt;
     if (!branch) {
         ui_.panel.showNothing(tree_ ? tr("Select a branch in the list or in a view.") : QString(), tree_ != nullptr);
         return;
     }
-    if (const auto profile = core::profileOf(*branch)) {
+    if (const auto profile = core::measureProfile(*branch)) {
         ui_.panel.showProfile(*branch, profile.value());
     } else {
         ui_.panel.showNothing(ui::messageText(profile.error().message), true);
@@ -65,30 +66,31 @@ void ProfileController::point(const std::optional<Eigen::Vector3d>& pointInPatie
     ui_.treeView.setPointedPosition(pointInPatient);
 }
 
-void ProfileController::askTable()
+void ProfileController::askForTableFile()
 {
     if (!document_.current().vessels.tree) {
         emit refused(tr("Open the vessels first."));
         return;
     }
-    exporting_.askFile({tr("Export branch measurements"), tr("Tables (*.csv)"), QStringLiteral("branches.csv")},
-                       [tree = document_.current().vessels.tree](const QString& path) {
-                           return io::writeBranchTable(*tree, path.toStdString());
-                       });
+    exportController_.askForFile(
+        {tr("Export branch measurements"), tr("Tables (*.csv)"), QStringLiteral("branches.csv")},
+        [tree = document_.current().vessels.tree](const QString& path) {
+            return io::writeBranchTable(*tree, path.toStdString());
+        });
 }
 
-void ProfileController::askProfile()
+void ProfileController::askForProfileFile()
 {
     const core::VesselBranch* branch = selectedBranch();
     if (!branch) {
         return;
     }
-    exporting_.askFile({tr("Export profile"), tr("Tables (*.csv)"), QStringLiteral("profile.csv")},
-                       [branch = *branch](const QString& path) -> core::Status {
-                           const auto profile = core::profileOf(branch);
-                           return profile ? io::writeProfile(profile.value(), path.toStdString())
-                                          : core::Status(profile.error());
-                       });
+    exportController_.askForFile({tr("Export profile"), tr("Tables (*.csv)"), QStringLiteral("profile.csv")},
+                                 [branch = *branch](const QString& path) -> core::Status {
+                                     const auto profile = core::measureProfile(branch);
+                                     return profile ? io::writeProfile(profile.value(), path.toStdString())
+                                                    : core::Status(profile.error());
+                                 });
 }
 
 }   // namespace angiopose::app

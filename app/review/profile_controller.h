@@ -30,8 +30,8 @@ public:
         ui::TreeView& treeView;
         ui::SliceModel& slices;
     };
-    ProfileController(const CaseDocument& document, const BranchController& branches, ExportController& exporting,
-                      const Ui& ui, QObject* parent = nullptr);
+    ProfileController(const CaseDocument& document, const BranchController& branches,
+                      ExportController& exportController, const Ui& ui, QObject* parent = nullptr);
 
 signals:
     void refused(const QString& reason);
@@ -40,16 +40,16 @@ private:
     void show();
     void showNothing();
     void point(const std::optional<Eigen::Vector3d>& pointInPatient);
-    void askTable();
-    void askProfile();
+    void askForTableFile();
+    void askForProfileFile();
     const core::VesselBranch* selectedBranch() const;   ///< returns null unless exactly one branch is selected
 
     const CaseDocument& document_;
     const BranchController& branches_;
-    ExportController& exporting_;
+    ExportController& exportController_;
     Ui ui_;
     std::shared_ptr<const core::VesselTree> tree_;   ///< tree to which the branch in the panel belongs
-    std::optional<int> shown_;
+    std::optional<int> shownBranchId_;
 };
 
 }   // namespace angiopose::app

@@ -167,7 +167,7 @@ void ReplayController::showSwing()
     preview_.show(PreviewSource::Swing,
                   core::cameraFromPatient(core::moved(pose, sigmas * weakest->perSigma), centroid),
                   ResidualColors::Hidden);
-    strip_.showStatus(tr("Due to image noise alone, poses within ±%1 mm (2 σ, mainly %2) are indistinguishable")
+    strip_.showStatus(tr("Because of image noise alone, poses within ±%1 mm (2 σ, mainly %2) cannot be distinguished")
                           .arg(ui::numberText(swingSigmas * weakest->sigmaMm, 1))
                           .arg(weakest->statusText));
 }

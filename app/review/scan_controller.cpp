@@ -24,7 +24,7 @@ constexpr double aroundVesselsMm = 12.0;
 constexpr int roughPx = 40'000;
 constexpr int finePx = 1'500'000;   // more pixels than the view has beside the image at 200 % display scaling
 
-core::Rgb shareOf(const ui::Color& color)
+core::Rgb toRgb(const ui::Color& color)
 {
     const auto unit = color.unit();
     return {static_cast<float>(unit[0]), static_cast<float>(unit[1]), static_cast<float>(unit[2])};
@@ -51,13 +51,13 @@ ScanController::ScanController(const CaseDocument& document, const Ui& ui, QObje
     connect(&ui_.corner.scanBar(), &ui::ScanBar::strengthChanged, this, &ScanController::setStrength);
     connect(&ui_.slices, &ui::SliceModel::scanChanged, this, &ScanController::updateFromDocument);
     connect(&ui_.slices, &ui::SliceModel::maskChanged, this, &ScanController::updateFromDocument);
-    connect(&ui_.slices, &ui::SliceModel::lookChanged, this, [this] {   // the colors of labels may have changed
-        if (look() != requestedLook_) {
+    connect(&ui_.slices, &ui::SliceModel::appearanceChanged, this, [this] {   // the colors of labels may have changed
+        if (appearance() != requestedAppearance_) {
             requestRough();
         }
     });
     connect(&document, &CaseDocument::changed, this, &ScanController::updateFromDocument);
-    connect(&ui_.treeView, &ui::TreeView::sightChanged, this, &ScanController::requestRough);
+    connect(&ui_.treeView, &ui::TreeView::cameraChanged, this, &ScanController::requestRough);
     connect(&job_, &ScanJob::prepared, this, [this] {
         ui_.treeView.scene().setScanBox(job_.boxInPatient());
         ui_.treeView.requestRender();
@@ -68,10 +68,10 @@ ScanController::ScanController(const CaseDocument& document, const Ui& ui, QObje
         ui_.strip.showStatus(ui::messageText(reason));
         showState();
     });
-    connect(&job_, &ScanJob::made, this, &ScanController::show);
-    restTimer_.setSingleShot(true);
-    restTimer_.setInterval(180ms);
-    connect(&restTimer_, &QTimer::timeout, this, &ScanController::requestFine);
+    connect(&job_, &ScanJob::rendered, this, &ScanController::show);
+    idleTimer_.setSingleShot(true);
+    idleTimer_.setInterval(180ms);
+    connect(&idleTimer_, &QTimer::timeout, this, &ScanController::requestFine);
     ui::keepTranslated(this, [this] { showState(); });
     updateFromDocument();
 }
@@ -103,7 +103,7 @@ void ScanController::connectCommands()
     });
 }
 
-bool ScanController::isWanted() const
+bool ScanController::isEnabled() const
 {
     return ui_.slices.hasScan() && ui_.actions[Command::ScanIn3d]->isChecked();
 }
@@ -134,7 +134,7 @@ void ScanController::updateFromDocument()
     for (const Command command : {Command::ScanIn3d, Command::NextScanRendering, Command::ScanAtVessels}) {
         ui_.actions[command]->setEnabled(ui_.slices.hasScan());
     }
-    if (!isWanted()) {
+    if (!isEnabled()) {
         releaseData();
     } else if (core::VolumePreparation what = volumeToShow(); !isSame(what, shownVolume_)) {
         shownVolume_ = what;
@@ -147,7 +147,7 @@ void ScanController::updateFromDocument()
 void ScanController::releaseData()
 {
     job_.clear();
-    restTimer_.stop();
+    idleTimer_.stop();
     shownVolume_ = {};
     isShown_ = false;
     ui_.treeView.scene().setScanBox({});
@@ -155,60 +155,60 @@ void ScanController::releaseData()
     ui_.treeView.requestRender();
 }
 
-core::AppearanceOptions ScanController::look() const
+core::AppearanceOptions ScanController::appearance() const
 {
     const ui::ScanColors colors = ui::scanColors();
-    core::AppearanceOptions wanted{preset_, strength_, shareOf(colors.soft), shareOf(colors.bone), {}};
+    core::AppearanceOptions options{preset_, strength_, toRgb(colors.softTissue), toRgb(colors.bone), {}};
     for (const ui::MaskTint& tint : ui_.slices.labelTints()) {
-        wanted.kinds.push_back(shareOf(tint.color));
+        options.kinds.push_back(toRgb(tint.color));
     }
-    if (wanted.kinds.empty()) {
-        wanted.kinds = {shareOf(colors.vessels)};
+    if (options.kinds.empty()) {
+        options.kinds = {toRgb(colors.vessels)};
     }
-    return wanted;
+    return options;
 }
 
 void ScanController::requestRough()
 {
-    if (request(look(), roughPx, ScanDetail::Rough)) {
-        requestedLook_ = look();
-        restTimer_.start();
+    if (request(appearance(), roughPx, ScanDetail::Rough)) {
+        requestedAppearance_ = appearance();
+        idleTimer_.start();
     }
 }
 
 void ScanController::requestFine()
 {
-    request(requestedLook_, finePx, ScanDetail::Fine);
+    request(requestedAppearance_, finePx, ScanDetail::Fine);
 }
 
-bool ScanController::request(const core::AppearanceOptions& wanted, int maxPx, ScanDetail detail)
+bool ScanController::request(const core::AppearanceOptions& options, int maxPx, ScanDetail detail)
 {
     if (!job_.isReady() || !ui_.treeView.isVisible()) {
         return false;
     }
-    const core::ParallelProjection sight = ui_.treeView.scene().sight(maxPx);
-    if (sight.isDefined()) {   // a view that cannot be drawn has no viewpoint
-        job_.request({wanted, sight, detail});
+    const core::ParallelProjection projection = ui_.treeView.scene().projection(maxPx);
+    if (projection.isDefined()) {   // a view that cannot be drawn has no viewpoint
+        job_.request({options, projection, detail});
     }
-    return sight.isDefined();
+    return projection.isDefined();
 }
 
 void ScanController::show(const ScanRendering& picture)
 {
     isShown_ = true;
-    ui_.treeView.scene().setScanRendering({picture.sight, picture.pixels});
+    ui_.treeView.scene().setScanRendering({picture.projection, picture.pixels});
     ui_.treeView.requestRender();
 }
 
 void ScanController::showState()
 {
-    const bool isOn = isWanted();
+    const bool isOn = isEnabled();
     const bool isMask = ui_.slices.volume() == nullptr;
-    const QString look = isMask                           ? tr("labels")
-                         : preset_ == ScanPreset::Vessels ? tr("vessels")
-                         : !job_.isReady() || job_.isHu() ? tr("vessels and bone")
-                                                          : tr("vessels and tissue");
-    ui_.corner.scanBar().showState(isOn ? tr("Scan: %1").arg(look) : tr("Scan: off"), isOn);
+    const QString appearance = isMask                           ? tr("labels")
+                               : preset_ == ScanPreset::Vessels ? tr("vessels")
+                               : !job_.isReady() || job_.isHu() ? tr("vessels and bone")
+                                                                : tr("vessels and tissue");
+    ui_.corner.scanBar().showState(isOn ? tr("Scan: %1").arg(appearance) : tr("Scan: off"), isOn);
 }
 
 void ScanController::setStrength(double strength)

@@ -35,15 +35,15 @@ public:
 
 private:
     void connectCommands();
-    bool isWanted() const;
+    bool isEnabled() const;
     void updateFromDocument();
     void releaseData();
     core::VolumePreparation volumeToShow() const;
-    core::AppearanceOptions look() const;
+    core::AppearanceOptions appearance() const;
     void requestRough();
     void requestFine();
     /// Requests a rendering; returns false if nothing can be shown now.
-    bool request(const core::AppearanceOptions& wanted, int maxPx, ScanDetail detail);
+    bool request(const core::AppearanceOptions& options, int maxPx, ScanDetail detail);
     void show(const ScanRendering& picture);
     void showState();
     void setStrength(double strength);
@@ -51,9 +51,9 @@ private:
     const CaseDocument& document_;
     Ui ui_;
     ScanJob job_;
-    QTimer restTimer_;   ///< times out when the view has come to rest
+    QTimer idleTimer_;   ///< times out when the view has come to rest
     core::VolumePreparation shownVolume_;   ///< volume that the job holds or is preparing
-    core::AppearanceOptions requestedLook_;   ///< appearance of the last request
+    core::AppearanceOptions requestedAppearance_;   ///< appearance of the last request
     core::ScanPreset preset_;
     double strength_;
     bool isShown_ = false;

@@ -53,34 +53,34 @@ QString branchSequenceText(const core::WirePath& path)
 }
 
 /// Lists the possible paths of a wire through the tree, one line per path.
-std::vector<ui::SolutionLine> wirePathLines(const std::vector<core::WirePath>& paths, std::size_t count)
+std::vector<ui::SolutionRow> wirePathLines(const std::vector<core::WirePath>& paths, std::size_t count)
 {
-    std::vector<ui::SolutionLine> lines;
+    std::vector<ui::SolutionRow> lines;
     for (std::size_t i = 0; i < std::min(count, paths.size()); ++i) {
         QStringList branches;
         for (const int id : paths[i].branchIds) {
             branches.push_back(QString::number(id));
         }
         const QString percent = ui::numberText(100.0 * paths[i].probability, 0);
-        const QString words =
-            SolutionController::tr(
-                "Branches %1: probability %2 %; %3 % of the guidewire follows them, %4 mm from their centerlines.")
-                .arg(branches.join(QStringLiteral(", ")))
-                .arg(percent)
-                .arg(ui::numberText(100.0 * paths[i].followedShare, 0))
-                .arg(ui::numberText(paths[i].offAxisMm, 1));
+        const QString label = SolutionController::tr(
+                                  "Branches %1: probability %2 %; %3 % of the guidewire follows these branches, at a "
+                                  "distance of %4 mm from their centerlines.")
+                                  .arg(branches.join(QStringLiteral(", ")))
+                                  .arg(percent)
+                                  .arg(ui::numberText(100.0 * paths[i].followedShare, 0))
+                                  .arg(ui::numberText(paths[i].offAxisMm, 1));
         lines.push_back({SolutionController::tr("%1 %: %2").arg(percent).arg(branchSequenceText(paths[i])),
-                         i == 0 ? words : SolutionController::tr("%1 Press Enter to accept it.").arg(words)});
+                         i == 0 ? label : SolutionController::tr("%1 Press Enter to accept it.").arg(label)});
     }
     return lines;
 }
 
-std::vector<ui::SolutionLine> linesOf(const core::Case& current, std::size_t count)
+std::vector<ui::SolutionRow> linesOf(const core::Case& current, std::size_t count)
 {
     if (!current.shown().result->wirePaths.empty()) {
         return wirePathLines(current.shown().result->wirePaths, count);
     }
-    std::vector<ui::SolutionLine> lines;
+    std::vector<ui::SolutionRow> lines;
     const Eigen::Vector3d pivot = core::centroidInPatient(*current.vessels.tree);
     lines.push_back({SolutionController::tr("result"), SolutionController::tr("Registered solution")});
     for (std::size_t i = 1; i < count; ++i) {
@@ -108,10 +108,10 @@ SolutionController::SolutionController(const CaseDocument& document, ui::Solutio
     : QObject(parent),
       document_(document),
       strip_(strip),
-      pictures_([this](const Pictures& pictures) { showPictures(pictures); })
+      drawingJob_([this](const Thumbnails& pictures) { showThumbnails(pictures); })
 {
     ui::keepTranslated(this, [this] {
-        shown_.clear();
+        shownPoses_.clear();
         updateFromDocument();
     });
     connect(&document_, &CaseDocument::changed, this, &SolutionController::updateFromDocument);
@@ -121,7 +121,7 @@ SolutionController::SolutionController(const CaseDocument& document, ui::Solutio
             [this](int index) { emit acceptRequested(static_cast<std::size_t>(index)); });
 }
 
-void SolutionController::showPictures(const Pictures& pictures)
+void SolutionController::showThumbnails(const Thumbnails& pictures)
 {
     for (std::size_t i = 0; i < pictures.size(); ++i) {
         strip_.showThumbnail(static_cast<int>(i), pictures[i]);
@@ -136,38 +136,39 @@ void SolutionController::showCurrent(std::size_t index)
 void SolutionController::updateFromDocument()
 {
     std::vector<core::RigidTransform> poses = posesOf(document_.current());
-    if (isSame(poses, shown_)) {
+    if (isSame(poses, shownPoses_)) {
         return;
     }
-    shown_ = std::move(poses);
-    strip_.showSolutions(shown_.empty() ? std::vector<ui::SolutionLine>{}
-                                        : linesOf(document_.current(), shown_.size()));
-    draw(shown_);
+    shownPoses_ = std::move(poses);
+    strip_.showSolutions(shownPoses_.empty() ? std::vector<ui::SolutionRow>{}
+                                             : linesOf(document_.current(), shownPoses_.size()));
+    draw(shownPoses_);
 }
 
 void SolutionController::draw(const std::vector<core::RigidTransform>& poses)
 {
-    pictures_.drop();   // abandons thumbnails of earlier poses
+    drawingJob_.drop();   // abandons thumbnails of earlier poses
     if (poses.empty()) {
         return;
     }
     const int widthPx = strip_.thumbnailWidthPx();
-    pictures_.start([session = document_.current(), poses, widthPx](JobLink<double>& link) -> core::Result<Pictures> {
-        core::Case snapshot = session;
-        Pictures pictures;
-        for (const core::RigidTransform& pose : poses) {
-            if (link.verdict() == core::ObserverDecision::Stop) {
-                break;
+    drawingJob_.start(
+        [session = document_.current(), poses, widthPx](JobLink<double>& link) -> core::Result<Thumbnails> {
+            core::Case snapshot = session;
+            Thumbnails pictures;
+            for (const core::RigidTransform& pose : poses) {
+                if (link.decision() == core::ObserverDecision::Stop) {
+                    break;
+                }
+                snapshot.shown().cameraFromPatient = pose;
+                auto picture = drawThumbnail(snapshot, widthPx);
+                if (!picture) {
+                    break;
+                }
+                pictures.push_back(std::move(picture).value());
             }
-            snapshot.shown().cameraFromPatient = pose;
-            auto picture = drawThumbnail(snapshot, widthPx);
-            if (!picture) {
-                break;
-            }
-            pictures.push_back(std::move(picture).value());
-        }
-        return pictures;
-    });
+            return pictures;
+        });
 }
 
 }   // namespace angiopose::app

@@ -28,15 +28,15 @@ signals:
     void acceptRequested(std::size_t index);
 
 private:
-    using Pictures = std::vector<core::ColorImage>;
+    using Thumbnails = std::vector<core::ColorImage>;
     void updateFromDocument();
     void draw(const std::vector<core::RigidTransform>& poses);
-    void showPictures(const Pictures& pictures);
+    void showThumbnails(const Thumbnails& pictures);
 
     const CaseDocument& document_;
     ui::SolutionStrip& strip_;
-    std::vector<core::RigidTransform> shown_;   ///< poses shown in the strip
-    Job<Pictures> pictures_;
+    std::vector<core::RigidTransform> shownPoses_;   ///< poses shown in the strip
+    Job<Thumbnails> drawingJob_;
 };
 
 }   // namespace angiopose::app

@@ -23,11 +23,11 @@ QString periodWords(const core::RunPeriods& periods)
                sentence.arg(ui::numberText(motion.periodS, 1), ui::numberText(2.0 * motion.amplitudeMm, 1));
     };
     QString text;
-    if (periods.breath) {
-        text += words(TrackingController::tr("breathing: period %1 s, %2 mm peak to peak"), *periods.breath);
+    if (periods.breathMotion) {
+        text += words(TrackingController::tr("breathing: period %1 s, %2 mm peak to peak"), *periods.breathMotion);
     }
-    if (periods.heart) {
-        text += words(TrackingController::tr("heartbeat: period %1 s, %2 mm peak to peak"), *periods.heart);
+    if (periods.heartMotion) {
+        text += words(TrackingController::tr("heartbeat: period %1 s, %2 mm peak to peak"), *periods.heartMotion);
     }
     return text;
 }
@@ -41,7 +41,7 @@ TrackingController::TrackingController(const Parts& parts, QObject* parent) : QO
     connect(actions[ui::Command::ExportTrackedPoses], &QAction::triggered, this, &TrackingController::exportPoses);
     connect(&parts_.strip, &ui::BottomStrip::stopRequested, &job_, &TrackingJob::requestStop);
     connect(&parts_.panel.motion(), &ui::MotionPlot::frameRequested, &parts_.review, &ReviewController::showFrame);
-    connect(&job_, &TrackingJob::advanced, this, [this](double fraction) {
+    connect(&job_, &TrackingJob::progressed, this, [this](double fraction) {
         if (job_.isRunning()) {
             parts_.strip.showProgress(
                 tr("Tracking the vessels through the run: %1 %").arg(ui::numberText(100.0 * fraction, 0)), fraction);
@@ -88,7 +88,7 @@ void TrackingController::finishTracking(const std::vector<core::TrackedRunFrame>
     const core::Case startedFrom = std::exchange(startedFrom_, {});   // releases the cine run, which is large
     const core::TrackedRun run = core::makeTrackedRun(startedFrom.shown().frame, frames);
     if (!matchesStart(startedFrom, run)) {
-        parts_.notifications.showNote(tr("The vessels were moved in the meantime. Track them again."));
+        parts_.notifications.showNote(tr("The vessels were moved during tracking. Track them again."));
         return;
     }
     if (!parts_.document.push(std::make_unique<SetTrackedPoses>(parts_.document, SetTrackedPoses::Values{run},
@@ -98,9 +98,10 @@ void TrackingController::finishTracking(const std::vector<core::TrackedRunFrame>
     const auto lost = std::ranges::count_if(frames, [](const auto& each) { return !each.tracked.isTrustworthy; });
     const auto count = static_cast<int>(frames.size());
     const QString followed =
-        lost == 0
-            ? tr("Tracked through %1 frames: scroll through or play them").arg(count)
-            : tr("Tracked through %1 frames; in %2 of them, the vessels are not visible enough").arg(count).arg(lost);
+        lost == 0 ? tr("Tracked through %1 frames; scroll through the frames or play them").arg(count)
+                  : tr("Tracked through %1 frames; in %2 of them, the vessels are not sufficiently visible")
+                        .arg(count)
+                        .arg(lost);
     parts_.notifications.showNote(followed + periodWords(core::periodsOf(startedFrom, frames)));
 }
 
@@ -124,8 +125,8 @@ void TrackingController::updateFromDocument()
     const core::View& view = parts_.document.current().shown();
     const bool isRun = view.angiogram && view.angiogram->frameCount() > 1 && parts_.document.current().vessels.tree;
     parts_.actions[ui::Command::TrackVessels]->setEnabled(isRun);
-    if (view.followed.frames != shown_) {
-        shown_ = view.followed.frames;
+    if (view.followed.frames != shownPoses_) {
+        shownPoses_ = view.followed.frames;
         parts_.preview.end(PreviewSource::Frame);
         showMotion();
     }
@@ -171,7 +172,7 @@ void TrackingController::exportPoses()
     if (frames().empty()) {
         return;
     }
-    parts_.exporting.askFile(
+    parts_.exportController.askForFile(
         {tr("Export tracked poses"), tr("Tables (*.csv)"), QStringLiteral("poses.csv")},
         [frames = frames()](const QString& path) { return io::writePoseTable(frames, path.toStdString()); });
 }

@@ -30,7 +30,7 @@ public:
         ReviewController& review;
         ViewSync& sync;
         PosePreview& preview;
-        ExportController& exporting;
+        ExportController& exportController;
         Notifications& notifications;
         ui::WindowActions& actions;
         ui::ResultPanel& panel;
@@ -57,7 +57,7 @@ private:
     Parts parts_;
     TrackingJob job_;
     core::Case startedFrom_;
-    std::shared_ptr<const std::vector<core::TrackedRunFrame>> shown_;   ///< poses in plot and views; null: none
+    std::shared_ptr<const std::vector<core::TrackedRunFrame>> shownPoses_;   ///< poses in plot and views; null: none
 };
 
 }   // namespace angiopose::app

@@ -31,7 +31,7 @@ CineController::CineController(CaseDocument& document, ViewSync& sync, ReviewCon
       speed_(settings::playSpeed.read()),
       order_(settings::playBackAndForth.read() ? core::CineOrder::BackAndForth : core::CineOrder::Loop)
 {
-    time_.start();
+    elapsed_.start();
     timer_.setSingleShot(true);
     timer_.setTimerType(Qt::PreciseTimer);
     connect(&timer_, &QTimer::timeout, this, &CineController::showDueFrame);
@@ -121,7 +121,7 @@ void CineController::adoptFrame()
 /// Restarts playback at the frame on screen with the current settings.
 void CineController::restart()
 {
-    const double nowMs = static_cast<double>(time_.nsecsElapsed()) / nsPerMs;
+    const double nowMs = static_cast<double>(elapsed_.nsecsElapsed()) / nsPerMs;
     clock_.emplace(loop_, order_, frameMsOf(*document_.current().shown().angiogram) / speed_);
     clock_->start(sync_.shownFrame(), nowMs);
     showDueFrame();
@@ -129,13 +129,13 @@ void CineController::restart()
 
 void CineController::showDueFrame()
 {
-    const double nowMs = static_cast<double>(time_.nsecsElapsed()) / nsPerMs;
+    const double nowMs = static_cast<double>(elapsed_.nsecsElapsed()) / nsPerMs;
     const int due = std::min(clock_->frameAt(nowMs), frameCount() - 1);
     if (due != sync_.shownFrame()) {
         sync_.showFrame(due);
     }
-    const double doneMs = static_cast<double>(time_.nsecsElapsed()) / nsPerMs;
-    timer_.start(static_cast<int>(std::ceil(clock_->untilNextMs(doneMs))));
+    const double doneMs = static_cast<double>(elapsed_.nsecsElapsed()) / nsPerMs;
+    timer_.start(static_cast<int>(std::ceil(clock_->msUntilNextFrame(doneMs))));
 }
 
 void CineController::chooseSpeed(double speed)

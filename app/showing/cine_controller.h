@@ -51,7 +51,7 @@ private:
     core::CineOrder order_;
     std::optional<core::CineClock> clock_;   ///< set only during playback
     std::optional<int> stoppedFrame_;
-    QElapsedTimer time_;
+    QElapsedTimer elapsed_;
     QTimer timer_;
 };
 

@@ -16,7 +16,7 @@ struct PatientWords {
 auto lineOf(const core::Case& session, bool isHidden)
 {
     const std::vector<core::CasePatient> patients = core::patientsOf(session);
-    ui::PatientLine line;
+    ui::PatientText line;
     if (patients.size() > 1) {
         line.warning = PatientWords::tr("The inputs belong to different patients");
     } else if (!core::findMismatch(session).empty()) {

@@ -10,7 +10,7 @@ PosePreview::PosePreview(const CaseDocument& document, QObject* parent) : QObjec
 
 void PosePreview::show(PreviewSource source, const core::RigidTransform& cameraFromPatient, ResidualColors colors)
 {
-    const auto before = std::exchange(shown_, source);
+    const auto before = std::exchange(source_, source);
     pose_ = cameraFromPatient;
     colors_ = colors;
     if (before && before != source) {
@@ -21,17 +21,17 @@ void PosePreview::show(PreviewSource source, const core::RigidTransform& cameraF
 
 void PosePreview::end(PreviewSource source)
 {
-    if (shown_ != source) {
+    if (source_ != source) {
         return;
     }
-    shown_.reset();
-    colors_ = ResidualColors::Kept;
+    source_.reset();
+    colors_ = ResidualColors::Visible;
     emit changed();
 }
 
 const core::RigidTransform& PosePreview::pose() const
 {
-    return shown_ ? pose_ : document_.current().shown().cameraFromPatient;
+    return source_ ? pose_ : document_.current().shown().cameraFromPatient;
 }
 
 core::RigidTransform PosePreview::poseOfView(std::size_t view) const
@@ -41,10 +41,10 @@ core::RigidTransform PosePreview::poseOfView(std::size_t view) const
         return pose();
     }
     const core::View& other = current.views[view];
-    if (!shown_ || !movesAllViews_ || shown_ == PreviewSource::Frame) {
+    if (!source_ || !movesAllViews_ || source_ == PreviewSource::Frame) {
         return other.cameraFromPatient;
     }
-    if (shown_ == PreviewSource::Start) {
+    if (source_ == PreviewSource::Start) {
         const auto start = core::initialPoseOf(other, current.vessels);
         return start ? start.value() : other.cameraFromPatient;
     }

@@ -15,7 +15,7 @@ enum class PreviewSource { Drag, Run, Start, Replay, Swing, Solution, Snapshot, 
 
 /// Whether residual colors apply to a temporarily shown pose. A dragged pose is evaluated as it moves; with other
 /// poses, the colors would belong to a different one.
-enum class ResidualColors { Kept, Hidden };
+enum class ResidualColors { Visible, Hidden };
 
 /// Current pose on screen (that of the document or of a temporary preview) and shape of the vessels. Only one preview
 /// exists at a time: a new one replaces the previous one and notifies its owner. An owner can end only its own preview.
@@ -27,7 +27,7 @@ public:
     void show(PreviewSource source, const core::RigidTransform& cameraFromPatient, ResidualColors colors);
     void end(PreviewSource source);   ///< returns to the document's pose unless another preview has taken over
 
-    std::optional<PreviewSource> shown() const { return shown_; }   ///< nullopt if the document's pose is shown
+    std::optional<PreviewSource> shown() const { return source_; }   ///< nullopt if the document's pose is shown
     const core::RigidTransform& pose() const;   ///< shown pose, camera from patient
     /// Returns the pose on screen of any view of the case, camera from patient. If the views are linked, a preview
     /// moves all of them; initial poses exist for each view, and tracking moves only the shown view.
@@ -49,9 +49,9 @@ signals:
 
 private:
     const CaseDocument& document_;
-    std::optional<PreviewSource> shown_;
+    std::optional<PreviewSource> source_;
     core::RigidTransform pose_;   ///< pose of the preview
-    ResidualColors colors_ = ResidualColors::Kept;
+    ResidualColors colors_ = ResidualColors::Visible;
     bool movesAllViews_ = true;
     VesselShape shape_ = VesselShape::Deformed;
     bool isMotionColored_ = false;

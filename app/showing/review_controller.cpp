@@ -49,11 +49,11 @@ void ReviewController::connectShape()
     });
 }
 
-void ReviewController::showShapeNote(const QString& words)
+void ReviewController::showShapeNote(const QString& note)
 {
     const core::Case& current = document_.current();
     const bool isKnown = deformationForPose(current.shown(), current.vessels, preview_.pose()) != nullptr;
-    ui_.strip.showStatus(isKnown ? words : tr("There are no deformed vessels for this pose"));
+    ui_.strip.showStatus(isKnown ? note : tr("There are no deformed vessels for this pose"));
 }
 
 void ReviewController::connectMotion()
@@ -115,14 +115,14 @@ void ReviewController::showFrame(int frame)
         return;
     }
     const qint64 now = QDateTime::currentMSecsSinceEpoch();
-    if (now - lastFrameMs_ > reviewBurstPauseMs) {
-        ++frameBurst_;
+    if (now - lastFrameChangeMs_ > reviewBurstPauseMs) {
+        ++frameMergeId_;
     }
-    lastFrameMs_ = now;
+    lastFrameChangeMs_ = now;
     const core::View turned = core::withFrame(document_.current().shown(), frame);
     document_.push(std::make_unique<ShowFrame>(
         document_, ShowFrame::Values{frame, turned.initialCameraFromPatient, turned.cameraFromPatient, turned.result},
-        [] { return tr("Choose another frame"); }, frameBursts + frameBurst_));
+        [] { return tr("Choose another frame"); }, frameBursts + frameMergeId_));
 }
 
 void ReviewController::setFlickering(bool on)

@@ -38,7 +38,7 @@ private:
     void connectMotion();
     void connectWindow();
     void connectShape();
-    void showShapeNote(const QString& words);
+    void showShapeNote(const QString& note);
     void setFlickering(bool on);
     void toggleFlickerPose();
     void applyTheme(const QString& name);
@@ -49,8 +49,8 @@ private:
     Ui ui_;
     QTimer flickerTimer_;
     bool showsInitialPose_ = false;
-    int frameBurst_ = 0;
-    qint64 lastFrameMs_ = 0;
+    int frameMergeId_ = 0;
+    qint64 lastFrameChangeMs_ = 0;
 };
 
 }   // namespace angiopose::app

@@ -33,9 +33,9 @@ QString previewWords(PreviewSource whose)
         case PreviewSource::Start:
             return ViewSync::tr("initial pose");
         case PreviewSource::Replay:
-            return ViewSync::tr("a step of the registration");
+            return ViewSync::tr("a registration step");
         case PreviewSource::Swing:
-            return ViewSync::tr("a pose within the image noise");
+            return ViewSync::tr("a pose within image noise");
         case PreviewSource::Solution:
             return ViewSync::tr("another solution");
         case PreviewSource::Snapshot:
@@ -67,7 +67,7 @@ ViewSync::ViewSync(const CaseDocument& document, const PosePreview& preview, con
       preview_(preview),
       ui_(ui),
       chip_(new ui::VerdictChip(ui.view)),
-      opacification_([this](const OpacificationResult& measured) { setOpacification(measured); })
+      opacification_([this](const OpacificationResult& opacificationResult) { setOpacification(opacificationResult); })
 {
     connect(&preview, &PosePreview::changed, this, &ViewSync::updateFromPreview);
     ui::keepTranslated(this, [this] {
@@ -115,7 +115,7 @@ void ViewSync::showShape()
 {
     const core::Case& current = document_.current();
     const auto known = deformationForPose(current.shown(), current.vessels, preview_.pose());
-    if (known == drawn_.known && (!known || preview_.shape() == drawn_.shape)) {
+    if (known == drawnVessels_.known && (!known || preview_.shape() == drawnVessels_.shape)) {
         return;
     }
     drawTree();
@@ -126,8 +126,8 @@ void ViewSync::showShape()
 void ViewSync::drawTree()
 {
     const core::Case& current = document_.current();
-    drawn_ = drawnVessels(current.shown(), current.vessels, preview_.pose(), preview_.shape());
-    const core::VesselTree tree = core::without(drawn_.tree, shownHidden_);
+    drawnVessels_ = vesselsToDraw(current.shown(), current.vessels, preview_.pose(), preview_.shape());
+    const core::VesselTree tree = core::withoutBranches(drawnVessels_.tree, shownHidden_);
     ui_.view.scene().setTree(tree);
     ui_.view.redraw();
     ui_.treeView.scene().setTree(tree);
@@ -219,10 +219,10 @@ bool ViewSync::isPreviewPose() const
     return preview_.shown() && preview_.colors() == ResidualColors::Hidden;
 }
 
-void ViewSync::showVerdict(ui::VerdictTone tone, const QString& words)
+void ViewSync::showVerdict(ui::VerdictTone tone, const QString& label)
 {
     tone_ = tone;
-    verdict_ = words;
+    verdict_ = label;
     showChip();
 }
 
@@ -232,11 +232,11 @@ void ViewSync::showChip()
         chip_->showVerdict(tone_, document_.isInTrial() ? QString() : verdict_);
         return;
     }
-    const QString words = tr("Preview: %1").arg(previewWords(*preview_.shown()));
+    const QString label = tr("Preview: %1").arg(previewWords(*preview_.shown()));
     chip_->showVerdict(ui::VerdictTone::Doubtful,
                        previewMedianMm_ > 0.0
-                           ? tr("%1 · median of the whole tree %2 mm").arg(words, ui::numberText(previewMedianMm_, 2))
-                           : words);
+                           ? tr("%1 · median of the whole tree %2 mm").arg(label, ui::numberText(previewMedianMm_, 2))
+                           : label);
 }
 
 void ViewSync::showMarks(const ui::BranchMarks& marks)
@@ -290,7 +290,7 @@ void ViewSync::showResidualColors()
     } else {
         const double depthMm = depthOfTreeMm(current.shown(), current.vessels);
         const double mmPerPx = core::millimetersPerPixel(*shownCamera_, depthMm);
-        if (drawn_.known && isMotionColored_) {
+        if (drawnVessels_.known && isMotionColored_) {
             colorByMotion(mmPerPx);
         } else {
             colorByResiduals(residualScaleMaximumPx(*shownCamera_, depthMm), mmPerPx);
@@ -301,8 +301,8 @@ void ViewSync::showResidualColors()
 
 void ViewSync::colorByMotion(double mmPerPx)
 {
-    const double endMm = drawn_.motion.scaleMaximumMm;
-    ui_.view.scene().setResiduals(drawn_.motion.distanceMm, endMm);
+    const double endMm = drawnVessels_.motion.scaleMaximumMm;
+    ui_.view.scene().setResiduals(drawnVessels_.motion.distanceMm, endMm);
     ui_.view.setResidualScale(endMm / mmPerPx, endMm);
 }
 
@@ -311,9 +311,10 @@ void ViewSync::colorByMotion(double mmPerPx)
 void ViewSync::colorByResiduals(double scalePx, double mmPerPx)
 {
     const bool isOther = isPreviewPose();
-    const bool isJudged = !isOther && (drawn_.shape != VesselShape::Deformed || !target_);
-    const auto residualPx = isJudged ? evaluation_->residualPx
-                                     : core::branchDistances(drawn_.tree, *target_, *shownCamera_, preview_.pose());
+    const bool isJudged = !isOther && (drawnVessels_.shape != VesselShape::Deformed || !target_);
+    const auto residualPx = isJudged
+                                ? evaluation_->residualPx
+                                : core::branchDistances(drawnVessels_.tree, *target_, *shownCamera_, preview_.pose());
     if (isOther) {
         previewMedianMm_ = mmPerPx * core::medianOf(residualPx);
     }
@@ -331,8 +332,8 @@ void ViewSync::showCornerTexts()
 {
     const Identity identity = identityHidden_ ? Identity::Hidden : Identity::Shown;
     CornerLines lines = cornerLines(document_.current(), identity);
-    if (drawn_.known) {
-        lines.bottomLeft = shapeLines(drawn_);
+    if (drawnVessels_.known) {
+        lines.bottomLeft = shapeLines(drawnVessels_);
         lines.scaleHeading = isMotionColored_ ? std::optional(motionHeading()) : std::nullopt;
     }
     ui_.view.setCornerTexts(windowTexts(lines));
@@ -368,11 +369,11 @@ void ViewSync::measureOpacification()
     emit opacificationMeasured();
 }
 
-void ViewSync::setOpacification(const OpacificationResult& measured)
+void ViewSync::setOpacification(const OpacificationResult& opacificationResult)
 {
-    frameCurve_ = {relativeToPeak(measured.opacification), measuredRun_->suggestedFrame, measuredRun_->frameTimeMs,
-                   measuredRun_->rWaveFrames};
-    suggestedMasks_ = measured.masks;
+    frameCurve_ = {relativeToPeak(opacificationResult.opacification), measuredRun_->suggestedFrame,
+                   measuredRun_->frameTimeMs, measuredRun_->rWaveFrames};
+    suggestedMasks_ = opacificationResult.masks;
     ui_.strip.showFrames(frameCurve_);
     emit opacificationMeasured();
 }

@@ -46,7 +46,7 @@ public:
     void showAssessment(const SharedEvaluation& evaluation);   ///< null shows no residual colors
     /// Sets the verdict on the document's pose. While another pose is shown, the chip describes that one instead. An
     /// empty string hides the chip.
-    void showVerdict(ui::VerdictTone tone, const QString& words);
+    void showVerdict(ui::VerdictTone tone, const QString& label);
     void showFrame(int frame);   ///< shows any frame of the open cine run, e.g. during playback, without changing the
                                  ///< document's frame
     int shownFrame() const { return shownFrame_; }
@@ -83,14 +83,14 @@ private:
     void showCornerTexts();
     void showFrameNote();
     void measureOpacification();
-    void setOpacification(const OpacificationResult& measured);
+    void setOpacification(const OpacificationResult& opacificationResult);
 
     const CaseDocument& document_;
     const PosePreview& preview_;
     Ui ui_;
     std::shared_ptr<const core::VesselTree> shownTree_;
     std::vector<int> shownHidden_;
-    DrawnVessels drawn_;
+    DrawnVessels drawnVessels_;
     SharedCenterline target_;
     std::shared_ptr<const core::Angiogram> shownAngiogram_;
     std::optional<core::ProjectionCamera> shownCamera_;

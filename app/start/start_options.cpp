@@ -148,10 +148,9 @@ void addReportOptions(QCommandLineParser& parser)
           QCoreApplication::translate("main", "With --report: author to use instead of the account name."),
           QStringLiteral("NAME")},
          {option("identity"),
-          QCoreApplication::translate("main",
-                                      "With --report: include the patient's identity, which is omitted by default.")},
+          QCoreApplication::translate("main", "With --report: include the patient's identity (omitted by default).")},
          {option("language"),
-          QCoreApplication::translate("main", "With --report: language to use instead of the language of the window."),
+          QCoreApplication::translate("main", "With --report: language to use instead of the UI language."),
           ui::languages().join('|')}});
 }
 

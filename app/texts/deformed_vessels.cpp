@@ -12,10 +12,10 @@ namespace angiopose::app {
 namespace {
 
 /// Returns the smallest round maximum of the scale that covers the largest displacement.
-double motionScaleMm(double largestMm)
+double motionScaleMm(double maxMm)
 {
     constexpr std::array ends{1.0, 2.0, 5.0, 10.0, 20.0, 50.0};
-    const auto end = std::ranges::lower_bound(ends, largestMm);
+    const auto end = std::ranges::lower_bound(ends, maxMm);
     return end == ends.end() ? ends.back() : *end;
 }
 
@@ -27,10 +27,10 @@ DisplacementMap motionMap(const core::VesselTree& rigid, const core::VesselTree&
         std::vector<double>& apartMm = map.distanceMm[rigid.branches[b].id];
         apartMm = core::pointDistances(rigid.branches[b], deformed.branches[b], pose, viewCount);
         for (const double mm : apartMm) {
-            map.largestMm = std::max(map.largestMm, mm);
+            map.maxMm = std::max(map.maxMm, mm);
         }
     }
-    map.scaleMaximumMm = motionScaleMm(map.largestMm);
+    map.scaleMaximumMm = motionScaleMm(map.maxMm);
     return map;
 }
 
@@ -54,8 +54,8 @@ std::shared_ptr<const core::DeformableResult> deformationForPose(const core::Vie
     return core::knownDeformation(view, vessels, pose);
 }
 
-DrawnVessels drawnVessels(const core::View& view, const core::Vessels& vessels, const core::RigidTransform& pose,
-                          VesselShape wanted)
+DrawnVessels vesselsToDraw(const core::View& view, const core::Vessels& vessels, const core::RigidTransform& pose,
+                           VesselShape preferredShape)
 {
     DrawnVessels drawn;
     if (!vessels.tree) {
@@ -66,9 +66,9 @@ DrawnVessels drawnVessels(const core::View& view, const core::Vessels& vessels, 
     if (drawn.known) {
         core::VesselTree deformed = core::deformedTreeAt(*vessels.tree, *drawn.known, pose);
         drawn.motion = motionMap(*vessels.tree, deformed, pose, drawn.known->viewPoses.size());
-        drawn.shape = wanted;
+        drawn.shape = preferredShape;
         drawn.otherFrame = otherFrameOf(view, pose, *drawn.known);
-        if (wanted == VesselShape::Deformed) {
+        if (preferredShape == VesselShape::Deformed) {
             drawn.tree = std::move(deformed);
         }
     }
@@ -83,7 +83,7 @@ core::Messages shapeLines(const DrawnVessels& drawn)
     if (drawn.shape == VesselShape::Rigid) {
         return {messages::vesselsRigid()};
     }
-    const core::Quantity most = core::inMm(drawn.motion.largestMm, 1);
+    const core::Quantity most = core::inMm(drawn.motion.maxMm, 1);
     const bool isSure = drawn.known->verdict == core::DeformationVerdict::Deformed;
     core::Messages lines{isSure ? messages::vesselsDeformed(most) : messages::vesselsDeformedUnsure(most)};
     if (drawn.otherFrame) {

@@ -22,7 +22,7 @@ std::shared_ptr<const core::DeformableResult> deformationForPose(const core::Vie
 struct DisplacementMap {
     std::map<int, std::vector<double>>
         distanceMm;   ///< distances by branch ID; perpendicular to the ray if from one view, otherwise in 3-D
-    double largestMm = 0.0;
+    double maxMm = 0.0;
     double scaleMaximumMm = 0.0;
 };
 
@@ -34,8 +34,8 @@ struct DrawnVessels {
     core::VesselTree tree;   ///< all branches, in patient coordinates at that pose
     DisplacementMap motion;   ///< displacement map of `known`
 };
-DrawnVessels drawnVessels(const core::View& view, const core::Vessels& vessels, const core::RigidTransform& pose,
-                          VesselShape wanted);
+DrawnVessels vesselsToDraw(const core::View& view, const core::Vessels& vessels, const core::RigidTransform& pose,
+                           VesselShape preferredShape);
 
 /// Returns captions about the vessel shape: whether the vessels are deformed, and by how much, or rigid, and that a
 /// single view does not determine depth. Empty if no deformation is known.

@@ -46,9 +46,9 @@ core::Error stoppedExport()
     return core::Error(core::Cancellation{messages::dicomStopped()});
 }
 
-std::vector<DicomKind> kindsOf(const DicomExport& wanted)
+std::vector<DicomKind> kindsOf(const DicomExport& dicomExport)
 {
-    std::vector<DicomKind> kinds = wanted.kinds;
+    std::vector<DicomKind> kinds = dicomExport.kinds;
     if (kinds.empty()) {
         std::ranges::transform(kindTable, std::back_inserter(kinds), &KindInfo::kind);
     }
@@ -56,7 +56,7 @@ std::vector<DicomKind> kindsOf(const DicomExport& wanted)
 }
 
 core::Result<DicomExportInput> collectExportInput(const core::Case& session, const core::Centerline2d& target,
-                                                  const DicomExport& wanted, DicomFiles& files)
+                                                  const DicomExport& dicomExport, DicomFiles& files)
 {
     auto angiogram = io::readSourceImage(session.shown().imageFile.path);
     if (!angiogram) {
@@ -70,10 +70,10 @@ core::Result<DicomExportInput> collectExportInput(const core::Case& session, con
     }
     return DicomExportInput{session,
                             target,
-                            wanted,
+                            dicomExport,
                             std::move(angiogram).value(),
                             scanReferenceOf(session.vessels),
-                            io::newOrigin(wanted.author),
+                            io::makeOrigin(dicomExport.author),
                             {}};
 }
 
@@ -86,7 +86,7 @@ bool isOffered(DicomKind kind, const DicomExportInput& exportInput)
 core::Result<std::vector<CreatedFile>> madeObjects(DicomExportInput& exportInput, const fs::path& folder,
                                                    DicomFiles& files, const DicomObserver& observe)
 {
-    const std::vector<DicomKind> kinds = kindsOf(exportInput.wanted);
+    const std::vector<DicomKind> kinds = kindsOf(exportInput.dicomExport);
     std::vector<CreatedFile> made;
     for (std::size_t i = 0; i < kinds.size(); ++i) {
         exportInput.shouldContinue = [&observe, i, count = kinds.size()](double fraction) {
@@ -96,13 +96,13 @@ core::Result<std::vector<CreatedFile>> madeObjects(DicomExportInput& exportInput
         if (exportInput.shouldContinue(0.0) == core::ObserverDecision::Stop) {
             return stoppedExport();
         }
-        if (exportInput.wanted.kinds.empty() && !isOffered(kinds[i], exportInput)) {
+        if (exportInput.dicomExport.kinds.empty() && !isOffered(kinds[i], exportInput)) {
             continue;
         }
         auto content = dicomObject(kinds[i], exportInput, files.notes);
         if (content) {
             made.push_back({folder / infoOf(kinds[i]).file, std::move(content).value()});
-        } else if (!exportInput.wanted.kinds.empty() || content.isStopped()) {
+        } else if (!exportInput.dicomExport.kinds.empty() || content.isStopped()) {
             return content.error();
         } else {
             files.notes.push_back(messages::dicomLeftOut(infoOf(kinds[i]).file, content.error().message));
@@ -159,14 +159,14 @@ std::optional<DicomKind> parseDicomKind(std::string_view id)
 }
 
 core::Result<DicomFiles> writeDicomObjects(const core::Case& session, const core::Centerline2d& target,
-                                           const DicomExport& wanted, const std::string& folder,
+                                           const DicomExport& dicomExport, const std::string& folder,
                                            const DicomObserver& observe)
 {
     if (!session.vessels.tree || !session.shown().angiogram || session.shown().angiogram->frames.empty()) {
         return core::Error(messages::dicomNothing());
     }
     DicomFiles files;
-    auto exportInput = collectExportInput(session, target, wanted, files);
+    auto exportInput = collectExportInput(session, target, dicomExport, files);
     if (!exportInput) {
         return exportInput.error();
     }

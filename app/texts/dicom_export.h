@@ -20,7 +20,7 @@ std::optional<DicomKind> parseDicomKind(std::string_view id);
 
 struct DicomExport {
     std::vector<DicomKind> kinds;   ///< if empty, all kinds that the case allows
-    OverlayImageOptions look;
+    OverlayImageOptions imageOptions;
     std::function<core::Result<std::string>()> report = nullptr;   ///< creates the PDF; if not set, there is no report
     std::string author;
 };
@@ -37,7 +37,7 @@ using DicomObserver = std::function<core::ObserverDecision(double fraction)>;
 /// series of the source image's study. All objects are created before the first is written, so that a failure leaves no
 /// incomplete export. Fails if a requested object cannot be created.
 core::Result<DicomFiles> writeDicomObjects(const core::Case& session, const core::Centerline2d& target,
-                                           const DicomExport& wanted, const std::string& folder,
+                                           const DicomExport& dicomExport, const std::string& folder,
                                            const DicomObserver& observe = {});
 
 }   // namespace angiopose::app

@@ -26,13 +26,13 @@ std::string scanFrame(const DicomExportInput& exportInput)
 
 core::Result<std::string> reportObject(const DicomExportInput& exportInput)
 {
-    if (!exportInput.wanted.report) {
+    if (!exportInput.dicomExport.report) {
         return core::Error(messages::dicomNoReport());
     }
-    const auto pdf = exportInput.wanted.report();
+    const auto pdf = exportInput.dicomExport.report();
     // The report contains titles and file names, which may identify the patient even if the identity is hidden.
-    return pdf ? io::encapsulatedPdf(pdf.value(), exportInput.session.title, io::BurnedInIdentity::Possible,
-                                     exportInput.angiogram, exportInput.origin)
+    return pdf ? io::encodeEncapsulatedPdf(pdf.value(), exportInput.session.title, io::BurnedInIdentity::Possible,
+                                           exportInput.angiogram, exportInput.origin)
                : core::Result<std::string>(pdf.error());
 }
 
@@ -47,7 +47,7 @@ core::Result<std::string> registrationObject(const DicomExportInput& exportInput
     const io::CArmRegistration registration{view.cameraFromPatient, camera.value(), scanFrame(exportInput),
                                             io::cameraFrameOfReference(exportInput.angiogram, exportInput.origin),
                                             view.result ? view.result->method : std::string()};
-    return io::spatialRegistration(registration, exportInput.angiogram, exportInput.origin);
+    return io::encodeSpatialRegistration(registration, exportInput.angiogram, exportInput.origin);
 }
 
 /// Draws the tree as tubes with its radii into a mask on the voxel grid of the scan.
@@ -70,14 +70,14 @@ core::Result<std::string> segmentationObject(const DicomExportInput& exportInput
     if (!vessels.lumen && !vessels.scan) {
         return core::Error(messages::dicomNoScan());
     }
-    auto made =
-        vessels.lumen
-            ? io::vesselSegmentation(*vessels.lumen,
-                                     vessels.isLumenEdited ? "Lumen traced in the scan and edited by hand"
-                                                           : "Lumen that the vessel tree was traced from",
-                                     exportInput.scan, exportInput.origin)
-            : io::vesselSegmentation(rasterizeTree(*vessels.tree, vessels.scan->geometry),
-                                     "Centrelines drawn as tubes of their radii", exportInput.scan, exportInput.origin);
+    auto made = vessels.lumen
+                    ? io::encodeVesselSegmentation(*vessels.lumen,
+                                                   vessels.isLumenEdited ? "Lumen traced in the scan and edited by hand"
+                                                                         : "Lumen that the vessel tree was traced from",
+                                                   exportInput.scan, exportInput.origin)
+                    : io::encodeVesselSegmentation(rasterizeTree(*vessels.tree, vessels.scan->geometry),
+                                                   "Centrelines drawn as tubes of their radii", exportInput.scan,
+                                                   exportInput.origin);
     if (made && !exportInput.scan.source.isDicom) {
         notes.push_back(messages::dicomNoScanStudy());
     }
@@ -107,9 +107,10 @@ std::vector<io::GraphicLayer> vesselLayers(const DicomExportInput& exportInput, 
     io::GraphicLayer plain{"VESSELS", "Vessels of the 3-D tree", rgb(colors.plain), {}, {}};
     io::GraphicLayer auxiliary{"AUXILIARY", "Auxiliary vessels of the 3-D tree", rgb(colors.auxiliary), {}, {}};
     const core::RigidTransform& pose = session.shown().cameraFromPatient;
-    const DrawnVessels drawn = drawnVessels(session.shown(), session.vessels, pose, exportInput.wanted.look.shape);
-    const core::VesselTree tree = core::without(drawn.tree, session.vessels.hiddenBranchIds);
-    for (const ui::ProjectedBranch& branch : ui::projectedTree(tree, camera, pose)) {
+    const DrawnVessels drawn =
+        vesselsToDraw(session.shown(), session.vessels, pose, exportInput.dicomExport.imageOptions.shape);
+    const core::VesselTree tree = core::withoutBranches(drawn.tree, session.vessels.hiddenBranchIds);
+    for (const ui::ProjectedBranch& branch : ui::projectTree(tree, camera, pose)) {
         const std::vector<int>& ids = session.vessels.auxiliaryBranchIds;
         io::GraphicLayer& layer = std::ranges::find(ids, branch.id) == ids.end() ? plain : auxiliary;
         for (const auto& run : branch.runs) {
@@ -127,7 +128,7 @@ std::vector<io::GraphicLayer> vesselLayers(const DicomExportInput& exportInput, 
 io::GraphicLayer measuredLayer(const core::Case& session)
 {
     io::GraphicLayer layer{"MEASURED", "Measurements in the image", {255, 200, 87}, {}, {}};
-    const core::MeasuredView seen(session.shown(), session.vessels.tree.get());
+    const core::MeasurementContext context(session.shown(), session.vessels.tree.get());
     for (const core::ImageMeasurement& measurement : session.shown().measurements) {
         if (measurement.frame != session.shown().frame || measurement.pixels.empty()) {
             continue;
@@ -137,7 +138,7 @@ io::GraphicLayer measuredLayer(const core::Case& session)
             line.push_back(line.front());
         }
         layer.lines.push_back(line);
-        if (const auto measured = core::measureImage(measurement, seen)) {
+        if (const auto measured = core::measureImage(measurement, context)) {
             layer.texts.push_back({core::labelOf(measured.value(), measurement.kind).text(), line.front()});
         }
     }
@@ -169,9 +170,10 @@ core::DisplayRange shownRange(const DicomExportInput& exportInput, int frame, co
     if (isTreated) {
         notes.push_back(messages::dicomTreated());
     }
-    const auto& look = exportInput.wanted.look;
-    const core::DisplayRange range =
-        look.range && !isTreated ? *look.range : core::displayRange(run.frames[static_cast<std::size_t>(frame)]);
+    const auto& imageOptions = exportInput.dicomExport.imageOptions;
+    const core::DisplayRange range = imageOptions.range && !isTreated
+                                         ? *imageOptions.range
+                                         : core::displayRange(run.frames[static_cast<std::size_t>(frame)]);
     return storedRange(range, run, exportInput.angiogram);
 }
 
@@ -207,7 +209,7 @@ io::BurnedInIdentity identityIn(const DicomExportInput& exportInput)
     const core::Mask2d letters = core::burnedInTextMask(view.angiogram->frames[static_cast<std::size_t>(view.frame)],
                                                         core::thoroughMaxLetterHeight);
     const bool hasLetters = std::ranges::any_of(letters.pixels, [](std::uint8_t pixel) { return pixel != 0; });
-    const bool mayBeThere = exportInput.wanted.look.identity == Identity::Shown ||
+    const bool mayBeThere = exportInput.dicomExport.imageOptions.identity == Identity::Shown ||
                             exportInput.angiogram.declaresBurnedInText || hasLetters ||
                             namesPatient(exportInput.session.title, exportInput.angiogram);
     return mayBeThere ? io::BurnedInIdentity::Possible : io::BurnedInIdentity::None;
@@ -216,16 +218,16 @@ io::BurnedInIdentity identityIn(const DicomExportInput& exportInput)
 /// Uses one size and one display range for all frames, and no residuals or DRR, which belong to a single frame.
 OverlayImageOptions cineOverlayOptions(const DicomExportInput& exportInput)
 {
-    OverlayImageOptions look = exportInput.wanted.look;
+    OverlayImageOptions imageOptions = exportInput.dicomExport.imageOptions;
     const core::View& view = exportInput.session.shown();
-    look.isInitialPoseShown = false;
-    look.coloring = OverlayColoring::Branches;
-    look.drr = nullptr;
-    look.widthPx = look.widthPx > 0 ? look.widthPx : view.angiogram->width();
-    if (!look.range) {
-        look.range = core::displayRange(view.angiogram->frames[static_cast<std::size_t>(view.frame)]);
+    imageOptions.isInitialPoseShown = false;
+    imageOptions.coloring = OverlayColoring::Branches;
+    imageOptions.drr = nullptr;
+    imageOptions.widthPx = imageOptions.widthPx > 0 ? imageOptions.widthPx : view.angiogram->width();
+    if (!imageOptions.range) {
+        imageOptions.range = core::displayRange(view.angiogram->frames[static_cast<std::size_t>(view.frame)]);
     }
-    return look;
+    return imageOptions;
 }
 
 /// Creates a presentation state with the overlay as vector graphics on the stored image: vessels, measurements of the
@@ -247,17 +249,17 @@ core::Result<std::string> makePresentationState(const DicomExportInput& exportIn
     if (exportInput.angiogram.isDicom) {
         shown.range = shownRange(exportInput, shown.frame, notes);
     }
-    return io::presentationState(shown, exportInput.angiogram, exportInput.origin);
+    return io::encodePresentationState(shown, exportInput.angiogram, exportInput.origin);
 }
 
 /// Creates a secondary capture of the overlay on the shown frame.
 core::Result<std::string> makeSecondaryCapture(const DicomExportInput& exportInput)
 {
-    auto picture = drawOverlay(exportInput.session, exportInput.target, exportInput.wanted.look);
+    auto picture = drawOverlay(exportInput.session, exportInput.target, exportInput.dicomExport.imageOptions);
     if (!picture) {
         return picture.error();
     }
-    return io::secondaryCapture(
+    return io::encodeSecondaryCapture(
         {{std::move(picture).value()}, 0.0, identityIn(exportInput), messages::dicomDerivation().text()},
         exportInput.angiogram, exportInput.origin);
 }
@@ -270,23 +272,23 @@ core::Result<std::string> makeCineCapture(const DicomExportInput& exportInput)
     MoviePlan plan;
     plan.frames = {0, run.frameCount() - 1};
     plan.followed = core::framesOf(exportInput.session.shown().followed);
-    OverlayImageOptions look = cineOverlayOptions(exportInput);
-    const MovieSteps steps(exportInput.session, plan, look.shape);
-    io::CapturedImages captured{{}, run.frameTimeMs, identityIn(exportInput), messages::dicomDerivation().text()};
+    OverlayImageOptions imageOptions = cineOverlayOptions(exportInput);
+    const MovieSteps steps(exportInput.session, plan, imageOptions.shape);
+    io::CapturedImages capture{{}, run.frameTimeMs, identityIn(exportInput), messages::dicomDerivation().text()};
     for (std::size_t i = 0; i < steps.count(); ++i) {
         if (exportInput.shouldContinue(static_cast<double>(i) / static_cast<double>(steps.count())) ==
             core::ObserverDecision::Stop) {
             return core::Error(core::Cancellation{messages::dicomStopped()});
         }
         const MovieStep step = steps.at(i);
-        look.words = step.words;
-        auto picture = drawOverlay(step.session, {}, look);
+        imageOptions.words = step.words;
+        auto picture = drawOverlay(step.session, {}, imageOptions);
         if (!picture) {
             return picture.error();
         }
-        captured.pictures.push_back(std::move(picture).value());
+        capture.images.push_back(std::move(picture).value());
     }
-    return io::multiframeSecondaryCapture(std::move(captured), exportInput.angiogram, exportInput.origin);
+    return io::encodeMultiframeCapture(std::move(capture), exportInput.angiogram, exportInput.origin);
 }
 
 }   // namespace
@@ -322,8 +324,8 @@ core::Result<std::string> dicomObject(DicomKind kind, const DicomExportInput& ex
         case DicomKind::Measurements:
             break;
     }
-    return io::measurementReport({io::reportGroups(exportInput.session), scanFrame(exportInput)}, exportInput.angiogram,
-                                 exportInput.origin);
+    return io::encodeMeasurementReport({io::reportGroups(exportInput.session), scanFrame(exportInput)},
+                                       exportInput.angiogram, exportInput.origin);
 }
 
 }   // namespace angiopose::app

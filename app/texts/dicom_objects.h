@@ -10,7 +10,7 @@ namespace angiopose::app {
 struct DicomExportInput {
     const core::Case& session;
     const core::Centerline2d& target;
-    const DicomExport& wanted;
+    const DicomExport& dicomExport;
     io::SourceImage angiogram;
     io::ScanReference scan;
     io::ObjectOrigin origin;

@@ -24,8 +24,8 @@ core::Messages fitBasisLines(const core::FitBasis& basis, const core::Vessels& v
 {
     core::Messages words;
     const core::Quantity median = core::inMm(basis.wholeMedianMm, 2), p95 = core::inMm(basis.wholeP95Mm, 2);
-    if (basis.assessedShare < 1.0) {
-        words.push_back(messages::overOpacified(core::Quantity{100.0 * basis.assessedShare, 0, "%"}, median, p95));
+    if (basis.assessedFraction < 1.0) {
+        words.push_back(messages::overOpacified(core::Quantity{100.0 * basis.assessedFraction, 0, "%"}, median, p95));
     }
     if (!basis.excludedMm.empty()) {
         words.push_back(messages::withoutExcluded(namedMedians(*vessels.tree, basis.excludedMm), median, p95));

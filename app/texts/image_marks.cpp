@@ -9,11 +9,12 @@ namespace {
 
 constexpr std::size_t ringSteps = 72;
 
-std::optional<std::vector<Eigen::Vector2d>> outlineOf(const core::VesselMark& ring, const core::PosedCamera& sight)
+std::optional<std::vector<Eigen::Vector2d>> outlineOf(const core::VesselMark& ring,
+                                                      const core::PosedCamera& posedCamera)
 {
     std::vector<Eigen::Vector2d> outline;
     for (const Eigen::Vector3d& point : core::ringPoints(ring, ringSteps)) {
-        const auto pixel = core::project(sight.camera, sight.cameraFromPatient * point);
+        const auto pixel = core::project(posedCamera.camera, posedCamera.cameraFromPatient * point);
         if (!pixel) {
             return std::nullopt;
         }
@@ -23,8 +24,8 @@ std::optional<std::vector<Eigen::Vector2d>> outlineOf(const core::VesselMark& ri
 }
 
 /// Adds the observed position of a mark in the frame, with a line to the position where the mark is drawn.
-void addSightings(std::vector<ui::ImageMark>& marks, const MarkedView& placed, int markId,
-                  const std::optional<Eigen::Vector2d>& drawnAt)
+void addObservations(std::vector<ui::ImageMark>& marks, const MarkedView& placed, int markId,
+                     const std::optional<Eigen::Vector2d>& drawnAt)
 {
     for (const core::TargetObservation& seen : placed.session.views[placed.view].observations) {
         if (seen.markId != markId || seen.frame != placed.frame) {
@@ -81,7 +82,7 @@ std::vector<core::VesselMark> marksOnDrawnVessels(const core::View& view, const 
     if (marks.empty() || shape == VesselShape::Rigid || !deformationForPose(view, vessels, pose)) {
         return marks;
     }
-    const core::VesselTree deformed = drawnVessels(view, vessels, pose, shape).tree;
+    const core::VesselTree deformed = vesselsToDraw(view, vessels, pose, shape).tree;
     for (core::VesselMark& mark : marks) {
         mark = core::moveWithVessels(*vessels.tree, deformed, std::move(mark));
     }
@@ -101,19 +102,19 @@ std::vector<ui::ImageMark> placedMarks(const MarkedView& placed,
         const auto drawn = marksOnDrawnVessels(view, placed.session.vessels, pose, placed.shape);
         for (std::size_t i = 0; i < drawn.size(); ++i) {
             const core::VesselMark& mark = drawn[i];
-            const bool isChosen = placed.selectedMarks.contains(static_cast<int>(i));
+            const bool isSelected = placed.selectedMarks.contains(static_cast<int>(i));
             const auto at = core::project(camera.value(), pose * mark.pointInPatient);
             const std::string label = labelOf(placed, mark, toText, checked);
             if (mark.kind == core::VesselMarkKind::OstiumRing) {
                 if (auto outline = outlineOf(mark, {camera.value(), pose})) {
                     marks.push_back(
-                        {ui::MarkShape::Outline, std::move(*outline), label, isChosen, ui::MarkTone::Place});
+                        {ui::MarkShape::Outline, std::move(*outline), label, isSelected, ui::MarkTone::Place});
                 }
                 continue;
             }
-            addSightings(marks, placed, mark.id, at);
+            addObservations(marks, placed, mark.id, at);
             if (at) {
-                marks.push_back({ui::MarkShape::Point, {*at}, label, isChosen, ui::MarkTone::Place});
+                marks.push_back({ui::MarkShape::Point, {*at}, label, isSelected, ui::MarkTone::Place});
             }
         }
     }
@@ -121,7 +122,7 @@ std::vector<ui::ImageMark> placedMarks(const MarkedView& placed,
     return marks;
 }
 
-std::vector<ui::ImageMark> marksOf(const core::MeasuredView& seen, int frame,
+std::vector<ui::ImageMark> marksOf(const core::MeasurementContext& seen, int frame,
                                    const std::function<std::string(const core::Message&)>& toText)
 {
     std::vector<ui::ImageMark> marks;

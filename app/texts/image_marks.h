@@ -35,7 +35,7 @@ std::vector<core::VesselMark> marksOnDrawnVessels(const core::View& view, const 
                                                   const core::RigidTransform& pose, VesselShape shape);
 
 /// Returns the measurements of a frame of a view with their values. `toText` converts a message to text.
-std::vector<ui::ImageMark> marksOf(const core::MeasuredView& seen, int frame,
+std::vector<ui::ImageMark> marksOf(const core::MeasurementContext& seen, int frame,
                                    const std::function<std::string(const core::Message&)>& toText);
 
 }   // namespace angiopose::app

@@ -60,7 +60,7 @@ core::Status writePictures(io::MovieWriter& movie, const MovieSteps& steps, cons
         if (!picture) {
             return picture.error();
         }
-        if (auto added = movie.add(picture.value(), step.ms); !added) {
+        if (auto added = movie.add(picture.value(), step.durationMs); !added) {
             return added;
         }
     }
@@ -75,15 +75,15 @@ core::Status writeMovie(const core::Case& session, const core::Centerline2d& tar
     if (const auto problem = findProblem(session, plan)) {
         return core::Error(*problem);
     }
-    const OverlayImageOptions look = constantOptions(session, options, plan);
-    const MovieSteps steps(session, plan, look.shape);
-    auto first = pictureOf(steps.at(0), target, look);
+    const OverlayImageOptions imageOptions = constantOptions(session, options, plan);
+    const MovieSteps steps(session, plan, imageOptions.shape);
+    auto first = pictureOf(steps.at(0), target, imageOptions);
     if (!first) {
         return first.error();
     }
     const io::MovieSize size{first.value().width, first.value().height};
     auto movie = io::MovieWriter::create(path, size, {session.title, provenanceTexts(session)});
-    return movie ? writePictures(*movie.value(), steps, target, look, std::move(first).value(), path, observe)
+    return movie ? writePictures(*movie.value(), steps, target, imageOptions, std::move(first).value(), path, observe)
                  : core::Status(movie.error());
 }
 

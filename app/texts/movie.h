@@ -34,10 +34,10 @@ struct MovieLength {
     std::size_t pictures = 0;
     double seconds = 0.0;
 };
-MovieLength lengthOf(const core::Case& session, const MoviePlan& plan);
+MovieLength movieLength(const core::Case& session, const MoviePlan& plan);
 
 /// Returns the ratio of height to width of the frames of a movie.
-double aspectOf(const core::Case& session, const MoviePlan& plan);
+double movieAspect(const core::Case& session, const MoviePlan& plan);
 
 /// Receives the completed fraction; returning Stop ends the writing.
 using MovieObserver = std::function<core::ObserverDecision(double fraction)>;

@@ -72,7 +72,7 @@ core::Case vesselsAlone(const core::Case& session, VesselShape shape)
 {
     core::Case alone = session;
     const core::View& shown = session.shown();
-    const core::VesselTree tree = drawnVessels(shown, session.vessels, shown.cameraFromPatient, shape).tree;
+    const core::VesselTree tree = vesselsToDraw(shown, session.vessels, shown.cameraFromPatient, shape).tree;
     core::Angiogram ground;
     ground.frames = {core::ImageF(sidePx, sidePx, 0.0F)};
     if (shown.angiogram) {
@@ -153,7 +153,7 @@ std::optional<core::Message> findProblem(const core::Case& session, const MovieP
     return std::nullopt;
 }
 
-MovieLength lengthOf(const core::Case& session, const MoviePlan& plan)
+MovieLength movieLength(const core::Case& session, const MoviePlan& plan)
 {
     const std::size_t pictures = stepCount(session, plan);
     const double restSeconds = plan.content == MovieContent::Convergence && pictures > 0
@@ -162,7 +162,7 @@ MovieLength lengthOf(const core::Case& session, const MoviePlan& plan)
     return {pictures, static_cast<double>(pictures) / plan.framesPerSecond + std::max(0.0, restSeconds)};
 }
 
-double aspectOf(const core::Case& session, const MoviePlan& plan)
+double movieAspect(const core::Case& session, const MoviePlan& plan)
 {
     const auto& run = session.shown().angiogram;
     return plan.content == MovieContent::Turn || !run || run->width() == 0
@@ -175,7 +175,7 @@ MovieSteps::MovieSteps(const core::Case& session, const MoviePlan& plan, VesselS
 {
     if (plan.content == MovieContent::Turn) {
         const core::View& shown = session.shown();
-        const DrawnVessels drawn = drawnVessels(shown, session.vessels, shown.cameraFromPatient, shape);
+        const DrawnVessels drawn = vesselsToDraw(shown, session.vessels, shown.cameraFromPatient, shape);
         if (drawn.known) {
             rotationNote_ = shapeLines(drawn).front();
         }
@@ -230,8 +230,8 @@ MovieStep MovieSteps::iterationStep(std::size_t index) const
     const core::IterationReport& report = history[index];
     const core::Quantity median{report.medianDistancePx, 2, "px"};
     const bool isLast = index + 1 == history.size();
-    const double ms = msPerSecond / plan_.framesPerSecond;
-    MovieStep step{case_, std::nullopt, isLast ? std::max(finalPoseMs, ms) : ms};
+    const double durationMs = msPerSecond / plan_.framesPerSecond;
+    MovieStep step{case_, std::nullopt, isLast ? std::max(finalPoseMs, durationMs) : durationMs};
     setPose(step.session, report.cameraFromPatient);
     step.words = isDistrusted(own) ? messages::movieStepDistrusted(index + 1, history.size(), median)
                                    : messages::movieStep(index + 1, history.size(), median);

@@ -7,7 +7,7 @@ namespace angiopose::app {
 struct MovieStep {
     core::Case session;   ///< case with the frame and the pose of this step; images are shared
     std::optional<core::Message> words;   ///< caption of the frame
-    double ms = 0.0;
+    double durationMs = 0.0;
 };
 
 /// Returns the reason why this movie of the case is not possible; nullopt if it is possible.

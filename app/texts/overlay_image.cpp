@@ -78,9 +78,9 @@ ui::CornerTexts exportTexts(const core::Case& session, const core::Centerline2d&
     return texts;
 }
 
-DrawnVessels shownVessels(const core::Case& session, VesselShape wanted)
+DrawnVessels shownVessels(const core::Case& session, VesselShape preferredShape)
 {
-    return drawnVessels(session.shown(), session.vessels, session.shown().cameraFromPatient, wanted);
+    return vesselsToDraw(session.shown(), session.vessels, session.shown().cameraFromPatient, preferredShape);
 }
 
 void dressScene(ui::OverlayScene& scene, const core::Case& session, const core::ProjectionCamera& camera,
@@ -90,7 +90,7 @@ void dressScene(ui::OverlayScene& scene, const core::Case& session, const core::
     scene.setFrame(frame);
     setAutomaticWindow(scene, frame);
     scene.setCamera(camera);
-    scene.setTree(core::without(tree, session.vessels.hiddenBranchIds));
+    scene.setTree(core::withoutBranches(tree, session.vessels.hiddenBranchIds));
     scene.setPose(session.shown().cameraFromPatient);
     ui::BranchMarks marks;
     marks.auxiliary = {session.vessels.auxiliaryBranchIds.begin(), session.vessels.auxiliaryBranchIds.end()};

@@ -49,10 +49,10 @@ class SvgWriter {
 public:
     explicit SvgWriter(const ui::VectorImage& picture) : picture_(picture) {}
 
-    std::string write(const SvgMetadata& facts);
+    std::string write(const SvgMetadata& metadata);
 
 private:
-    void addHead(const SvgMetadata& facts);
+    void addHead(const SvgMetadata& metadata);
     void addBackdrop(const ui::VectorBackdrop& backdrop);
     void addLine(const StrokeShape& shape);
     void addPath(const StrokeShape& shape, std::size_t from, std::size_t to);
@@ -66,19 +66,19 @@ private:
     std::string svg_;
 };
 
-void SvgWriter::addHead(const SvgMetadata& facts)
+void SvgWriter::addHead(const SvgMetadata& metadata)
 {
-    const auto size = [&facts](int length) {
-        return facts.dotsPerInch > 0.0 ? fixedText(25.4 * length / facts.dotsPerInch, 3) + "mm"
-                                       : std::to_string(length);
+    const auto size = [&metadata](int length) {
+        return metadata.dotsPerInch > 0.0 ? fixedText(25.4 * length / metadata.dotsPerInch, 3) + "mm"
+                                          : std::to_string(length);
     };
     svg_ +=
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" "
         "xmlns:xlink=\"http://www.w3.org/1999/xlink\" version=\"1.1\"" +
         attribute("width", size(picture_.width)) + attribute("height", size(picture_.height)) +
         attribute("viewBox", "0 0 " + std::to_string(picture_.width) + " " + std::to_string(picture_.height)) +
-        ">\n<title>" + escapedForSvg(facts.title) + "</title>\n<desc>";
-    for (const auto& [key, text] : facts.texts) {
+        ">\n<title>" + escapedForSvg(metadata.title) + "</title>\n<desc>";
+    for (const auto& [key, text] : metadata.texts) {
         svg_ += escapedForSvg(key + ": " + text) + "\n";
     }
     svg_ += "</desc>\n";
@@ -155,9 +155,9 @@ void SvgWriter::addText(const ui::VectorText& text)
             escapedForSvg(text.text) + "</text>\n";
 }
 
-std::string SvgWriter::write(const SvgMetadata& facts)
+std::string SvgWriter::write(const SvgMetadata& metadata)
 {
-    addHead(facts);
+    addHead(metadata);
     for (const ui::VectorBackdrop& backdrop : picture_.backdrops) {
         addBackdrop(backdrop);
     }
@@ -185,9 +185,9 @@ std::string SvgWriter::write(const SvgMetadata& facts)
 
 }   // namespace
 
-std::string toSvgDocument(const ui::VectorImage& picture, const SvgMetadata& facts)
+std::string toSvgDocument(const ui::VectorImage& picture, const SvgMetadata& metadata)
 {
-    return SvgWriter(picture).write(facts);
+    return SvgWriter(picture).write(metadata);
 }
 
 }   // namespace angiopose::app

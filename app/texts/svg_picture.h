@@ -16,6 +16,6 @@ struct SvgMetadata {
 
 /// Converts the image to SVG 1.1, using only features of SVG Tiny 1.2: lines as paths, text as text, pixels as an
 /// embedded PNG.
-std::string toSvgDocument(const ui::VectorImage& picture, const SvgMetadata& facts);
+std::string toSvgDocument(const ui::VectorImage& picture, const SvgMetadata& metadata);
 
 }   // namespace angiopose::app

@@ -122,12 +122,12 @@ void AngleController::pick(const core::GantryAngles& angles)
                          core::PosedCamera{requested_->camera, pose});
 }
 
-void AngleController::showReason(const QString& why)
+void AngleController::showReason(const QString& reason)
 {
     requested_.reset();
     job_.drop();
     if (dialog_) {
-        dialog_->showBranch(tr("No branch"), why);
+        dialog_->showBranch(tr("No branch"), reason);
         dialog_->showMap({}, {});
         dialog_->showVessels(nullptr, 0, {});
     }

@@ -44,7 +44,7 @@ private:
     void requestMap();
     void show(const core::AngleMap& map);
     void pick(const core::GantryAngles& angles);
-    void showReason(const QString& why);
+    void showReason(const QString& reason);
 
     CaseDocument& document_;
     BranchController& branches_;

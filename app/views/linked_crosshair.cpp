@@ -15,7 +15,7 @@ namespace {
 
 constexpr double crosshairReachPx = 8.0;   // maximum distance of a vessel from the pointer, widget px
 
-core::PosedCamera sightIn(const ui::AngiogramView& image)
+core::PosedCamera posedCameraOf(const ui::AngiogramView& image)
 {
     return {image.camera(), image.cameraFromPatient()};
 }
@@ -47,7 +47,7 @@ LinkedCrosshair::LinkedCrosshair(const CaseDocument& document, const PosePreview
 
 void LinkedCrosshair::follow(ui::AngiogramView& image)
 {
-    connect(&image, &ui::AngiogramView::pointed, this,
+    connect(&image, &ui::AngiogramView::pointerMoved, this,
             [this, &image](const std::optional<Eigen::Vector2d>& px) { point(image, px); });
     connect(&image, &ui::AngiogramView::branchClicked, this, [this] {
         if (const auto place = pointUnderPointer(); place && isLinking()) {
@@ -62,7 +62,8 @@ void LinkedCrosshair::setOn(bool on)
     ui_.strip.showCrosshair(on);
     show();
     if (on && ui_.images.paneCount() == 0) {
-        emit reported(tr("The crosshair links side-by-side views (%1).").arg(ui::keyOf(ui::Command::SideBySide)));
+        emit reported(
+            tr("The crosshair is linked across side-by-side views (%1).").arg(ui::keyOf(ui::Command::SideBySide)));
     }
 }
 
@@ -87,7 +88,7 @@ std::optional<Eigen::Vector3d> LinkedCrosshair::pointUnderPointer() const
         pointerView_->scene().mode() == ui::OverlayMode::Hidden) {
         return std::nullopt;
     }
-    return core::pointUnderPixel(pointerView_->scene().content().tree, sightIn(*pointerView_), *pointerPx_,
+    return core::pointUnderPixel(pointerView_->scene().content().tree, posedCameraOf(*pointerView_), *pointerPx_,
                                  crosshairReachPx / pointerView_->zoom());
 }
 
@@ -100,8 +101,10 @@ void LinkedCrosshair::show()
     const auto place = pointUnderPointer();
     for (ui::AngiogramView* image : ui_.images.images()) {
         const bool isOwn = image == pointerView_;
-        image->setCrosshair(
-            {isOwn ? std::nullopt : core::epipolarLine(sightIn(*pointerView_), *pointerPx_, sightIn(*image)), place});
+        image->setCrosshair({isOwn
+                                 ? std::nullopt
+                                 : core::epipolarLine(posedCameraOf(*pointerView_), *pointerPx_, posedCameraOf(*image)),
+                             place});
     }
     ui_.treeView.setPointedPosition(place);
 }

@@ -37,7 +37,7 @@ public:
     LinkedCrosshair(const CaseDocument& document, const PosePreview& preview, const Ui& ui, QObject* parent = nullptr);
 
 signals:
-    void reported(const QString& what);
+    void reported(const QString& message);
 
 private:
     void follow(ui::AngiogramView& image);

@@ -20,19 +20,20 @@ constexpr auto restOfOthers =
 
 }   // namespace
 
-SecondaryView::SecondaryView(const Parts& parts, QObject* parent) : QObject(parent), parts_(parts), job_(restOfOthers)
+SecondaryViewController::SecondaryViewController(const Parts& parts, QObject* parent)
+    : QObject(parent), parts_(parts), job_(restOfOthers)
 {
     connect(&job_, &EvaluationJob::evaluated, this,
             [this](const SharedEvaluation& evaluation) { showResiduals(*evaluation); });
     connect(&job_, &EvaluationJob::failed, this, [this] { parts_.pane.image().scene().clearResiduals(); });
     connect(&parts_.pane.image(), &ui::AngiogramView::windowLevelChanged, this, [this](double window, double level) {
         if (isWindowLevelManual_) {
-            parts_.look.brightness().store(view(), window, level);
+            parts_.overlayStyle.brightness().store(view(), window, level);
         }
     });
 }
 
-void SecondaryView::show(std::size_t viewIndex)
+void SecondaryViewController::show(std::size_t viewIndex)
 {
     viewIndex_ = viewIndex;
     showTree();
@@ -48,7 +49,7 @@ void SecondaryView::show(std::size_t viewIndex)
     showPose();
 }
 
-void SecondaryView::showTree()
+void SecondaryViewController::showTree()
 {
     const core::Vessels& vessels = current().vessels;
     if (vessels.tree == tree_ && vessels.hiddenBranchIds == hidden_) {
@@ -63,27 +64,27 @@ void SecondaryView::showTree()
 }
 
 /// Shows or hides the deformed vessels, which are valid only for the pose from which they were computed.
-void SecondaryView::showShape()
+void SecondaryViewController::showShape()
 {
     const auto known = deformationForPose(view(), current().vessels, pose_);
-    if (known != drawn_.known || (known && parts_.preview.shape() != drawn_.shape)) {
+    if (known != drawnVessels_.known || (known && parts_.preview.shape() != drawnVessels_.shape)) {
         hideResiduals();
         drawTree();
     }
 }
 
-void SecondaryView::drawTree()
+void SecondaryViewController::drawTree()
 {
-    drawn_ = drawnVessels(view(), current().vessels, pose_, parts_.preview.shape());
+    drawnVessels_ = vesselsToDraw(view(), current().vessels, pose_, parts_.preview.shape());
     ui::AngiogramView& image = parts_.pane.image();
-    image.scene().setTree(core::without(drawn_.tree, hidden_));
+    image.scene().setTree(core::withoutBranches(drawnVessels_.tree, hidden_));
     CornerLines lines;
-    lines.bottomLeft = shapeLines(drawn_);
+    lines.bottomLeft = shapeLines(drawnVessels_);
     image.setCornerTexts(windowTexts(lines));
     image.redraw();
 }
 
-void SecondaryView::showImage()
+void SecondaryViewController::showImage()
 {
     const bool isNew = std::exchange(angiogram_, view().angiogram) != view().angiogram;
     if (isNew || frame_ != view().frame) {
@@ -95,7 +96,7 @@ void SecondaryView::showImage()
     if (isNew && angiogram_) {
         ui::AngiogramView& image = parts_.pane.image();
         image.fitToWindow();
-        if (const auto range = parts_.look.brightness().rangeOf(view())) {
+        if (const auto range = parts_.overlayStyle.brightness().rangeOf(view())) {
             image.setWindowLevel(range->window(), range->level());
         } else {
             image.autoWindowLevel();
@@ -104,7 +105,7 @@ void SecondaryView::showImage()
     isWindowLevelManual_ = angiogram_ != nullptr;
 }
 
-void SecondaryView::showFrame()
+void SecondaryViewController::showFrame()
 {
     frame_ = view().frame;
     const int count = angiogram_ ? angiogram_->frameCount() : 0;
@@ -113,7 +114,7 @@ void SecondaryView::showFrame()
     parts_.pane.showFrame(frame_, count);
 }
 
-void SecondaryView::showPose()
+void SecondaryViewController::showPose()
 {
     pose_ = parts_.preview.poseOfView(viewIndex_);
     parts_.pane.image().setPose(pose_);
@@ -125,7 +126,7 @@ void SecondaryView::showPose()
     showColors();
 }
 
-void SecondaryView::showColors()
+void SecondaryViewController::showColors()
 {
     const auto target = parts_.views.targetOf(viewIndex_);
     const bool areHidden = parts_.preview.colors() == ResidualColors::Hidden || parts_.document.isLocked();
@@ -133,38 +134,38 @@ void SecondaryView::showColors()
         hideResiduals();
         return;
     }
-    if (drawn_.known && parts_.preview.isMotionColored()) {
+    if (drawnVessels_.known && parts_.preview.isMotionColored()) {
         hideResiduals();
-        parts_.pane.image().scene().setResiduals(drawn_.motion.distanceMm, drawn_.motion.scaleMaximumMm);
+        parts_.pane.image().scene().setResiduals(drawnVessels_.motion.distanceMm, drawnVessels_.motion.scaleMaximumMm);
         return;
     }
-    ColorInputs wanted{viewKey(view()), tree_, current().vessels.excludedBranchIds, target};
-    wanted.sight.pose = pose_.matrix();
-    if (coloredFor_ == wanted) {
+    ColorInputs inputs{viewKey(view()), tree_, current().vessels.excludedBranchIds, target};
+    inputs.key.pose = pose_.matrix();
+    if (coloredFor_ == inputs) {
         return;
     }
-    auto input = core::registrationInputOf(view(), current().vessels, *target);
+    auto input = core::makeRegistrationInput(view(), current().vessels, *target);
     if (!input) {
         hideResiduals();
         return;
     }
-    coloredFor_ = std::move(wanted);
+    coloredFor_ = std::move(inputs);
     parts_.pane.image().scene().setTracedCenterline(*target);
     job_.request({std::move(input).value(), pose_});
 }
 
-void SecondaryView::showResiduals(const core::PoseEvaluation& evaluation)
+void SecondaryViewController::showResiduals(const core::PoseEvaluation& evaluation)
 {
     ui::AngiogramView& image = parts_.pane.image();
-    const bool isDeformed = drawn_.shape == VesselShape::Deformed && coloredFor_;
-    image.scene().setResiduals(isDeformed
-                                   ? core::branchDistances(drawn_.tree, *coloredFor_->target, image.camera(), pose_)
-                                   : evaluation.residualPx,
-                               residualScaleMaximumPx(image.camera(), depthOfTreeMm(view(), current().vessels)));
+    const bool isDeformed = drawnVessels_.shape == VesselShape::Deformed && coloredFor_;
+    image.scene().setResiduals(
+        isDeformed ? core::branchDistances(drawnVessels_.tree, *coloredFor_->target, image.camera(), pose_)
+                   : evaluation.residualPx,
+        residualScaleMaximumPx(image.camera(), depthOfTreeMm(view(), current().vessels)));
     image.redraw();
 }
 
-void SecondaryView::hideResiduals()
+void SecondaryViewController::hideResiduals()
 {
     job_.cancel();
     coloredFor_.reset();
@@ -172,20 +173,20 @@ void SecondaryView::hideResiduals()
     parts_.pane.image().redraw();
 }
 
-void SecondaryView::applyDisplaySettings()
+void SecondaryViewController::applyDisplaySettings()
 {
     ui::AngiogramView& image = parts_.pane.image();
     image.copyAppearance(parts_.shown);
-    image.scene().setMode(parts_.look.lines());
+    image.scene().setMode(parts_.overlayStyle.lines());
     image.redraw();
 }
 
-void SecondaryView::clear()
+void SecondaryViewController::clear()
 {
     hideResiduals();
     isWindowLevelManual_ = false;
     tree_.reset();
-    drawn_ = {};
+    drawnVessels_ = {};
     hidden_.clear();
     angiogram_.reset();
     frame_ = -1;

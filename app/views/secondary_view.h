@@ -24,7 +24,7 @@ namespace angiopose::app {
 
 /// Keeps a pane in sync with one of the case's views other than the shown one: its frame, and the vessels at its own
 /// pose or moved by a linked preview, with residual colors relative to its own image. Redraws only what has changed.
-class SecondaryView : public QObject {
+class SecondaryViewController : public QObject {
     Q_OBJECT
 public:
     /// Objects that the pane shows or uses.
@@ -32,11 +32,11 @@ public:
         const CaseDocument& document;
         const PosePreview& preview;
         const ViewController& views;
-        OverlayStyleController& look;
+        OverlayStyleController& overlayStyle;
         ui::AngiogramView& shown;   ///< view whose display settings the pane adopts
         ui::ViewPane& pane;
     };
-    explicit SecondaryView(const Parts& parts, QObject* parent = nullptr);
+    explicit SecondaryViewController(const Parts& parts, QObject* parent = nullptr);
 
     void show(std::size_t viewIndex);   ///< shows the view at index `viewIndex` in the case
     void showPose();   ///< shows the pose of the document, or that of a linked preview
@@ -48,7 +48,7 @@ public:
 private:
     /// Everything on which the residual colors depend.
     struct ColorInputs {
-        ViewKey sight;   ///< view at the shown pose
+        ViewKey key;   ///< view at the shown pose
         std::shared_ptr<const core::VesselTree> tree;
         std::vector<int> excluded;
         std::shared_ptr<const core::Centerline2d> target;
@@ -69,7 +69,7 @@ private:
     std::size_t viewIndex_ = 0;
     std::shared_ptr<const core::VesselTree> tree_;
     std::vector<int> hidden_;
-    DrawnVessels drawn_;
+    DrawnVessels drawnVessels_;
     std::shared_ptr<const core::Angiogram> angiogram_;
     int frame_ = -1;
     core::RigidTransform pose_;

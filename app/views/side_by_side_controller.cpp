@@ -54,7 +54,7 @@ SideBySideController::SideBySideController(const Parts& parts, const Ui& ui, QOb
     connect(action, &QAction::toggled, this, &SideBySideController::setOn);
     connect(&ui_.strip, &ui::ViewStrip::sideBySideRequested, action, &QAction::setChecked);
     connectCase();
-    connectLook();
+    connectOverlayStyle();
     ui::keepTranslated(this, [this] { showTitles(); });
 }
 
@@ -63,7 +63,7 @@ void SideBySideController::connectCase()
     connect(&parts_.document, &CaseDocument::changed, this, &SideBySideController::show);
     connect(&parts_.document, &CaseDocument::stateChanged, this, &SideBySideController::show);
     connect(&parts_.preview, &PosePreview::changed, this, [this] {
-        for (SecondaryView* other : shown()) {
+        for (SecondaryViewController* other : shown()) {
             other->showPose();
         }
         if (std::exchange(areLinked_, parts_.preview.movesAllViews()) != areLinked_) {
@@ -71,17 +71,18 @@ void SideBySideController::connectCase()
         }
     });
     connect(&parts_.views, &ViewController::summariesReady, this, [this] {
-        for (SecondaryView* other : shown()) {
+        for (SecondaryViewController* other : shown()) {
             other->showColors();
         }
     });
 }
 
 /// Connects the display settings of the shown view, so that changes also apply to the other views.
-void SideBySideController::connectLook()
+void SideBySideController::connectOverlayStyle()
 {
     using enum ui::Command;
-    connect(&parts_.look, &OverlayStyleController::changed, this, &SideBySideController::applyDisplaySettingsToAll);
+    connect(&parts_.overlayStyle, &OverlayStyleController::changed, this,
+            &SideBySideController::applyDisplaySettingsToAll);
     connect(&parts_.branches, &BranchController::marksChanged, this, &SideBySideController::applyDisplaySettingsToAll);
     for (const ui::Command mouse :
          {MouseRadiology, MouseSlicer, MouseScroll}) {   // queued until the choice has taken effect
@@ -103,10 +104,10 @@ void SideBySideController::connectLook()
 
 void SideBySideController::connectPane(ui::ViewPane* pane)
 {
-    const SecondaryView::Parts parts{parts_.document, parts_.preview,     parts_.views,
-                                     parts_.look,     ui_.images.shown(), *pane};
-    const SecondaryView& other = *others_.emplace_back(std::make_unique<SecondaryView>(parts));
-    connect(pane, &ui::ViewPane::chosen, this, [this, &other, pane] { choose(other.viewIndex(), pane->image()); });
+    const SecondaryViewController::Parts parts{parts_.document,     parts_.preview,     parts_.views,
+                                               parts_.overlayStyle, ui_.images.shown(), *pane};
+    const SecondaryViewController& other = *others_.emplace_back(std::make_unique<SecondaryViewController>(parts));
+    connect(pane, &ui::ViewPane::viewChosen, this, [this, &other, pane] { choose(other.viewIndex(), pane->image()); });
     connect(pane, &ui::ViewPane::frameRequested, this, [this, &other](int frame) { changeFrame(other, frame); });
     connect(pane, &ui::ViewPane::menuRequested, this,
             [this, &other](const QPoint& at) { parts_.views.openMenu(static_cast<int>(other.viewIndex()), at); });
@@ -170,18 +171,18 @@ QString SideBySideController::emptyReason() const
 /// swaps places with the shown one.
 std::vector<std::size_t> SideBySideController::paneViewIndices() const
 {
-    std::vector<std::size_t> wanted = others();
-    if (wanted.size() != ui_.images.paneCount()) {
-        return wanted;
+    std::vector<std::size_t> viewIndices = others();
+    if (viewIndices.size() != ui_.images.paneCount()) {
+        return viewIndices;
     }
-    std::vector<std::size_t> left = wanted;
-    for (std::size_t i = 0; i < wanted.size(); ++i) {
+    std::vector<std::size_t> left = viewIndices;
+    for (std::size_t i = 0; i < viewIndices.size(); ++i) {
         std::erase(left, others_[i]->viewIndex());
     }
     std::vector<std::size_t> places;
-    for (std::size_t i = 0; i < wanted.size(); ++i) {
+    for (std::size_t i = 0; i < viewIndices.size(); ++i) {
         const std::size_t own = others_[i]->viewIndex();
-        const bool stays = std::ranges::find(wanted, own) != wanted.end();
+        const bool stays = std::ranges::find(viewIndices, own) != viewIndices.end();
         places.push_back(stays ? own : left.front());
         if (!stays) {
             left.erase(left.begin());
@@ -234,9 +235,9 @@ void SideBySideController::showTitles()
     }
 }
 
-std::vector<SecondaryView*> SideBySideController::shown() const
+std::vector<SecondaryViewController*> SideBySideController::shown() const
 {
-    std::vector<SecondaryView*> shown;
+    std::vector<SecondaryViewController*> shown;
     for (std::size_t i = 0; i < ui_.images.paneCount(); ++i) {
         if (others_[i]->viewIndex() < parts_.document.current().views.size()) {   // otherwise, the view was removed
             shown.push_back(others_[i].get());
@@ -247,14 +248,14 @@ std::vector<SecondaryView*> SideBySideController::shown() const
 
 void SideBySideController::applyDisplaySettingsToAll()
 {
-    for (SecondaryView* other : shown()) {
+    for (SecondaryViewController* other : shown()) {
         other->applyDisplaySettings();
     }
 }
 
 /// Sets the frame of a view in the case, even if it is not the shown view, because pose, target and result depend on
 /// the frame.
-void SideBySideController::changeFrame(const SecondaryView& other, int frame)
+void SideBySideController::changeFrame(const SecondaryViewController& other, int frame)
 {
     const core::Case& current = parts_.document.current();
     const std::size_t viewIndex = other.viewIndex();
@@ -262,17 +263,17 @@ void SideBySideController::changeFrame(const SecondaryView& other, int frame)
         return;
     }
     const qint64 now = QDateTime::currentMSecsSinceEpoch();
-    if (now - lastFrameMs_ > frameBurstPauseMs || viewIndex != burstPlace_) {
-        ++frameBurst_;
+    if (now - lastFrameChangeMs_ > frameBurstPauseMs || viewIndex != mergedViewIndex_) {
+        ++frameMergeId_;
     }
-    lastFrameMs_ = now;
-    burstPlace_ = viewIndex;
+    lastFrameChangeMs_ = now;
+    mergedViewIndex_ = viewIndex;
     std::vector<core::View> views = current.views;
     views[viewIndex] = core::withFrame(std::move(views[viewIndex]), frame);
     views[viewIndex].caseFile = {};   // its case file no longer contains the view unchanged
     parts_.document.push(std::make_unique<ChangeViews>(
         parts_.document, ChangeViews::Values{std::move(views)}, [] { return tr("Choose another frame"); },
-        framesOfOthers + frameBurst_));
+        framesOfOthers + frameMergeId_));
 }
 
 }   // namespace angiopose::app

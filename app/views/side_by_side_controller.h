@@ -33,7 +33,7 @@ public:
         CaseDocument& document;
         PosePreview& preview;
         BranchController& branches;
-        OverlayStyleController& look;
+        OverlayStyleController& overlayStyle;
         ViewController& views;
     };
     /// Parts of the main window that the controller uses.
@@ -45,11 +45,11 @@ public:
     SideBySideController(const Parts& parts, const Ui& ui, QObject* parent = nullptr);
 
 signals:
-    void reported(const QString& what);   ///< emitted with a note, e.g. why no other view can be shown
+    void reported(const QString& message);   ///< emitted with a note, e.g. why no other view can be shown
 
 private:
     void connectCase();
-    void connectLook();
+    void connectOverlayStyle();
     void connectPane(ui::ViewPane* pane);
     void setOn(bool on);
     void show();
@@ -58,17 +58,17 @@ private:
     std::vector<std::size_t> others() const;
     std::vector<std::size_t> paneViewIndices() const;
     void choose(std::size_t viewIndex, ui::AngiogramView& image);
-    std::vector<SecondaryView*> shown() const;
+    std::vector<SecondaryViewController*> shown() const;
     void applyDisplaySettingsToAll();
-    void changeFrame(const SecondaryView& other, int frame);
+    void changeFrame(const SecondaryViewController& other, int frame);
 
     Parts parts_;
     Ui ui_;
-    std::vector<std::unique_ptr<SecondaryView>> others_;   ///< one for each pane created so far
+    std::vector<std::unique_ptr<SecondaryViewController>> others_;   ///< one for each pane created so far
     bool areLinked_ = true;   ///< whether the titles show the poses as linked
-    int frameBurst_ = 0;
-    std::size_t burstPlace_ = 0;
-    qint64 lastFrameMs_ = 0;
+    int frameMergeId_ = 0;
+    std::size_t mergedViewIndex_ = 0;
+    qint64 lastFrameChangeMs_ = 0;
 };
 
 }   // namespace angiopose::app

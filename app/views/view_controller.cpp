@@ -28,7 +28,7 @@ ViewController::ViewController(CaseDocument& document, const TargetProvider& tar
       document_(document),
       target_(target),
       ui_(ui),
-      summaryJob_([this](const std::vector<ViewSummary>& looks) { showPictures(looks); })
+      summaryJob_([this](const std::vector<ViewSummary>& summaries) { showThumbnails(summaries); })
 {
     delayTimer_.setSingleShot(true);
     delayTimer_.setInterval(250ms);
@@ -51,14 +51,14 @@ void ViewController::connectWindow()
     connect(actions[ui::Command::NextView], &QAction::triggered, this, &ViewController::showNext);
 }
 
-void ViewController::openMenu(int line, const QPoint& at)
+void ViewController::openMenu(int row, const QPoint& at)
 {
     auto* menu = new QMenu(&ui_.dialogParent);
     menu->setObjectName(QStringLiteral("viewMenu"));
     menu->setAttribute(Qt::WA_DeleteOnClose);
-    menu->addAction(tr("Show this view"), this, [this, line] { show(line); });
-    menu->addAction(tr("Name this view…"), this, [this, line] { askName(line); });
-    menu->addAction(tr("Remove this view"), this, [this, line] { remove(line); });
+    menu->addAction(tr("Show this view"), this, [this, row] { show(row); });
+    menu->addAction(tr("Name this view…"), this, [this, row] { askForName(row); });
+    menu->addAction(tr("Remove this view"), this, [this, row] { remove(row); });
     menu->popup(at);
 }
 
@@ -72,15 +72,15 @@ void ViewController::updateFromDocument()
     ui_.actions[ui::Command::AddView]->setEnabled(hasImage && vessels.tree && !document_.isInTrial());
     ui_.panel.setEnabled(!document_.isLocked() && !document_.isInTrial());
     ui_.registration.showViewCount(areSeveral ? static_cast<int>(core::registeredViews(current).size()) : 1);
-    lineCount_ = areSeveral ? current.views.size() : 0;
-    showLines();
-    SummaryInputs seen;
+    rowCount_ = areSeveral ? current.views.size() : 0;
+    showRows();
+    SummaryInputs inputs;
     if (areSeveral) {
-        seen = {vessels.tree, vessels.excludedBranchIds, vessels.hiddenBranchIds, {}, target_.current()};
-        std::ranges::transform(current.views, std::back_inserter(seen.views), viewKey);
+        inputs = {vessels.tree, vessels.excludedBranchIds, vessels.hiddenBranchIds, {}, target_.current()};
+        std::ranges::transform(current.views, std::back_inserter(inputs.views), viewKey);
     }
-    if (seen != summaryInputs_) {
-        summaryInputs_ = seen;
+    if (inputs != summaryInputs_) {
+        summaryInputs_ = inputs;
         if (areSeveral) {
             delayTimer_.start();
         } else {
@@ -95,16 +95,16 @@ const ViewSummary* ViewController::summaryOf(std::size_t viewIndex) const
     const core::View& view = current.views[viewIndex];
     const auto found =
         std::ranges::find_if(summaries_, [&](const ViewSummary& look) {   // for the shown view, the last known summary
-            return viewIndex == current.shownView ? look.of.angiogram == view.angiogram : look.of == viewKey(view);
+            return viewIndex == current.shownView ? look.key.angiogram == view.angiogram : look.key == viewKey(view);
         });
     return found == summaries_.end() || !view.angiogram ? nullptr : &*found;
 }
 
-void ViewController::showLines()
+void ViewController::showRows()
 {
     const core::Case& current = document_.current();
-    std::vector<ui::ViewLine> lines;
-    for (std::size_t viewIndex = 0; viewIndex < lineCount_; ++viewIndex) {
+    std::vector<ui::ViewRow> lines;
+    for (std::size_t viewIndex = 0; viewIndex < rowCount_; ++viewIndex) {
         const core::View& view = current.views[viewIndex];
         const ViewSummary* look = summaryOf(viewIndex);
         QString agreement;
@@ -118,7 +118,7 @@ void ViewController::showLines()
         const QString problem = look ? ui::messageText(look->problem) : QString();
         lines.push_back({numberedTitle(current.views, viewIndex) + QLatin1Char('\n') + agreement,
                          problem.isEmpty()
-                             ? tr("%1. Click to show it; Delete removes the active view.").arg(fileNameOf(view))
+                             ? tr("%1. Click to show this view; Delete removes the active view.").arg(fileNameOf(view))
                              : fileNameOf(view) + QStringLiteral(": ") + problem});
     }
     ui_.panel.showViews(lines, static_cast<int>(current.shownView));
@@ -140,14 +140,14 @@ void ViewController::look()
         });
 }
 
-void ViewController::showPictures(std::vector<ViewSummary> looks)
+void ViewController::showThumbnails(std::vector<ViewSummary> summaries)
 {
     if (summaryInputs_.views.empty()) {
         return;   // the case has been closed in the meantime
     }
-    summaries_ = std::move(looks);
-    showLines();
-    for (std::size_t viewIndex = 0; viewIndex < lineCount_; ++viewIndex) {
+    summaries_ = std::move(summaries);
+    showRows();
+    for (std::size_t viewIndex = 0; viewIndex < rowCount_; ++viewIndex) {
         const ViewSummary* look = summaryOf(viewIndex);
         if (look && look->picture) {
             ui_.panel.showThumbnail(static_cast<int>(viewIndex), *look->picture);
@@ -161,9 +161,9 @@ std::shared_ptr<const core::Centerline2d> ViewController::targetOf(std::size_t v
     return cachedTarget(summaries_, viewKey(document_.current().views[viewIndex]));
 }
 
-void ViewController::show(int line)
+void ViewController::show(int row)
 {
-    const auto viewIndex = static_cast<std::size_t>(line);
+    const auto viewIndex = static_cast<std::size_t>(row);
     const core::Case& current = document_.current();
     if (viewIndex == current.shownView) {
         return;
@@ -176,19 +176,19 @@ void ViewController::show(int line)
             showView(document_, core::withShownView(current, viewIndex),
                      [name = numberedTitle(current.views, viewIndex)] { return tr("Show view %1").arg(name); }));
     }
-    showLines();   // resets the selection in the strip if the view was refused
+    showRows();   // resets the selection in the strip if the view was refused
 }
 
 void ViewController::showNext()
 {
-    if (lineCount_ > 0) {
-        show(static_cast<int>((document_.current().shownView + 1) % lineCount_));
+    if (rowCount_ > 0) {
+        show(static_cast<int>((document_.current().shownView + 1) % rowCount_));
     }
 }
 
-void ViewController::askName(int line)
+void ViewController::askForName(int row)
 {
-    const auto viewIndex = static_cast<std::size_t>(line);
+    const auto viewIndex = static_cast<std::size_t>(row);
     auto* dialog = new QInputDialog(&ui_.dialogParent);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setWindowTitle(tr("Name this view"));
@@ -205,10 +205,10 @@ void ViewController::askName(int line)
     dialog->open();
 }
 
-void ViewController::remove(int line)
+void ViewController::remove(int row)
 {
     const core::Case& current = document_.current();
-    const core::Case without = core::withoutView(current, static_cast<std::size_t>(line));
+    const core::Case without = core::withoutView(current, static_cast<std::size_t>(row));
     if (without.views.size() == current.views.size()) {
         emit refused(tr("No other view can be shown instead."));
         return;

@@ -39,11 +39,11 @@ public:
     bool isSummarizing() const { return summaryJob_.isRunning(); }   ///< true while computing summaries of the views
     /// Returns the traced vessels of a view; null until they have been computed (see `summariesReady`).
     std::shared_ptr<const core::Centerline2d> targetOf(std::size_t viewIndex) const;
-    void show(int line);
+    void show(int row);
     void showNext();
-    void openMenu(int line, const QPoint& at);   ///< opens the menu of commands for this view
-    void askName(int line);
-    void remove(int line);   ///< removes a view; if it was the shown view, shows the next one
+    void openMenu(int row, const QPoint& at);   ///< opens the menu of commands for this view
+    void askForName(int row);
+    void remove(int row);   ///< removes a view; if it was the shown view, shows the next one
 
 signals:
     void refused(const QString& reason);
@@ -62,15 +62,15 @@ private:
     };
     void connectWindow();
     void updateFromDocument();
-    void showLines();
-    void showPictures(std::vector<ViewSummary> looks);
+    void showRows();
+    void showThumbnails(std::vector<ViewSummary> summaries);
     void look();
     const ViewSummary* summaryOf(std::size_t viewIndex) const;
 
     CaseDocument& document_;
     const TargetProvider& target_;
     Ui ui_;
-    std::size_t lineCount_ = 0;   ///< one line per view of the case, in order; 0 if there is only one view
+    std::size_t rowCount_ = 0;   ///< one line per view of the case, in order; 0 if there is only one view
     SummaryInputs summaryInputs_;
     std::vector<ViewSummary> summaries_;
     QTimer delayTimer_;   ///< delays the thumbnails until no further changes occur

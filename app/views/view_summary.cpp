@@ -15,16 +15,16 @@ bool isSameTarget(const ViewKey& a, const ViewKey& b)
            a.traceOptions == b.traceOptions;
 }
 
-core::Status judge(ViewSummary& look, const core::Case& showing)
+core::Status judge(ViewSummary& summary, const core::Case& showing)
 {
-    if (!look.target) {
+    if (!summary.target) {
         auto traced = core::targetOf(showing.shown());
         if (!traced) {
             return traced.error();
         }
-        look.target = std::make_shared<const core::Centerline2d>(std::move(traced).value());
+        summary.target = std::make_shared<const core::Centerline2d>(std::move(traced).value());
     }
-    const auto input = core::registrationInputOf(showing, *look.target);
+    const auto input = core::makeRegistrationInput(showing, *summary.target);
     if (!input) {
         return input.error();
     }
@@ -32,24 +32,24 @@ core::Status judge(ViewSummary& look, const core::Case& showing)
     if (!evaluated) {
         return evaluated.error();
     }
-    look.metrics = evaluated.value().metrics;
+    summary.metrics = evaluated.value().metrics;
     return core::Done{};
 }
 
-void draw(ViewSummary& look, const core::Case& showing, int widthPx)
+void draw(ViewSummary& summary, const core::Case& showing, int widthPx)
 {
     if (auto picture = drawThumbnail(showing, widthPx)) {
-        look.picture = std::move(picture).value();
+        summary.picture = std::move(picture).value();
     } else {
-        look.problem = picture.error().message;
+        summary.problem = picture.error().message;
     }
 }
 
-void lookAt(ViewSummary& look, const core::Case& showing, int widthPx)
+void summarize(ViewSummary& summary, const core::Case& showing, int widthPx)
 {
-    draw(look, showing, widthPx);
-    if (const auto evaluated = judge(look, showing); !evaluated) {
-        look.problem = evaluated.error().message;
+    draw(summary, showing, widthPx);
+    if (const auto evaluated = judge(summary, showing); !evaluated) {
+        summary.problem = evaluated.error().message;
     }
 }
 
@@ -66,10 +66,12 @@ ViewKey viewKey(const core::View& view)
             view.cameraFromPatient.matrix()};
 }
 
-std::shared_ptr<const core::Centerline2d> cachedTarget(const std::vector<ViewSummary>& known, const ViewKey& sight)
+std::shared_ptr<const core::Centerline2d> cachedTarget(const std::vector<ViewSummary>& known,
+                                                       const ViewKey& requestedKey)
 {
-    const auto found = std::ranges::find_if(
-        known, [&sight](const ViewSummary& look) { return look.target && isSameTarget(look.of, sight); });
+    const auto found = std::ranges::find_if(known, [&requestedKey](const ViewSummary& summary) {
+        return summary.target && isSameTarget(summary.key, requestedKey);
+    });
     return found == known.end() ? nullptr : found->target;
 }
 
@@ -77,17 +79,17 @@ std::vector<ViewSummary> summarizeViews(const core::Case& session,
                                         const std::shared_ptr<const core::Centerline2d>& shownTarget,
                                         const std::vector<ViewSummary>& known, int widthPx)
 {
-    std::vector<ViewSummary> looks;
+    std::vector<ViewSummary> summaries;
     for (std::size_t viewIndex = 0; viewIndex < session.views.size(); ++viewIndex) {
-        ViewSummary& look = looks.emplace_back();
-        look.of = viewKey(session.views[viewIndex]);
+        ViewSummary& summary = summaries.emplace_back();
+        summary.key = viewKey(session.views[viewIndex]);
         const bool isShown = viewIndex == session.shownView;
-        if (isShown || look.of.angiogram) {
-            look.target = isShown ? shownTarget : cachedTarget(known, look.of);
-            lookAt(look, core::withShownView(session, viewIndex), widthPx);
+        if (isShown || summary.key.angiogram) {
+            summary.target = isShown ? shownTarget : cachedTarget(known, summary.key);
+            summarize(summary, core::withShownView(session, viewIndex), widthPx);
         }
     }
-    return looks;
+    return summaries;
 }
 
 }   // namespace angiopose::app

@@ -24,7 +24,7 @@ ViewKey viewKey(const core::View& view);
 
 /// Summary of one view: a thumbnail with the tree, and the agreement of its pose with its own image.
 struct ViewSummary {
-    ViewKey of;
+    ViewKey key;
     std::optional<core::ColorImage> picture;
     std::optional<core::DistanceMetrics> metrics;
     std::optional<core::Message> problem;   ///< reason why the thumbnail or the metrics are missing
@@ -32,7 +32,8 @@ struct ViewSummary {
 };
 
 /// Returns an earlier trace of the view's frame, whatever pose and camera the view had then; null if there is none.
-std::shared_ptr<const core::Centerline2d> cachedTarget(const std::vector<ViewSummary>& known, const ViewKey& sight);
+std::shared_ptr<const core::Centerline2d> cachedTarget(const std::vector<ViewSummary>& known,
+                                                       const ViewKey& requestedKey);
 
 /// Summarizes the views of the case in order; `shownTarget` is the target of the shown view (null if not known yet).
 /// Reuses the traces in `known`. Takes at least 0.1 s per view; call it on a worker thread.

@@ -20,7 +20,7 @@ QString missingIn(const core::Case& current)
         return {};
     }
     QStringList lines;
-    for (const core::Message& message : core::findMissing(current.shown().geometry.cArm)) {
+    for (const core::Message& message : core::findMissingGeometry(current.shown().geometry.cArm)) {
         lines << ui::messageText(message);
     }
     return lines.isEmpty() && isCameraMissing ? ui::messageText(camera.error().message) : lines.join(QLatin1Char('\n'));

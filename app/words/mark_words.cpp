@@ -32,7 +32,8 @@ QString kindWords(const core::ImageAnnotation& annotation)
 
 QString frameWordsOf(const core::ImageAnnotation& annotation)
 {
-    return MarkWords::tr("On frame %1 of this view and in every image exported from it.").arg(annotation.frame + 1);
+    return MarkWords::tr("Shown on frame %1 of this view and in every image exported from it.")
+        .arg(annotation.frame + 1);
 }
 
 bool isFarther(double mm, const std::optional<double>& claimedMm)
@@ -67,7 +68,7 @@ QString targetPointSentences(const core::TargetPointResult& checked, std::size_t
     if (viewCount > 1 || checked.views.empty()) {
         sentences << ui::messagesText(core::spaceErrorMessages(checked));
     }
-    return ui::joinedSentences(sentences);
+    return ui::joinSentences(sentences);
 }
 
 ui::MarkRow markRow(const core::VesselMark& mark, const std::vector<core::TargetPointResult>& checked,
@@ -86,7 +87,7 @@ ui::MarkRow markRow(const core::VesselMark& mark, const std::vector<core::Target
     const auto label = core::labelOf(*found, shownView);
     const std::size_t views = found->views.size() + (found->views.size() == 1 && found->triangulated ? 1 : 0);
     return {name, label ? ui::messageText(*label) : QStringLiteral("–"),
-            ui::joinedSentences({targetPointSentences(*found, std::max<std::size_t>(views, 1)), placeWords(mark)}),
+            ui::joinSentences({targetPointSentences(*found, std::max<std::size_t>(views, 1)), placeWords(mark)}),
             exceedsUncertainty(*found, shownView)};
 }
 

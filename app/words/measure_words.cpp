@@ -55,16 +55,16 @@ QString frameWords(const core::ImageMeasurement& measurement)
 
 }   // namespace
 
-ui::MeasureRow measureRow(const core::ImageMeasurement& measurement, const core::MeasuredView& seen)
+ui::MeasureRow measureRow(const core::ImageMeasurement& measurement, const core::MeasurementContext& context)
 {
     const QString frame = frameWords(measurement);
-    const auto measured = core::measureImage(measurement, seen);
+    const auto measured = core::measureImage(measurement, context);
     if (!measured) {
         return {nameOf(measurement), QStringLiteral("–"), frame + ui::messageText(measured.error().message), true};
     }
     const core::ImageScale& scale = measured.value().scale;
     return {nameOf(measurement), ui::messageText(core::labelOf(measured.value(), measurement.kind)),
-            frame + ui::messagesText(core::basisOf(measured.value(), measurement.kind, seen)),
+            frame + ui::messagesText(core::basisOf(measured.value(), measurement.kind, context)),
             scale.isInMm() && scale.origin == core::Origin::Assumed};
 }
 
@@ -85,22 +85,22 @@ QString sliceLabel(const core::SliceMeasurement& measurement)
     return value ? ui::messageText(core::messages::measuredPlain(value.value())) : QString();
 }
 
-QString planeBasis(core::MeasurementPlane plane, const core::MeasuredView& seen)
+QString planeBasis(core::MeasurementPlane plane, const core::MeasurementContext& context)
 {
-    const auto scale = core::imageScaleOf(seen, plane);
-    return scale ? ui::messagesText(core::basisOf({{}, scale.value()}, core::MeasurementKind::Length, seen))
+    const auto scale = core::imageScaleOf(context, plane);
+    return scale ? ui::messagesText(core::basisOf({{}, scale.value()}, core::MeasurementKind::Length, context))
                  : ui::messageText(scale.error().message);
 }
 
-QString measureLabel(const core::ImageMeasurement& measurement, const core::MeasuredView& seen)
+QString measureLabel(const core::ImageMeasurement& measurement, const core::MeasurementContext& context)
 {
-    const auto measured = core::measureImage(measurement, seen);
+    const auto measured = core::measureImage(measurement, context);
     return measured ? ui::messageText(core::labelOf(measured.value(), measurement.kind)) : QString();
 }
 
-std::vector<ui::ImageMark> windowMarks(const core::MeasuredView& seen, int frame)
+std::vector<ui::ImageMark> windowMarks(const core::MeasurementContext& context, int frame)
 {
-    return marksOf(seen, frame, [](const core::Message& message) { return ui::messageText(message).toStdString(); });
+    return marksOf(context, frame, [](const core::Message& message) { return ui::messageText(message).toStdString(); });
 }
 
 std::vector<ui::ImageMark> windowPlacedMarks(const MarkedView& placed)

@@ -19,7 +19,7 @@ QString readableName(const std::string& name)
 QString patientInputs(const core::CasePatient& patient, std::size_t viewCount)
 {
     QStringList inputs;
-    if (patient.isOfScan) {
+    if (patient.isScanPatient) {
         inputs << PatientLineWords::tr("scan");
     }
     for (const std::size_t place : patient.views) {

@@ -26,11 +26,11 @@ QString anglesOf(const core::View& view)
                                QString::fromStdString(secondaryAngleText(*cArm.secondaryAngleDeg.value)));
 }
 
-QString numberedTitle(const std::vector<core::View>& views, std::size_t place)
+QString numberedTitle(const std::vector<core::View>& views, std::size_t index)
 {
-    const core::View& view = views[place];
+    const core::View& view = views[index];
     const QString title = view.name.empty() ? anglesOf(view) : QString::fromStdString(view.name);
-    const QString number = QString::number(place + 1);
+    const QString number = QString::number(index + 1);
     return title.isEmpty() ? number : number + QStringLiteral(" · ") + title;
 }
 

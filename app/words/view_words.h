@@ -16,7 +16,7 @@ QString fileNameOf(const core::View& view);
 QString anglesOf(const core::View& view);
 
 /// Returns the view number, which warnings use, with the user's name or its angles, e.g. "2 · LAO 30° · CRA 10°".
-QString numberedTitle(const std::vector<core::View>& views, std::size_t place);
+QString numberedTitle(const std::vector<core::View>& views, std::size_t index);
 
 /// Converts corner text to the UI language; see englishTexts.
 ui::CornerTexts windowTexts(const CornerLines& lines);

@@ -65,7 +65,7 @@ std::vector<CasePatient> patientsOf(const Case& session)
 {
     std::vector<CasePatient> patients;
     if (identifiesPatient(session.vessels.scanIdentity)) {
-        patientOf(patients, session.vessels.scanIdentity).isOfScan = true;
+        patientOf(patients, session.vessels.scanIdentity).isScanPatient = true;
     }
     for (std::size_t viewIndex = 0; viewIndex < session.views.size(); ++viewIndex) {
         const auto& run = session.views[viewIndex].angiogram;

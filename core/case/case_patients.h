@@ -15,7 +15,7 @@ Messages findMismatch(const Case& session);
 /// One patient and the inputs of the case that show this patient.
 struct CasePatient {
     StudyIdentity identity;   ///< name, number, birth date and sex, combined from all these inputs
-    bool isOfScan = false;
+    bool isScanPatient = false;
     std::vector<std::size_t> views;   ///< indices into Case::views
 };
 

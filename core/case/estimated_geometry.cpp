@@ -35,9 +35,10 @@ std::optional<CameraError> applyEstimatedGeometry(View& view)
     const CameraError error = view.result->camera->error;
     ViewGeometry& geometry = view.geometry;
     if (geometry.cameraOverride) {
-        geometry.cameraOverride = corrected(*geometry.cameraOverride, error);
+        geometry.cameraOverride = applyCameraError(*geometry.cameraOverride, error);
     } else {
-        geometry.cArm = corrected(geometry.cArm, camera.value(), error, "estimated from the vessels in the images");
+        geometry.cArm =
+            applyCameraError(geometry.cArm, camera.value(), error, "estimated from the vessels in the images");
     }
     return error;
 }

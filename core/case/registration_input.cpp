@@ -39,7 +39,7 @@ RegistrationOptions optionsFor(const View& view, const Vessels& vessels, Registr
     return options;
 }
 
-Result<RegistrationInput> registrationInputOf(const View& view, const Vessels& vessels, Centerline2d target)
+Result<RegistrationInput> makeRegistrationInput(const View& view, const Vessels& vessels, Centerline2d target)
 {
     if (!vessels.tree) {
         return Error(messages::noVesselTree());
@@ -70,19 +70,19 @@ Result<RegistrationInput> registrationInputOf(const View& view, const Vessels& v
     return input;
 }
 
-Result<RegistrationInput> registrationInputOf(const Case& session, Centerline2d target)
+Result<RegistrationInput> makeRegistrationInput(const Case& session, Centerline2d target)
 {
-    auto input = registrationInputOf(session.shown(), session.vessels, std::move(target));
+    auto input = makeRegistrationInput(session.shown(), session.vessels, std::move(target));
     if (!input) {
         return input;
     }
     RegistrationInput shownInput = std::move(input).value();
-    shownInput.cameraUncertainty = cameraSpreadFor(shownInput.cameraUncertainty, session.options.geometry);
+    shownInput.cameraUncertainty = cameraUncertaintyFor(shownInput.cameraUncertainty, session.options.geometry);
     return shownInput;
 }
 
-Result<JointInputs> jointInputsOf(std::span<const View> views, const Vessels& vessels,
-                                  std::span<const Centerline2d> targets, MultiViewOptions multiView)
+Result<JointInputs> makeJointInputs(std::span<const View> views, const Vessels& vessels,
+                                    std::span<const Centerline2d> targets, MultiViewOptions multiView)
 {
     assert(views.size() == targets.size());
     JointInputs inputs;
@@ -100,7 +100,7 @@ Result<JointInputs> jointInputsOf(std::span<const View> views, const Vessels& ve
                 inputs.notes.push_back(messages::inView(multiView.viewNumber(k), note).as(note.severity()));
             }
         }
-        auto input = registrationInputOf(view, vessels, targets[k]);
+        auto input = makeRegistrationInput(view, vessels, targets[k]);
         if (!input) {
             return inView(multiView.viewNumber(k), input.error());
         }

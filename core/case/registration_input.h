@@ -14,10 +14,10 @@ namespace angiopose::core {
 RegistrationOptions optionsFor(const View& view, const Vessels& vessels, RegistrationOptions options);
 
 /// Returns everything a worker needs to register a view from its current pose. The error names the missing input.
-Result<RegistrationInput> registrationInputOf(const View& view, const Vessels& vessels, Centerline2d target);
+Result<RegistrationInput> makeRegistrationInput(const View& view, const Vessels& vessels, Centerline2d target);
 
 /// Overload for the shown view.
-Result<RegistrationInput> registrationInputOf(const Case& session, Centerline2d target);
+Result<RegistrationInput> makeRegistrationInput(const Case& session, Centerline2d target);
 
 /// Input of registerViews for several views.
 struct JointInputs {
@@ -29,7 +29,7 @@ struct JointInputs {
 /// Returns the input for several views. The first view starts at its current pose, the others at the pose that follows
 /// from the geometry between the views (see relativeViewPose). The error names the missing input and the view, by its
 /// number in `multiView`.
-Result<JointInputs> jointInputsOf(std::span<const View> views, const Vessels& vessels,
-                                  std::span<const Centerline2d> targets, MultiViewOptions multiView = {});
+Result<JointInputs> makeJointInputs(std::span<const View> views, const Vessels& vessels,
+                                    std::span<const Centerline2d> targets, MultiViewOptions multiView = {});
 
 }   // namespace angiopose::core

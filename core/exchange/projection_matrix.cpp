@@ -21,26 +21,26 @@ Error skewError(double skew)
 }
 
 /// Returns the same projection with fy > 0. The camera is rotated by 180° about its axis, which involves no rounding.
-PosedCamera withPositiveFy(PosedCamera sight)
+PosedCamera withPositiveFy(PosedCamera posedCamera)
 {
-    if (sight.camera.fy < 0.0) {
-        sight.camera.fx = -sight.camera.fx;
-        sight.camera.fy = -sight.camera.fy;
-        sight.cameraFromPatient.rotation.topRows<2>() *= -1.0;
-        sight.cameraFromPatient.translation.head<2>() *= -1.0;
+    if (posedCamera.camera.fy < 0.0) {
+        posedCamera.camera.fx = -posedCamera.camera.fx;
+        posedCamera.camera.fy = -posedCamera.camera.fy;
+        posedCamera.cameraFromPatient.rotation.topRows<2>() *= -1.0;
+        posedCamera.cameraFromPatient.translation.head<2>() *= -1.0;
     }
-    return sight;
+    return posedCamera;
 }
 
 /// Moves a reflection from R into fx.
-PosedCamera withoutReflection(PosedCamera sight)
+PosedCamera withoutReflection(PosedCamera posedCamera)
 {
-    if (sight.cameraFromPatient.rotation.determinant() < 0.0) {
-        sight.camera.fx = -sight.camera.fx;
-        sight.cameraFromPatient.rotation.row(0) *= -1.0;
-        sight.cameraFromPatient.translation.x() *= -1.0;
+    if (posedCamera.cameraFromPatient.rotation.determinant() < 0.0) {
+        posedCamera.camera.fx = -posedCamera.camera.fx;
+        posedCamera.cameraFromPatient.rotation.row(0) *= -1.0;
+        posedCamera.cameraFromPatient.translation.x() *= -1.0;
     }
-    return sight;
+    return posedCamera;
 }
 
 /// Returns the rotation by 180° about the y axis, which moves a detector at negative z to positive z, as in our frame.
@@ -82,11 +82,11 @@ Result<PosedCamera> worldCamera(const XregCamera& camera)
 {
     const FrameChange change = frameChange(camera);
     const RigidTransform pose = change.oursFromXreg * camera.cameraFromWorld;
-    auto sight = posedCameraFromIntrinsics(change.intrinsic, pose.rotation, pose.translation);
-    if (!sight) {
-        return sight;
+    auto posedCamera = posedCameraFromIntrinsics(change.intrinsic, pose.rotation, pose.translation);
+    if (!posedCamera) {
+        return posedCamera;
     }
-    PosedCamera sized = sight.value();
+    PosedCamera sized = posedCamera.value();
     sized.camera.width = camera.columns;
     sized.camera.height = camera.rows;
     return sized;
@@ -101,9 +101,9 @@ Eigen::Matrix3d intrinsicMatrix(const ProjectionCamera& camera)
     return intrinsic;
 }
 
-ProjectionMatrix projectionMatrix(const PosedCamera& sight)
+ProjectionMatrix projectionMatrix(const PosedCamera& posedCamera)
 {
-    return intrinsicMatrix(sight.camera) * sight.cameraFromPatient.matrix().topRows<3>();
+    return intrinsicMatrix(posedCamera.camera) * posedCamera.cameraFromPatient.matrix().topRows<3>();
 }
 
 /// Decomposes the left 3 × 3 (RQ), row by row from below: the last row is the viewing direction; the component of the
@@ -120,8 +120,8 @@ Result<PosedCamera> posedCameraFromMatrix(const ProjectionMatrix& projection)
     const ProjectionMatrix P = projection / scale;
     const Eigen::Vector3d m1 = P.block<1, 3>(0, 0).transpose(), m2 = P.block<1, 3>(1, 0).transpose();
     const Eigen::Vector3d r3 = P.block<1, 3>(2, 0).transpose();
-    PosedCamera sight;
-    ProjectionCamera& camera = sight.camera;
+    PosedCamera posedCamera;
+    ProjectionCamera& camera = posedCamera.camera;
     camera.cy = m2.dot(r3);
     const Eigen::Vector3d across = m2 - camera.cy * r3;
     camera.fy = across.norm();
@@ -137,12 +137,12 @@ Result<PosedCamera> posedCameraFromMatrix(const ProjectionMatrix& projection)
     if (std::abs(skew) > skewTolerance * std::abs(camera.fx)) {
         return skewError(skew);
     }
-    RigidTransform& pose = sight.cameraFromPatient;
+    RigidTransform& pose = posedCamera.cameraFromPatient;
     pose.rotation << r1.transpose(), r2.transpose(), r3.transpose();
     pose.rotation = nearestRotation(pose.rotation);
     const Eigen::Vector3d p4 = P.col(3);
     pose.translation = {(p4.x() - camera.cx * p4.z()) / camera.fx, (p4.y() - camera.cy * p4.z()) / camera.fy, p4.z()};
-    return sight;
+    return posedCamera;
 }
 
 Result<PosedCamera> posedCameraFromIntrinsics(const Eigen::Matrix3d& intrinsic, const Eigen::Matrix3d& rotation,
@@ -164,8 +164,8 @@ Result<PosedCamera> posedCameraFromIntrinsics(const Eigen::Matrix3d& intrinsic, 
     if (std::abs(K(0, 1)) > skewTolerance * std::abs(K(0, 0))) {
         return skewError(K(0, 1));
     }
-    PosedCamera sight = withoutReflection({{K(0, 0), K(1, 1), K(0, 2), K(1, 2), 0, 0}, {rotation, translation}});
-    Eigen::Matrix3d& R = sight.cameraFromPatient.rotation;
+    PosedCamera posedCamera = withoutReflection({{K(0, 0), K(1, 1), K(0, 2), K(1, 2), 0, 0}, {rotation, translation}});
+    Eigen::Matrix3d& R = posedCamera.cameraFromPatient.rotation;
     const Eigen::Matrix3d nearest = nearestRotation(R);
     const double deviation = (R - nearest).cwiseAbs().maxCoeff();
     if (!(deviation <= roundedRotationTolerance)) {
@@ -174,7 +174,7 @@ Result<PosedCamera> posedCameraFromIntrinsics(const Eigen::Matrix3d& intrinsic, 
     if (deviation > exactRotationTolerance) {
         R = nearest;
     }
-    return withPositiveFy(sight);
+    return withPositiveFy(posedCamera);
 }
 
 Result<PosedCamera> posedCameraFromXreg(const XregCamera& camera, const RigidTransform& volumeFromWorld)

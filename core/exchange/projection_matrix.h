@@ -11,7 +11,7 @@ using ProjectionMatrix = Eigen::Matrix<double, 3, 4>;
 Eigen::Matrix3d intrinsicMatrix(const ProjectionCamera& camera);
 
 /// Returns P = K [R t]: `P * (pointInPatient, 1)` is the pixel times the depth in mm, then that depth.
-ProjectionMatrix projectionMatrix(const PosedCamera& sight);
+ProjectionMatrix projectionMatrix(const PosedCamera& posedCamera);
 
 /// Decomposes P, known up to a positive factor, into camera and pose; visible points have a positive third coordinate.
 /// With det R = +1 and fy > 0 the solution is unique; the sign of fx shows whether the image is mirrored (FORMATS §1).

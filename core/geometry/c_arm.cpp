@@ -9,12 +9,12 @@
 namespace angiopose::core {
 namespace {
 
-bool isPositive(const Sourced<double>& sourced)
+bool isPositive(const SourcedValue<double>& sourced)
 {
     return sourced.value && std::isfinite(*sourced.value) && *sourced.value > 0.0;
 }
 
-bool isKnown(const Sourced<double>& sourced)
+bool isKnown(const SourcedValue<double>& sourced)
 {
     return sourced.value && std::isfinite(*sourced.value);
 }
@@ -96,14 +96,14 @@ void assumeIsocenter(CArm& cArm)
     }
 }
 
-const Sourced<double>& vesselDepthOf(const CArm& cArm)
+const SourcedValue<double>& vesselDepthOf(const CArm& cArm)
 {
     return isPositive(cArm.sourceToObjectMm) ? cArm.sourceToObjectMm : cArm.sourceToIsocenterMm;
 }
 
 ImageAxes imageAxesOf(CArm cArm)
 {
-    for (Sourced<double>* angle : {&cArm.primaryAngleDeg, &cArm.secondaryAngleDeg}) {
+    for (SourcedValue<double>* angle : {&cArm.primaryAngleDeg, &cArm.secondaryAngleDeg}) {
         angle->value = isKnown(*angle) ? *angle->value : 0.0;
     }
     cArm.sourceToIsocenterMm.value = 1.0;
@@ -112,7 +112,7 @@ ImageAxes imageAxesOf(CArm cArm)
     return {rightward * rotation.row(0).transpose(), rotation.row(1).transpose()};
 }
 
-CArm rotatedBy(CArm cArm, const Eigen::Vector2d& incrementsDeg)
+CArm rotateCArm(CArm cArm, const Eigen::Vector2d& incrementsDeg)
 {
     for (const auto& [angle, increment] :
          {std::pair(&cArm.primaryAngleDeg, incrementsDeg.x()), std::pair(&cArm.secondaryAngleDeg, incrementsDeg.y())}) {

@@ -14,7 +14,7 @@ enum class Origin { Missing, Header, Derived, User, Assumed };
 
 /// A value with its origin. `basis` describes the origin as text ("(0018,1110)", "intensifier 204.8 mm / 512 px").
 template <class T>
-struct Sourced {
+struct SourcedValue {
     std::optional<T> value;
     Origin origin = Origin::Missing;
     std::string basis;
@@ -22,24 +22,25 @@ struct Sourced {
 
 /// C-arm geometry as described by DICOM (PS3.3 C.8.7.5; ALGORITHMS §5). Lengths are in mm, angles in degrees.
 struct CArm {
-    Sourced<double> sourceToDetectorMm;   ///< source-to-detector distance (SID)
-    Sourced<double> sourceToIsocenterMm;   ///< SOD: distance to the rotation center of the gantry
-    Sourced<double> sourceToObjectMm;   ///< distance to the object plane assumed by the device, see vesselDepthOf
-    Sourced<double> columnSpacingMm;   ///< detector pixel pitch along u
-    Sourced<double> rowSpacingMm;   ///< detector pixel pitch along v
-    Sourced<double> primaryAngleDeg;   ///< LAO +, RAO −
-    Sourced<double> secondaryAngleDeg;   ///< CRA +, CAU −
-    Sourced<double> rollDeg;   ///< clockwise rotation of the image on screen; 0 if missing
-    Sourced<Eigen::Vector2d> principalPointPx;   ///< (cx, cy); the image center if missing
-    Sourced<bool> mirrored;   ///< whether the image is shown as seen from the source (fx > 0)
-    Sourced<Eigen::Vector3d> isocenterInPatientMm;   ///< in the vessels' coordinates; the vessels' centroid if missing
+    SourcedValue<double> sourceToDetectorMm;   ///< source-to-detector distance (SID)
+    SourcedValue<double> sourceToIsocenterMm;   ///< SOD: distance to the rotation center of the gantry
+    SourcedValue<double> sourceToObjectMm;   ///< distance to the object plane assumed by the device, see vesselDepthOf
+    SourcedValue<double> columnSpacingMm;   ///< detector pixel pitch along u
+    SourcedValue<double> rowSpacingMm;   ///< detector pixel pitch along v
+    SourcedValue<double> primaryAngleDeg;   ///< LAO +, RAO −
+    SourcedValue<double> secondaryAngleDeg;   ///< CRA +, CAU −
+    SourcedValue<double> rollDeg;   ///< clockwise rotation of the image on screen; 0 if missing
+    SourcedValue<Eigen::Vector2d> principalPointPx;   ///< (cx, cy); the image center if missing
+    SourcedValue<bool> mirrored;   ///< whether the image is shown as seen from the source (fx > 0)
+    SourcedValue<Eigen::Vector3d>
+        isocenterInPatientMm;   ///< in the vessels' coordinates; the vessels' centroid if missing
 };
 
 /// If the isocenter distance is unknown, sets it to the distance of the object plane, with origin Assumed.
 void assumeIsocenter(CArm& cArm);
 
 /// Returns the depth of the vessels along the beam before registration: the object plane, or else the isocenter.
-const Sourced<double>& vesselDepthOf(const CArm& cArm);
+const SourcedValue<double>& vesselDepthOf(const CArm& cArm);
 
 /// Directions of the image axes in patient LPS, as unit vectors.
 struct ImageAxes {
@@ -51,7 +52,7 @@ struct ImageAxes {
 ImageAxes imageAxesOf(CArm cArm);
 
 /// Returns the C-arm rotated by (primary, secondary) degrees from its stored angles.
-CArm rotatedBy(CArm cArm, const Eigen::Vector2d& incrementsDeg);
+CArm rotateCArm(CArm cArm, const Eigen::Vector2d& incrementsDeg);
 
 /// Returns the pinhole camera of the C-arm: fx = −SID/Δu (positive if mirrored), fy = SID/Δv (ALGORITHMS §5.2). The
 /// error names the missing or impossible value and states how to supply it.

@@ -42,13 +42,13 @@ CameraUncertainty uncertaintyByOrigin(const CArm& cArm, const ProjectionCamera& 
             centralRayUncertainty.of(cArm.principalPointPx.origin) * std::abs(camera.fx)};
 }
 
-CameraUncertainty uncertaintyOfEntered(const ProjectionCamera& camera)
+CameraUncertainty enteredCameraUncertainty(const ProjectionCamera& camera)
 {
     return {std::hypot(distanceUncertainty.typed, spacingUncertainty.typed),
             centralRayUncertainty.typed * std::abs(camera.fx)};
 }
 
-ProjectionCamera corrected(const ProjectionCamera& camera, const CameraError& error)
+ProjectionCamera applyCameraError(const ProjectionCamera& camera, const CameraError& error)
 {
     ProjectionCamera correctedCamera = camera;
     correctedCamera.fx *= std::exp(error[0]);
@@ -58,10 +58,10 @@ ProjectionCamera corrected(const ProjectionCamera& camera, const CameraError& er
     return correctedCamera;
 }
 
-CArm corrected(CArm cArm, const ProjectionCamera& camera, const CameraError& error, const std::string& basis)
+CArm applyCameraError(CArm cArm, const ProjectionCamera& camera, const CameraError& error, const std::string& basis)
 {
     const double factor = std::exp(error[0]);
-    const auto scale = [&basis](Sourced<double>& value, double by) {
+    const auto scale = [&basis](SourcedValue<double>& value, double by) {
         if (value.value) {
             value = {*value.value * by, Origin::Derived, basis};
         }
@@ -72,7 +72,7 @@ CArm corrected(CArm cArm, const ProjectionCamera& camera, const CameraError& err
         scale(cArm.columnSpacingMm, 1.0 / factor);
         scale(cArm.rowSpacingMm, 1.0 / factor);
     }
-    const ProjectionCamera correctedCamera = corrected(camera, error);
+    const ProjectionCamera correctedCamera = applyCameraError(camera, error);
     cArm.principalPointPx = {Eigen::Vector2d(correctedCamera.cx, correctedCamera.cy), Origin::Derived, basis};
     return cArm;
 }

@@ -12,7 +12,7 @@ struct CameraUncertainty {
     double relativeFocalStd =
         0.0;   ///< relative, common to fx and fy; due to source-to-detector distance and pixel spacing
     double principalPx = 0.0;   ///< standard deviation of cx and cy, px
-    CameraError taken =
+    CameraError appliedError =
         CameraError::Zero();   ///< correction already applied to the camera; the distribution is centered on it
 
     bool operator==(const CameraUncertainty&) const = default;
@@ -27,13 +27,13 @@ struct CameraUncertainty {
 CameraUncertainty uncertaintyByOrigin(const CArm& cArm, const ProjectionCamera& camera);
 
 /// Returns the uncertainty of a camera whose parameters the user entered directly.
-CameraUncertainty uncertaintyOfEntered(const ProjectionCamera& camera);
+CameraUncertainty enteredCameraUncertainty(const ProjectionCamera& camera);
 
 /// Returns the camera corrected by `error`.
-ProjectionCamera corrected(const ProjectionCamera& camera, const CameraError& error);
+ProjectionCamera applyCameraError(const ProjectionCamera& camera, const CameraError& error);
 
 /// Returns the C-arm of the corrected camera: of distance and spacing, the less certain one takes the focal-length
 /// error. Changed values get the origin Derived and this basis. `camera` is the camera of the uncorrected C-arm.
-CArm corrected(CArm cArm, const ProjectionCamera& camera, const CameraError& error, const std::string& basis);
+CArm applyCameraError(CArm cArm, const ProjectionCamera& camera, const CameraError& error, const std::string& basis);
 
 }   // namespace angiopose::core

@@ -18,7 +18,7 @@ constexpr double sameLength = 0.05;
 constexpr double sameMagnification = 0.02;
 constexpr double sameAspect = 0.01;
 
-bool isKnownPositive(const Sourced<double>& sourced)
+bool isKnownPositive(const SourcedValue<double>& sourced)
 {
     return sourced.value && std::isfinite(*sourced.value) && *sourced.value > 0.0;
 }
@@ -143,7 +143,7 @@ private:
 
     void checkAngles()
     {
-        const auto outside = [](const Sourced<double>& angle, double limitDeg) {
+        const auto outside = [](const SourcedValue<double>& angle, double limitDeg) {
             return angle.value && !(std::abs(*angle.value) <= limitDeg);
         };
         reportIf(outside(cArm_.primaryAngleDeg, 180.0), messages::primaryAngleOutside());
@@ -175,7 +175,7 @@ Messages findContradictions(const CArm& cArm, const GantryHeader& header, const 
     return GeometryChecker(cArm, header, imageSizePx).run();
 }
 
-Messages findMissing(const CArm& cArm)
+Messages findMissingGeometry(const CArm& cArm)
 {
     Messages missing;
     const auto requireValue = [&missing](bool isThere, const auto& message) {

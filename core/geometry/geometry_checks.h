@@ -15,6 +15,6 @@ Messages findContradictions(const CArm& cArm, const GantryHeader& header = {},
 
 /// Returns messages about the geometry values still missing for a camera and an initial pose, each with instructions
 /// for supplying it.
-Messages findMissing(const CArm& cArm);
+Messages findMissingGeometry(const CArm& cArm);
 
 }   // namespace angiopose::core

@@ -62,7 +62,7 @@ PatientAngles anglesOf(const Eigen::Matrix3d& cameraFromPatientRotation, const C
 
 }   // namespace
 
-std::optional<PatientPosition> patientPositionFrom(std::string_view text)
+std::optional<PatientPosition> parsePatientPosition(std::string_view text)
 {
     const auto* const found = std::ranges::find(namedPositions, text, &NamedPosition::name);
     return found == namedPositions.end() ? std::nullopt : std::optional(found->position);

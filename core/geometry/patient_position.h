@@ -13,7 +13,7 @@ namespace angiopose::core {
 enum class PatientPosition { HFS, HFP, HFDR, HFDL, FFS, FFP, FFDR, FFDL };
 
 /// Parses a defined term such as "FFS"; returns nullopt for any other text.
-std::optional<PatientPosition> patientPositionFrom(std::string_view text);
+std::optional<PatientPosition> parsePatientPosition(std::string_view text);
 
 /// Returns the defined term, such as "FFS".
 std::string_view toText(PatientPosition position);

@@ -44,7 +44,7 @@ std::string_view idOf(PoseAxis axis)
     return ids[static_cast<std::size_t>(axis)];
 }
 
-std::optional<PoseAxis> poseAxisFrom(std::string_view id)
+std::optional<PoseAxis> parsePoseAxis(std::string_view id)
 {
     const auto found = std::find(ids.begin(), ids.end(), id);
     return found == ids.end() ? std::nullopt : std::optional(poseAxes[static_cast<std::size_t>(found - ids.begin())]);

@@ -29,7 +29,7 @@ double valueOf(const PoseOffset& offset, PoseAxis axis);
 
 /// Returns the id used in files and on the command line: "right", "up", "along-ray", "roll", "lao-rao", "cra-cau".
 std::string_view idOf(PoseAxis axis);
-std::optional<PoseAxis> poseAxisFrom(std::string_view id);
+std::optional<PoseAxis> parsePoseAxis(std::string_view id);
 
 /// Returns all ids in order, separated by commas, for messages.
 std::string poseAxisIds();

@@ -22,9 +22,9 @@ std::size_t levelOf(float value)
     return ordered >> (32 - levelBits);
 }
 
-std::size_t rankOf(double share, std::size_t count)
+std::size_t rankOf(double fraction, std::size_t count)
 {
-    return static_cast<std::size_t>(share * static_cast<double>(count - 1));
+    return static_cast<std::size_t>(fraction * static_cast<double>(count - 1));
 }
 
 std::vector<std::size_t> levelHistogram(const std::vector<float>& values)
@@ -52,12 +52,12 @@ float valueAtRank(const std::vector<float>& values, const std::vector<std::size_
     return *place;
 }
 
-std::vector<float> quantilesBySelection(std::vector<float> values, const std::vector<double>& shares)
+std::vector<float> quantilesBySelection(std::vector<float> values, const std::vector<double>& fractions)
 {
     std::vector<float> found;
     auto searchBegin = values.begin();   // no value before this position is greater than one after it
-    for (const double share : shares) {
-        const auto place = values.begin() + static_cast<std::ptrdiff_t>(rankOf(share, values.size()));
+    for (const double fraction : fractions) {
+        const auto place = values.begin() + static_cast<std::ptrdiff_t>(rankOf(fraction, values.size()));
         std::nth_element(searchBegin, place, values.end());
         found.push_back(*place);
         searchBegin = place;
@@ -102,9 +102,9 @@ float otsuThreshold(const std::vector<float>& values)
     return static_cast<float>(best) / (binCount - 1) * top;
 }
 
-std::vector<float> subsample(const std::vector<float>& values, std::size_t most)
+std::vector<float> subsample(const std::vector<float>& values, std::size_t maxCount)
 {
-    const std::size_t step = std::max<std::size_t>(1, (values.size() + most - 1) / most);
+    const std::size_t step = std::max<std::size_t>(1, (values.size() + maxCount - 1) / maxCount);
     std::vector<float> sample;
     sample.reserve(values.size() / step + 1);
     for (std::size_t i = 0; i < values.size(); i += step) {
@@ -113,21 +113,21 @@ std::vector<float> subsample(const std::vector<float>& values, std::size_t most)
     return sample;
 }
 
-float grayQuantile(std::vector<float> values, double share)
+float grayQuantile(std::vector<float> values, double fraction)
 {
-    return grayQuantiles(std::move(values), {share}).front();
+    return grayQuantiles(std::move(values), {fraction}).front();
 }
 
-std::vector<float> grayQuantiles(std::vector<float> values, const std::vector<double>& shares)
+std::vector<float> grayQuantiles(std::vector<float> values, const std::vector<double>& fractions)
 {
     assert(!values.empty());
     if (values.size() < minHistogramCount) {
-        return quantilesBySelection(std::move(values), shares);
+        return quantilesBySelection(std::move(values), fractions);
     }
     const std::vector<std::size_t> counts = levelHistogram(values);
     std::vector<float> found;
-    for (const double share : shares) {
-        found.push_back(valueAtRank(values, counts, rankOf(share, values.size())));
+    for (const double fraction : fractions) {
+        found.push_back(valueAtRank(values, counts, rankOf(fraction, values.size())));
     }
     return found;
 }

@@ -10,12 +10,12 @@ namespace angiopose::core {
 float otsuThreshold(const std::vector<float>& values);
 
 /// Returns every n-th value, with n chosen to give at most `most` values, for statistics of large images.
-std::vector<float> subsample(const std::vector<float>& values, std::size_t most);
+std::vector<float> subsample(const std::vector<float>& values, std::size_t maxCount);
 
 /// Returns the quantile of `values` at the fraction `share` (0…1); `values` must not be empty. Runs in linear time.
-float grayQuantile(std::vector<float> values, double share);
+float grayQuantile(std::vector<float> values, double fraction);
 
 /// Returns the quantiles at several fractions in ascending order.
-std::vector<float> grayQuantiles(std::vector<float> values, const std::vector<double>& shares);
+std::vector<float> grayQuantiles(std::vector<float> values, const std::vector<double>& fractions);
 
 }   // namespace angiopose::core

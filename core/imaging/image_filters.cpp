@@ -121,7 +121,7 @@ ImageF maximumFilter(const ImageF& image, int radiusPx)
     return windowMaximum(image, radiusPx, elementwiseMax);
 }
 
-ImageF halved(const ImageF& image)
+ImageF halveSize(const ImageF& image)
 {
     ImageF half((image.width + 1) / 2, (image.height + 1) / 2);
     for (int y = 0; y < half.height; ++y) {

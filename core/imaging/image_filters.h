@@ -13,7 +13,7 @@ ImageF maximumFilter(const ImageF& image, int radiusPx);
 
 /// Returns the means of 2×2 pixels: pixel (i, j) lies at (2i + 0.5, 2j + 0.5) of the source. If the size is odd, the
 /// last row or column is repeated.
-ImageF halved(const ImageF& image);
+ImageF halveSize(const ImageF& image);
 
 /// Returns the image enlarged bilinearly by `factor` to the given size, which reverses repeated reduction by `halved`.
 ImageF upsample(const ImageF& image, int factor, int width, int height);

@@ -21,7 +21,7 @@ double distanceToStep(const BrushStep& step, const Eigen::Vector3d& point)
 class BrushCollector {
 public:
     BrushCollector(const VoxelMask& mask, const MaskBrush& brush)
-        : mask_(mask), brush_(brush), targetState_(brush.aim == BrushMode::Paint)
+        : mask_(mask), brush_(brush), targetState_(brush.mode == BrushMode::Paint)
     {
         hasSameVoxels_ = brush.scan && isSameGrid(brush.scan->geometry, mask.geometry);
     }

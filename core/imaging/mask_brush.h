@@ -8,7 +8,7 @@ enum class BrushMode { Paint, Erase };
 
 /// A brush that changes all voxels within its radius along a path.
 struct MaskBrush {
-    BrushMode aim = BrushMode::Paint;
+    BrushMode mode = BrushMode::Paint;
     double radiusMm = 2.0;
     const Volume* scan = nullptr;   ///< if set, the brush changes only voxels with at least `minValue` in this scan
     double minValue = 0.0;

@@ -135,14 +135,14 @@ ImageF meanFrame(const std::vector<ImageF>& frames, const std::vector<int>& indi
     return mean;
 }
 
-Eigen::Vector2d maskShift(const ImageF& mask, const ImageF& frame, PixelRelation relation)
+Eigen::Vector2d findMaskShift(const ImageF& mask, const ImageF& frame, PixelRelation relation)
 {
     assert(mask.width == frame.width && mask.height == frame.height);
     std::vector<ImageF> masks{highPassFiltered(logarithmic(mask, relation))};
     std::vector<ImageF> frames{highPassFiltered(logarithmic(frame, relation))};
     while (std::min(frames.back().width, frames.back().height) >= 2 * minPyramidSide) {
-        masks.push_back(halved(masks.back()));
-        frames.push_back(halved(frames.back()));
+        masks.push_back(halveSize(masks.back()));
+        frames.push_back(halveSize(frames.back()));
     }
     Eigen::Vector2d shift = Eigen::Vector2d::Zero();
     for (std::size_t level = frames.size(); level-- > 0;) {

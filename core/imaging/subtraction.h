@@ -17,7 +17,7 @@ ImageF meanFrame(const std::vector<ImageF>& frames, const std::vector<int>& indi
 /// Returns the subpixel shift (px right and down), up to a tenth of the image, that aligns `mask` with `frame`: least
 /// squares on both images without their slow variation, coarse to fine, with robust weights that exclude vessels, which
 /// are visible in one image only (Lucas & Kanade 1981, Welsch weights). Zero if the images do not determine the shift.
-Eigen::Vector2d maskShift(const ImageF& mask, const ImageF& frame, PixelRelation relation);
+Eigen::Vector2d findMaskShift(const ImageF& mask, const ImageF& frame, PixelRelation relation);
 
 /// Returns `frame` with `mask`, shifted by `shiftPx`, subtracted logarithmically (DICOM PS3.3 C.7.6.10). The background
 /// gets the medium gray of the frame; dark vessels stay dark and bright vessels bright.

@@ -11,7 +11,7 @@ ImageF wideGaussianBlur(const ImageF& image, double sigmaPx)
     ImageF reduced = image;
     int factor = 1;
     while (sigmaPx / factor > 8.0) {
-        reduced = halved(reduced);
+        reduced = halveSize(reduced);
         factor *= 2;
     }
     if (factor == 1) {

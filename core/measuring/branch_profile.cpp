@@ -20,7 +20,7 @@ struct DiameterLine {
     double startMm = 0.0;   ///< diameter at arc length 0
     double slope = 0.0;   ///< diameter change in mm per mm of arc length
 
-    double at(double arcMm) const { return startMm + slope * arcMm; }
+    double at(double arcLengthMm) const { return startMm + slope * arcLengthMm; }
 };
 
 constexpr std::size_t minDiameters = 6;
@@ -91,10 +91,10 @@ std::pair<std::size_t, std::size_t> samplesAround(const std::vector<ProfileSampl
 {
     std::size_t first = middle;
     std::size_t end = middle + 1;
-    while (first > 0 && samples[middle].arcMm - samples[first - 1].arcMm <= reachMm) {
+    while (first > 0 && samples[middle].arcLengthMm - samples[first - 1].arcLengthMm <= reachMm) {
         --first;
     }
-    while (end < samples.size() && samples[end].arcMm - samples[middle].arcMm <= reachMm) {
+    while (end < samples.size() && samples[end].arcLengthMm - samples[middle].arcLengthMm <= reachMm) {
         ++end;
     }
     return {first, end};
@@ -104,7 +104,7 @@ std::pair<std::size_t, std::size_t> samplesAround(const std::vector<ProfileSampl
 double curvatureAt(const std::vector<ProfileSample>& samples, std::size_t middle)
 {
     const auto [first, end] = samplesAround(samples, middle, curvatureReachMm);
-    if (end - first < 4 || samples[end - 1].arcMm - samples[first].arcMm < minCurvatureArcMm) {
+    if (end - first < 4 || samples[end - 1].arcLengthMm - samples[first].arcLengthMm < minCurvatureArcMm) {
         return unknownProfileValue;
     }
     const auto count = static_cast<Eigen::Index>(end - first);
@@ -112,7 +112,7 @@ double curvatureAt(const std::vector<ProfileSample>& samples, std::size_t middle
     Eigen::MatrixXd points(count, 3);
     for (Eigen::Index i = 0; i < count; ++i) {
         const ProfileSample& sample = samples[first + static_cast<std::size_t>(i)];
-        const double arc = sample.arcMm - samples[middle].arcMm;
+        const double arc = sample.arcLengthMm - samples[middle].arcLengthMm;
         powers.row(i) << 1.0, arc, arc * arc;
         points.row(i) = sample.pointInPatient.transpose();
     }
@@ -150,7 +150,7 @@ std::vector<ProfileSample> profileSamples(const VesselBranch& branch)
 
 double diameterRatio(const ProfileSample& sample)
 {
-    return sample.diameterMm / sample.referenceMm;
+    return sample.diameterMm / sample.referenceDiameterMm;
 }
 
 /// Returns the stenosis at the narrowest sample relative to its reference; requires a sample with a reference.
@@ -170,11 +170,11 @@ StenosisMeasure narrowestStenosis(const std::vector<ProfileSample>& samples)
         ++to;
     }
     return {std::max(0.0, 100.0 * (1.0 - diameterRatio(samples[narrowest]))),
-            samples[narrowest].arcMm,
-            samples[from].arcMm,
-            samples[to].arcMm,
+            samples[narrowest].arcLengthMm,
+            samples[from].arcLengthMm,
+            samples[to].arcLengthMm,
             samples[narrowest].diameterMm,
-            samples[narrowest].referenceMm};
+            samples[narrowest].referenceDiameterMm};
 }
 
 /// Adds reference diameters to the samples from `first` up to, but excluding, `end`. Each is computed from the
@@ -187,11 +187,11 @@ void addReferences(std::vector<ProfileSample>& samples, std::size_t first, std::
         const std::size_t from = std::clamp(i > reach ? i - reach : 0, first, latest);
         std::vector<Eigen::Vector2d> diameters;
         for (std::size_t k = from; k < std::min(from + 2 * reach, end); ++k) {
-            diameters.emplace_back(samples[k].arcMm, samples[k].diameterMm);
+            diameters.emplace_back(samples[k].arcLengthMm, samples[k].diameterMm);
         }
         const auto line = referenceLine(diameters);
-        if (line && line->at(samples[i].arcMm) > 0.0) {
-            samples[i].referenceMm = line->at(samples[i].arcMm);
+        if (line && line->at(samples[i].arcLengthMm) > 0.0) {
+            samples[i].referenceDiameterMm = line->at(samples[i].arcLengthMm);
         }
     }
 }
@@ -207,10 +207,10 @@ void lowerUnrecoveredReferences(std::vector<ProfileSample>& samples)
         for (std::size_t k = i; k < std::min(samples.size(), i + reach); ++k) {
             recovered = std::fmax(recovered, diameterRatio(samples[k]));
         }
-        lowered.push_back(samples[i].referenceMm * std::min(1.0, recovered));
+        lowered.push_back(samples[i].referenceDiameterMm * std::min(1.0, recovered));
     }
     for (std::size_t i = 0; i < samples.size(); ++i) {
-        samples[i].referenceMm = lowered[i];
+        samples[i].referenceDiameterMm = lowered[i];
     }
 }
 
@@ -219,14 +219,16 @@ void addStenosis(BranchProfile& profile)
 {
     std::vector<ProfileSample>& samples = profile.samples;
     const double endMm = std::min(*profile.meanDiameterMm, 0.25 * profile.lengthMm);
-    const auto isBefore = [](const ProfileSample& sample, double arcMm) { return sample.arcMm < arcMm; };
-    const auto at = [&](double arcMm) {
-        return static_cast<std::size_t>(std::lower_bound(samples.begin(), samples.end(), arcMm, isBefore) -
+    const auto isBefore = [](const ProfileSample& sample, double arcLengthMm) {
+        return sample.arcLengthMm < arcLengthMm;
+    };
+    const auto at = [&](double arcLengthMm) {
+        return static_cast<std::size_t>(std::lower_bound(samples.begin(), samples.end(), arcLengthMm, isBefore) -
                                         samples.begin());
     };
     addReferences(samples, at(endMm), at(profile.lengthMm - endMm));
     lowerUnrecoveredReferences(samples);
-    const auto hasReference = [](const ProfileSample& sample) { return std::isfinite(sample.referenceMm); };
+    const auto hasReference = [](const ProfileSample& sample) { return std::isfinite(sample.referenceDiameterMm); };
     if (std::ranges::any_of(samples, hasReference)) {
         profile.stenosis = narrowestStenosis(samples);
     } else {
@@ -249,7 +251,7 @@ void addDiameters(BranchProfile& profile)
 
 }   // namespace
 
-Result<BranchProfile> profileOf(const VesselBranch& branch)
+Result<BranchProfile> measureProfile(const VesselBranch& branch)
 {
     const auto isFinite = [](const Eigen::Vector3d& point) { return point.allFinite(); };
     if (!std::ranges::all_of(branch.pointsInPatient, isFinite) || !(branch.lengthMm() > 0.0)) {

@@ -10,21 +10,21 @@ namespace angiopose::core {
 
 /// A sample along a branch. NaN values are unknown.
 struct ProfileSample {
-    double arcMm = 0.0;   ///< arc length from the branch's first point
+    double arcLengthMm = 0.0;   ///< arc length from the branch's first point
     Eigen::Vector3d pointInPatient = Eigen::Vector3d::Zero();   ///< LPS, mm
     double diameterMm = 0.0;   ///< twice the radius in the tree, median over 2 mm
-    double referenceMm = 0.0;   ///< diameter expected in a healthy vessel, see profileOf
+    double referenceDiameterMm = 0.0;   ///< diameter expected in a healthy vessel, see measureProfile
     double curvaturePerMm = 0.0;   ///< inverse of the radius of curvature, measured over 6 mm
 };
 
 /// The narrowest point of a branch relative to its reference diameter.
 struct StenosisMeasure {
     double percent = 0.0;   ///< diameter stenosis in %; 0 if not narrower than the reference
-    double atMm = 0.0;
+    double positionMm = 0.0;
     double fromMm = 0.0;   ///< start and end of the stenosis, where the diameter reaches 90 % of the reference
     double toMm = 0.0;
     double diameterMm = 0.0;
-    double referenceMm = 0.0;
+    double referenceDiameterMm = 0.0;
 };
 
 /// Measurements of one branch.
@@ -47,6 +47,6 @@ struct BranchProfile {
 /// diameter at each end of the branch is excluded, because traced radii extend into the parent vessel or beyond the
 /// lumen there. Fails on a branch with fewer than two points or without length; without radii, measures the rest and
 /// adds a message.
-Result<BranchProfile> profileOf(const VesselBranch& branch);
+Result<BranchProfile> measureProfile(const VesselBranch& branch);
 
 }   // namespace angiopose::core

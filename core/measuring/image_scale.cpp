@@ -17,10 +17,10 @@ Origin weakestOrigin(const std::vector<Origin>& origins)
     return *std::ranges::max_element(origins, {}, rank);
 }
 
-Result<ImageScale> scaleAtVessels(const MeasuredView& seen)
+Result<ImageScale> scaleAtVessels(const MeasurementContext& context)
 {
-    const View& view = seen.view;
-    const VesselTree* tree = seen.tree;
+    const View& view = context.view;
+    const VesselTree* tree = context.tree;
     const auto camera = cameraOf(view);
     if (!camera) {
         return camera.error();
@@ -28,7 +28,7 @@ Result<ImageScale> scaleAtVessels(const MeasuredView& seen)
     if (!tree || tree->pointCount() == 0) {
         return Error(messages::measureNeedsVessels());
     }
-    const double depthMm = (seen.cameraFromPatient * centroidInPatient(*tree)).z();
+    const double depthMm = (context.cameraFromPatient * centroidInPatient(*tree)).z();
     if (!(depthMm >= minProjectableDepthMm)) {   // also true for NaN
         return Error(messages::measureBehindSource());
     }
@@ -46,7 +46,7 @@ Result<ImageScale> scaleAtVessels(const MeasuredView& seen)
 Result<ImageScale> scaleAtDetector(const View& view)
 {
     const CArm& cArm = view.geometry.cArm;
-    const auto isLength = [](const Sourced<double>& length) {
+    const auto isLength = [](const SourcedValue<double>& length) {
         return length.value && std::isfinite(*length.value) && *length.value > 0.0;
     };
     if (!isLength(cArm.columnSpacingMm) || !isLength(cArm.rowSpacingMm)) {
@@ -68,32 +68,32 @@ Result<ImageScale> enteredScale(const View& view)
 
 }   // namespace
 
-const RegistrationResult* MeasuredView::result() const
+const RegistrationResult* MeasurementContext::result() const
 {
     const bool isOwn = cameraFromPatient.matrix() == view.cameraFromPatient.matrix();
     return isOwn && view.result ? &*view.result : nullptr;
 }
 
-Result<ImageScale> imageScaleOf(const MeasuredView& seen, MeasurementPlane plane)
+Result<ImageScale> imageScaleOf(const MeasurementContext& context, MeasurementPlane plane)
 {
     switch (plane) {
         case MeasurementPlane::Vessels:
-            return scaleAtVessels(seen);
+            return scaleAtVessels(context);
         case MeasurementPlane::Detector:
-            return scaleAtDetector(seen.view);
+            return scaleAtDetector(context.view);
         case MeasurementPlane::Typed:
-            return enteredScale(seen.view);
+            return enteredScale(context.view);
         case MeasurementPlane::Pixels:
             break;
     }
     return ImageScale{};
 }
 
-MeasurementPlane preferredPlane(const MeasuredView& seen)
+MeasurementPlane preferredPlane(const MeasurementContext& context)
 {
     for (const MeasurementPlane plane :
          {MeasurementPlane::Vessels, MeasurementPlane::Typed, MeasurementPlane::Detector}) {
-        if (imageScaleOf(seen, plane)) {
+        if (imageScaleOf(context, plane)) {
             return plane;
         }
     }

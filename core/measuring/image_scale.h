@@ -18,12 +18,12 @@ struct ImageScale {
 };
 
 /// A view with the displayed vessels, at the view's own pose or at a pose displayed temporarily.
-struct MeasuredView {
-    MeasuredView(const View& view, const VesselTree* tree)   ///< `tree` may be null
+struct MeasurementContext {
+    MeasurementContext(const View& view, const VesselTree* tree)   ///< `tree` may be null
         : view(view), tree(tree), cameraFromPatient(view.cameraFromPatient)
     {
     }
-    MeasuredView(const View& view, const VesselTree* tree, const RigidTransform& cameraFromPatient)
+    MeasurementContext(const View& view, const VesselTree* tree, const RigidTransform& cameraFromPatient)
         : view(view), tree(tree), cameraFromPatient(cameraFromPatient)
     {
     }
@@ -37,10 +37,10 @@ struct MeasuredView {
 
 /// Returns the scale at the vessels (depth of the tree's centroid under the pose), at the detector (its pixel spacing),
 /// as entered for the image, or none. The error names the missing value and states how to supply it.
-Result<ImageScale> imageScaleOf(const MeasuredView& seen, MeasurementPlane plane);
+Result<ImageScale> imageScaleOf(const MeasurementContext& context, MeasurementPlane plane);
 
 /// Returns the preferred plane among those for which the view has a scale: the vessels, then the entered pixel size,
 /// then the detector, otherwise pixels.
-MeasurementPlane preferredPlane(const MeasuredView& seen);
+MeasurementPlane preferredPlane(const MeasurementContext& context);
 
 }   // namespace angiopose::core

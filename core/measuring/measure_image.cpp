@@ -57,9 +57,9 @@ Result<Quantity> areaOf(const Polyline<2>& outline, bool isInMm)
     return Quantity{0.5 * std::abs(twice), isInMm ? 1 : 0, isInMm ? "mm²" : "px²"};
 }
 
-Message basisSentence(const ImageMeasurementResult& measured, MeasurementKind kind)
+Message basisSentence(const ImageMeasurementResult& imageResult, MeasurementKind kind)
 {
-    const ImageScale& scale = measured.scale;
+    const ImageScale& scale = imageResult.scale;
     const Quantity pixel{std::sqrt(scale.unitsPerPx.prod()), 3, "mm"};
     if (kind == MeasurementKind::Angle) {
         return messages::measureBasisAngle();
@@ -124,9 +124,9 @@ Result<Quantity> valueOf(const ImageMeasurement& measurement, const ImageScale& 
     return Quantity{polylineLength<2>(points), 1, scale.isInMm() ? "mm" : "px"};
 }
 
-Result<ImageMeasurementResult> measureImage(const ImageMeasurement& measurement, const MeasuredView& seen)
+Result<ImageMeasurementResult> measureImage(const ImageMeasurement& measurement, const MeasurementContext& context)
 {
-    const auto scale = imageScaleOf(seen, measurement.plane);
+    const auto scale = imageScaleOf(context, measurement.plane);
     if (!scale) {
         return scale.error();
     }
@@ -137,37 +137,37 @@ Result<ImageMeasurementResult> measureImage(const ImageMeasurement& measurement,
     return ImageMeasurementResult{value.value(), scale.value()};
 }
 
-Message labelOf(const ImageMeasurementResult& measured, MeasurementKind kind)
+Message labelOf(const ImageMeasurementResult& imageResult, MeasurementKind kind)
 {
-    if (kind == MeasurementKind::Angle || !measured.scale.isInMm()) {
-        return messages::measuredPlain(measured.value);
+    if (kind == MeasurementKind::Angle || !imageResult.scale.isInMm()) {
+        return messages::measuredPlain(imageResult.value);
     }
-    if (measured.scale.plane == MeasurementPlane::Typed) {
-        return messages::measuredWithEnteredScale(measured.value);
+    if (imageResult.scale.plane == MeasurementPlane::Typed) {
+        return messages::measuredWithEnteredScale(imageResult.value);
     }
-    const Message label = measured.scale.plane == MeasurementPlane::Vessels
-                              ? messages::measuredAtVessels(measured.value)
-                              : messages::measuredAtDetector(measured.value);
-    return measured.scale.origin == Origin::Assumed ? messages::measuredAssumed(label) : label;
+    const Message label = imageResult.scale.plane == MeasurementPlane::Vessels
+                              ? messages::measuredAtVessels(imageResult.value)
+                              : messages::measuredAtDetector(imageResult.value);
+    return imageResult.scale.origin == Origin::Assumed ? messages::measuredAssumed(label) : label;
 }
 
-Messages basisOf(const ImageMeasurementResult& measured, MeasurementKind kind, const MeasuredView& seen)
+Messages basisOf(const ImageMeasurementResult& imageResult, MeasurementKind kind, const MeasurementContext& context)
 {
-    Messages basis{basisSentence(measured, kind)};
+    Messages basis{basisSentence(imageResult, kind)};
     if (kind == MeasurementKind::Angle) {
-        if (!measured.scale.isInMm()) {
+        if (!imageResult.scale.isInMm()) {
             basis.push_back(messages::measureSquarePixels());
         }
         return basis;
     }
-    if (measured.scale.isInMm() && measured.scale.origin == Origin::Assumed) {
+    if (imageResult.scale.isInMm() && imageResult.scale.origin == Origin::Assumed) {
         basis.push_back(messages::measureScaleAssumed());
-    } else if (measured.scale.isInMm() && measured.scale.origin == Origin::User &&
-               measured.scale.plane != MeasurementPlane::Typed) {
+    } else if (imageResult.scale.isInMm() && imageResult.scale.origin == Origin::User &&
+               imageResult.scale.plane != MeasurementPlane::Typed) {
         basis.push_back(messages::measureScaleEntered());
     }
-    if (measured.scale.plane == MeasurementPlane::Vessels) {
-        addDepthUncertainty(basis, measured.scale, seen.result());
+    if (imageResult.scale.plane == MeasurementPlane::Vessels) {
+        addDepthUncertainty(basis, imageResult.scale, context.result());
     }
     return basis;
 }

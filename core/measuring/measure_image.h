@@ -21,13 +21,13 @@ std::size_t minPoints(MeasurementKind kind);
 Result<Quantity> valueOf(const ImageMeasurement& measurement, const ImageScale& scale);
 
 /// Returns the value of a measurement at the view's scale in the measurement's plane.
-Result<ImageMeasurementResult> measureImage(const ImageMeasurement& measurement, const MeasuredView& seen);
+Result<ImageMeasurementResult> measureImage(const ImageMeasurement& measurement, const MeasurementContext& context);
 
 /// Returns the label next to the drawing: the value, the plane, and whether the scale is assumed.
-Message labelOf(const ImageMeasurementResult& measured, MeasurementKind kind);
+Message labelOf(const ImageMeasurementResult& imageResult, MeasurementKind kind);
 
 /// Returns sentences that state what the value is based on, followed by its limitations.
-Messages basisOf(const ImageMeasurementResult& measured, MeasurementKind kind, const MeasuredView& seen);
+Messages basisOf(const ImageMeasurementResult& imageResult, MeasurementKind kind, const MeasurementContext& context);
 
 /// Returns the length along the points, the angle (0°…180°) at the second point, or the area inside the closed outline,
 /// in the plane of the slice: mm, ° or mm². The error states why the points are invalid, as in valueOf for an image.

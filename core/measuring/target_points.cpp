@@ -24,9 +24,9 @@ struct Ray {
 
 Ray rayOf(const MarkedPixel& seen)
 {
-    const RigidTransform patientFromCamera = seen.sight.cameraFromPatient.inverse();
+    const RigidTransform patientFromCamera = seen.posedCamera.cameraFromPatient.inverse();
     return {patientFromCamera.translation,
-            patientFromCamera.rotation * rayThroughPixel(seen.sight.camera, seen.markedPx)};
+            patientFromCamera.rotation * rayThroughPixel(seen.posedCamera.camera, seen.markedPx)};
 }
 
 Eigen::Matrix3d rayNormalProjector(const Ray& ray)
@@ -65,13 +65,13 @@ Eigen::Vector3d refinePoint(std::span<const MarkedPixel> seen, Eigen::Vector3d p
         Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(3, 3);
         Eigen::MatrixXd right = Eigen::MatrixXd::Zero(3, 1);
         for (const MarkedPixel& each : seen) {
-            const Eigen::Vector3d inCamera = each.sight.cameraFromPatient * point;
-            const auto pixel = project(each.sight.camera, inCamera);
+            const Eigen::Vector3d inCamera = each.posedCamera.cameraFromPatient * point;
+            const auto pixel = project(each.posedCamera.camera, inCamera);
             if (!pixel) {
                 return point;
             }
             const Eigen::Matrix<double, 2, 3> jacobian =
-                projectionJacobian(each.sight.camera, inCamera) * each.sight.cameraFromPatient.rotation;
+                projectionJacobian(each.posedCamera.camera, inCamera) * each.posedCamera.cameraFromPatient.rotation;
             normal += jacobian.transpose() * jacobian;
             right += jacobian.transpose() * (each.markedPx - *pixel);
         }
@@ -98,39 +98,40 @@ const TargetObservation* observationOf(const View& view, int markId)
     return found;
 }
 
-std::optional<double> deformedErrorMm(const View& view, const Vessels& vessels, const PosedCamera& sight,
+std::optional<double> deformedErrorMm(const View& view, const Vessels& vessels, const PosedCamera& posedCamera,
                                       const VesselMark& mark, const TargetObservation& seen)
 {
-    const auto deformation = knownDeformation(view, vessels, sight.cameraFromPatient);
+    const auto deformation = knownDeformation(view, vessels, posedCamera.cameraFromPatient);
     if (!deformation) {
         return std::nullopt;
     }
-    const VesselTree deformed = deformedTreeAt(*vessels.tree, *deformation, sight.cameraFromPatient);
-    const auto error = imageError(sight, moveWithVessels(*vessels.tree, deformed, mark).pointInPatient, seen.pixel);
+    const VesselTree deformed = deformedTreeAt(*vessels.tree, *deformation, posedCamera.cameraFromPatient);
+    const auto error =
+        imageError(posedCamera, moveWithVessels(*vessels.tree, deformed, mark).pointInPatient, seen.pixel);
     return error ? std::optional(error.value().mm) : std::nullopt;
 }
 
 TargetPointViewResult evaluateInView(const View& view, const Vessels& vessels, const RigidTransform& pose,
                                      const VesselMark& mark, const TargetObservation& seen)
 {
-    TargetPointViewResult checked{0, seen.frame, Error(messages::checkNotMarked()), {}, {}};
+    TargetPointViewResult evaluation{0, seen.frame, Error(messages::checkNotMarked()), {}, {}};
     const auto camera = cameraOf(view);
     if (!camera) {
-        checked.error = camera.error();
-        return checked;
+        evaluation.error = camera.error();
+        return evaluation;
     }
     if (seen.frame != view.frame) {
-        checked.error = Error(messages::checkOtherFrame(seen.frame + 1, view.frame + 1));
-        return checked;
+        evaluation.error = Error(messages::checkOtherFrame(seen.frame + 1, view.frame + 1));
+        return evaluation;
     }
-    const PosedCamera sight{camera.value(), pose};
-    checked.error = imageError(sight, mark.pointInPatient, seen.pixel);
-    checked.deformedMm = deformedErrorMm(view, vessels, sight, mark, seen);
+    const PosedCamera posedCamera{camera.value(), pose};
+    evaluation.error = imageError(posedCamera, mark.pointInPatient, seen.pixel);
+    evaluation.deformedMm = deformedErrorMm(view, vessels, posedCamera, mark, seen);
     const bool isFound = view.result && view.result->cameraFromPatient.matrix() == pose.matrix();
     if (isFound && vessels.tree) {
-        checked.predicted = predictError(*view.result, *vessels.tree, camera.value(), mark.pointInPatient);
+        evaluation.predicted = predictError(*view.result, *vessels.tree, camera.value(), mark.pointInPatient);
     }
-    return checked;
+    return evaluation;
 }
 
 std::string joinedViewNumbers(const std::vector<std::size_t>& views)
@@ -144,7 +145,7 @@ std::string joinedViewNumbers(const std::vector<std::size_t>& views)
 
 TargetPointResult evaluateTargetPoint(const Case& session, const VesselMark& mark, const PoseOfView& poseOf)
 {
-    TargetPointResult checked{mark, {}, Error(messages::checkNeedsTwoViews()), {}, {}};
+    TargetPointResult evaluation{mark, {}, Error(messages::checkNeedsTwoViews()), {}, {}};
     std::vector<MarkedPixel> rays;
     for (std::size_t place = 0; place < session.views.size(); ++place) {
         const View& view = session.views[place];
@@ -154,20 +155,20 @@ TargetPointResult evaluateTargetPoint(const Case& session, const VesselMark& mar
         }
         const RigidTransform pose = poseOf(place);
         TargetPointViewResult& reported =
-            checked.views.emplace_back(evaluateInView(view, session.vessels, pose, mark, *seen));
+            evaluation.views.emplace_back(evaluateInView(view, session.vessels, pose, mark, *seen));
         reported.view = place;
         if (!reported.error) {
             continue;
         }
         rays.push_back({{cameraOf(view).value(), pose}, seen->pixel});
-        checked.triangulationViews.push_back(place);
+        evaluation.triangulationViews.push_back(place);
         if (reported.predicted) {
             const double predicted = reported.predicted->spaceMm;
-            checked.predictedSpaceMm = std::min(predicted, checked.predictedSpaceMm.value_or(predicted));
+            evaluation.predictedSpaceMm = std::min(predicted, evaluation.predictedSpaceMm.value_or(predicted));
         }
     }
-    checked.triangulated = triangulate(rays);
-    return checked;
+    evaluation.triangulated = triangulate(rays);
+    return evaluation;
 }
 
 Message errorLabel(double mm, const std::optional<double>& predictedMm)
@@ -178,18 +179,18 @@ Message errorLabel(double mm, const std::optional<double>& predictedMm)
 
 }   // namespace
 
-Result<ImageError> imageError(const PosedCamera& sight, const Eigen::Vector3d& pointInPatient,
+Result<ImageError> imageError(const PosedCamera& posedCamera, const Eigen::Vector3d& pointInPatient,
                               const Eigen::Vector2d& markedPx)
 {
-    if (const auto problem = findProblem(sight.camera)) {
+    if (const auto problem = findProblem(posedCamera.camera)) {
         return Error(*problem);
     }
-    const Eigen::Vector3d inCamera = sight.cameraFromPatient * pointInPatient;
-    const auto expected = project(sight.camera, inCamera);
+    const Eigen::Vector3d inCamera = posedCamera.cameraFromPatient * pointInPatient;
+    const auto expected = project(posedCamera.camera, inCamera);
     if (!expected) {
         return Error(messages::checkBehindSource());
     }
-    const Eigen::Vector2d pixelMm = pixelSizeMm(sight.camera, inCamera.z());
+    const Eigen::Vector2d pixelMm = pixelSizeMm(posedCamera.camera, inCamera.z());
     const Eigen::Vector2d apart = markedPx - *expected;
     return ImageError{
         *expected, markedPx, apart.norm(), apart.cwiseProduct(pixelMm).norm(), inCamera.z(), std::sqrt(pixelMm.prod())};
@@ -227,7 +228,7 @@ Result<TriangulatedPoint> triangulate(std::span<const MarkedPixel> seen)
     }
     std::vector<Ray> rays;
     for (const MarkedPixel& each : seen) {
-        if (const auto problem = findProblem(each.sight.camera)) {
+        if (const auto problem = findProblem(each.posedCamera.camera)) {
             return Error(*problem);
         }
         rays.push_back(rayOf(each));
@@ -248,13 +249,13 @@ Result<TriangulatedPoint> triangulate(std::span<const MarkedPixel> seen)
 
 std::vector<TargetPointResult> evaluateTargetPoints(const Case& session, const PoseOfView& poseOf)
 {
-    std::vector<TargetPointResult> checked;
+    std::vector<TargetPointResult> evaluation;
     for (const VesselMark& mark : session.vessels.marks) {
         if (mark.kind == VesselMarkKind::TargetPoint) {
-            checked.push_back(evaluateTargetPoint(session, mark, poseOf));
+            evaluation.push_back(evaluateTargetPoint(session, mark, poseOf));
         }
     }
-    return checked;
+    return evaluation;
 }
 
 std::vector<TargetPointResult> evaluateTargetPoints(const Case& session)
@@ -263,47 +264,48 @@ std::vector<TargetPointResult> evaluateTargetPoints(const Case& session)
                                 [&session](std::size_t view) { return session.views[view].cameraFromPatient; });
 }
 
-std::optional<Message> labelOf(const TargetPointResult& checked, std::size_t shownView)
+std::optional<Message> labelOf(const TargetPointResult& evaluation, std::size_t shownView)
 {
-    const auto shown = std::ranges::find(checked.views, shownView, &TargetPointViewResult::view);
-    if (shown != checked.views.end() && shown->error) {
+    const auto shown = std::ranges::find(evaluation.views, shownView, &TargetPointViewResult::view);
+    if (shown != evaluation.views.end() && shown->error) {
         const std::optional<double> predicted =
             shown->predicted ? std::optional(shown->predicted->inPlaneMm) : std::nullopt;
         return errorLabel(shown->error.value().mm, predicted);
     }
-    return checked.triangulated ? std::optional(errorLabel(checked.spaceMm(), checked.predictedSpaceMm)) : std::nullopt;
+    return evaluation.triangulated ? std::optional(errorLabel(evaluation.spaceMm(), evaluation.predictedSpaceMm))
+                                   : std::nullopt;
 }
 
-Messages sentencesOf(const TargetPointViewResult& checked)
+Messages sentencesOf(const TargetPointViewResult& evaluation)
 {
-    if (!checked.error) {
-        return {checked.error.error().message};
+    if (!evaluation.error) {
+        return {evaluation.error.error().message};
     }
-    const ImageError& error = checked.error.value();
+    const ImageError& error = evaluation.error.value();
     Messages sentences{messages::checkImageError(inMm(error.depthMm, 0), inMm(error.mm, 2), Quantity{error.px, 1, "px"},
                                                  inMm(error.mmPerPx, 2)),
-                       checked.predicted ? messages::checkPredicted(inMm(checked.predicted->inPlaneMm, 2))
-                                         : messages::checkNothingPredicted()};
-    if (checked.deformedMm) {
-        sentences.push_back(messages::checkDeformed(inMm(*checked.deformedMm, 2)));
+                       evaluation.predicted ? messages::checkPredicted(inMm(evaluation.predicted->inPlaneMm, 2))
+                                            : messages::checkNothingPredicted()};
+    if (evaluation.deformedMm) {
+        sentences.push_back(messages::checkDeformed(inMm(*evaluation.deformedMm, 2)));
     }
     return sentences;
 }
 
-Messages spaceErrorMessages(const TargetPointResult& checked)
+Messages spaceErrorMessages(const TargetPointResult& evaluation)
 {
-    if (checked.views.empty()) {
+    if (evaluation.views.empty()) {
         return {messages::checkNotMarked()};
     }
-    if (!checked.triangulated) {
-        return {checked.triangulated.error().message};
+    if (!evaluation.triangulated) {
+        return {evaluation.triangulated.error().message};
     }
-    const TriangulatedPoint& triangulated = checked.triangulated.value();
-    Messages sentences{messages::checkSpaceError(joinedViewNumbers(checked.triangulationViews),
-                                                 Quantity{triangulated.angleDeg, 0, "°"}, inMm(checked.spaceMm(), 2),
+    const TriangulatedPoint& triangulated = evaluation.triangulated.value();
+    Messages sentences{messages::checkSpaceError(joinedViewNumbers(evaluation.triangulationViews),
+                                                 Quantity{triangulated.angleDeg, 0, "°"}, inMm(evaluation.spaceMm(), 2),
                                                  inMm(triangulated.maxRayDistanceMm, 2))};
-    if (checked.predictedSpaceMm) {
-        sentences.push_back(messages::checkPredicted(inMm(*checked.predictedSpaceMm, 2)));
+    if (evaluation.predictedSpaceMm) {
+        sentences.push_back(messages::checkPredicted(inMm(*evaluation.predictedSpaceMm, 2)));
     }
     return sentences;
 }

@@ -22,7 +22,7 @@ struct ImageError {
 };
 
 /// Computes the error. Fails if the point lies behind the source or the camera is invalid.
-Result<ImageError> imageError(const PosedCamera& sight, const Eigen::Vector3d& pointInPatient,
+Result<ImageError> imageError(const PosedCamera& posedCamera, const Eigen::Vector3d& pointInPatient,
                               const Eigen::Vector2d& markedPx);
 
 /// Computes the covariance (mm², camera axes) of a point at offset `leverArmInCamera` from the tree's centroid, given
@@ -39,7 +39,7 @@ PredictedError predictError(const RegistrationResult& result, const VesselTree& 
 
 /// A point marked in an image.
 struct MarkedPixel {
-    PosedCamera sight;
+    PosedCamera posedCamera;
     Eigen::Vector2d markedPx = Eigen::Vector2d::Zero();
 };
 
@@ -84,10 +84,10 @@ std::vector<TargetPointResult> evaluateTargetPoints(const Case& session);   ///<
 
 /// Returns a short list label, such as "1.2 mm off, 0.6 mm predicted", for the shown view or else for the 3-D error;
 /// nullopt if neither is known.
-std::optional<Message> labelOf(const TargetPointResult& checked, std::size_t shownView);
+std::optional<Message> labelOf(const TargetPointResult& evaluation, std::size_t shownView);
 
 /// Returns messages about the result of one view, or about all views together.
-Messages sentencesOf(const TargetPointViewResult& checked);
-Messages spaceErrorMessages(const TargetPointResult& checked);
+Messages sentencesOf(const TargetPointViewResult& evaluation);
+Messages spaceErrorMessages(const TargetPointResult& evaluation);
 
 }   // namespace angiopose::core

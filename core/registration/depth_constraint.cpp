@@ -31,7 +31,7 @@ std::optional<MethodSolution> constrainDepth(const RegistrationProblem& whole, c
         return {};
     }
     const bool isPart = std::ranges::count(solution.isOpacified, std::uint8_t{1}) > 0;
-    const RegistrationProblem part = isPart ? restrictedProblem(whole, solution.isOpacified) : RegistrationProblem();
+    const RegistrationProblem part = isPart ? restrictProblem(whole, solution.isOpacified) : RegistrationProblem();
     const RegistrationProblem& problem = isPart ? part : whole;
     const Eigen::Vector3d& centroid = problem.tree.centroid;
     const CentroidPose start = aboutCentroid(problem.start, centroid);

@@ -23,7 +23,7 @@ void withdrawSinglePath(RegistrationResult& assessed)
     });
     if (withdrawn > 0 && std::ranges::none_of(assessed.warnings, lowersConfidence)) {
         assessed.warnings.insert(assessed.warnings.begin(),
-                                 messages::agreementTooLow(Quantity{100.0 * indicators.treeShare, 0, "%"},
+                                 messages::agreementTooLow(Quantity{100.0 * indicators.treeFraction, 0, "%"},
                                                            Quantity{100.0 * assessed.metrics.coverage, 0, "%"}));
     }
 }

@@ -141,7 +141,7 @@ ImageOrientationCheck checkImageOrientation(const RegistrationProblem& problem, 
     }
     const CentroidPose pose = aboutCentroid(assessed.cameraFromPatient, problem.tree.centroid);
     const double storedAgreement =
-        solution.agreement ? *solution.agreement : AgreementScore(problem, *solution.targetLines).of(pose);
+        solution.agreement ? *solution.agreement : AgreementScore(problem, *solution.targetLines).scoreAt(pose);
     if (!assessed.trustworthy) {
         return {findLikelyOrientation(problem, options, storedAgreement, observe), false};
     }

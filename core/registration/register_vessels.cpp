@@ -56,8 +56,8 @@ Messages wireWarnings(const WireResult& finding, const RegistrationResult& resul
     if (best.followedShare < minFollowed) {
         reasons.push_back(messages::wireOffTree(percent(best.followedShare)));
     }
-    if (finding.gapShare > maxGaps) {
-        reasons.push_back(messages::wireFragmented(percent(finding.gapShare)));
+    if (finding.gapFraction > maxGaps) {
+        reasons.push_back(messages::wireFragmented(percent(finding.gapFraction)));
     }
     if (result.indicators.expectedErrorMm > maxExpectedErrorMm) {
         reasons.push_back(messages::poseUncertain(inMm(result.indicators.expectedErrorMm, 1)));
@@ -74,7 +74,7 @@ void measureAlongPath(const RegistrationProblem& problem, const WireResult& find
     if (std::ranges::count(finding.isFollowed, std::uint8_t{1}) == 0) {
         return;
     }
-    const RegistrationProblem way = restrictedProblem(problem, finding.isFollowed);
+    const RegistrationProblem way = restrictProblem(problem, finding.isFollowed);
     const GridIndex target(problem.target.points);
     result.metrics = distanceMetrics(way, result.cameraFromPatient, projectTree(way, result.cameraFromPatient, target));
 }
@@ -193,7 +193,7 @@ bool isDeformationRequested(const RegistrationProblem& problem, const Registrati
         return false;
     }
     return result.unopacified.empty() ? looksDeformed({problem, *solution.targetLines, result.cameraFromPatient})
-                                      : looksDeformed({restrictedProblem(problem, solution.isOpacified),
+                                      : looksDeformed({restrictProblem(problem, solution.isOpacified),
                                                        *solution.targetLines, result.cameraFromPatient});
 }
 
@@ -240,7 +240,7 @@ Result<RegistrationResult> registerVessels(const RegistrationInput& input, const
     }
     result.method = options.method;
     result.history = progress.history();
-    result.time.totalMs = stopwatch.lapMs();
+    result.time.totalMs = stopwatch.takeLapMs();
     return result;
 }
 

@@ -117,8 +117,8 @@ RunPeriods findPeriods(std::span<const TimedPose> poses, const Eigen::Vector3d& 
     if (!(seconds.maxCoeff() > seconds.minCoeff())) {
         return periods;
     }
-    periods.breath = extractWave(breathing, seconds, places);
-    periods.heart = extractWave(beating, seconds, places);
+    periods.breathMotion = extractWave(breathing, seconds, places);
+    periods.heartMotion = extractWave(beating, seconds, places);
     return periods;
 }
 

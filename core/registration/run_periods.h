@@ -22,8 +22,8 @@ struct PeriodicMotion {
 
 /// Periods of a cine run; each is nullopt if the run covers fewer than two periods or shows no such motion.
 struct RunPeriods {
-    std::optional<PeriodicMotion> breath;   ///< breathing, period of 2 to 10 s
-    std::optional<PeriodicMotion> heart;   ///< heartbeat, period of 0.4 to 1.5 s
+    std::optional<PeriodicMotion> breathMotion;   ///< breathing, period of 2 to 10 s
+    std::optional<PeriodicMotion> heartMotion;   ///< heartbeat, period of 0.4 to 1.5 s
 };
 
 /// Detects breathing and heartbeat in the motion of a vessel point perpendicular to the projection rays (ALGORITHMS

@@ -55,22 +55,22 @@ Result<TrackedFrame> FrameTracker::next(const Centerline2d& target, const Search
     problem_.target = sampleTarget(target, options_);
     const TargetLines lines(problem_.target, problem_.camera);
     TrackedFrame frame;
-    frame.time.targetMs = stopwatch.lapMs();
+    frame.time.targetMs = stopwatch.takeLapMs();
 
     InitialPosePrior prediction = motion_.predict();
     prediction.freedom = problem_.freedom;
-    prediction.start = problem_.freedom.restoreLocked(prediction.start);
+    prediction.start = problem_.freedom.restoreLockedAxes(prediction.start);
     AgreementScore agreement(problem_, lines);
     Alignment alignment(points_, problem_.camera, lines);
     CentroidPose pose = refine(alignment, prediction, prediction.start, fromPrediction).pose;
-    frame.score = agreement.of(pose);
-    frame.time.solveMs = stopwatch.lapMs();
+    frame.score = agreement.scoreAt(pose);
+    frame.time.solveMs = stopwatch.takeLapMs();
 
     if (!isGoodFit(frame.score)) {
-        frame.searched = true;
+        frame.isFromSearch = true;
         pose = searchAround(lines, prediction.start, pose, observe);
-        frame.score = agreement.of(pose);
-        frame.time.searchMs = stopwatch.lapMs();
+        frame.score = agreement.scoreAt(pose);
+        frame.time.searchMs = stopwatch.takeLapMs();
     }
     frame.isTrustworthy = isGoodFit(frame.score);
     updateMotion(frame, pose);
@@ -105,7 +105,7 @@ void FrameTracker::updateMotion(const TrackedFrame& frame, const CentroidPose& p
         motion_.advance({});
         return;
     }
-    if (frame.searched) {
+    if (frame.isFromSearch) {
         motion_.resetTo(pose);
     } else {
         motion_.advance(pose);

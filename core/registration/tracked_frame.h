@@ -9,7 +9,7 @@ namespace angiopose::core {
 struct TrackedFrame {
     RigidTransform cameraFromPatient;
     double score = 0.0;   ///< agreement in both directions, 0…1
-    bool searched = false;   ///< whether poses around the prediction were searched because it did not fit
+    bool isFromSearch = false;   ///< whether poses around the prediction were searched because it did not fit
     bool isTrustworthy = false;   ///< whether a nearby pose explains the frame; otherwise the pose is the prediction
     StageTimes time;
 };

@@ -30,24 +30,24 @@ RigidTransform displaced(const RigidTransform& cameraFromPatient, const Eigen::V
 
 }   // namespace
 
-RigidTransform perturbedAboutCentroid(const RigidTransform& cameraFromPatient, const Eigen::Vector3d& centroidInPatient,
-                                      double rotationStdDeg, double translationStdMm, CounterRandom& random)
+RigidTransform perturbAboutCentroid(const RigidTransform& cameraFromPatient, const Eigen::Vector3d& centroidInPatient,
+                                    double rotationStdDeg, double translationStdMm, CounterRandom& random)
 {
     const Eigen::Vector3d omega = normalVector(rotationStdDeg * radiansPerDegree, random);
     const Eigen::Vector3d shift = normalVector(translationStdMm, random);
     return displaced(cameraFromPatient, centroidInPatient, omega, shift);
 }
 
-RigidTransform uniformlyDisplaced(const RigidTransform& cameraFromPatient, const Eigen::Vector3d& centroidInPatient,
-                                  double rangeDeg, double rangeMm, CounterRandom& random)
+RigidTransform displaceUniformly(const RigidTransform& cameraFromPatient, const Eigen::Vector3d& centroidInPatient,
+                                 double rangeDeg, double rangeMm, CounterRandom& random)
 {
     const Eigen::Vector3d omega = uniformVector(rangeDeg * radiansPerDegree, random);
     const Eigen::Vector3d shift = uniformVector(rangeMm, random);
     return displaced(cameraFromPatient, centroidInPatient, omega, shift);
 }
 
-RigidTransform perturbedAboutSource(const RigidTransform& cameraFromPatient, double rotationStdDeg,
-                                    double translationStdMm, CounterRandom& random)
+RigidTransform perturbAboutSource(const RigidTransform& cameraFromPatient, double rotationStdDeg,
+                                  double translationStdMm, CounterRandom& random)
 {
     Vector6d twist;
     twist.head<3>() = normalVector(rotationStdDeg * radiansPerDegree, random);

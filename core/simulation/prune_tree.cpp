@@ -35,7 +35,7 @@ VesselTree removeRandomLeaves(const VesselTree& tree, int count, CounterRandom& 
         removed.push_back(*chosen);
         leaves.erase(chosen);
     }
-    return without(tree, removed);
+    return withoutBranches(tree, removed);
 }
 
 }   // namespace angiopose::core

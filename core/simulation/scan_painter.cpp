@@ -15,11 +15,12 @@ ScanGrid lumenFractions(const VesselTree& tree, const VolumeGeometry& geometry)
         for (std::size_t n = 0; n < branch.pointsInPatient.size(); ++n) {
             const Eigen::Vector3d& center = branch.pointsInPatient[n];
             const double radius = branch.radiusMm[n];
-            painter.around(center, Eigen::Vector3d::Constant(radius + painter.voxelMm()),
-                           [&](std::size_t voxel, const Eigen::Vector3d& point) {
-                               const double share = fractionInside((point - center).norm() - radius, painter.voxelMm());
-                               shares.voxels[voxel] = std::max(shares.voxels[voxel], static_cast<float>(share));
-                           });
+            painter.forEachVoxelAround(
+                center, Eigen::Vector3d::Constant(radius + painter.voxelMm()),
+                [&](std::size_t voxel, const Eigen::Vector3d& point) {
+                    const double share = fractionInside((point - center).norm() - radius, painter.voxelMm());
+                    shares.voxels[voxel] = std::max(shares.voxels[voxel], static_cast<float>(share));
+                });
         }
     }
     return shares;
@@ -85,7 +86,7 @@ void blurScan(ScanGrid& grid, double sigmaVoxels)
 
 Volume storedVolume(const ScanGrid& grid, double noiseHu, const CounterRandom& random)
 {
-    return roundedVolume(grid, random, [noiseHu](double hu, CounterRandom& sliceRandom) {
+    return roundVolume(grid, random, [noiseHu](double hu, CounterRandom& sliceRandom) {
         return std::clamp(hu + noiseHu * sliceRandom.normal(), -1024.0, 3071.0);
     });
 }

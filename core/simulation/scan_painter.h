@@ -25,7 +25,7 @@ public:
 
     /// Calls `work(voxel index, point)` for each voxel in the box of half size `reachMm` around `center`.
     template <class Work>
-    void around(const Eigen::Vector3d& center, const Eigen::Vector3d& reachMm, const Work& work)
+    void forEachVoxelAround(const Eigen::Vector3d& center, const Eigen::Vector3d& reachMm, const Work& work)
     {
         const VolumeGeometry& geometry = grid_.geometry;
         const Eigen::Array3d middle = (center - geometry.originInPatient).cwiseQuotient(geometry.spacingMm);
@@ -59,7 +59,7 @@ public:
     void ellipsoid(const Eigen::Vector3d& center, const Eigen::Vector3d& halfAxes, const Draw& draw)
     {
         const double smallest = halfAxes.minCoeff();
-        around(center, halfAxes.cwiseMin(1e5), [&](std::size_t voxel, const Eigen::Vector3d& point) {
+        forEachVoxelAround(center, halfAxes.cwiseMin(1e5), [&](std::size_t voxel, const Eigen::Vector3d& point) {
             const double radius = (point - center).cwiseQuotient(halfAxes).norm();
             if (const double share = fractionInside((radius - 1.0) * smallest, voxelMm_); share > 0.0) {
                 blend(voxel, share, draw());
@@ -86,7 +86,7 @@ void blurScan(ScanGrid& grid, double sigmaVoxels);
 
 /// Rounds `value(voxel of the grid, generator)` to an integer for each voxel, with one random generator per slice.
 template <class Value>
-Volume roundedVolume(const ScanGrid& grid, const CounterRandom& random, const Value& value)
+Volume roundVolume(const ScanGrid& grid, const CounterRandom& random, const Value& value)
 {
     Volume volume(grid.geometry);
     const auto sliceVoxels =

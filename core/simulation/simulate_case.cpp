@@ -23,7 +23,7 @@ constexpr double depthErrorMm = 30.0;
 constexpr double centeringErrorMm = 8.0;   ///< accuracy with which operators center the vessels
 
 template <class T>
-Sourced<T> fromHeader(T value, const char* tag)
+SourcedValue<T> fromHeader(T value, const char* tag)
 {
     return {value, Origin::Header, tag};
 }

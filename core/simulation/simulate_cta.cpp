@@ -15,7 +15,7 @@ namespace {
 constexpr double tableHu = 150.0;
 constexpr double calcificationHu = 950.0;
 constexpr double metalHu = 8000.0;   ///< stent struts, before blurring
-constexpr double treeShare = 0.72;   ///< size of the tree as a fraction of the scan's shortest side
+constexpr double treeFraction = 0.72;   ///< size of the tree as a fraction of the scan's shortest side
 
 /// Paints liver, spleen and kidneys with some enhancement, and lungs at the top.
 void paintOrgans(ScanPainter& painter, const ScanField& field, CounterRandom& random)
@@ -38,11 +38,11 @@ void paintOrgans(ScanPainter& painter, const ScanField& field, CounterRandom& ra
 void paintTable(ScanPainter& painter, const ScanField& field)
 {
     const double top = field.center.y() + 0.95 * field.half.y();
-    painter.around({field.center.x(), top + 2.0, field.center.z()}, {field.half.x(), 3.0, field.half.z()},
-                   [&](std::size_t voxel, const Eigen::Vector3d& point) {
-                       painter.blend(voxel, fractionInside(std::abs(point.y() - top - 2.0) - 1.5, painter.voxelMm()),
-                                     tableHu);
-                   });
+    painter.forEachVoxelAround(
+        {field.center.x(), top + 2.0, field.center.z()}, {field.half.x(), 3.0, field.half.z()},
+        [&](std::size_t voxel, const Eigen::Vector3d& point) {
+            painter.blend(voxel, fractionInside(std::abs(point.y() - top - 2.0) - 1.5, painter.voxelMm()), tableHu);
+        });
 }
 
 /// Paints calcified plaques that lie in the vessel wall and hardly extend into the lumen.
@@ -65,7 +65,7 @@ TreeOptions treeOptionsForScan(const TreeOptions& tree, const CtaOptions& cta)
 {
     TreeOptions fitting = tree;
     const ScanField field = fieldOf(gridAroundOrigin(cta.size, cta.spacingMm));
-    fitting.extentMm = std::min(tree.extentMm, 2.0 * treeShare * field.half.minCoeff());
+    fitting.extentMm = std::min(tree.extentMm, 2.0 * treeFraction * field.half.minCoeff());
     return fitting;
 }
 

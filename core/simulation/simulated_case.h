@@ -74,15 +74,15 @@ SimulatedCase simulateView(std::uint64_t treeSeed, std::uint64_t viewSeed, const
 
 /// Perturb a pose by one of the conventions of ALGORITHMS §4.2, which are never mixed in one table. OBJ: rotation about
 /// the tree's centroid, then shift. CAM: twist applied in the camera frame (rotation about the source).
-RigidTransform perturbedAboutCentroid(const RigidTransform& cameraFromPatient, const Eigen::Vector3d& centroidInPatient,
-                                      double rotationStdDeg, double translationStdMm, CounterRandom& random);
-RigidTransform perturbedAboutSource(const RigidTransform& cameraFromPatient, double rotationStdDeg,
-                                    double translationStdMm, CounterRandom& random);
+RigidTransform perturbAboutCentroid(const RigidTransform& cameraFromPatient, const Eigen::Vector3d& centroidInPatient,
+                                    double rotationStdDeg, double translationStdMm, CounterRandom& random);
+RigidTransform perturbAboutSource(const RigidTransform& cameraFromPatient, double rotationStdDeg,
+                                  double translationStdMm, CounterRandom& random);
 
 /// Perturbs a pose as OBJ with uniformly distributed components: rotation by up to ±`rangeDeg` about each camera axis
 /// and shift by up to ±`rangeMm` along each.
-RigidTransform uniformlyDisplaced(const RigidTransform& cameraFromPatient, const Eigen::Vector3d& centroidInPatient,
-                                  double rangeDeg, double rangeMm, CounterRandom& random);
+RigidTransform displaceUniformly(const RigidTransform& cameraFromPatient, const Eigen::Vector3d& centroidInPatient,
+                                 double rangeDeg, double rangeMm, CounterRandom& random);
 
 /// Returns the exact projections of all tree points, one curve per branch; points behind the source are left out.
 Centerline2d projectTree(const VesselTree& tree, const ProjectionCamera& camera,

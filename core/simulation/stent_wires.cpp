@@ -22,8 +22,8 @@ VesselTree stentWires(const VesselBranch& branch, const StentOptions& options)
     const std::vector<double> radii = interpolate(branch.radiusMm, stations);
     const std::vector<Eigen::Vector3d> tangents = polylineTangents<3>(axis, 2);
     const auto count = static_cast<double>(axis.size());
-    const auto first = static_cast<std::size_t>(options.startShare * count);
-    const auto last = std::min(axis.size(), static_cast<std::size_t>(options.endShare * count));
+    const auto first = static_cast<std::size_t>(options.startFraction * count);
+    const auto last = std::min(axis.size(), static_cast<std::size_t>(options.endFraction * count));
     wires.branches.resize(2 * static_cast<std::size_t>(options.helices));
     Eigen::Vector3d aside = tangents[first].unitOrthogonal();
     double turn = 0.0;

@@ -6,8 +6,8 @@ namespace angiopose::core {
 
 /// A stent of crossing helical struts on the wall of a vessel.
 struct StentOptions {
-    double startShare = 0.3;   ///< start of the stent as a fraction of the branch length; `endShare` is its end
-    double endShare = 0.7;
+    double startFraction = 0.3;   ///< start of the stent as a fraction of the branch length; `endFraction` is its end
+    double endFraction = 0.7;
     int helices = 6;   ///< number of helices in each direction of rotation
     double steepnessDeg = 45.0;   ///< angle between a strut and the vessel axis
     double wireRadiusMm = 0.25;

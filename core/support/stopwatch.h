@@ -8,7 +8,7 @@ namespace angiopose::core {
 /// Measures the wall time since construction or the last reading.
 class Stopwatch {
 public:
-    double lapMs()
+    double takeLapMs()
     {
         const auto now = Clock::now();
         const double elapsed = std::chrono::duration<double, std::milli>(now - start_).count();

@@ -86,9 +86,9 @@ VesselBranch reversedBranch(VesselBranch branch)
     return branch;
 }
 
-const Eigen::Vector3d& endOf(const VesselBranch& branch, bool atBack)
+const Eigen::Vector3d& endOf(const VesselBranch& branch, bool isLastPoint)
 {
-    return atBack ? branch.pointsInPatient.back() : branch.pointsInPatient.front();
+    return isLastPoint ? branch.pointsInPatient.back() : branch.pointsInPatient.front();
 }
 
 /// Extends the branch along a straight line toward `to`, with the point spacing of the branch.
@@ -131,14 +131,14 @@ Result<VesselTree> removeSubtree(const VesselTree& tree, int branchId)
     if (removedIds.size() == tree.branches.size()) {
         return Error(messages::allDescendFromBranch(branchId));
     }
-    return without(tree, {removedIds.begin(), removedIds.end()});
+    return withoutBranches(tree, {removedIds.begin(), removedIds.end()});
 }
 
-Result<VesselTree> prunedTree(const VesselTree& tree, double minLengthMm, double minRadiusMm)
+Result<VesselTree> pruneTree(const VesselTree& tree, double minLengthMm, double minRadiusMm)
 {
     VesselTree result = tree;
     while (const auto worst = worstEndBranch(result, minLengthMm, minRadiusMm)) {
-        result = without(result, {*worst});
+        result = withoutBranches(result, {*worst});
     }
     if (result.branches.empty()) {
         return Error(messages::allPruned());
@@ -171,7 +171,7 @@ Result<VesselTree> splitAt(const VesselTree& tree, int branchId, std::size_t poi
     return result;
 }
 
-Result<VesselTree> joined(const VesselTree& tree, int firstId, int secondId)
+Result<VesselTree> joinBranches(const VesselTree& tree, int firstId, int secondId)
 {
     const VesselBranch* first = tree.find(firstId);
     const VesselBranch* second = tree.find(secondId);
@@ -186,8 +186,8 @@ Result<VesselTree> joined(const VesselTree& tree, int firstId, int secondId)
             const double distance = (endOf(*first, firstBack) - endOf(*second, secondBack)).norm();
             if (distance < shortest) {
                 shortest = distance;
-                from.atBack = firstBack;
-                to.atBack = secondBack;
+                from.isLastPoint = firstBack;
+                to.isLastPoint = secondBack;
             }
         }
     }
@@ -202,11 +202,11 @@ Result<VesselTree> joinAtEnds(const VesselTree& tree, const BranchEnd& first, co
     if (first.branchId == second.branchId) {
         return Error(messages::joinedToItself());
     }
-    VesselTree result = without(tree, {second.branchId});
+    VesselTree result = withoutBranches(tree, {second.branchId});
     VesselBranch& stays = *findBranch(result, first.branchId);
-    VesselBranch whole = first.atBack ? stays : reversedBranch(stays);
+    VesselBranch whole = first.isLastPoint ? stays : reversedBranch(stays);
     VesselBranch other = *tree.find(second.branchId);
-    other = second.atBack ? reversedBranch(std::move(other)) : std::move(other);
+    other = second.isLastPoint ? reversedBranch(std::move(other)) : std::move(other);
     const bool bothHaveRadii = hasRadii(whole) && hasRadii(other);
     if (!bothHaveRadii) {
         whole.radiusMm.clear();
@@ -221,25 +221,25 @@ Result<VesselTree> joinAtEnds(const VesselTree& tree, const BranchEnd& first, co
     if (bothHaveRadii) {
         whole.radiusMm.insert(whole.radiusMm.end(), other.radiusMm.begin() + skip, other.radiusMm.end());
     }
-    stays = first.atBack ? std::move(whole) : reversedBranch(std::move(whole));
+    stays = first.isLastPoint ? std::move(whole) : reversedBranch(std::move(whole));
     return result;
 }
 
-Result<VesselTree> extendTo(const VesselTree& tree, const BranchEnd& end, const Eigen::Vector3d& pointInPatient)
+Result<VesselTree> extendBranchTo(const VesselTree& tree, const BranchEnd& end, const Eigen::Vector3d& pointInPatient)
 {
     VesselTree result = tree;
     VesselBranch* branch = findBranch(result, end.branchId);
     if (branch == nullptr) {
         return noSuchBranch(end.branchId);
     }
-    VesselBranch longer = end.atBack ? *branch : reversedBranch(*branch);
+    VesselBranch longer = end.isLastPoint ? *branch : reversedBranch(*branch);
     const bool hasKnownRadii = hasRadii(longer);
     bridge(longer, pointInPatient, hasKnownRadii ? std::optional(longer.radiusMm.back()) : std::nullopt);
     longer.pointsInPatient.push_back(pointInPatient);
     if (hasKnownRadii) {
         longer.radiusMm.push_back(longer.radiusMm.back());
     }
-    *branch = end.atBack ? std::move(longer) : reversedBranch(std::move(longer));
+    *branch = end.isLastPoint ? std::move(longer) : reversedBranch(std::move(longer));
     return result;
 }
 
@@ -275,7 +275,7 @@ Result<VesselTree> smoothBranch(const VesselTree& tree, int branchId, double wid
     return result;
 }
 
-Result<VesselTree> renamed(const VesselTree& tree, int branchId, const std::string& name)
+Result<VesselTree> renameBranch(const VesselTree& tree, int branchId, const std::string& name)
 {
     VesselTree result = tree;
     VesselBranch* branch = findBranch(result, branchId);

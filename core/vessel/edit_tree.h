@@ -19,7 +19,7 @@ Result<VesselTree> removeSubtree(const VesselTree& tree, int branchId);
 
 /// Removes end branches that are too short or, on average, too thin, shortest first, until none remains. A branch of
 /// unknown radius never counts as too thin.
-Result<VesselTree> prunedTree(const VesselTree& tree, double minLengthMm, double minRadiusMm);
+Result<VesselTree> pruneTree(const VesselTree& tree, double minLengthMm, double minRadiusMm);
 
 /// Splits the branch after its point `point`. The second part begins with the next point and gets a new id. Each part
 /// needs at least two points.
@@ -27,19 +27,19 @@ Result<VesselTree> splitAt(const VesselTree& tree, int branchId, std::size_t poi
 
 /// Joins two branches at their nearest ends and bridges the gap with a straight line. The result keeps id, name and
 /// direction of the first branch.
-Result<VesselTree> joined(const VesselTree& tree, int firstId, int secondId);
+Result<VesselTree> joinBranches(const VesselTree& tree, int firstId, int secondId);
 
 /// An end of a branch: its first or its last point.
 struct BranchEnd {
     int branchId = 0;
-    bool atBack = true;
+    bool isLastPoint = true;
 };
 
 /// Joins two branches as `joined` does, at the given ends.
 Result<VesselTree> joinAtEnds(const VesselTree& tree, const BranchEnd& first, const BranchEnd& second);
 
 /// Extends the branch straight from one of its ends to a point, usually on another branch, which it then touches.
-Result<VesselTree> extendTo(const VesselTree& tree, const BranchEnd& end, const Eigen::Vector3d& pointInPatient);
+Result<VesselTree> extendBranchTo(const VesselTree& tree, const BranchEnd& end, const Eigen::Vector3d& pointInPatient);
 
 /// Smooths the branch with a smoothing spline, which removes bends narrower than about `widthMm` and keeps both ends.
 Result<VesselTree> smoothBranch(const VesselTree& tree, int branchId, double widthMm);
@@ -47,7 +47,7 @@ Result<VesselTree> smoothBranch(const VesselTree& tree, int branchId, double wid
 /// Returns the index of the branch's point nearest to a position; the branch must exist.
 std::size_t nearestPoint(const VesselTree& tree, int branchId, const Eigen::Vector3d& pointInPatient);
 
-Result<VesselTree> renamed(const VesselTree& tree, int branchId, const std::string& name);
+Result<VesselTree> renameBranch(const VesselTree& tree, int branchId, const std::string& name);
 
 /// Sets the generation of the branch; −1 means unknown.
 Result<VesselTree> assignGeneration(const VesselTree& tree, int branchId, int generation);

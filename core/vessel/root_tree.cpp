@@ -12,13 +12,14 @@ namespace {
 
 constexpr std::size_t radiusPoints = 5;   ///< number of points over which the radius of an end is averaged
 
-double endRadius(const VesselBranch& branch, bool atBack)
+double endRadius(const VesselBranch& branch, bool isLastPoint)
 {
     if (branch.radiusMm.empty()) {
         return 0.0;
     }
     const std::size_t count = std::min(radiusPoints, branch.radiusMm.size());
-    const auto first = atBack ? branch.radiusMm.end() - static_cast<std::ptrdiff_t>(count) : branch.radiusMm.begin();
+    const auto first =
+        isLastPoint ? branch.radiusMm.end() - static_cast<std::ptrdiff_t>(count) : branch.radiusMm.begin();
     return std::accumulate(first, first + static_cast<std::ptrdiff_t>(count), 0.0) / static_cast<double>(count);
 }
 
@@ -55,7 +56,7 @@ public:
 
     bool isDone() const { return remaining_.empty(); }
 
-    /// Traverses the vessels from the branch end with the highest score, `worth(branch, atBack)`.
+    /// Traverses the vessels from the branch end with the highest score, `worth(branch, isLastPoint)`.
     template <class Score>
     void addFromBestEnd(const Score& score)
     {
@@ -63,11 +64,11 @@ public:
         bool bestAtBack = false;
         double bestScore = -std::numeric_limits<double>::infinity();
         for (std::size_t b = 0; b < remaining_.size(); ++b) {
-            for (const bool atBack : {false, true}) {
-                if (const double value = score(remaining_[b], atBack); value > bestScore) {
+            for (const bool isLastPoint : {false, true}) {
+                if (const double value = score(remaining_[b], isLastPoint); value > bestScore) {
                     bestScore = value;
                     best = b;
-                    bestAtBack = atBack;
+                    bestAtBack = isLastPoint;
                 }
             }
         }
@@ -151,13 +152,14 @@ VesselTree rootTreeAt(const VesselTree& tree, const Eigen::Vector3d& rootInPatie
 {
     RootedTreeBuilder builder(tree);
     if (!builder.isDone()) {
-        builder.addFromBestEnd([&](const VesselBranch& branch, bool atBack) {
+        builder.addFromBestEnd([&](const VesselBranch& branch, bool isLastPoint) {
             const auto& points = branch.pointsInPatient;
-            return -((atBack ? points.back() : points.front()) - rootInPatient).norm();
+            return -((isLastPoint ? points.back() : points.front()) - rootInPatient).norm();
         });
     }
     while (!builder.isDone()) {
-        builder.addFromBestEnd([](const VesselBranch& branch, bool atBack) { return endRadius(branch, atBack); });
+        builder.addFromBestEnd(
+            [](const VesselBranch& branch, bool isLastPoint) { return endRadius(branch, isLastPoint); });
     }
     return builder.result();
 }

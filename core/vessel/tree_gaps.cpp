@@ -48,12 +48,12 @@ std::vector<std::size_t> componentsByBranch(const VesselTree& tree)
 }
 
 /// Returns the outward unit direction at an end of a branch.
-Eigen::Vector3d outwardDirection(const VesselBranch& branch, bool atBack)
+Eigen::Vector3d outwardDirection(const VesselBranch& branch, bool isLastPoint)
 {
     const auto& points = branch.pointsInPatient;
     const std::size_t reach = std::min(directionPoints, points.size() - 1);
     const Eigen::Vector3d span =
-        atBack ? points.back() - points[points.size() - 1 - reach] : points.front() - points[reach];
+        isLastPoint ? points.back() - points[points.size() - 1 - reach] : points.front() - points[reach];
     return span.norm() > 1e-9 ? span.normalized().eval() : Eigen::Vector3d::Zero().eval();
 }
 
@@ -64,12 +64,12 @@ double plausibilityOf(const TreeGap& gap)
 }
 
 /// Returns the best connection from one end to a branch of another component.
-TreeGap gapBetween(const VesselBranch& from, bool atBack, const VesselBranch& to)
+TreeGap gapBetween(const VesselBranch& from, bool isLastPoint, const VesselBranch& to)
 {
     TreeGap gap;
     gap.fromBranchId = from.id;
     gap.toBranchId = to.id;
-    gap.fromInPatient = atBack ? from.pointsInPatient.back() : from.pointsInPatient.front();
+    gap.fromInPatient = isLastPoint ? from.pointsInPatient.back() : from.pointsInPatient.front();
     const auto nearest =
         std::min_element(to.pointsInPatient.begin(), to.pointsInPatient.end(), [&](const auto& a, const auto& b) {
             return (a - gap.fromInPatient).squaredNorm() < (b - gap.fromInPatient).squaredNorm();
@@ -80,8 +80,8 @@ TreeGap gapBetween(const VesselBranch& from, bool atBack, const VesselBranch& to
     const Eigen::Vector3d span = gap.toInPatient - gap.fromInPatient;
     gap.distanceMm = span.norm();
     const Eigen::Vector3d direction =
-        gap.distanceMm > 1e-9 ? (span / gap.distanceMm).eval() : outwardDirection(from, atBack);
-    gap.directionAgreement = outwardDirection(from, atBack).dot(direction);
+        gap.distanceMm > 1e-9 ? (span / gap.distanceMm).eval() : outwardDirection(from, isLastPoint);
+    gap.directionAgreement = outwardDirection(from, isLastPoint).dot(direction);
     if (gap.toIsEnd) {
         gap.directionAgreement = 0.5 * (gap.directionAgreement - outwardDirection(to, !isFront).dot(direction));
     }
@@ -108,11 +108,11 @@ std::vector<TreeGap> findGaps(const VesselTree& tree, double maxGapMm)
     }
     for (std::size_t a = 0; a < component.size(); ++a) {
         for (std::size_t b = 0; b < component.size(); ++b) {
-            for (const bool atBack : {false, true}) {
+            for (const bool isLastPoint : {false, true}) {
                 if (component[a] == component[b]) {
                     continue;
                 }
-                const TreeGap gap = gapBetween(tree.branches[a], atBack, tree.branches[b]);
+                const TreeGap gap = gapBetween(tree.branches[a], isLastPoint, tree.branches[b]);
                 for (const std::size_t which : {component[a], component[b]}) {   // each gap counts for both components
                     std::optional<TreeGap>& known = best[which];
                     if (gap.distanceMm <= maxGapMm && (!known || plausibilityOf(gap) > plausibilityOf(*known))) {
@@ -154,7 +154,7 @@ Result<VesselTree> closeGap(const VesselTree& tree, const TreeGap& gap)
     };
     const BranchEnd from = endAt(gap.fromBranchId, gap.fromInPatient);
     return gap.toIsEnd ? joinAtEnds(tree, from, endAt(gap.toBranchId, gap.toInPatient))
-                       : extendTo(tree, from, gap.toInPatient);
+                       : extendBranchTo(tree, from, gap.toInPatient);
 }
 
 }   // namespace angiopose::core

@@ -20,7 +20,7 @@ std::size_t nearestKnotOf(const TreeKnots& knots, std::size_t branch, const Eige
 {
     std::size_t nearest = knots.firstOfBranch[branch];
     for (std::size_t k = nearest; k < knots.firstOfBranch[branch + 1]; ++k) {
-        if ((knots.places[k] - place).squaredNorm() < (knots.places[nearest] - place).squaredNorm()) {
+        if ((knots.positions[k] - place).squaredNorm() < (knots.positions[nearest] - place).squaredNorm()) {
             nearest = k;
         }
     }
@@ -72,7 +72,7 @@ std::vector<KnotLink> linkForest(const TreeKnots& knots, const std::vector<KnotP
                 if (isReached[child] == 0) {
                     isReached[child] = 1;
                     waiting.push_back(child);
-                    const double distanceMm = (knots.places[child] - knots.places[parent]).norm();
+                    const double distanceMm = (knots.positions[child] - knots.positions[parent]).norm();
                     links.push_back({parent, child, std::max(minLinkMm, distanceMm)});
                 }
             }
@@ -85,15 +85,15 @@ void addBranch(const VesselBranch& branch, bool isUsed, double spacingMm, TreeKn
 {
     const std::vector<PolylineStation> stations = evenStations<3>(branch.pointsInPatient, spacingMm);
     const std::vector<Eigen::Vector3d> tangents = interpolate(tangentsOf(branch.pointsInPatient), stations);
-    const std::vector<Eigen::Vector3d> places = interpolate(branch.pointsInPatient, stations);
+    const std::vector<Eigen::Vector3d> positions = interpolate(branch.pointsInPatient, stations);
     const bool isWidthKnown = !branch.radiusMm.empty();
     std::vector<double> radii = isWidthKnown ? interpolate(branch.radiusMm, stations) : std::vector<double>();
-    radii.resize(places.size(), 0.0);
+    radii.resize(positions.size(), 0.0);
     knots.radiusMm.insert(knots.radiusMm.end(), radii.begin(), radii.end());
-    const double step = branch.lengthMm() / static_cast<double>(std::max<std::size_t>(1, places.size() - 1));
-    for (std::size_t k = 0; k < places.size(); ++k) {
-        const bool isEnd = k == 0 || k + 1 == places.size();
-        knots.places.push_back(places[k]);
+    const double step = branch.lengthMm() / static_cast<double>(std::max<std::size_t>(1, positions.size() - 1));
+    for (std::size_t k = 0; k < positions.size(); ++k) {
+        const bool isEnd = k == 0 || k + 1 == positions.size();
+        knots.positions.push_back(positions[k]);
         knots.tangents.push_back(tangents[k].normalized());
         knots.lengthMm.push_back(isEnd ? 0.5 * step : step);
         knots.isUsed.push_back(isUsed ? 1 : 0);
@@ -111,7 +111,7 @@ std::vector<KnotLink> findCutLinks(const TreeKnots& knots, const std::vector<Kno
     std::vector<KnotLink> cuts;
     for (const KnotPair& pair : pairs) {
         if (pair.a != pair.b && parents[pair.a] != pair.b && parents[pair.b] != pair.a) {
-            const double distanceMm = (knots.places[pair.a] - knots.places[pair.b]).norm();
+            const double distanceMm = (knots.positions[pair.a] - knots.positions[pair.b]).norm();
             cuts.push_back({pair.a, pair.b, std::max(minLinkMm, distanceMm)});
         }
     }

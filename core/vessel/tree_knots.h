@@ -19,7 +19,7 @@ struct KnotLink {
 /// The tree as a forest of knots, which are a few millimeters apart along all branches and linked where branches meet.
 /// Each loop (such as the circle of Willis) is cut at one link, listed in `cuts`.
 struct TreeKnots {
-    std::vector<Eigen::Vector3d> places;   ///< patient LPS, mm
+    std::vector<Eigen::Vector3d> positions;   ///< patient LPS, mm
     std::vector<Eigen::Vector3d> tangents;   ///< unit vectors along the branch
     std::vector<double> radiusMm;   ///< 0 if unknown
     std::vector<double> lengthMm;   ///< length of the branch section that a knot represents
@@ -28,7 +28,7 @@ struct TreeKnots {
     std::vector<KnotLink> links;   ///< each knot is a child at most once, before any link of which it is the parent
     std::vector<KnotLink> cuts;   ///< links that would each close a loop
 
-    std::size_t size() const { return places.size(); }
+    std::size_t size() const { return positions.size(); }
     std::size_t branchOf(std::size_t knot) const;
 
     /// Returns the distances along the tree, mm; infinite between disconnected components.

@@ -100,7 +100,7 @@ std::optional<Eigen::Vector3d> nearestPointOnTree(const VesselTree& tree, const 
     return position ? std::optional(pointAt(tree, *position)) : std::nullopt;
 }
 
-std::optional<Eigen::Vector3d> pointUnderPixel(const VesselTree& tree, const PosedCamera& sight,
+std::optional<Eigen::Vector3d> pointUnderPixel(const VesselTree& tree, const PosedCamera& posedCamera,
                                                const Eigen::Vector2d& pixel, double reachPx)
 {
     NearestPosition nearest;
@@ -108,7 +108,7 @@ std::optional<Eigen::Vector3d> pointUnderPixel(const VesselTree& tree, const Pos
         const auto& points = tree.branches[b].pointsInPatient;
         std::optional<Eigen::Vector2d> previous;
         for (std::size_t i = 0; i < points.size(); ++i) {
-            const auto projected = project(sight.camera, sight.cameraFromPatient * points[i]);
+            const auto projected = project(posedCamera.camera, posedCamera.cameraFromPatient * points[i]);
             if (projected && previous) {
                 const double t = fractionNearest(*previous, *projected, pixel);
                 nearest.update((*previous + t * (*projected - *previous) - pixel).norm(), {b, i - 1, t});

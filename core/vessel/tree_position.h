@@ -29,7 +29,7 @@ std::optional<double> radiusAt(const VesselTree& tree, const TreePosition& posit
 std::optional<Eigen::Vector3d> nearestPointOnTree(const VesselTree& tree, const Eigen::Vector3d& pointInPatient);
 
 /// Returns the point on the tree that projects nearest to a pixel; nullopt if it is farther away than `reachPx`.
-std::optional<Eigen::Vector3d> pointUnderPixel(const VesselTree& tree, const PosedCamera& sight,
+std::optional<Eigen::Vector3d> pointUnderPixel(const VesselTree& tree, const PosedCamera& posedCamera,
                                                const Eigen::Vector2d& pixel, double reachPx);
 
 }   // namespace angiopose::core

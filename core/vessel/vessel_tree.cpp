@@ -138,7 +138,7 @@ VesselTree resampled(const VesselTree& tree, double spacingMm)
     return result;
 }
 
-VesselTree without(const VesselTree& tree, const std::vector<int>& excludedIds)
+VesselTree withoutBranches(const VesselTree& tree, const std::vector<int>& excludedIds)
 {
     const std::set<int> excluded(excludedIds.begin(), excludedIds.end());
     VesselTree result;
@@ -159,7 +159,7 @@ bool isCompact(const VesselTree& tree)
     return lengthMm < 2.0 * (2.0 * maxRadiusMm);
 }
 
-double acrossMm(const VesselTree& tree)
+double extentMm(const VesselTree& tree)
 {
     Eigen::AlignedBox3d box;
     for (const BoxedBranch& branch : addBoxes(tree)) {
@@ -172,7 +172,7 @@ bool isPlausibleSize(const VesselTree& tree)
 {
     constexpr double shortestMm = 10.0, longestMm = 2000.0;   // from one short branch to the vessels of a whole body
     constexpr double thinnestMm = 0.15, widestMm = 60.0;   // from half a CT voxel to an aneurysm
-    const double across = acrossMm(tree);
+    const double across = extentMm(tree);
     if (across < shortestMm || across > longestMm) {
         return false;
     }

@@ -51,14 +51,14 @@ std::vector<Eigen::Vector3d> tangentsOf(const std::vector<Eigen::Vector3d>& poin
 /// Returns the tree resampled every `spacingMm` of arc length (ends kept, radii interpolated, duplicates removed).
 VesselTree resampled(const VesselTree& tree, double spacingMm);
 
-VesselTree without(const VesselTree& tree, const std::vector<int>& excludedIds);
+VesselTree withoutBranches(const VesselTree& tree, const std::vector<int>& excludedIds);
 
 /// Returns whether the total length of all branches is at most twice the greatest width, which suggests a ball or block
 /// rather than vessels. False without radii.
 bool isCompact(const VesselTree& tree);
 
 /// Returns the diagonal of the bounding box.
-double acrossMm(const VesselTree& tree);
+double extentMm(const VesselTree& tree);
 
 /// Returns whether size and width are typical of vessels in CT; if not, the coordinates may have another unit.
 bool isPlausibleSize(const VesselTree& tree);

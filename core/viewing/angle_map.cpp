@@ -64,12 +64,12 @@ bool isLocalMinimum(const AngleMap& map, std::size_t column, std::size_t row)
 
 class AngleSearch {
 public:
-    AngleSearch(const ViewEvaluator& sight, const PoseAtAngles& poseAt, const AngleMapOptions& options)
-        : sight_(sight), poseAt_(poseAt), options_(options)
+    AngleSearch(const ViewEvaluator& evaluator, const PoseAtAngles& poseAt, const AngleMapOptions& options)
+        : evaluator_(evaluator), poseAt_(poseAt), options_(options)
     {
     }
 
-    AngleSuggestion at(const GantryAngles& angles) const { return {angles, sight_.from(poseAt_(angles))}; }
+    AngleSuggestion at(const GantryAngles& angles) const { return {angles, evaluator_.from(poseAt_(angles))}; }
 
     /// Descends in eight directions, halving the step, within the gantry limits.
     AngleSuggestion refined(AngleSuggestion best) const
@@ -100,7 +100,7 @@ private:
 
     static double within(const AngleRange& range, double deg) { return std::clamp(deg, range.fromDeg, range.toDeg); }
 
-    const ViewEvaluator& sight_;
+    const ViewEvaluator& evaluator_;
     const PoseAtAngles& poseAt_;
     const AngleMapOptions& options_;
 };
@@ -145,13 +145,13 @@ const Eigen::Vector3d anyIsocenter = Eigen::Vector3d::Zero();   // same before a
 
 }   // namespace
 
-Result<AngleMap> computeAngleMap(const ViewEvaluator& sight, const PoseAtAngles& poseAt, const AngleMapOptions& options,
-                                 const std::function<ObserverDecision(double)>& observe)
+Result<AngleMap> computeAngleMap(const ViewEvaluator& evaluator, const PoseAtAngles& poseAt,
+                                 const AngleMapOptions& options, const std::function<ObserverDecision(double)>& observe)
 {
     if (const auto problem = findProblem(options)) {
         return Error(*problem);
     }
-    const AngleSearch search(sight, poseAt, options);
+    const AngleSearch search(evaluator, poseAt, options);
     AngleMap map{angleGrid(options.primary, options.stepDeg), angleGrid(options.secondary, options.stepDeg), {}, {}};
     const std::size_t columns = map.primaryDeg.size();
     map.qualities.resize(columns * map.secondaryDeg.size());

@@ -55,7 +55,7 @@ using PoseAtAngles = std::function<RigidTransform(const GantryAngles&)>;
 /// Evaluates the view of the part on a grid of angles, then refines the best angles to a tenth of a degree. `observe`
 /// receives the progress, 0…1, and can cancel. Fails if a range is empty, not finite, or beyond ±180° (primary) or ±90°
 /// (secondary), or if the step is below half a degree.
-Result<AngleMap> computeAngleMap(const ViewEvaluator& sight, const PoseAtAngles& poseAt,
+Result<AngleMap> computeAngleMap(const ViewEvaluator& evaluator, const PoseAtAngles& poseAt,
                                  const AngleMapOptions& options = {},
                                  const std::function<ObserverDecision(double)>& observe = {});
 

@@ -33,7 +33,7 @@ int CineClock::frameAt(double nowMs) const
     return range_.first + static_cast<int>(std::min(place, turn - place));
 }
 
-double CineClock::untilNextMs(double nowMs) const
+double CineClock::msUntilNextFrame(double nowMs) const
 {
     const double next = startMs_ + static_cast<double>(stepsUntil(nowMs) + 1) * frameMs_;
     return std::max(next - nowMs, 0.01 * frameMs_);   // positive in spite of rounding, to keep the playback running

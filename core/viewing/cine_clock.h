@@ -25,7 +25,7 @@ public:
     void start(int frame, double nowMs);
 
     int frameAt(double nowMs) const;
-    double untilNextMs(double nowMs) const;   ///< time until the next frame is due; always above 0
+    double msUntilNextFrame(double nowMs) const;   ///< time until the next frame is due; always above 0
 
 private:
     long stepsUntil(double nowMs) const;

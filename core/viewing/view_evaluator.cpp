@@ -224,10 +224,10 @@ std::vector<double> ViewEvaluator::overlapFractions(const RigidTransform& camera
     return covered;
 }
 
-Result<ViewEvaluator> makeViewEvaluator(const VesselTree& tree, int branchId, EvaluatedPart what)
+Result<ViewEvaluator> makeViewEvaluator(const VesselTree& tree, int branchId, EvaluatedPart evaluatedPart)
 {
     std::vector<VesselSegment> all = vesselSegmentsOf(tree);
-    if (what == EvaluatedPart::Takeoff) {
+    if (evaluatedPart == EvaluatedPart::Takeoff) {
         auto takeoff = takeoffSegments(tree, branchId);
         return takeoff ? Result(ViewEvaluator(std::move(takeoff).value(), std::move(all))) : takeoff.error();
     }

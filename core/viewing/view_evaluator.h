@@ -62,6 +62,6 @@ enum class EvaluatedPart { Branch, Takeoff };
 
 /// Prepares the evaluation of a branch, or of its takeoff (takeoffSegments), among all vessels of the tree. Fails if
 /// the tree does not contain the branch, or for the takeoff of a branch that meets no other branch.
-Result<ViewEvaluator> makeViewEvaluator(const VesselTree& tree, int branchId, EvaluatedPart what);
+Result<ViewEvaluator> makeViewEvaluator(const VesselTree& tree, int branchId, EvaluatedPart evaluatedPart);
 
 }   // namespace angiopose::core

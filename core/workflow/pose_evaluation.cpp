@@ -37,7 +37,7 @@ std::optional<FitBasis> fitBasis(const Case& session, const RegistrationResult& 
     }
     const double depthMm = (view.cameraFromPatient * centroidInPatient(*session.vessels.tree)).z();
     const double mmPerPx = millimetersPerPixel(camera.value(), std::max(depthMm, minProjectableDepthMm));
-    FitBasis basis{assessedShare(result), mmPerPx * quantile(all, 0.5), mmPerPx * quantile(all, 0.95), {}, {}};
+    FitBasis basis{assessedFraction(result), mmPerPx * quantile(all, 0.5), mmPerPx * quantile(all, 0.95), {}, {}};
     const auto mediansOf = [&](const std::vector<int>& branchIds) {
         std::vector<std::pair<int, double>> mediansMm;
         for (const int branchId : branchIds) {

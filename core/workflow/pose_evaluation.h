@@ -16,7 +16,8 @@ struct PoseEvaluation {
 
 /// The part of the tree on which the distances of a result are based, and the distances of the other branches.
 struct FitBasis {
-    double assessedShare = 1.0;   ///< fraction of the tree that was compared, 0…1; the rest is considered unopacified
+    double assessedFraction =
+        1.0;   ///< fraction of the tree that was compared, 0…1; the rest is considered unopacified
     double wholeMedianMm = 0.0,
            wholeP95Mm = 0.0;   ///< over all points of the tree, including excluded and unopacified branches
     std::vector<std::pair<int, double>> excludedMm, auxiliaryMm;   ///< pairs of branch id and median distance

@@ -69,7 +69,7 @@ Result<TracedViews> traceViews(const Case& session, const std::vector<std::size_
             return about(target.error(), view, viewIndices.size());
         }
         traced.targets.push_back(std::move(target).value());
-        traced.durationsMs.push_back(watch.lapMs());
+        traced.durationsMs.push_back(watch.takeLapMs());
     }
     return traced;
 }
@@ -127,7 +127,7 @@ struct RunMetadata {
 Status registerOne(RegisteredCase& run, const RunMetadata& notes, std::span<const CameraUncertainty> uncertainties,
                    const IterationObserver& observe)
 {
-    auto asked = registrationInputOf(run.session, run.targets.front());
+    auto asked = makeRegistrationInput(run.session, run.targets.front());
     if (!asked) {
         return asked.error();
     }
@@ -154,7 +154,7 @@ Status registerJointly(RegisteredCase& run, const RunMetadata& notes, std::span<
     for (const std::size_t viewIndex : run.viewIndices) {
         multiView.numbers.push_back(viewIndex + 1);
     }
-    auto asked = jointInputsOf(viewsAt(run.session, run.viewIndices), run.session.vessels, run.targets, multiView);
+    auto asked = makeJointInputs(viewsAt(run.session, run.viewIndices), run.session.vessels, run.targets, multiView);
     if (!asked) {
         return asked.error();
     }
@@ -169,7 +169,7 @@ Status registerJointly(RegisteredCase& run, const RunMetadata& notes, std::span<
     }
     run.joint = std::move(joint).value();
     run.joint->warnings.insert(run.joint->warnings.begin(), inputs.notes.begin(), inputs.notes.end());
-    const double totalMs = watch.lapMs();   // common to all views, which were registered jointly
+    const double totalMs = watch.takeLapMs();   // common to all views, which were registered jointly
     for (std::size_t k = 0; k < run.viewIndices.size(); ++k) {
         RegistrationResult& result = run.joint->views[k];
         result.time.totalMs = totalMs;
@@ -214,7 +214,7 @@ public:
         bool isChanged = false;
         for (std::size_t k = 0; k < run.viewIndices.size(); ++k) {
             if (const auto error = applyEstimatedGeometry(run.session.views[run.viewIndices[k]])) {
-                uncertainties_[k].taken += *error;
+                uncertainties_[k].appliedError += *error;
                 isChanged = true;
             }
         }
@@ -228,13 +228,13 @@ public:
     void report(RegisteredCase& run) const
     {
         for (std::size_t k = 0; k < uncertainties_.size(); ++k) {
-            const CameraError& taken = uncertainties_[k].taken;
-            if (taken.isZero()) {
+            const CameraError& appliedError = uncertainties_[k].appliedError;
+            if (appliedError.isZero()) {
                 continue;
             }
-            const Message note = messages::cameraEstimated(Quantity{100.0 * std::exp(taken[0]), 1, "%"},
-                                                           static_cast<int>(std::lround(taken[1])),
-                                                           static_cast<int>(std::lround(taken[2])))
+            const Message note = messages::cameraEstimated(Quantity{100.0 * std::exp(appliedError[0]), 1, "%"},
+                                                           static_cast<int>(std::lround(appliedError[1])),
+                                                           static_cast<int>(std::lround(appliedError[2])))
                                      .as(Severity::Note);
             run.session.views[run.viewIndices[k]].result->warnings.push_back(note);
             if (run.joint) {

@@ -148,7 +148,7 @@ Result<std::vector<TrackedRunFrame>> trackFrames(const Case& session, const Work
     if (!target) {
         return target.error();
     }
-    const auto input = registrationInputOf(session.shown(), session.vessels, std::move(target).value());
+    const auto input = makeRegistrationInput(session.shown(), session.vessels, std::move(target).value());
     if (!input) {
         return input.error();
     }

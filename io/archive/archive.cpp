@@ -123,7 +123,7 @@ private:
             return core::Done{};
         }
         report_.failed = std::max(report_.failed, failedBefore + missing);
-        report_.note(
+        report_.addProblem(
             messages::archiveNotAllCame(objects.size() - missing, objects.size(), seriesUid).about(node_.name));
         return core::Done{};
     }
@@ -163,23 +163,23 @@ ArchiveProtocol protocolFor(const ArchiveNode& node, ArchiveProtocol requested)
     return node.host.empty() ? ArchiveProtocol::Web : ArchiveProtocol::Dimse;
 }
 
-core::Status echoArchive(const ArchiveNode& node, ArchiveProtocol way, const ArchiveObserver& observe)
+core::Status echoArchive(const ArchiveNode& node, ArchiveProtocol protocol, const ArchiveObserver& observe)
 {
-    return protocolFor(node, way) == ArchiveProtocol::Web ? webEcho(node, stopQuestion(observe))
-                                                          : dimseEcho(node, stopQuestion(observe));
+    return protocolFor(node, protocol) == ArchiveProtocol::Web ? webEcho(node, stopQuestion(observe))
+                                                               : dimseEcho(node, stopQuestion(observe));
 }
 
-core::Result<ArchiveMatches> queryArchive(const ArchiveNode& node, ArchiveProtocol way, const ArchiveQuery& query,
+core::Result<ArchiveMatches> queryArchive(const ArchiveNode& node, ArchiveProtocol protocol, const ArchiveQuery& query,
                                           const ArchiveObserver& observe)
 {
     if (!query.studyUid.empty() && !isUid(query.studyUid)) {
         return core::Error(messages::archiveBadUid(query.studyUid));
     }
-    return protocolFor(node, way) == ArchiveProtocol::Web ? webFind(node, query, stopQuestion(observe))
-                                                          : dimseFind(node, query, stopQuestion(observe));
+    return protocolFor(node, protocol) == ArchiveProtocol::Web ? webFind(node, query, stopQuestion(observe))
+                                                               : dimseFind(node, query, stopQuestion(observe));
 }
 
-TransferReport retrieveFromArchive(const ArchiveNode& node, ArchiveProtocol way, const RetrieveRequest& request,
+TransferReport retrieveFromArchive(const ArchiveNode& node, ArchiveProtocol protocol, const RetrieveRequest& request,
                                    const ObjectStore& store, const StoreLimit& limit, const ArchiveObserver& observe)
 {
     TransferReport report;
@@ -188,8 +188,8 @@ TransferReport retrieveFromArchive(const ArchiveNode& node, ArchiveProtocol way,
         return report;
     }
     const auto isStopRequested = stopQuestion(observe);
-    const auto source = protocolFor(node, way) == ArchiveProtocol::Web ? makeWebSource(node, isStopRequested)
-                                                                       : makeDimseSource(node, isStopRequested);
+    const auto source = protocolFor(node, protocol) == ArchiveProtocol::Web ? makeWebSource(node, isStopRequested)
+                                                                            : makeDimseSource(node, isStopRequested);
     StoreWriter storeWriter(store, limit, report, observe);
     if (auto run = Retrieval(*source, node, storeWriter, report).run(request); !run) {
         report.end = run.error();
@@ -197,7 +197,7 @@ TransferReport retrieveFromArchive(const ArchiveNode& node, ArchiveProtocol way,
     return report;
 }
 
-TransferReport sendToArchive(const ArchiveNode& node, ArchiveProtocol way, const std::vector<std::string>& paths,
+TransferReport sendToArchive(const ArchiveNode& node, ArchiveProtocol protocol, const std::vector<std::string>& paths,
                              const ArchiveObserver& observe)
 {
     TransferReport report;
@@ -209,10 +209,10 @@ TransferReport sendToArchive(const ArchiveNode& node, ArchiveProtocol way, const
             files.push_back(std::move(read).value());
         } else {
             ++report.failed;
-            report.note(read.error().message);
+            report.addProblem(read.error().message);
         }
     }
-    if (protocolFor(node, way) == ArchiveProtocol::Web) {
+    if (protocolFor(node, protocol) == ArchiveProtocol::Web) {
         webSend(node, files, observe, report);
     } else {
         dimseSend(node, files, observe, report);

@@ -18,9 +18,9 @@ ArchiveProtocol protocolFor(const ArchiveNode& node, ArchiveProtocol requested);
 
 /// Verifies that the archive responds and accepts our requests. The errors of all functions in this file name the
 /// archive, the problem and the remedy.
-core::Status echoArchive(const ArchiveNode& node, ArchiveProtocol way, const ArchiveObserver& observe = {});
+core::Status echoArchive(const ArchiveNode& node, ArchiveProtocol protocol, const ArchiveObserver& observe = {});
 
-core::Result<ArchiveMatches> queryArchive(const ArchiveNode& node, ArchiveProtocol way, const ArchiveQuery& query,
+core::Result<ArchiveMatches> queryArchive(const ArchiveNode& node, ArchiveProtocol protocol, const ArchiveQuery& query,
                                           const ArchiveObserver& observe = {});
 
 struct RetrieveRequest {
@@ -29,12 +29,12 @@ struct RetrieveRequest {
 };
 
 /// Retrieves series into a store, up to its size limit. Skips series that are already complete in the store.
-TransferReport retrieveFromArchive(const ArchiveNode& node, ArchiveProtocol way, const RetrieveRequest& request,
+TransferReport retrieveFromArchive(const ArchiveNode& node, ArchiveProtocol protocol, const RetrieveRequest& request,
                                    const ObjectStore& store, const StoreLimit& limit,
                                    const ArchiveObserver& observe = {});
 
 /// Sends the given files and the DICOM files of the given folders. Reports each file that cannot be sent as a problem.
-TransferReport sendToArchive(const ArchiveNode& node, ArchiveProtocol way, const std::vector<std::string>& paths,
+TransferReport sendToArchive(const ArchiveNode& node, ArchiveProtocol protocol, const std::vector<std::string>& paths,
                              const ArchiveObserver& observe = {});
 
 }   // namespace angiopose::io

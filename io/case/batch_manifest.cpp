@@ -144,7 +144,7 @@ core::Status checkColumns(const CsvTable& table)
     const std::vector<std::string> known = caseSettingNames();
     for (const std::string& column : table.columns) {
         const auto isKnown = [&column](const std::string& name) {
-            return lowered(name) == column.substr(settingPrefix.size());
+            return toLower(name) == column.substr(settingPrefix.size());
         };
         if (column.starts_with(settingPrefix) && std::ranges::none_of(known, isKnown)) {
             CaseSettings none;

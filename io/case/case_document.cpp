@@ -246,7 +246,7 @@ CaseDocument parseCaseDocument(std::string_view json)
     return document;
 }
 
-std::string caseDocumentText(const core::Case& session, const std::filesystem::path& folder)
+std::string caseDocumentJson(const core::Case& session, const std::filesystem::path& folder)
 {
     const Json known = writeFields(session, caseFields(), folder);
     const std::string whole = withExtraKeys(withExtraKeys(known.dump(), session.shown().extraKeys), session.extraKeys);

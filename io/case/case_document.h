@@ -22,6 +22,6 @@ struct CaseDocument {
 CaseDocument parseCaseDocument(std::string_view json);
 
 /// Returns the case as JSON with paths relative to `folder`, including unknown keys.
-std::string caseDocumentText(const core::Case& session, const std::filesystem::path& folder);
+std::string caseDocumentJson(const core::Case& session, const std::filesystem::path& folder);
 
 }   // namespace angiopose::io

@@ -164,7 +164,7 @@ core::Result<Case> loadCaseWithOptions(const CaseLoadOptions& request, const std
         }
         const std::vector<ViewNotes> notes = document.notes;
         const std::size_t shownViewIndex = document.shownViewIndex;
-        const Case noted = document.values;
+        const Case stored = document.values;
         request.settings.applyTo(document.values);
         auto loaded = loadInputs(std::move(document), path, warnings, observe, request.peak);
         if (!loaded) {
@@ -173,7 +173,7 @@ core::Result<Case> loadCaseWithOptions(const CaseLoadOptions& request, const std
         Case values = std::move(loaded).value();
         loadOtherViews(values, notes, path, warnings, request.peak);
         request.settings.applyTo(values);   // settings also apply to views with their own case files
-        dropStaleResults(noted, notes, values, warnings);
+        dropStaleResults(stored, notes, values, warnings);
         readTrackedDeformations(values, warnings);
         putInPlace(values, shownViewIndex);
         const core::Messages mismatch = core::findMismatch(values);
@@ -288,7 +288,7 @@ core::Result<core::Messages> checkCaseGeometry(const std::string& path)
         auto doubts = core::findContradictions(values.shown().geometry.cArm, angiogram.value().gantry,
                                                {angiogram.value().width(), angiogram.value().height()});
         if (!values.shown().geometry.cameraOverride && !values.shown().initialCameraFromPatient) {
-            for (core::Message& missing : core::findMissing(values.shown().geometry.cArm)) {
+            for (core::Message& missing : core::findMissingGeometry(values.shown().geometry.cArm)) {
                 doubts.push_back(std::move(missing));
             }
         }
@@ -323,13 +323,13 @@ core::Status saveCase(const Case& session, const std::string& path)
     if (const auto unsavable = findSaveObstacle(session)) {
         return fileError(path, *unsavable);
     }
-    Case hashed = session;
-    if (auto completed = writeCompanionFiles(hashed, path); !completed) {
+    Case savedCase = session;
+    if (auto completed = writeCompanionFiles(savedCase, path); !completed) {
         return completed;
     }
     try {
         const fs::path folder = fs::weakly_canonical(fs::absolute(path).parent_path());
-        return writeAtomically(path, caseDocumentText(hashed, folder));
+        return writeAtomically(path, caseDocumentJson(savedCase, folder));
     } catch (const std::exception&) {   // JSON is UTF-8, but file names may not be
         return fileError(path, messages::caseNotUtf8());
     }

@@ -37,7 +37,7 @@ std::string lastPartOf(const std::string& name)
 std::optional<std::string> nameLike(const std::string& word)
 {
     for (const std::string& name : caseSettingNames()) {
-        if (lowered(name) == lowered(word)) {
+        if (toLower(name) == toLower(word)) {
             return name;
         }
     }
@@ -50,9 +50,9 @@ std::vector<std::string> namesNear(const std::string& word)
 {
     std::map<std::string, std::vector<std::string>> namesByWord;
     for (const std::string& name : caseSettingNames()) {
-        namesByWord[lowered(name)].push_back(name);
+        namesByWord[toLower(name)].push_back(name);
         if (lastPartOf(name) != name) {
-            namesByWord[lowered(lastPartOf(name))].push_back(name);
+            namesByWord[toLower(lastPartOf(name))].push_back(name);
         }
     }
     std::vector<std::string> words;
@@ -60,7 +60,7 @@ std::vector<std::string> namesNear(const std::string& word)
         words.push_back(each);
     }
     std::vector<std::string> near;
-    for (const std::string& asked : {lowered(word), lowered(lastPartOf(word))}) {
+    for (const std::string& asked : {toLower(word), toLower(lastPartOf(word))}) {
         const std::string found = core::nearestWord(asked, words);
         for (const std::string& name : found.empty() ? std::vector<std::string>() : namesByWord[found]) {
             if (std::ranges::find(near, name) == near.end()) {

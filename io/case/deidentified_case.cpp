@@ -75,7 +75,7 @@ void replaceFileName(core::InputFile& file, const std::string& word)
 
 }   // namespace
 
-std::size_t removeTexts(core::Case& session)
+std::size_t removeFreeText(core::Case& session)
 {
     TextRemover erase;
     erase(session.title);
@@ -88,9 +88,9 @@ std::size_t removeTexts(core::Case& session)
     return erase.count();
 }
 
-core::Case deidentifiedCase(core::Case session)
+core::Case deidentifyCase(core::Case session)
 {
-    removeTexts(session);
+    removeFreeText(session);
     replaceFileName(session.vessels.file, "vessels");
     replaceFileName(session.vessels.scanFile, "scan");
     for (core::View& view : session.views) {

@@ -63,7 +63,7 @@ bool hasEstimatedGeometry(const core::RegistrationResult& result)
 
 }   // namespace
 
-std::string inputCaseText(const core::Case& asked)
+std::string inputCaseJson(const core::Case& asked)
 {
     core::Case bare = asked;
     bare.extraKeys.clear();
@@ -74,15 +74,15 @@ std::string inputCaseText(const core::Case& asked)
     }
     try {
         replaceFolders(bare);
-        return caseDocumentText(bare, placeOfInputs);
+        return caseDocumentJson(bare, placeOfInputs);
     } catch (const std::exception&) {   // file names may not be UTF-8
         return {};
     }
 }
 
-std::string inputCaseText(const core::RegisteredCase& registered)
+std::string inputCaseJson(const core::RegisteredCase& registered)
 {
-    return registered.asked ? inputCaseText(*registered.asked) : std::string();
+    return registered.asked ? inputCaseJson(*registered.asked) : std::string();
 }
 
 core::Case keepJointlyRegisteredViews(core::Case session)
@@ -107,11 +107,12 @@ core::Case keepJointlyRegisteredViews(core::Case session)
     return session;
 }
 
-std::string inputCaseTextOfResult(core::Case ofOneRun)
+std::string inputCaseJsonFromResult(core::Case jointViews)
 {
-    ofOneRun.options = ofOneRun.shown().result->provenance.options;
-    ofOneRun.options.method = ofOneRun.shown().result->method;   // a case stores the method separately from the options
-    for (core::View& view : ofOneRun.views) {
+    jointViews.options = jointViews.shown().result->provenance.options;
+    jointViews.options.method =
+        jointViews.shown().result->method;   // a case stores the method separately from the options
+    for (core::View& view : jointViews.views) {
         const core::RegistrationResult& result = *view.result;
         if (!result.provenance.start || hasEstimatedGeometry(result)) {
             return {};
@@ -119,7 +120,7 @@ std::string inputCaseTextOfResult(core::Case ofOneRun)
         view.cameraFromPatient = *result.provenance.start;
         view.frame = result.provenance.frame.value_or(view.frame);
     }
-    return inputCaseText(ofOneRun);
+    return inputCaseJson(jointViews);
 }
 
 }   // namespace angiopose::io

@@ -31,12 +31,12 @@ InputFingerprint inputFingerprint(const std::string& path, const std::string& sh
     facts.sha256 = sha256;
     facts.modificationTime = std::numeric_limits<std::int64_t>::min();
     std::error_code failed;
-    facts.isThere = fs::exists(path, failed);
+    facts.isPresent = fs::exists(path, failed);
     if (fs::is_directory(path, failed)) {
         for (const auto& entry : fs::directory_iterator(path, failed)) {
             addFile(facts, entry.path());
         }
-    } else if (facts.isThere) {
+    } else if (facts.isPresent) {
         addFile(facts, path);
     }
     return facts;
@@ -48,7 +48,7 @@ bool isUnchanged(const InputFingerprint& known)
     if (now == known) {
         return true;
     }
-    if (now.isThere != known.isThere || now.size != known.size || known.sha256.empty()) {
+    if (now.isPresent != known.isPresent || now.size != known.size || known.sha256.empty()) {
         return false;
     }
     const auto content = sha256OfFile(known.path);

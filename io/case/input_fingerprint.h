@@ -8,7 +8,7 @@ namespace angiopose::io {
 /// Properties by which an unchanged input is recognized. The input is a file or a folder.
 struct InputFingerprint {
     std::string path;
-    bool isThere = false;
+    bool isPresent = false;
     std::uint64_t size = 0;   ///< total size of all files, bytes
     std::int64_t modificationTime = 0;   ///< modification time of the newest file, in file-system ticks
     std::string sha256;   ///< content hash of a file; empty if unknown

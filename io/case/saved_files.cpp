@@ -56,9 +56,9 @@ bool isBlank(const core::View& view)
 
 }   // namespace
 
-core::Status writeCompanionFiles(core::Case& hashed, const std::string& path)
+core::Status writeCompanionFiles(core::Case& savedCase, const std::string& path)
 {
-    core::Vessels& vessels = hashed.vessels;
+    core::Vessels& vessels = savedCase.vessels;
     if (vessels.isLumenEdited) {
         auto mask = saveEditedMask(vessels, path);
         if (!mask) {
@@ -69,24 +69,24 @@ core::Status writeCompanionFiles(core::Case& hashed, const std::string& path)
     if (!vessels.file.path.empty() && vessels.file.sha256.empty()) {
         storeHash(vessels.file, sha256OfVesselInput(vessels.file.path, vessels.input));
     }
-    core::View shown = hashed.shown();
+    core::View shown = savedCase.shown();
     if (auto completed = completeView(shown, path, std::nullopt); !completed) {
         return completed;
     }
-    const auto before = hashed.views.begin() + static_cast<std::ptrdiff_t>(hashed.shownView);
-    const auto place = std::count_if(hashed.views.begin(), before, [](const auto& view) { return !isBlank(view); });
-    hashed.views.erase(hashed.views.begin() + static_cast<std::ptrdiff_t>(hashed.shownView));
-    std::erase_if(hashed.views, isBlank);
-    for (std::size_t k = 0; k < hashed.views.size(); ++k) {
-        core::View& view = hashed.views[k];
+    const auto before = savedCase.views.begin() + static_cast<std::ptrdiff_t>(savedCase.shownView);
+    const auto place = std::count_if(savedCase.views.begin(), before, [](const auto& view) { return !isBlank(view); });
+    savedCase.views.erase(savedCase.views.begin() + static_cast<std::ptrdiff_t>(savedCase.shownView));
+    std::erase_if(savedCase.views, isBlank);
+    for (std::size_t k = 0; k < savedCase.views.size(); ++k) {
+        core::View& view = savedCase.views[k];
         if (!view.caseFile.path.empty()) {
             storeHash(view.caseFile, sha256OfFile(view.caseFile.path));
         } else if (auto completed = completeView(view, path, k); !completed) {
             return completed;
         }
     }
-    hashed.views.insert(hashed.views.begin() + place, std::move(shown));
-    hashed.shownView = static_cast<std::size_t>(place);
+    savedCase.views.insert(savedCase.views.begin() + place, std::move(shown));
+    savedCase.shownView = static_cast<std::size_t>(place);
     return core::Done{};
 }
 

@@ -12,22 +12,22 @@ namespace angiopose::io {
 namespace {
 
 /// Returns whether a file is unchanged; false for a file without a stored hash.
-bool isAsStored(const core::InputFile& noted, const core::InputFile& read)
+bool isAsStored(const core::InputFile& stored, const core::InputFile& read)
 {
-    return noted.path.empty() || (!noted.sha256.empty() && noted.sha256 == read.sha256);
+    return stored.path.empty() || (!stored.sha256.empty() && stored.sha256 == read.sha256);
 }
 
-bool areAsStored(const core::Vessels& noted, const core::Vessels& read)
+bool areAsStored(const core::Vessels& stored, const core::Vessels& read)
 {
-    return isAsStored(noted.file, read.file) && isAsStored(noted.scanFile, read.scanFile) &&
-           noted.excludedBranchIds == read.excludedBranchIds;
+    return isAsStored(stored.file, read.file) && isAsStored(stored.scanFile, read.scanFile) &&
+           stored.excludedBranchIds == read.excludedBranchIds;
 }
 
 /// Returns whether a view is unchanged; false for one in another case file, since it was registered with those vessels.
-bool isAsStored(const core::View& noted, const core::View& read)
+bool isAsStored(const core::View& stored, const core::View& read)
 {
-    return noted.caseFile.path.empty() && isAsStored(noted.imageFile, read.imageFile) &&
-           isAsStored(noted.target.file, read.target.file);
+    return stored.caseFile.path.empty() && isAsStored(stored.imageFile, read.imageFile) &&
+           isAsStored(stored.target.file, read.target.file);
 }
 
 /// Returns whether the view's deformation belongs to this tree; one of another tree would be drawn in the wrong place.
@@ -72,18 +72,18 @@ std::optional<core::Message> staleTrackingReason(bool haveInputsChanged, const V
 
 }   // namespace
 
-void dropStaleResults(const core::Case& noted, std::span<const ViewNotes> notes, core::Case& read,
+void dropStaleResults(const core::Case& stored, std::span<const ViewNotes> notes, core::Case& read,
                       core::Messages& warnings)
 {
-    const bool areVesselsNoted = areAsStored(noted.vessels, read.vessels);
+    const bool areVesselsNoted = areAsStored(stored.vessels, read.vessels);
     for (std::size_t k = 0; k < read.views.size(); ++k) {
         core::View& view = read.views[k];
-        const bool areNoted = areVesselsNoted && isAsStored(noted.views[k], view);
+        const bool areNoted = areVesselsNoted && isAsStored(stored.views[k], view);
         const auto whyResult = staleReason(!areNoted || !isOfTree(view, read.vessels), notes[k].changedSinceResult);
         const auto whyFollowed = staleTrackingReason(!areNoted, notes[k], view);
         const bool isResultGone = whyResult && std::exchange(view.result, std::nullopt);
         const bool isFollowedGone = whyFollowed && std::exchange(view.followed, {}).frames;
-        if ((isResultGone || isFollowedGone) && noted.views[k].caseFile.path.empty()) {
+        if ((isResultGone || isFollowedGone) && stored.views[k].caseFile.path.empty()) {
             warnings.push_back((isResultGone ? *whyResult : *whyFollowed).about(view.imageFile.path));
         }
     }

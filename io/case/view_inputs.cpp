@@ -39,11 +39,11 @@ core::Status treatRun(View& view, const ViewNotes& notes)
         return header.error();
     }
     view.headerPlan = header.value();
-    view.treatment.plan = notes.subtraction ? completed(*notes.subtraction, header.value()) : header.value();
-    if (!view.treatment.changesFrames()) {
+    view.processing.plan = notes.subtraction ? completed(*notes.subtraction, header.value()) : header.value();
+    if (!view.processing.changesFrames()) {
         return core::Done{};
     }
-    auto treated = core::processRun(*view.angiogram, view.treatment);
+    auto treated = core::processRun(*view.angiogram, view.processing);
     if (!treated) {
         return treated.error().about("angiogram.subtraction");
     }
@@ -93,7 +93,7 @@ core::Status readImage(View& view, const ViewNotes& notes, core::Messages& warni
 }
 
 template <class Value>
-void fillFrom(core::Sourced<Value>& value, const core::Sourced<Value>& header)
+void fillFrom(core::SourcedValue<Value>& value, const core::SourcedValue<Value>& header)
 {
     if (!value.value) {
         value = header;

@@ -57,16 +57,16 @@ std::optional<core::Message> findImpossibleCount(std::string_view content)
 
 core::Result<VtkLines> readLegacyVtk(std::string_view content, const std::string& path, const ReadObserver& observe)
 {
-    TextCursor cursor(content);
+    TextReader cursor(content);
     cursor.line();
     cursor.line();   // skip the title
-    const std::string coding = lowered(cursor.word());
+    const std::string coding = toLower(cursor.word());
     if (coding != "ascii" && coding != "binary") {
         return fileError(path, messages::vtkThirdLine());
     }
-    const bool hasDataSet = lowered(cursor.word()) == "dataset";
+    const bool hasDataSet = toLower(cursor.word()) == "dataset";
     const std::string_view name = cursor.word();
-    const std::string kind = lowered(name);
+    const std::string kind = toLower(name);
     if (!hasDataSet || (kind != "polydata" && kind != "unstructured_grid")) {
         return fileError(
             path, kind.empty() ? messages::vtkNoDataSet() : messages::vtkOtherDataSet(std::string(name.substr(0, 40))));

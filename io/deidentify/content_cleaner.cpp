@@ -249,9 +249,9 @@ std::string ContentCleaner::replacementFor(DicomTag tag, const std::vector<std::
         case Label:
             return isAmong(ownLabels, text) ? text : "OBJECT";
         case Layer:
-            return layer(text);
+            return cleanLayer(text);
         case SegmentLabel:
-            return segmentLabel(text);
+            return cleanSegmentLabel(text);
         case Algorithm:
             return isProgramWithVersion(text) ? text : "unknown";
         case Words:
@@ -287,12 +287,12 @@ CodedEntry ContentCleaner::term(const CodedEntry& term)
     return std::move(kept.term);
 }
 
-std::string ContentCleaner::layer(const std::string& name)
+std::string ContentCleaner::cleanLayer(const std::string& name)
 {
     return layers_.try_emplace(name, "LAYER" + std::to_string(layers_.size() + 1)).first->second;
 }
 
-std::string ContentCleaner::segmentLabel(const std::string& label)
+std::string ContentCleaner::cleanSegmentLabel(const std::string& label)
 {
     ++segments_;
     if (isAmong(ownWords, label)) {

@@ -48,11 +48,11 @@ public:
     CodedEntry term(const CodedEntry& term);
 
     /// Returns the number of removed words, names and terms.
-    std::size_t cleared() const { return removedCount_; }
+    std::size_t removedCount() const { return removedCount_; }
 
 private:
-    std::string layer(const std::string& name);
-    std::string segmentLabel(const std::string& label);
+    std::string cleanLayer(const std::string& name);
+    std::string cleanSegmentLabel(const std::string& label);
     std::string words(const std::string& text);
 
     const IdentityWords& words_;

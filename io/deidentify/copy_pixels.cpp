@@ -101,16 +101,16 @@ std::vector<std::uint16_t> wordsOf(const std::vector<core::ImageF>& frames, int 
 
 void describePixels(const PixelLayout& layout, DicomItem& to)
 {
-    to.unsignedShort(0x00280002, 1);
+    to.setUnsignedShort(0x00280002, 1);
     to.remove(0x00280006);   // the planar configuration applies only to color images
     to.text(0x00280004, "CS", layout.photometric == "MONOCHROME1" ? "MONOCHROME1" : "MONOCHROME2");
-    to.unsignedShort(0x00280010, layout.rows);
-    to.unsignedShort(0x00280011, layout.columns);
-    to.unsignedShort(0x00280100, layout.bitsAllocated);
+    to.setUnsignedShort(0x00280010, layout.rows);
+    to.setUnsignedShort(0x00280011, layout.columns);
+    to.setUnsignedShort(0x00280100, layout.bitsAllocated);
     if (!layout.isFloat) {
-        to.unsignedShort(0x00280101, layout.bitsStored);
-        to.unsignedShort(0x00280102, layout.bitsStored - 1);
-        to.unsignedShort(0x00280103, layout.isSigned ? 1 : 0);
+        to.setUnsignedShort(0x00280101, layout.bitsStored);
+        to.setUnsignedShort(0x00280102, layout.bitsStored - 1);
+        to.setUnsignedShort(0x00280103, layout.isSigned ? 1 : 0);
     }
 }
 
@@ -125,7 +125,7 @@ core::Status copy32BitPixels(const DicomPixels& pixels, const PixelLayout& layou
     if (layout.isFloat) {
         std::vector<float> values(needed / 4);
         std::copy_n(pixels.bytes.data(), needed, reinterpret_cast<char*>(values.data()));
-        to.floatPixels(values);
+        to.setFloatPixels(values);
     } else {
         std::vector<std::uint16_t> words(needed / 2);
         std::copy_n(pixels.bytes.data(), needed, reinterpret_cast<char*>(words.data()));

@@ -139,14 +139,14 @@ void addMissingUids(const DicomDataset& data, const std::string& path, const Rep
                     DicomItem& root)
 {
     const Pseudonyms& pseudonyms = replacements.pseudonyms;
-    root.textIfAbsent(0x00080018, "UI", pseudonyms.uid("instance " + path));
-    root.textIfAbsent(0x0020000d, "UI", pseudonyms.uid("study of " + replacements.patient));
-    root.textIfAbsent(0x0020000e, "UI", pseudonyms.uid("series of " + replacements.patient));
+    root.setTextIfAbsent(0x00080018, "UI", pseudonyms.uid("instance " + path));
+    root.setTextIfAbsent(0x0020000d, "UI", pseudonyms.uid("study of " + replacements.patient));
+    root.setTextIfAbsent(0x0020000e, "UI", pseudonyms.uid("series of " + replacements.patient));
     const std::string_view modality = data.text(0x00080060);
     const bool saysSideElsewhere =
         data.has(0x00200062) || data.has(0x52009229) || modality == "SEG" || modality == "SR";
     if (!saysSideElsewhere) {
-        root.textIfAbsent(0x00200060, "CS", "");
+        root.setTextIfAbsent(0x00200060, "CS", "");
     }
 }
 
@@ -157,21 +157,21 @@ void addPatient(const DicomDataset& data, const std::string& patient, DicomItem&
     root.text(0x00100010, "PN", patient);
     root.text(0x00100020, "LO", patient);
     for (const auto& [tag, vr] : emptyWhereAbsent) {
-        root.textIfAbsent(tag, vr, "");
+        root.setTextIfAbsent(tag, vr, "");
     }
     if (data.has(0x00200052)) {
-        root.textIfAbsent(0x00201040, "LO", "");   // position reference indicator
+        root.setTextIfAbsent(0x00201040, "LO", "");   // position reference indicator
     }
 }
 
 /// Adds the elements that the modules of objects other than images require.
 void addObjectParts(DeidentifiableClass freed, DicomItem& root)
 {
-    root.textIfAbsent(0x00181000, "LO", "none");
-    root.textIfAbsent(0x00181020, "LO", "unknown");
+    root.setTextIfAbsent(0x00181000, "LO", "none");
+    root.setTextIfAbsent(0x00181020, "LO", "unknown");
     if (freed == DeidentifiableClass::Report) {
-        root.emptySequence(0x00081111);
-        root.emptySequence(0x0040a372);
+        root.addEmptySequence(0x00081111);
+        root.addEmptySequence(0x0040a372);
         DicomItem ownTerms = root.addItem(0x00080110);
         ownTerms.text(0x00080102, "SH", "99ANGIOPOSE");
         ownTerms.text(0x00080115, "ST", "Terms of AngioPose, see its FORMATS");
@@ -219,8 +219,8 @@ core::Result<DeidentifiedDicom> deidentifyDicom(const DicomFile& file, const std
     if (!isImage) {
         addObjectParts(freed.value(), root);
     }
-    if (kept.cleared() > 0) {
-        nameless.warnings.push_back(messages::objectWordsCleared(kept.cleared()));
+    if (kept.removedCount() > 0) {
+        nameless.warnings.push_back(messages::objectWordsCleared(kept.removedCount()));
     }
     const std::string patient =
         requested.patientName.empty() ? pseudonyms.patient(replacements.patient) : asOneValue(requested.patientName);

@@ -18,7 +18,7 @@ std::string instanceFileName(std::size_t number)
     return name.data();
 }
 
-OutputFolder::~OutputFolder()
+DeidentifiedFolder::~DeidentifiedFolder()
 {
     if (!isDone_) {
         std::error_code ignored;
@@ -31,7 +31,7 @@ OutputFolder::~OutputFolder()
     }
 }
 
-core::Status OutputFolder::open()
+core::Status DeidentifiedFolder::open()
 {
     std::error_code failed;
     isNew_ = !fs::exists(path_, failed);
@@ -42,7 +42,7 @@ core::Status OutputFolder::open()
     return failed ? core::Status(fileError(path_, messages::fileNotWritten(failed.message()))) : core::Done{};
 }
 
-core::Status OutputFolder::write(const DeidentifiedDicom& image)
+core::Status DeidentifiedFolder::write(const DeidentifiedDicom& image)
 {
     const auto [series, isNew] = counts_.try_emplace(image.seriesUid, std::pair(counts_.size() + 1, std::size_t{0}));
     auto& [number, count] = series->second;
@@ -55,7 +55,7 @@ core::Status OutputFolder::write(const DeidentifiedDicom& image)
     return writeAtomically((folder / instanceFileName(++count)).string(), image.content);
 }
 
-core::Status OutputFolder::writeImage(const std::string& content, const std::string& ending)
+core::Status DeidentifiedFolder::writeImage(const std::string& content, const std::string& ending)
 {
     createdPaths_.push_back(fs::path(path_) / ("picture-" + std::to_string(++pictures_) + ending));
     return writeAtomically(createdPaths_.back().string(), content);

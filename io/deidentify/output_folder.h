@@ -18,12 +18,12 @@ std::string instanceFileName(std::size_t number);
 
 /// New or empty output folder of a de-identification, with files named `series-1/00001.dcm` and `picture-1.png`. The
 /// destructor deletes the contents of the folder unless `keep` was called.
-class OutputFolder {
+class DeidentifiedFolder {
 public:
-    explicit OutputFolder(std::string path) : path_(std::move(path)) {}
-    ~OutputFolder();
-    OutputFolder(const OutputFolder&) = delete;
-    OutputFolder& operator=(const OutputFolder&) = delete;
+    explicit DeidentifiedFolder(std::string path) : path_(std::move(path)) {}
+    ~DeidentifiedFolder();
+    DeidentifiedFolder(const DeidentifiedFolder&) = delete;
+    DeidentifiedFolder& operator=(const DeidentifiedFolder&) = delete;
 
     core::Status open();
     core::Status write(const DeidentifiedDicom& image);

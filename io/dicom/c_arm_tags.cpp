@@ -15,7 +15,7 @@ namespace {
 
 using core::CArm;
 using core::Origin;
-using core::Sourced;
+using core::SourcedValue;
 
 constexpr DicomTag sharedGroups = 0x52009229;
 
@@ -48,10 +48,10 @@ void addFromGroups(DicomDataset& data, DicomTag groupsTag)
     }
 }
 
-Sourced<double> fromHeader(const DicomDataset& data, DicomTag tag, const std::string& basis)
+SourcedValue<double> fromHeader(const DicomDataset& data, DicomTag tag, const std::string& basis)
 {
     const auto value = data.number(tag);
-    return value ? Sourced<double>{value, Origin::Header, basis} : Sourced<double>{};
+    return value ? SourcedValue<double>{value, Origin::Header, basis} : SourcedValue<double>{};
 }
 
 bool isPositive(std::optional<double> value)

@@ -24,14 +24,14 @@ void DicomItem::text(DicomTag tag, const char* vr, const std::string& value)
     item_->putAndInsertString(writtenTag(tag, DcmVR(vr)), value.c_str());
 }
 
-void DicomItem::textIfAbsent(DicomTag tag, const char* vr, const std::string& value)
+void DicomItem::setTextIfAbsent(DicomTag tag, const char* vr, const std::string& value)
 {
     if (!item_->tagExists(writtenTag(tag, DcmVR(vr)))) {
         text(tag, vr, value);
     }
 }
 
-void DicomItem::decimals(DicomTag tag, const std::vector<double>& values)
+void DicomItem::setDecimals(DicomTag tag, const std::vector<double>& values)
 {
     std::string joined;
     for (const double value : values) {
@@ -40,52 +40,52 @@ void DicomItem::decimals(DicomTag tag, const std::vector<double>& values)
     text(tag, "DS", joined);
 }
 
-void DicomItem::unsignedShort(DicomTag tag, int value)
+void DicomItem::setUnsignedShort(DicomTag tag, int value)
 {
     item_->putAndInsertUint16(writtenTag(tag, EVR_US), static_cast<Uint16>(value));
 }
 
-void DicomItem::unsignedShorts(DicomTag tag, const std::vector<std::uint16_t>& values)
+void DicomItem::setUnsignedShorts(DicomTag tag, const std::vector<std::uint16_t>& values)
 {
     if (!values.empty()) {
         item_->putAndInsertUint16Array(writtenTag(tag, EVR_US), values.data(), values.size());
     }
 }
 
-void DicomItem::signedShort(DicomTag tag, int value)
+void DicomItem::setSignedShort(DicomTag tag, int value)
 {
     item_->putAndInsertSint16(writtenTag(tag, EVR_SS), static_cast<Sint16>(value));
 }
 
-void DicomItem::signedLongs(DicomTag tag, const std::vector<std::int32_t>& values)
+void DicomItem::setSignedLongs(DicomTag tag, const std::vector<std::int32_t>& values)
 {
     auto* element = new DcmSignedLong(writtenTag(tag, EVR_SL));
     element->putSint32Array(values.data(), values.size());
     item_->insert(element, OFTrue);
 }
 
-void DicomItem::unsignedLongs(DicomTag tag, const std::vector<std::uint32_t>& values)
+void DicomItem::setUnsignedLongs(DicomTag tag, const std::vector<std::uint32_t>& values)
 {
     auto* element = new DcmUnsignedLong(writtenTag(tag, EVR_UL));
     element->putUint32Array(values.data(), values.size());
     item_->insert(element, OFTrue);
 }
 
-void DicomItem::floats(DicomTag tag, const std::vector<float>& values)
+void DicomItem::setFloats(DicomTag tag, const std::vector<float>& values)
 {
     auto* element = new DcmFloatingPointSingle(writtenTag(tag, EVR_FL));
     element->putFloat32Array(values.data(), values.size());
     item_->insert(element, OFTrue);
 }
 
-void DicomItem::doubles(DicomTag tag, const std::vector<double>& values)
+void DicomItem::setDoubles(DicomTag tag, const std::vector<double>& values)
 {
     auto* element = new DcmFloatingPointDouble(writtenTag(tag, EVR_FD));
     element->putFloat64Array(values.data(), values.size());
     item_->insert(element, OFTrue);
 }
 
-void DicomItem::attribute(DicomTag tag, DicomTag pointedTo)
+void DicomItem::setAttributeTag(DicomTag tag, DicomTag pointedTo)
 {
     auto* element = new DcmAttributeTag(writtenTag(tag, EVR_AT));
     element->putTagVal(DcmTagKey(static_cast<Uint16>(pointedTo >> 16U), static_cast<Uint16>(pointedTo & 0xffffU)));
@@ -104,7 +104,7 @@ void DicomItem::bytes(DicomTag tag, std::string_view content)
     item_->insert(element, OFTrue);
 }
 
-void DicomItem::floatPixels(const std::vector<float>& values)
+void DicomItem::setFloatPixels(const std::vector<float>& values)
 {
     auto* element = new DcmOtherFloat(writtenTag(0x7fe00008, EVR_OF));
     element->putFloat32Array(values.data(), values.size());
@@ -124,7 +124,7 @@ DicomItem DicomItem::addItem(DicomTag sequence)
     return DicomItem(*item);
 }
 
-void DicomItem::emptySequence(DicomTag sequence)
+void DicomItem::addEmptySequence(DicomTag sequence)
 {
     item_->insert(new DcmSequenceOfItems(writtenTag(sequence, EVR_SQ)), OFTrue);
 }

@@ -20,24 +20,24 @@ public:
     explicit DicomItem(DcmItem& item) : item_(&item) {}
 
     void text(DicomTag tag, const char* vr, const std::string& value);   ///< may be empty; `\` separates values
-    void textIfAbsent(DicomTag tag, const char* vr, const std::string& value);
-    void decimals(DicomTag tag, const std::vector<double>& values);   ///< VR DS, as precise as 16 characters permit
-    void unsignedShort(DicomTag tag, int value);
-    void unsignedShorts(DicomTag tag, const std::vector<std::uint16_t>& values);   ///< no values: no element
-    void signedShort(DicomTag tag, int value);
-    void signedLongs(DicomTag tag, const std::vector<std::int32_t>& values);
-    void unsignedLongs(DicomTag tag, const std::vector<std::uint32_t>& values);
-    void floats(DicomTag tag, const std::vector<float>& values);
-    void doubles(DicomTag tag, const std::vector<double>& values);
-    void attribute(DicomTag tag, DicomTag pointedTo);   ///< VR AT
+    void setTextIfAbsent(DicomTag tag, const char* vr, const std::string& value);
+    void setDecimals(DicomTag tag, const std::vector<double>& values);   ///< VR DS, as precise as 16 characters permit
+    void setUnsignedShort(DicomTag tag, int value);
+    void setUnsignedShorts(DicomTag tag, const std::vector<std::uint16_t>& values);   ///< no values: no element
+    void setSignedShort(DicomTag tag, int value);
+    void setSignedLongs(DicomTag tag, const std::vector<std::int32_t>& values);
+    void setUnsignedLongs(DicomTag tag, const std::vector<std::uint32_t>& values);
+    void setFloats(DicomTag tag, const std::vector<float>& values);
+    void setDoubles(DicomTag tag, const std::vector<double>& values);
+    void setAttributeTag(DicomTag tag, DicomTag pointedTo);   ///< VR AT
     void words(DicomTag tag, const std::vector<std::uint16_t>& values);   ///< VR OW
     void bytes(DicomTag tag, std::string_view content);   ///< VR OB, padded to even length
-    void floatPixels(const std::vector<float>& values);   ///< VR OF
+    void setFloatPixels(const std::vector<float>& values);   ///< VR OF
 
     void remove(DicomTag tag);
 
     DicomItem addItem(DicomTag sequence);
-    void emptySequence(DicomTag sequence);
+    void addEmptySequence(DicomTag sequence);
 
     DcmItem& element() const { return *item_; }   ///< underlying DCMTK item, for copying elements unchanged
 

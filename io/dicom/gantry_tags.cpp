@@ -224,7 +224,7 @@ void readIncrements(const DicomDataset& data, int frameCount, GantryHeader& head
 void readPatientPosition(const DicomDataset& data, GantryHeader& header, core::Messages& warnings)
 {
     const std::string position(data.text(0x00185100));
-    header.patientPosition = core::patientPositionFrom(position);
+    header.patientPosition = core::parsePatientPosition(position);
     if (!position.empty() && position != "HFS") {
         warnings.push_back(messages::patientLies(position));
     }

@@ -58,12 +58,12 @@ bool isUid(std::string_view text)
     return !text.empty() && text.size() <= 64 && !isStart;
 }
 
-std::string validUid(const std::string& reported)
+std::string validUid(const std::string& uid)
 {
-    return isUid(reported) ? reported : uidFromContent("instead of " + reported);
+    return isUid(uid) ? uid : uidFromContent("instead of " + uid);
 }
 
-std::string newUid()
+std::string makeUid()
 {
     std::random_device source;
     UuidBytes uuid{};

@@ -24,17 +24,17 @@ using core::CArm;
 constexpr const char* xaImageStorage = "1.2.840.10008.5.1.4.1.1.12.1";
 constexpr const char* derivation = "Decoded, rescaled and stored again by AngioPose " ANGIOPOSE_VERSION;
 
-void addDecimal(DicomItem& out, DicomTag tag, const core::Sourced<double>& number)
+void addDecimal(DicomItem& out, DicomTag tag, const core::SourcedValue<double>& number)
 {
     if (number.value) {
-        out.decimals(tag, {*number.value});
+        out.setDecimals(tag, {*number.value});
     }
 }
 
 /// Returns an error for an invalid distance or spacing; nullopt if all are valid.
 std::optional<core::Message> findNoLength(const CArm& cArm)
 {
-    const auto isNone = [](const core::Sourced<double>& length) {
+    const auto isNone = [](const core::SourcedValue<double>& length) {
         return length.value && !(std::isfinite(*length.value) && *length.value > 0.0);
     };
     if (isNone(cArm.sourceToDetectorMm)) {
@@ -143,9 +143,9 @@ void addTable(DicomItem& out, const Angiogram& angiogram)
     const auto siemens = [](DicomTag number) { return 0x00211000U | number; };
     if (isocenter.value && isocenter.origin != core::Origin::Assumed) {
         if (isSiemens) {
-            out.signedLongs(siemens(siemensIsocenter), {static_cast<std::int32_t>(std::lround(*isocenter.value))});
+            out.setSignedLongs(siemens(siemensIsocenter), {static_cast<std::int32_t>(std::lround(*isocenter.value))});
         } else {
-            out.floats(0x00189402, {static_cast<float>(*isocenter.value)});
+            out.setFloats(0x00189402, {static_cast<float>(*isocenter.value)});
         }
     }
     const auto position = gantry.patientPosition.value_or(core::PatientPosition::HFS);
@@ -156,10 +156,11 @@ void addTable(DicomItem& out, const Angiogram& angiogram)
         const Eigen::Vector3d onTable = patientFromTable(position).transpose() * gantry.table->isocenterInPatientMm;
         const auto tenths = [](double mm) { return static_cast<std::int32_t>(std::lround(10.0 * mm)); };
         if (isSiemens) {
-            out.signedLongs(siemens(siemensTable), {tenths(-onTable.z()), tenths(onTable.x()), tenths(-onTable.y())});
+            out.setSignedLongs(siemens(siemensTable),
+                               {tenths(-onTable.z()), tenths(onTable.x()), tenths(-onTable.y())});
         }
         for (DicomTag axis = 0; axis < 3 && !isSiemens; ++axis) {
-            out.floats(0x00189466U + axis, {static_cast<float>(-onTable[axis])});
+            out.setFloats(0x00189466U + axis, {static_cast<float>(-onTable[axis])});
         }
     }
     if (gantry.tableMoves) {
@@ -233,19 +234,19 @@ void addPixelHeader(DicomItem& out, const Angiogram& angiogram, const StoredValu
         out.text(0x00181063, "DS", decimalString(angiogram.frameTimeMs));
         out.text(0x00280009, "AT", "(0018,1063)");
         out.text(0x00280008, "IS", std::to_string(angiogram.frameCount()));
-        out.unsignedShorts(0x00286040, framesFromOne(angiogram.rWaveFrames));
+        out.setUnsignedShorts(0x00286040, framesFromOne(angiogram.rWaveFrames));
     }
-    out.unsignedShort(0x00280002, 1);
+    out.setUnsignedShort(0x00280002, 1);
     out.text(0x00280004, "CS", "MONOCHROME2");
-    out.unsignedShort(0x00280010, angiogram.height());
-    out.unsignedShort(0x00280011, angiogram.width());
-    out.unsignedShort(0x00280100, 16);
-    out.unsignedShort(0x00280101, 16);
-    out.unsignedShort(0x00280102, 15);
-    out.unsignedShort(0x00280103, 0);
+    out.setUnsignedShort(0x00280010, angiogram.height());
+    out.setUnsignedShort(0x00280011, angiogram.width());
+    out.setUnsignedShort(0x00280100, 16);
+    out.setUnsignedShort(0x00280101, 16);
+    out.setUnsignedShort(0x00280102, 15);
+    out.setUnsignedShort(0x00280103, 0);
     out.text(0x00281040, "CS", "LOG");
     if (angiogram.polarity == core::Polarity::VesselsBright) {
-        out.signedShort(0x00281041, -1);   // values decrease with increasing X-ray intensity
+        out.setSignedShort(0x00281041, -1);   // values decrease with increasing X-ray intensity
     }
     out.text(0x00281052, "DS", stored.intercept);
     out.text(0x00281053, "DS", stored.slope);

@@ -157,12 +157,12 @@ struct Counted {
     std::vector<Cell> others;
 };
 
-Counted countColors(const core::ColorImage& picture)
+Counted countColors(const core::ColorImage& image)
 {
     Counted counted;
     counted.others.resize(std::size_t{1} << (3 * cellBits));
-    for (std::size_t at = 0; at + 2 < picture.rgb.size(); at += 3) {
-        const Color color{picture.rgb[at], picture.rgb[at + 1], picture.rgb[at + 2]};
+    for (std::size_t at = 0; at + 2 < image.rgb.size(); at += 3) {
+        const Color color{image.rgb[at], image.rgb[at + 1], image.rgb[at + 2]};
         if (isGray(color)) {
             ++counted.grays[static_cast<std::size_t>(luma(color))];
             continue;
@@ -179,9 +179,9 @@ Counted countColors(const core::ColorImage& picture)
 
 }   // namespace
 
-GifPalette::GifPalette(const core::ColorImage& picture) : nearest_(std::size_t{1} << (3 * keyBits), unknown)
+GifPalette::GifPalette(const core::ColorImage& image) : nearest_(std::size_t{1} << (3 * keyBits), unknown)
 {
-    Counted counted = countColors(picture);
+    Counted counted = countColors(image);
     const auto graysThere =
         static_cast<std::size_t>(std::ranges::count_if(counted.grays, [](auto n) { return n > 0; }));
     const std::size_t left = maxColors - std::min(maxColors, counted.others.size());

@@ -15,7 +15,7 @@ class GifPalette {
 public:
     static constexpr std::uint8_t unchangedIndex = 255;
 
-    explicit GifPalette(const core::ColorImage& picture);
+    explicit GifPalette(const core::ColorImage& image);
 
     using Color = std::array<std::uint8_t, 3>;
     const std::vector<Color>& colors() const { return colors_; }   ///< palette, at most 255 colors

@@ -79,13 +79,13 @@ public:
         gif_.reset(EGifOpen(this, &GifMovie::write, &error));
     }
 
-    core::Status begin(const MovieMetadata& facts);
-    core::Status add(const core::ColorImage& picture, double ms) override;
+    core::Status begin(const MovieMetadata& metadata);
+    core::Status add(const core::ColorImage& image, double ms) override;
     core::Status finish() override;
 
 private:
     static int write(GifFileType* gif, const GifByteType* bytes, int count);
-    bool writeHead(const MovieMetadata& facts);
+    bool writeHead(const MovieMetadata& metadata);
     bool putWaiting(std::int64_t until);
     bool putPixels(const Part& part, GifPalette& palette, bool isFirst);
     core::Status statusOf(bool isWritten) const
@@ -117,17 +117,17 @@ int GifMovie::write(GifFileType* gif, const GifByteType* bytes, int count)
     return movie.written_ ? count : 0;
 }
 
-core::Status GifMovie::begin(const MovieMetadata& facts)
+core::Status GifMovie::begin(const MovieMetadata& metadata)
 {
-    return statusOf(gif_ && writeHead(facts));
+    return statusOf(gif_ && writeHead(metadata));
 }
 
-bool GifMovie::writeHead(const MovieMetadata& facts)
+bool GifMovie::writeHead(const MovieMetadata& metadata)
 {
     EGifSetGifVersion(gif_.get(), true);
     constexpr unsigned char forEver[]{1, 0, 0};
-    std::string comment = facts.title;
-    for (const auto& [key, text] : facts.texts) {
+    std::string comment = metadata.title;
+    for (const auto& [key, text] : metadata.texts) {
         comment += "\n" + key + ": " + text;
     }
     return EGifPutScreenDesc(gif_.get(), size_.width, size_.height, 8, 0, nullptr) == GIF_OK &&
@@ -137,28 +137,28 @@ bool GifMovie::writeHead(const MovieMetadata& facts)
            EGifPutExtensionTrailer(gif_.get()) == GIF_OK && EGifPutComment(gif_.get(), comment.c_str()) == GIF_OK;
 }
 
-core::Status GifMovie::add(const core::ColorImage& picture, double ms)
+core::Status GifMovie::add(const core::ColorImage& image, double ms)
 {
-    if (picture.width != size_.width || picture.height != size_.height) {
+    if (image.width != size_.width || image.height != size_.height) {
         return fileError(path_, messages::movieSizesDiffer());
     }
     const std::int64_t from = clock_.now();
     clock_.advance(ms);
     if (pendingImage_.rgb.empty()) {
-        pendingImage_ = picture;
+        pendingImage_ = image;
         return core::Done{};
     }
-    if (pendingImage_.rgb == picture.rgb) {
+    if (pendingImage_.rgb == image.rgb) {
         skippedImage_ = {};
         return core::Done{};   // identical to the pending image, which is shown longer instead
     }
     if (from - waitingFrom_ < minDelay) {
-        skippedImage_ = picture;   // written only if no other image follows
+        skippedImage_ = image;   // written only if no other image follows
         return core::Done{};
     }
     skippedImage_ = {};
     const bool isWritten = putWaiting(from);
-    writtenImage_ = std::exchange(pendingImage_, picture);
+    writtenImage_ = std::exchange(pendingImage_, image);
     waitingFrom_ = from;
     return statusOf(isWritten);
 }
@@ -221,14 +221,14 @@ core::Status GifMovie::finish()
 /// Creates a GIF through giflib, with an endless loop, delays in multiples of 1/100 s and a local palette for each
 /// image; stores only the region that differs from the previous image.
 core::Result<std::unique_ptr<MovieWriter>> createGif(const std::string& path, const MovieSize& size,
-                                                     const MovieMetadata& facts)
+                                                     const MovieMetadata& metadata)
 {
     auto file = AtomicFile::create(path);
     if (!file) {
         return file.error();
     }
     auto movie = std::make_unique<GifMovie>(std::move(file).value(), path, size);
-    if (auto begun = movie->begin(facts); !begun) {
+    if (auto begun = movie->begin(metadata); !begun) {
         return begun.error();
     }
     return std::unique_ptr<MovieWriter>(std::move(movie));
@@ -259,7 +259,7 @@ std::optional<core::Message> findProblem(MovieKind kind, const MovieSize& size)
 }
 
 core::Result<std::unique_ptr<MovieWriter>> MovieWriter::create(const std::string& path, const MovieSize& size,
-                                                               const MovieMetadata& facts)
+                                                               const MovieMetadata& metadata)
 {
     const auto kind = movieKindOf(path);
     if (!kind) {
@@ -268,7 +268,7 @@ core::Result<std::unique_ptr<MovieWriter>> MovieWriter::create(const std::string
     if (const auto problem = findProblem(*kind, size)) {
         return fileError(path, *problem);
     }
-    return *kind == MovieKind::Gif ? createGif(path, size, facts) : createMp4(path, size, facts);
+    return *kind == MovieKind::Gif ? createGif(path, size, metadata) : createMp4(path, size, metadata);
 }
 
 }   // namespace angiopose::io

@@ -38,13 +38,13 @@ class MovieWriter {
 public:
     /// Creates a writer for MP4 or GIF, depending on the extension. All images must have the same size.
     static core::Result<std::unique_ptr<MovieWriter>> create(const std::string& path, const MovieSize& size,
-                                                             const MovieMetadata& facts);
+                                                             const MovieMetadata& metadata);
     virtual ~MovieWriter() = default;
     MovieWriter(const MovieWriter&) = delete;
     MovieWriter& operator=(const MovieWriter&) = delete;
 
     /// Adds an image shown for `ms`. Rounding errors do not accumulate: the n-th image appears on time.
-    virtual core::Status add(const core::ColorImage& picture, double ms) = 0;
+    virtual core::Status add(const core::ColorImage& image, double ms) = 0;
     virtual core::Status finish() = 0;   ///< must be called once, after at least one image was added
 
 protected:

@@ -31,7 +31,7 @@ struct Mp4Track {
     std::string sequence;   ///< SPS (the next member is the PPS): NAL units 7 and 8 without start codes
     std::string picture;
     std::vector<Mp4Sample> samples;
-    MovieMetadata facts;
+    MovieMetadata metadata;
 };
 
 constexpr std::size_t profilesWithChroma = 100;   // from this profile on, avcC has further fields (14496-15, 5.3.3.1)
@@ -196,16 +196,16 @@ std::string namedText(std::string_view type, const std::string& text)
 }
 
 /// Returns the metadata box with title and comment in the form that players display.
-std::string userData(const MovieMetadata& facts)
+std::string userData(const MovieMetadata& metadata)
 {
     std::string comment;
-    for (const auto& [key, text] : facts.texts) {
+    for (const auto& [key, text] : metadata.texts) {
         comment += (comment.empty() ? "" : "\n") + key + ": " + text;
     }
     const std::string handler = fullBox("hdlr", 0, {zeros(4), "mdirappl", zeros(9)});
     return box("udta",
                {fullBox("meta", 0,
-                        {handler, box("ilst", {namedText("\xA9nam", facts.title), namedText("\xA9too", "AngioPose"),
+                        {handler, box("ilst", {namedText("\xA9nam", metadata.title), namedText("\xA9too", "AngioPose"),
                                                namedText("\xA9"
                                                          "cmt",
                                                          comment)})})});
@@ -214,7 +214,7 @@ std::string userData(const MovieMetadata& facts)
 std::string movieBox(const Mp4Track& track, std::uint64_t offset)
 {
     return box("moov",
-               {movieHeader(track), box("trak", {trackHeader(track), media(track, offset)}), userData(track.facts)});
+               {movieHeader(track), box("trak", {trackHeader(track), media(track, offset)}), userData(track.metadata)});
 }
 
 /// Returns everything that precedes the samples (ISO/IEC 14496-12 and -15: ftyp, moov, header of mdat), so that the
@@ -269,7 +269,7 @@ private:
     Mp4Track track_;
     MovieSize size_;   ///< size of the added images, before padding
     MovieClock clock_;
-    double atMs_ = 0.0;
+    double timeMs_ = 0.0;
     std::string samples_;
 };
 
@@ -278,13 +278,13 @@ core::Status Mp4Movie::add(const core::ColorImage& picture, double ms)
     if (picture.width != size_.width || picture.height != size_.height) {
         return fileError(path_, messages::movieSizesDiffer());
     }
-    const auto encoded = encoder_.encode(toYuvImage(picture), atMs_);
+    const auto encoded = encoder_.encode(toYuvImage(picture), timeMs_);
     if (!encoded) {
         return encoded.error().about(path_);
     }
     const std::int64_t from = clock_.now();
     clock_.advance(ms);
-    atMs_ += ms;
+    timeMs_ += ms;
     take(encoded.value(), from);
     return samples_.size() <= maxMovieBytes ? core::Status(core::Done{}) : fileError(path_, messages::movieTooLong());
 }
@@ -293,7 +293,7 @@ core::Status Mp4Movie::add(const core::ColorImage& picture, double ms)
 void Mp4Movie::take(const EncodedFrame& encoded, std::int64_t from)
 {
     const std::size_t before = samples_.size();
-    for (const std::string& unit : encoded.units) {
+    for (const std::string& unit : encoded.nalUnits) {
         const unsigned kind = static_cast<unsigned char>(unit.front()) & unitMask;
         if (kind == sequenceUnit) {
             track_.sequence = unit;
@@ -324,7 +324,7 @@ core::Status Mp4Movie::finish()
 }   // namespace
 
 core::Result<std::unique_ptr<MovieWriter>> createMp4(const std::string& path, const MovieSize& size,
-                                                     const MovieMetadata& facts)
+                                                     const MovieMetadata& metadata)
 {
     auto file = AtomicFile::create(path);
     if (!file) {
@@ -332,7 +332,7 @@ core::Result<std::unique_ptr<MovieWriter>> createMp4(const std::string& path, co
     }
     Mp4Track track;
     track.size = {size.width + size.width % 2, size.height + size.height % 2};
-    track.facts = facts;
+    track.metadata = metadata;
     auto encoder = H264Encoder::create(track.size);
     if (!encoder) {
         return encoder.error().about(path);

@@ -126,7 +126,7 @@ EncodedFrame takenFrom(const SFrameBSInfo& info)
         const auto* at = reinterpret_cast<const char*>(layer.pBsBuf);
         for (int k = 0; k < layer.iNalCount; ++k) {
             const auto length = static_cast<std::size_t>(layer.pNalLengthInByte[k]);
-            picture.units.emplace_back(at + startCodeBytes, length - startCodeBytes);
+            picture.nalUnits.emplace_back(at + startCodeBytes, length - startCodeBytes);
             at += length;
         }
     }
@@ -190,7 +190,7 @@ core::Result<H264Encoder> H264Encoder::create(const MovieSize& size)
     return H264Encoder(std::move(parts));
 }
 
-core::Result<EncodedFrame> H264Encoder::encode(const YuvImage& picture, double atMs)
+core::Result<EncodedFrame> H264Encoder::encode(const YuvImage& picture, double timeMs)
 {
     const auto plane = [](const std::vector<std::uint8_t>& pixels) {
         return const_cast<std::uint8_t*>(pixels.data());   // the encoder does not modify the pixels
@@ -204,7 +204,7 @@ core::Result<EncodedFrame> H264Encoder::encode(const YuvImage& picture, double a
     source.pData[0] = plane(picture.luma);
     source.pData[1] = plane(picture.blue);
     source.pData[2] = plane(picture.red);
-    source.uiTimeStamp = std::llround(atMs);
+    source.uiTimeStamp = std::llround(timeMs);
     SFrameBSInfo info{};
     if (impl_->encoder->EncodeFrame(&source, &info) != cmResultSuccess || info.eFrameType == videoFrameTypeSkip ||
         info.eFrameType == videoFrameTypeInvalid) {

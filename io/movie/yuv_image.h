@@ -28,7 +28,7 @@ bool canEncode(const MovieSize& size);
 
 /// An encoded image: NAL units without start codes.
 struct EncodedFrame {
-    std::vector<std::string> units;
+    std::vector<std::string> nalUnits;
     bool isKeyFrame = false;   ///< whether the image is a key frame, decodable without other images
 };
 
@@ -41,7 +41,7 @@ public:
     H264Encoder& operator=(H264Encoder&&) noexcept;
     ~H264Encoder();
 
-    core::Result<EncodedFrame> encode(const YuvImage& picture, double atMs);
+    core::Result<EncodedFrame> encode(const YuvImage& picture, double timeMs);
 
 private:
     struct Impl;

@@ -62,15 +62,15 @@ std::optional<double> findImplausibleExtent(const std::string& path, core::Vesse
 {
     if (kind == core::VesselInputKind::Surface) {
         const auto surface = readSurface(path);
-        const bool isDoubtful = surface && !surface.value().isUnitStated && !isPlausibleSize(surface.value().acrossMm);
-        return isDoubtful ? std::optional(surface.value().acrossMm) : std::nullopt;
+        const bool isDoubtful = surface && !surface.value().isUnitStated && !isPlausibleSize(surface.value().extentMm);
+        return isDoubtful ? std::optional(surface.value().extentMm) : std::nullopt;
     }
     if (kind != core::VesselInputKind::Centerline || extensionOf(path) == ".json") {
         return std::nullopt;
     }
     const auto read = readTree(path);
     const bool isDoubtful = read && !read.value().isUnitStated && !core::isPlausibleSize(read.value().tree);
-    return isDoubtful ? std::optional(core::acrossMm(read.value().tree)) : std::nullopt;
+    return isDoubtful ? std::optional(core::extentMm(read.value().tree)) : std::nullopt;
 }
 
 /// Returns the default vessel input of this kind, for hints without `vessels`.

@@ -55,7 +55,7 @@ void putImage(core::View& view, const LoadedInputs& inputs)
     view.geometry = {inputs.angiogram->cArm, std::nullopt};
     view.storedRun = inputs.storedRun;
     view.headerPlan = inputs.headerPlan;
-    view.treatment = {.isSubtracted = inputs.storedRun != nullptr, .plan = inputs.headerPlan};
+    view.processing = {.isSubtracted = inputs.storedRun != nullptr, .plan = inputs.headerPlan};
     view.target = {};
 }
 
@@ -80,7 +80,7 @@ bool isInsideScan(const core::VolumeGeometry& scan, const core::VesselTree& tree
     return 2 * inside > tree.pointCount();
 }
 
-core::Case withInputs(core::Case base, const LoadedInputs& inputs)
+core::Case assembleCase(core::Case base, const LoadedInputs& inputs)
 {
     core::Vessels& vessels = base.vessels;
     core::View& view = base.shown();

@@ -40,7 +40,7 @@ struct LoadedInputs {
     std::optional<PoseWithCamera> pose;   ///< contents of a pose file; nothing else was read
     std::vector<Fiducial> fiducials;   ///< contents of a point file; nothing else was read
     core::Messages warnings;
-    std::vector<DicomSeries> offered;   ///< series of a folder with several; nothing is read before one is chosen
+    std::vector<DicomSeries> offeredSeries;   ///< series of a folder with several; nothing is read before one is chosen
     std::vector<MissingInput> missing;   ///< inputs of the case that were not found; nothing else was read
     MovedInputs moved;   ///< inputs of the case that were found elsewhere
 };

@@ -39,20 +39,20 @@ core::Result<Json> readResultJson(const std::string& path)
 }
 
 /// Finds the inputs of a result by name and SHA-256. Fails and names the file if an input is missing.
-core::Result<MovedInputs> locateInputs(const std::vector<core::InputFile>& files, const ResultLocation& place,
+core::Result<MovedInputs> locateInputs(const std::vector<core::InputFile>& files, const ResultLocation& location,
                                        const ReadObserver& observe)
 {
     std::vector<MissingInput> wanted;
     for (const core::InputFile& file : files) {
         wanted.push_back({file.path, file.sha256, false});
     }
-    std::vector<std::string> folders{fs::absolute(place.path).parent_path().string()};
-    folders.insert(folders.end(), place.inputFolders.begin(), place.inputFolders.end());
+    std::vector<std::string> folders{fs::absolute(location.path).parent_path().string()};
+    folders.insert(folders.end(), location.inputFolders.begin(), location.inputFolders.end());
     MovedInputs found = findMovedInputs(wanted, folders, observe);
     for (const MissingInput& each : wanted) {
         if (!found.contains(each.path)) {
             const std::string name = fs::path(each.path).filename().string();
-            return fileError(place.path, messages::resultInputMissing(name, each.sha256));
+            return fileError(location.path, messages::resultInputMissing(name, each.sha256));
         }
     }
     return found;
@@ -74,22 +74,22 @@ core::Status checkContents(const std::vector<core::InputFile>& wanted, const Mov
     return core::Done{};
 }
 
-core::Result<core::Case> loadInputCase(const Json& root, const ResultLocation& place, core::Messages& warnings,
+core::Result<core::Case> loadInputCase(const Json& root, const ResultLocation& location, core::Messages& warnings,
                                        const ReadObserver& observe)
 {
     CaseLoadOptions request;
     request.text = root.at("case").dump();
     request.peak = PeakFrameSearch::Skipped;
-    const std::vector<core::InputFile> wanted = referencedFiles(*request.text, place.path);
-    const auto places = locateInputs(wanted, place, observe);
+    const std::vector<core::InputFile> wanted = referencedFiles(*request.text, location.path);
+    const auto places = locateInputs(wanted, location, observe);
     if (!places) {
         return places.error();
     }
-    auto loaded = loadCaseWithOptions(request, place.path, warnings, observe, places.value());
+    auto loaded = loadCaseWithOptions(request, location.path, warnings, observe, places.value());
     if (!loaded) {
         return loaded;
     }
-    if (const auto checked = checkContents(wanted, places.value(), loaded.value(), place.path); !checked) {
+    if (const auto checked = checkContents(wanted, places.value(), loaded.value(), location.path); !checked) {
         return checked.error();
     }
     return loaded;
@@ -115,21 +115,21 @@ core::Messages applyResult(core::View& view, const Json& json)
 
 }   // namespace
 
-core::Result<core::Case> openInputCase(const ResultLocation& place, core::Messages& warnings,
+core::Result<core::Case> openInputCase(const ResultLocation& location, core::Messages& warnings,
                                        const ReadObserver& observe)
 {
-    const auto root = readResultJson(place.path);
-    return root ? loadInputCase(root.value(), place, warnings, observe) : core::Result<core::Case>(root.error());
+    const auto root = readResultJson(location.path);
+    return root ? loadInputCase(root.value(), location, warnings, observe) : core::Result<core::Case>(root.error());
 }
 
-core::Result<core::Case> openResultCase(const ResultLocation& place, core::Messages& warnings,
+core::Result<core::Case> openResultCase(const ResultLocation& location, core::Messages& warnings,
                                         const ReadObserver& observe)
 {
-    const auto root = readResultJson(place.path);
+    const auto root = readResultJson(location.path);
     if (!root) {
         return root.error();
     }
-    auto loaded = loadInputCase(root.value(), place, warnings, observe);
+    auto loaded = loadInputCase(root.value(), location, warnings, observe);
     if (!loaded) {
         return loaded;
     }
@@ -140,12 +140,12 @@ core::Result<core::Case> openResultCase(const ResultLocation& place, core::Messa
         for (const Json& each : results) {
             core::Messages problems = applyResult(session.views.at(each.at("view").get<std::size_t>() - 1), each);
             if (!problems.empty()) {
-                return fileError(place.path, problems.front());
+                return fileError(location.path, problems.front());
             }
         }
         return core::withShownView(std::move(session), first);
     } catch (const std::exception&) {   // a value has the wrong type
-        return fileError(place.path, messages::resultNotOne());
+        return fileError(location.path, messages::resultNotOne());
     }
 }
 

@@ -18,12 +18,12 @@ struct ResultLocation {
 
 /// Returns the case of a result as it was at the start of registration. Fails if an input with the recorded hash is not
 /// found.
-core::Result<core::Case> openInputCase(const ResultLocation& place, core::Messages& warnings,
+core::Result<core::Case> openInputCase(const ResultLocation& location, core::Messages& warnings,
                                        const ReadObserver& observe = {});
 
 /// Returns the case of a result as it was at the end of registration: shows the view of the result at the registered
 /// pose, with the deformed vessels, if any.
-core::Result<core::Case> openResultCase(const ResultLocation& place, core::Messages& warnings,
+core::Result<core::Case> openResultCase(const ResultLocation& location, core::Messages& warnings,
                                         const ReadObserver& observe = {});
 
 }   // namespace angiopose::io

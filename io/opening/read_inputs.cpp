@@ -24,9 +24,9 @@ core::Error twice(const std::string& path, const core::MessageKind<1>& what)
 }
 
 /// Subtracts the run as its header specifies; if it lacks a mask frame named there, keeps it native with a warning.
-void applyHeaderSubtraction(LoadedInputs& inputs, const core::RunProcessing& treatment)
+void applyHeaderSubtraction(LoadedInputs& inputs, const core::RunProcessing& processing)
 {
-    auto run = core::processRun(*inputs.angiogram, treatment);
+    auto run = core::processRun(*inputs.angiogram, processing);
     if (run) {
         inputs.storedRun = inputs.angiogram;
         inputs.angiogram = std::make_shared<core::Angiogram>(std::move(run).value());
@@ -47,10 +47,10 @@ core::Status addImage(LoadedInputs& inputs, const std::string& path)
     const auto& warnings = angiogram.value().warnings;
     inputs.warnings.insert(inputs.warnings.end(), warnings.begin(), warnings.end());
     inputs.angiogram = std::make_shared<core::Angiogram>(std::move(angiogram).value());
-    if (const auto treatment = readTreatment(path)) {
-        inputs.headerPlan = treatment.value().plan;
-        if (treatment.value().isSubtracted && inputs.angiogram->frameCount() > 1) {
-            applyHeaderSubtraction(inputs, treatment.value());
+    if (const auto processing = readRunProcessing(path)) {
+        inputs.headerPlan = processing.value().plan;
+        if (processing.value().isSubtracted && inputs.angiogram->frameCount() > 1) {
+            applyHeaderSubtraction(inputs, processing.value());
         }
     }
     inputs.imageFile.path = path;
@@ -110,7 +110,7 @@ core::Status addFolder(LoadedInputs& inputs, const std::string& path, const Open
     };
     const auto count = std::count_if(all.begin(), all.end(), opens);
     if (count > 1 && seriesId.empty()) {
-        inputs.offered = std::move(all);
+        inputs.offeredSeries = std::move(all);
         return core::Done{};
     }
     const auto found = std::find_if(all.begin(), all.end(), opens);
@@ -217,7 +217,7 @@ core::Result<LoadedInputs> readInputs(const std::vector<std::string>& paths, con
         if (const auto added = addFile(inputs, paths[i], hints, part); !added) {
             return added.error();
         }
-        if (!inputs.offered.empty() || inputs.extentInUnknownUnits) {
+        if (!inputs.offeredSeries.empty() || inputs.extentInUnknownUnits) {
             return inputs;
         }
     }

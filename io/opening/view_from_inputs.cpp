@@ -19,7 +19,7 @@ core::View viewWithImage(const core::Case& session, const LoadedInputs& inputs)
     imageOnly.headerPlan = inputs.headerPlan;
     imageOnly.target = inputs.target;
     imageOnly.targetFile = inputs.targetFile;
-    return withInputs(std::move(blank), imageOnly).shown();
+    return assembleCase(std::move(blank), imageOnly).shown();
 }
 
 }   // namespace

@@ -153,7 +153,7 @@ private:
             text += band(plot_.series[k], k);
         }
         for (std::size_t k = plot_.series.size(); k-- > 0;) {   // draws the first series on top
-            text += plot_.series[k].areDots ? dots(plot_.series[k], k) : polyline(plot_.series[k], k);
+            text += plot_.series[k].isScatter ? dots(plot_.series[k], k) : polyline(plot_.series[k], k);
         }
         return text;
     }
@@ -224,8 +224,8 @@ private:
         const double x = plotLeft + plotWidth + legendGap;
         for (std::size_t k = 0; k < plot_.series.size(); ++k) {
             const double y = plotTop + 10.0 + legendLine * static_cast<double>(k);
-            text += plot_.series[k].areDots ? dot(x + 0.5 * legendSample, y, k)
-                                            : lineFrom(x, y, x + legendSample, y, strokeOf(k));
+            text += plot_.series[k].isScatter ? dot(x + 0.5 * legendSample, y, k)
+                                              : lineFrom(x, y, x + legendSample, y, strokeOf(k));
             text += textAt(x + legendSample + 8.0, y + 4.0, "fill=\"#111\"", plot_.series[k].name);
         }
         return text;

@@ -86,7 +86,7 @@ bool describesCamera(const NamedMatrices& matrices)
     return hasParts || (!find(matrices, intrinsicNames, {9}) && find(matrices, projectionNames, {12}));
 }
 
-core::Result<core::PosedCamera> sightOf(const NamedMatrices& matrices)
+core::Result<core::PosedCamera> posedCameraFrom(const NamedMatrices& matrices)
 {
     if (!describesCamera(matrices)) {
         return core::Error(messages::exchangeNoPose());
@@ -99,16 +99,16 @@ core::Result<core::PosedCamera> sightOf(const NamedMatrices& matrices)
     }
     const auto* intrinsic = find(matrices, intrinsicNames, {9});
     using RowMajor34 = Eigen::Matrix<double, 3, 4, Eigen::RowMajor>;
-    auto sight =
+    auto posedCamera =
         intrinsic
             ? core::posedCameraFromIntrinsics(Eigen::Map<const RowMajor3>(intrinsic->data()),
                                               rotationOf(*find(matrices, rotationNames, {3, 9})),
                                               Eigen::Vector3d(find(matrices, translationNames, {3})->data()))
             : core::posedCameraFromMatrix(Eigen::Map<const RowMajor34>(find(matrices, projectionNames, {12})->data()));
-    if (!sight) {
-        return sight;
+    if (!posedCamera) {
+        return posedCamera;
     }
-    core::PosedCamera sized = std::move(sight).value();
+    core::PosedCamera sized = std::move(posedCamera).value();
     sized.camera.width = pixelsOf(matrices, {"image_width", "imageWidth", "width"}, 0);
     sized.camera.height = pixelsOf(matrices, {"image_height", "imageHeight", "height"}, 1);
     return sized;

@@ -23,6 +23,6 @@ bool describesCamera(const NamedMatrices& matrices);
 
 /// Builds the camera and pose from P alone, or from K with R (or rvec) and t; the image size is 0 if not stated. The
 /// error does not name the file.
-core::Result<core::PosedCamera> sightOf(const NamedMatrices& matrices);
+core::Result<core::PosedCamera> posedCameraFrom(const NamedMatrices& matrices);
 
 }   // namespace angiopose::io

@@ -69,10 +69,10 @@ struct StoredMatrix {
     std::vector<double> values;
 };
 
-std::array<StoredMatrix, 3> storedMatrices(const core::PosedCamera& sight)
+std::array<StoredMatrix, 3> storedMatrices(const core::PosedCamera& posedCamera)
 {
-    const Rows3 K = core::intrinsicMatrix(sight.camera), R = sight.cameraFromPatient.rotation;
-    const Eigen::Vector3d& t = sight.cameraFromPatient.translation;
+    const Rows3 K = core::intrinsicMatrix(posedCamera.camera), R = posedCamera.cameraFromPatient.rotation;
+    const Eigen::Vector3d& t = posedCamera.cameraFromPatient.translation;
     return {StoredMatrix{"K", 3, 3, {K.data(), K.data() + 9}}, StoredMatrix{"R", 3, 3, {R.data(), R.data() + 9}},
             StoredMatrix{"t", 3, 1, {t.data(), t.data() + 3}}};
 }
@@ -146,11 +146,11 @@ NamedMatrices parseXmlMatrices(std::string_view text)
     return matrices;
 }
 
-std::string openCvYaml(const core::PosedCamera& sight)
+std::string openCvYaml(const core::PosedCamera& posedCamera)
 {
-    std::string text = "%YAML:1.0\n---\nimage_width: " + std::to_string(sight.camera.width) +
-                       "\nimage_height: " + std::to_string(sight.camera.height) + "\n";
-    for (const StoredMatrix& matrix : storedMatrices(sight)) {
+    std::string text = "%YAML:1.0\n---\nimage_width: " + std::to_string(posedCamera.camera.width) +
+                       "\nimage_height: " + std::to_string(posedCamera.camera.height) + "\n";
+    for (const StoredMatrix& matrix : storedMatrices(posedCamera)) {
         text += std::string(matrix.name) + ": !!opencv-matrix\n   rows: " + std::to_string(matrix.rows) +
                 "\n   cols: " + std::to_string(matrix.columns) + "\n   dt: d\n   data: [ " +
                 joined(matrix.values.data(), matrix.values.size(), ", ") + " ]\n";
@@ -158,11 +158,12 @@ std::string openCvYaml(const core::PosedCamera& sight)
     return text;
 }
 
-std::string openCvXml(const core::PosedCamera& sight)
+std::string openCvXml(const core::PosedCamera& posedCamera)
 {
-    std::string text = "<?xml version=\"1.0\"?>\n<opencv_storage>\n<image_width>" + std::to_string(sight.camera.width) +
-                       "</image_width>\n<image_height>" + std::to_string(sight.camera.height) + "</image_height>\n";
-    for (const StoredMatrix& matrix : storedMatrices(sight)) {
+    std::string text = "<?xml version=\"1.0\"?>\n<opencv_storage>\n<image_width>" +
+                       std::to_string(posedCamera.camera.width) + "</image_width>\n<image_height>" +
+                       std::to_string(posedCamera.camera.height) + "</image_height>\n";
+    for (const StoredMatrix& matrix : storedMatrices(posedCamera)) {
         const std::string name = matrix.name;
         text += "<" + name + " type_id=\"opencv-matrix\">\n  <rows>" + std::to_string(matrix.rows) +
                 "</rows>\n  <cols>" + std::to_string(matrix.columns) + "</cols>\n  <dt>d</dt>\n  <data>\n    " +
@@ -171,23 +172,23 @@ std::string openCvXml(const core::PosedCamera& sight)
     return text + "</opencv_storage>\n";
 }
 
-std::string openCvJson(const core::PosedCamera& sight)
+std::string openCvJson(const core::PosedCamera& posedCamera)
 {
-    nlohmann::ordered_json root{{"image_width", sight.camera.width}, {"image_height", sight.camera.height}};
-    const Rows3 K = core::intrinsicMatrix(sight.camera), R = sight.cameraFromPatient.rotation;
+    nlohmann::ordered_json root{{"image_width", posedCamera.camera.width}, {"image_height", posedCamera.camera.height}};
+    const Rows3 K = core::intrinsicMatrix(posedCamera.camera), R = posedCamera.cameraFromPatient.rotation;
     for (const auto& [name, matrix] : {std::pair<const char*, const Rows3*>{"K", &K}, {"R", &R}}) {
         for (int row = 0; row < 3; ++row) {
             root[name].push_back({(*matrix)(row, 0), (*matrix)(row, 1), (*matrix)(row, 2)});
         }
     }
-    const Eigen::Vector3d& t = sight.cameraFromPatient.translation;
+    const Eigen::Vector3d& t = posedCamera.cameraFromPatient.translation;
     root["t"] = {t.x(), t.y(), t.z()};
     return prettyJson(root.dump());
 }
 
-std::string projectionText(const core::PosedCamera& sight)
+std::string projectionText(const core::PosedCamera& posedCamera)
 {
-    const Eigen::Matrix<double, 3, 4, Eigen::RowMajor> P = core::projectionMatrix(sight);
+    const Eigen::Matrix<double, 3, 4, Eigen::RowMajor> P = core::projectionMatrix(posedCamera);
     std::string text = "# P = K [R t]: patient LPS mm to px; (0, 0) is the center of the first pixel\n";
     for (int row = 0; row < 3; ++row) {
         text += joined(P.row(row).data(), 4, " ") + "\n";
@@ -198,7 +199,7 @@ std::string projectionText(const core::PosedCamera& sight)
 std::vector<double> parseNumbers(std::string_view text)
 {
     std::vector<double> numbers;
-    for (TextLines lines(text); lines.next();) {
+    for (LineReader lines(text); lines.next();) {
         if (!appendTo(numbers, lines.line().substr(0, lines.line().find('#')))) {
             return {};
         }

@@ -12,12 +12,12 @@ NamedMatrices parseXmlMatrices(std::string_view text);
 
 /// Returns K, R, t and the image size in the YAML format of OpenCV's FileStorage; fx < 0 if the image is viewed from
 /// the detector side.
-std::string openCvYaml(const core::PosedCamera& sight);
-std::string openCvXml(const core::PosedCamera& sight);
-std::string openCvJson(const core::PosedCamera& sight);
+std::string openCvYaml(const core::PosedCamera& posedCamera);
+std::string openCvXml(const core::PosedCamera& posedCamera);
+std::string openCvJson(const core::PosedCamera& posedCamera);
 
 /// Returns the projection matrix P as three rows of four numbers.
-std::string projectionText(const core::PosedCamera& sight);
+std::string projectionText(const core::PosedCamera& posedCamera);
 
 /// Returns all numbers of a text; blanks, commas, semicolons and brackets separate them, and `#` starts a comment.
 /// Empty if the text contains anything else.

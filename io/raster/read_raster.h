@@ -15,8 +15,7 @@ struct Raster {
     bool wasColor = false;   ///< whether the channels differed and were converted to luminance
     bool hadAlpha = false;   ///< whether transparency was ignored
     bool isPartlyDamaged = false;   ///< whether the image is partly damaged and only the intact part was decoded
-    int orientation =
-        1;   ///< orientation tag by which the frames were rotated or mirrored; 1 if stored as displayed
+    int orientation = 1;   ///< orientation tag by which the frames were rotated or mirrored; 1 if stored as displayed
 
     /// Converts a color to grayscale (Rec. 601), exactly if the channels are equal.
     float luminance(float red, float green, float blue);

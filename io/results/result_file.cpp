@@ -145,14 +145,14 @@ std::string resultJson(const core::Case& session, const core::RegistrationResult
     return prettyJson(root.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
-std::string resultJson(const core::RegisteredCase& registered, std::size_t place, ResultTexts names)
+std::string resultJson(const core::RegisteredCase& registered, std::size_t viewPosition, ResultTexts names)
 {
-    const core::Case showing = core::withShownView(registered.session, place);
+    const core::Case showing = core::withShownView(registered.session, viewPosition);
     if (names == ResultTexts::Kept) {
-        return resultJson(showing, *showing.shown().result, inputCaseText(registered));
+        return resultJson(showing, *showing.shown().result, inputCaseJson(registered));
     }
-    const core::Case nameless = deidentifiedCase(showing);
-    const std::string asked = registered.asked ? inputCaseText(deidentifiedCase(*registered.asked)) : std::string();
+    const core::Case nameless = deidentifyCase(showing);
+    const std::string asked = registered.asked ? inputCaseJson(deidentifyCase(*registered.asked)) : std::string();
     return withoutUids(resultJson(nameless, *nameless.shown().result, asked));
 }
 
@@ -160,10 +160,10 @@ std::string storedResultJson(const core::Case& session, ResultTexts names)
 {
     core::Case ofRun = keepJointlyRegisteredViews(session);
     if (names == ResultTexts::Kept) {
-        return resultJson(ofRun, *ofRun.shown().result, inputCaseTextOfResult(ofRun));
+        return resultJson(ofRun, *ofRun.shown().result, inputCaseJsonFromResult(ofRun));
     }
-    ofRun = deidentifiedCase(std::move(ofRun));
-    return withoutUids(resultJson(ofRun, *ofRun.shown().result, inputCaseTextOfResult(ofRun)));
+    ofRun = deidentifyCase(std::move(ofRun));
+    return withoutUids(resultJson(ofRun, *ofRun.shown().result, inputCaseJsonFromResult(ofRun)));
 }
 
 core::Status writeResult(const core::Case& session, const std::string& path)

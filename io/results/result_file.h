@@ -18,7 +18,7 @@ std::string resultJson(const core::Case& session, const core::RegistrationResult
                        const std::string& inputCase = {});
 
 /// Returns the result of a registration that has just finished, for the view at index `place` of its case.
-std::string resultJson(const core::RegisteredCase& registered, std::size_t place, ResultTexts names);
+std::string resultJson(const core::RegisteredCase& registered, std::size_t viewPosition, ResultTexts names);
 
 /// Returns the result of the shown view, with those inputs of its registration that the case still contains.
 std::string storedResultJson(const core::Case& session, ResultTexts names);

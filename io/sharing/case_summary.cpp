@@ -143,7 +143,7 @@ void writeVessels(std::ostream& out, const core::Vessels& vessels)
             withRadii += branch.radiusMm.empty() ? 0 : 1;
         }
         out << "tree: " << tree.branches.size() << " branches (" << named << " labelled, " << withRadii
-            << " with radii), " << tree.pointCount() << " points, " << core::acrossMm(tree) << " mm across\n";
+            << " with radii), " << tree.pointCount() << " points, " << core::extentMm(tree) << " mm across\n";
     }
     if (vessels.scan) {
         const auto& geometry = vessels.scan->geometry;
@@ -156,7 +156,7 @@ void writeVessels(std::ostream& out, const core::Vessels& vessels)
         << "\nmeasurements in slices: " << vessels.measurements.size() << "\n";
 }
 
-void writeNumber(std::ostream& out, const char* key, const core::Sourced<double>& number)
+void writeNumber(std::ostream& out, const char* key, const core::SourcedValue<double>& number)
 {
     out << "  " << key << ": ";
     if (number.value) {

@@ -80,7 +80,7 @@ core::Result<core::Messages> packCase(const core::Case& session, const std::stri
     }
     core::Messages warnings = std::move(copied).value();
     if (request.deidentification) {
-        if (const std::size_t count = removeTexts(packed); count > 0) {
+        if (const std::size_t count = removeFreeText(packed); count > 0) {
             warnings.push_back(messages::textsCleared(count));
         }
     }

@@ -30,7 +30,7 @@ std::vector<SupportFile> diagnosticFiles(const std::string& additionalInfo)
     std::vector<SupportFile> texts{{"program.txt", buildInfo() + machineText() + additionalInfo}};
     const auto dumps = crashDumps();
     for (std::size_t i = 0; i < std::min(dumps.size(), dumpsInBundle); ++i) {
-        texts.push_back({"fault-" + std::to_string(i + 1) + ".txt", demangledDump(dumps[i])});
+        texts.push_back({"fault-" + std::to_string(i + 1) + ".txt", demangleDump(dumps[i])});
     }
     return texts;
 }

@@ -105,7 +105,7 @@ void Vocabulary::add(std::string_view sentence)
     }
 }
 
-std::string Vocabulary::only(std::string_view text) const
+std::string Vocabulary::keepKnownWords(std::string_view text) const
 {
     std::string kept;
     for (std::string_view rest = text; !rest.empty();) {

@@ -51,7 +51,7 @@ public:
     void add(std::string_view sentence);
 
     /// Returns `text` with other words, and numbers of five or more digits, replaced by "[…]".
-    std::string only(std::string_view text) const;
+    std::string keepKnownWords(std::string_view text) const;
 
 private:
     std::set<std::string> words_;   ///< lower-case words; Chinese characters are separate words

@@ -67,7 +67,7 @@ public:
             }
         }
         if (failed) {
-            tree_.damaged.push_back({folder.string(), messages::folderNotReadToEnd()});
+            tree_.damagedFiles.push_back({folder.string(), messages::folderNotReadToEnd()});
         }
     }
 
@@ -99,7 +99,7 @@ public:
             if (found != there.end()) {
                 wanted.insert(found->second);
             } else {
-                collector_.addMissing(file);
+                collector_.addMissingFile(file);
                 ++check.missingFiles;
             }
             series.insert(file.identity.seriesUid);
@@ -138,7 +138,7 @@ private:
     {
         auto read = readStudyFile(path);
         if (!read) {
-            tree_.damaged.push_back({path, read.error().message.about({})});
+            tree_.damagedFiles.push_back({path, read.error().message.about({})});
             return;
         }
         std::optional<StudyFile> file = std::move(read).value();
@@ -147,7 +147,7 @@ private:
             return;
         }
         if (file->images.damage) {
-            tree_.damaged.push_back({path, *file->images.damage});
+            tree_.damagedFiles.push_back({path, *file->images.damage});
         }
         collector_.add(*std::move(file));
     }
@@ -188,8 +188,7 @@ private:
 
     const StudyObserver& observe_;
     std::vector<std::string> files_;
-    bool isFinished_ =
-        false;   ///< set once the scan was canceled or has reached the maximum number of files
+    bool isFinished_ = false;   ///< set once the scan was canceled or has reached the maximum number of files
     StudyCollector collector_;
     StudyTree tree_;
     std::shared_ptr<const StudyTree> shown_;
@@ -217,18 +216,18 @@ bool isDicomDirectory(const std::string& path)
     return normalizedFileName(fs::path(path).filename().string()) == "dicomdir";
 }
 
-core::Result<StudyTree> readStudies(const std::string& place, StudyScope reach, const StudyObserver& observe)
+core::Result<StudyTree> readStudies(const std::string& location, StudyScope scope, const StudyObserver& observe)
 {
     std::error_code unknown;
-    const bool isFile = fs::is_regular_file(place, unknown);
-    const fs::path absolute = fs::absolute(place, unknown).lexically_normal();
+    const bool isFile = fs::is_regular_file(location, unknown);
+    const fs::path absolute = fs::absolute(location, unknown).lexically_normal();
     const std::string folder = (isFile || !absolute.has_filename() ? absolute.parent_path() : absolute).string();
     const std::string directory = isFile ? absolute.string() : directoryIn(folder);
     Scan scan(observe);
     if (auto found = scan.find(folder); !found) {
         return found.error();
     }
-    if (!directory.empty() && reach == StudyScope::Listed) {
+    if (!directory.empty() && scope == StudyScope::Listed) {
         scan.keepListed(directory);
     }
     scan.dropDirectories();

@@ -24,7 +24,7 @@ using StudyObserver = std::function<core::ObserverDecision(const StudyProgress&)
 
 /// Lists the contents of a folder, a disc or a DICOMDIR (given by the file or its folder). Reads only headers. Reports
 /// damaged files and skips them. On Stop, returns what was found so far. Fails if the folder itself cannot be read.
-core::Result<StudyTree> readStudies(const std::string& place, StudyScope reach, const StudyObserver& observe = {});
+core::Result<StudyTree> readStudies(const std::string& location, StudyScope scope, const StudyObserver& observe = {});
 
 /// Lists the contents of several folders as if they were one; at least one folder is required.
 core::Result<StudyTree> readSeriesFolders(const std::vector<std::string>& folders, const StudyObserver& observe = {});

@@ -102,13 +102,13 @@ T& findOrAdd(std::vector<T>& all, const Test& isIt, const core::StudyIdentity& i
 
 void StudyCollector::add(StudyFile file)
 {
-    facts_[file.path] = {std::move(file.studyDescription),
-                         std::move(file.bodyPart),
-                         std::move(file.imageType),
-                         std::move(file.transferSyntax),
-                         file.frames,
-                         file.samples,
-                         file.frameTimeMs};
+    attributes_[file.path] = {std::move(file.studyDescription),
+                              std::move(file.bodyPart),
+                              std::move(file.imageType),
+                              std::move(file.transferSyntax),
+                              file.frames,
+                              file.samples,
+                              file.frameTimeMs};
     if (file.images.slices.empty()) {   // keep the path of an object without an image
         file.images.slices.emplace_back().path = file.path;
         withoutImage_.push_back(std::move(file.images));
@@ -119,24 +119,24 @@ void StudyCollector::add(StudyFile file)
 
 const StudyCollector::SeriesAttributes* StudyCollector::attributesOf(const std::string& path) const
 {
-    const auto found = facts_.find(path);
-    return found == facts_.end() ? nullptr : &found->second;
+    const auto found = attributes_.find(path);
+    return found == attributes_.end() ? nullptr : &found->second;
 }
 
-void StudyCollector::determineUse(StudySeries& each, const SeriesAttributes& facts) const
+void StudyCollector::determineUse(StudySeries& each, const SeriesAttributes& attributes) const
 {
     const std::string& modality = each.series.identity.modality;
-    each.bodyPart = facts.bodyPart;
-    each.frameTimeMs = facts.frameTimeMs;
-    each.imageCount = each.series.isAngiogram ? facts.frames : static_cast<int>(each.series.slices.size());
-    const bool isScout = facts.imageType.find("LOCALIZER") != std::string::npos;
-    if (isVideo(facts.transferSyntax)) {
+    each.bodyPart = attributes.bodyPart;
+    each.frameTimeMs = attributes.frameTimeMs;
+    each.imageCount = each.series.isAngiogram ? attributes.frames : static_cast<int>(each.series.slices.size());
+    const bool isScout = attributes.imageType.find("LOCALIZER") != std::string::npos;
+    if (isVideo(attributes.transferSyntax)) {
         each.reason = messages::studyVideo();
     } else if (isScout) {
         each.reason = messages::studyScout();
     } else if (!each.series.isAngiogram && !hasVessels(modality)) {
         each.reason = messages::studyModality(modality);
-    } else if (!each.series.isAngiogram && facts.samples != 1) {
+    } else if (!each.series.isAngiogram && attributes.samples != 1) {
         each.reason = messages::seriesColor();
     } else if (each.series.problem) {
         each.reason = each.series.problem;
@@ -151,8 +151,8 @@ std::vector<StudySeries> StudyCollector::seriesWithImages() const
     for (DicomSeries& series : groupSlices(images_)) {
         StudySeries& each = all.emplace_back();
         each.series = std::move(series);
-        if (const SeriesAttributes* facts = attributesOf(each.series.slices.front().path)) {
-            determineUse(each, *facts);
+        if (const SeriesAttributes* attributes = attributesOf(each.series.slices.front().path)) {
+            determineUse(each, *attributes);
         }
     }
     findPlaces(all);
@@ -190,7 +190,7 @@ std::vector<StudySeries> StudyCollector::seriesWithoutImages() const
 /// Counts the missing files of a DICOMDIR per series; adds a series of which all files are missing.
 void StudyCollector::countMissingFiles(std::vector<StudySeries>& all) const
 {
-    for (const DirectoryEntry& file : missing_) {
+    for (const DirectoryEntry& file : missingFiles_) {
         const auto isOfIt = [&](const StudySeries& each) {
             return each.series.identity.seriesUid == file.identity.seriesUid;
         };
@@ -211,13 +211,13 @@ void StudyCollector::countMissingFiles(std::vector<StudySeries>& all) const
 std::string StudyCollector::studyDescriptionOf(const StudySeries& each) const
 {
     if (!each.series.slices.empty()) {
-        const SeriesAttributes* facts = attributesOf(each.series.slices.front().path);
-        return facts ? facts->studyDescription : std::string();
+        const SeriesAttributes* attributes = attributesOf(each.series.slices.front().path);
+        return attributes ? attributes->studyDescription : std::string();
     }
-    const auto listed = std::ranges::find_if(missing_, [&](const DirectoryEntry& file) {
+    const auto listed = std::ranges::find_if(missingFiles_, [&](const DirectoryEntry& file) {
         return file.identity.seriesUid == each.series.identity.seriesUid;
     });
-    return listed == missing_.end() ? std::string() : listed->studyDescription;
+    return listed == missingFiles_.end() ? std::string() : listed->studyDescription;
 }
 
 StudyTree StudyCollector::tree() const

@@ -14,7 +14,7 @@ namespace angiopose::io {
 class StudyCollector {
 public:
     void add(StudyFile file);
-    void addMissing(const DirectoryEntry& file) { missing_.push_back(file); }
+    void addMissingFile(const DirectoryEntry& file) { missingFiles_.push_back(file); }
 
     /// Returns the study tree of all files added so far. The caller sets the file counts.
     StudyTree tree() const;
@@ -31,14 +31,14 @@ private:
     std::vector<StudySeries> seriesWithImages() const;
     std::vector<StudySeries> seriesWithoutImages() const;
     void countMissingFiles(std::vector<StudySeries>& all) const;
-    void determineUse(StudySeries& series, const SeriesAttributes& facts) const;
+    void determineUse(StudySeries& series, const SeriesAttributes& attributes) const;
     const SeriesAttributes* attributesOf(const std::string& path) const;
     std::string studyDescriptionOf(const StudySeries& series) const;
 
     std::vector<DicomImages> images_;
     std::vector<DicomImages> withoutImage_;   ///< objects without an image, for example reports, with their file paths
-    std::map<std::string, SeriesAttributes> facts_;   ///< attributes, keyed by file path
-    std::vector<DirectoryEntry> missing_;
+    std::map<std::string, SeriesAttributes> attributes_;   ///< attributes, keyed by file path
+    std::vector<DirectoryEntry> missingFiles_;
 };
 
 }   // namespace angiopose::io

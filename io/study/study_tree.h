@@ -58,7 +58,7 @@ struct StudyTree {
     std::size_t foundFiles = 0;
     std::size_t readFiles = 0;
     std::size_t otherFiles = 0;   ///< number of files that are not DICOM
-    std::vector<DamagedFile> damaged;   ///< damaged files, including those that were read in part
+    std::vector<DamagedFile> damagedFiles;   ///< damaged files, including those that were read in part
     std::optional<DirectoryCheck> directory;
     bool isStopped = false;   ///< whether the user canceled, in which case the list may be incomplete
     bool isTruncated = false;   ///< whether the folder contains more files than the maximum

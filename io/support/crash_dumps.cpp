@@ -86,7 +86,7 @@ std::vector<fs::path> crashDumps(const std::string& program)
     return dumps;
 }
 
-std::string demangledDump(const fs::path& dump)
+std::string demangleDump(const fs::path& dump)
 {
     std::ifstream file(dump);
     std::string text;

@@ -21,6 +21,6 @@ void enableCrashDumps(const std::string& program);
 std::vector<std::filesystem::path> crashDumps(const std::string& program = {});
 
 /// Returns the text of a dump with demangled function names.
-std::string demangledDump(const std::filesystem::path& dump);
+std::string demangleDump(const std::filesystem::path& dump);
 
 }   // namespace angiopose::io

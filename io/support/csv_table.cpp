@@ -76,13 +76,13 @@ core::Result<CsvTable> parseCsv(std::string_view text, const std::string& path)
     CsvTable table;
     table.path = path;
     std::size_t width = 0;
-    for (TextLines lines(text); lines.next();) {
+    for (LineReader lines(text); lines.next();) {
         std::vector<std::string_view> cells = splitCells(lines.line());
         if (width == 0) {
             width = cells.size();
             table.hasHeader = !areNumbers(cells);
             if (table.hasHeader) {
-                std::transform(cells.begin(), cells.end(), std::back_inserter(table.columns), lowered);
+                std::transform(cells.begin(), cells.end(), std::back_inserter(table.columns), toLower);
                 continue;
             }
         }

@@ -12,10 +12,10 @@
 namespace angiopose::io {
 
 /// Iterates over the trimmed lines of a text; skips empty lines and comments (`#`), which the line numbers include.
-/// Usage: `for (TextLines lines(text); lines.next();) { use(lines.line(), lines.number()); }`
-class TextLines {
+/// Usage: `for (LineReader lines(text); lines.next();) { use(lines.line(), lines.number()); }`
+class LineReader {
 public:
-    explicit TextLines(std::string_view text) : remaining_(text) {}
+    explicit LineReader(std::string_view text) : remaining_(text) {}
 
     bool next()
     {

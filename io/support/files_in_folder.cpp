@@ -16,7 +16,7 @@ constexpr int deepestFolder = 8;
 
 }   // namespace
 
-core::Result<std::vector<std::string>> filesInFolder(const std::string& folder, FolderDepth reach)
+core::Result<std::vector<std::string>> filesInFolder(const std::string& folder, FolderDepth folderDepth)
 {
     std::vector<std::string> files;
     std::error_code failed;
@@ -28,7 +28,7 @@ core::Result<std::vector<std::string>> filesInFolder(const std::string& folder, 
         if (failed || files.size() > maxFilesInFolder) {
             return fileError(folder, failed ? messages::folderNotReadToEnd() : messages::folderTooFull());
         }
-        if (reach == FolderDepth::TopLevel || at.depth() >= deepestFolder) {
+        if (folderDepth == FolderDepth::TopLevel || at.depth() >= deepestFolder) {
             at.disable_recursion_pending();
         }
         std::error_code unknown;

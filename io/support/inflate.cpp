@@ -6,15 +6,16 @@
 
 namespace angiopose::io {
 
-std::optional<std::string> decompress(std::string_view packed, CompressionFormat packing, std::size_t maxBytes)
+std::optional<std::string> decompress(std::string_view compressed, CompressionFormat format, std::size_t maxBytes)
 {
     z_stream stream{};
     // zlib windowBits: 15 with +16 for a gzip header; negative for raw deflate data.
-    if (packed.size() > maxBytes || inflateInit2(&stream, packing == CompressionFormat::Gzip ? 15 + 16 : -15) != Z_OK) {
+    if (compressed.size() > maxBytes ||
+        inflateInit2(&stream, format == CompressionFormat::Gzip ? 15 + 16 : -15) != Z_OK) {
         return std::nullopt;
     }
-    stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(packed.data()));
-    stream.avail_in = static_cast<uInt>(packed.size());
+    stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(compressed.data()));
+    stream.avail_in = static_cast<uInt>(compressed.size());
     std::string content;
     std::array<char, 1 << 16> block;
     int status = Z_OK;
@@ -31,15 +32,15 @@ std::optional<std::string> decompress(std::string_view packed, CompressionFormat
     return content;
 }
 
-std::string decompressStart(std::string_view packed, std::size_t bytes)
+std::string decompressStart(std::string_view compressed, std::size_t bytes)
 {
     z_stream stream{};
     if (inflateInit2(&stream, 15 + 16) != Z_OK) {
         return {};
     }
     std::string content(bytes, '\0');
-    stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(packed.data()));
-    stream.avail_in = static_cast<uInt>(std::min<std::size_t>(packed.size(), 2 * bytes + 4096));
+    stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(compressed.data()));
+    stream.avail_in = static_cast<uInt>(std::min<std::size_t>(compressed.size(), 2 * bytes + 4096));
     stream.next_out = reinterpret_cast<Bytef*>(content.data());
     stream.avail_out = static_cast<uInt>(content.size());
     inflate(&stream, Z_SYNC_FLUSH);

@@ -35,7 +35,7 @@ std::string_view trimmed(std::string_view text)
     return text.substr(first, text.find_last_not_of(padding) - first + 1);
 }
 
-std::string lowered(std::string_view text)
+std::string toLower(std::string_view text)
 {
     std::string result(text);
     std::transform(result.begin(), result.end(), result.begin(),

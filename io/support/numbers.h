@@ -17,6 +17,6 @@ std::string toText(double value);
 std::string_view trimmed(std::string_view text);
 
 /// Converts ASCII letters to lower case.
-std::string lowered(std::string_view text);
+std::string toLower(std::string_view text);
 
 }   // namespace angiopose::io

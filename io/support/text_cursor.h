@@ -7,9 +7,9 @@
 namespace angiopose::io {
 
 /// Reads a file word by word.
-class TextCursor {
+class TextReader {
 public:
-    explicit TextCursor(std::string_view content) : remaining_(content) {}
+    explicit TextReader(std::string_view content) : remaining_(content) {}
 
     bool isAtEnd() const;
     std::size_t left() const { return remaining_.size(); }   ///< number of remaining bytes

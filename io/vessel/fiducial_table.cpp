@@ -58,7 +58,7 @@ std::optional<std::string> readComment(std::string_view line, FiducialLayout& la
     if (equals == std::string_view::npos) {
         return std::nullopt;
     }
-    const std::string value = lowered(trimmed(line.substr(equals + 1)));
+    const std::string value = toLower(trimmed(line.substr(equals + 1)));
     if (line.find("CoordinateSystem") < equals) {
         layout.isRas = value == "0" || value == "ras";
         return layout.isRas || value == "1" || value == "lps" ? std::nullopt : std::optional(value);

@@ -20,7 +20,7 @@ using Json = nlohmann::ordered_json;
 core::Result<CoordinateConversion> ruleOf(const Json& markup, const std::string& path)
 {
     const std::string system = markup.value("coordinateSystem", "LPS");
-    const std::string axes = lowered(system);
+    const std::string axes = toLower(system);
     if (axes != "lps" && axes != "ras") {
         return fileError(path, messages::fiducialsSystem(system.substr(0, 20)));
     }
@@ -42,7 +42,7 @@ core::Result<CoordinateConversion> ruleOf(const Json& markup, const std::string&
 std::optional<Eigen::Vector3d> placedPoint(const Json& control, const CoordinateConversion& rule)
 {
     const auto position = control.find("position");
-    if (lowered(control.value("positionStatus", "defined")) != "defined" || position == control.end() ||
+    if (toLower(control.value("positionStatus", "defined")) != "defined" || position == control.end() ||
         position->is_null()) {
         return std::nullopt;
     }

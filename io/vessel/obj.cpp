@@ -21,9 +21,9 @@ core::Result<VtkLines> parseObj(std::string_view content, const std::string& pat
 {
     VtkLines surface;
     std::vector<Eigen::Vector3d>& points = surface.set.points;
-    TextCursor lines(content);
+    TextReader lines(content);
     for (std::size_t line = 1; lines.left() > 0; ++line) {
-        TextCursor words(lines.line());
+        TextReader words(lines.line());
         const std::string_view kind = words.word();
         if (kind == "v") {
             const auto point = words.point();

@@ -103,7 +103,7 @@ std::string axesIn(const std::string& line)
         return {};
     }
     std::string axes = found[2].matched ? "RAS" : found[3].matched ? "LPS" : found[1].str();
-    const std::string name = lowered(axes);
+    const std::string name = toLower(axes);
     if (name == "ras" || name == "lps" || found.str().find_first_of("=:") != std::string::npos) {
         std::ranges::transform(axes, axes.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
     }
@@ -123,7 +123,7 @@ std::optional<double> lengthUnitMm(std::string_view word)
         {"inches", 25.4},     {"[in_i]", 25.4},    {"ft", 304.8},       {"foot", 304.8},      {"feet", 304.8},
         {"micron", 1e-3},     {"meter", 1000.0},   {"millimeter", 1.0}, {"centimeter", 10.0}, {"decimeter", 100.0},
         {"micrometer", 1e-3}, {"nanometer", 1e-6}};
-    std::string name = lowered(trimmed(word));
+    std::string name = toLower(trimmed(word));
     std::erase_if(name, [](char c) { return c == ' ' || c == '-'; });
     if (const std::size_t meter = name.find("metre"); meter != std::string::npos) {
         name.replace(meter, 5, "meter");
@@ -141,10 +141,10 @@ std::string headerText(std::string_view content)
         return std::string(content.substr(0, 80));
     }
     std::string text;
-    TextCursor lines(content.substr(0, headBytes));
+    TextReader lines(content.substr(0, headBytes));
     for (int number = 1; lines.left() > 0; ++number) {
         const std::string_view line = lines.line();
-        const std::string start = lowered(line.substr(0, 8));
+        const std::string start = toLower(line.substr(0, 8));
         const bool isTitle = number == 2 && content.starts_with("# vtk");
         if (isTitle || start.starts_with('#') || start.starts_with("comment") || start.starts_with("obj_info") ||
             start.starts_with("solid") || line.find("<!--") != std::string_view::npos) {
@@ -163,7 +163,7 @@ core::Result<CoordinateConversion> coordinateConversion(std::string_view header,
     CoordinateConversion rule;
     std::optional<StatedUnit> stated;
     std::string axes;
-    for (TextCursor lines(header); lines.left() > 0;) {
+    for (TextReader lines(header); lines.left() > 0;) {
         const std::string line(lines.line().substr(0, longestLine));
         const auto unit = unitIn(line);
         if (unit && stated && unit->unitMm != stated->unitMm) {

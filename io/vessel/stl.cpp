@@ -30,7 +30,7 @@ std::size_t heldTriangles(std::string_view content)
 /// Returns whether the content is ASCII STL. Binary files may also start with "solid" but contain null bytes.
 bool isText(std::string_view content)
 {
-    const std::string head = lowered(content.substr(0, 512));
+    const std::string head = toLower(content.substr(0, 512));
     return head.find("solid") != std::string::npos && head.find('\0') == std::string::npos;
 }
 
@@ -55,8 +55,8 @@ std::optional<VtkLines> parseText(std::string_view content)
 {
     VtkLines surface;
     bool hasEnd = false;
-    for (TextCursor cursor(content); !cursor.isAtEnd();) {
-        const std::string word = lowered(cursor.word());
+    for (TextReader cursor(content); !cursor.isAtEnd();) {
+        const std::string word = toLower(cursor.word());
         hasEnd = word == "endsolid" || (hasEnd && word != "solid" && word != "facet");
         if (word != "vertex") {
             continue;

@@ -51,7 +51,7 @@ struct HeaderText {
 std::optional<std::string> fieldValue(std::string_view line, std::string_view name)
 {
     const std::size_t colon = std::min(line.find(':'), line.size());
-    std::string given = lowered(line.substr(0, colon));
+    std::string given = toLower(line.substr(0, colon));
     std::erase(given, ' ');
     if (colon == line.size() || given != name) {
         return std::nullopt;
@@ -283,7 +283,7 @@ std::optional<core::Message> findSource(const NrrdIoState& state, const HeaderTe
     } else {
         source.path = (std::filesystem::path(source.path).parent_path() / header.dataFile).string();
     }
-    source.isPacked = state.encoding == nrrdEncodingGzip;
+    source.isCompressed = state.encoding == nrrdEncodingGzip;
     source.isBigEndian = state.endian == airEndianBig;
     source.isAtEnd = header.byteSkip == -1;
     source.skip = header.byteSkip > 0 ? static_cast<std::uint64_t>(header.byteSkip) : 0;

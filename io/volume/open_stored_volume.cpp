@@ -342,7 +342,7 @@ core::Result<StoredVolume> parseNifti(std::string_view head, const std::string& 
     }
     VoxelSource source{header.isPair ? pairedPath(path) : path, 0, false, skip};
     const auto content = openInputStart(source.path);
-    source.isPacked = content && content.value().view().starts_with("\x1f\x8b");
+    source.isCompressed = content && content.value().view().starts_with("\x1f\x8b");
     source.isBigEndian = header.isSwapped;   // swapped relative to the little-endian host
     stored.voxels = voxelStream(stored, source);
     return stored;

@@ -125,7 +125,7 @@ VoxelSource metaSource(std::string_view content, const std::string& path)
     } else {
         source.path = (std::filesystem::path(path).parent_path() / dataFile).string();
     }
-    source.isPacked = isYes(metaValue(content, "CompressedData"));
+    source.isCompressed = isYes(metaValue(content, "CompressedData"));
     source.isBigEndian =
         isYes(metaValue(content, "BinaryDataByteOrderMSB")) || isYes(metaValue(content, "ElementByteOrderMSB"));
     const int skip = parseInteger(metaValue(content, "HeaderSize")).value_or(0);
@@ -140,7 +140,7 @@ bool readNumbers(std::string_view content, std::initializer_list<std::string_vie
 {
     for (const std::string_view key : keys) {
         const std::string value = metaValue(content, key);
-        TextCursor words(value);
+        TextReader words(value);
         for (std::size_t i = 0; i < numbers.size() && !value.empty(); ++i) {
             const auto number = parseNumber(words.word());
             if (!number) {
@@ -191,7 +191,7 @@ PlainHeader metaHeader(std::string_view content, const std::string& path)
 }
 
 /// Applies one line of a VTK image header; returns false if its value is not numeric.
-bool readVtkLine(std::string_view key, TextCursor& words, PlainHeader& header)
+bool readVtkLine(std::string_view key, TextReader& words, PlainHeader& header)
 {
     if (key != "dimensions" && key != "spacing" && key != "aspect_ratio" && key != "origin") {
         return true;
@@ -217,13 +217,13 @@ PlainHeader vtkHeader(std::string_view content, const std::string& path)
     constexpr int maxLines = 64;
     const core::Message notRead = messages::volumeFormatHeaderNotRead(nameOf(PlainFormat::VtkImage));
     PlainHeader header;
-    TextCursor text(content);
+    TextReader text(content);
     text.line();
     text.line();
-    header.isText = lowered(text.line()) == "ascii";
+    header.isText = toLower(text.line()) == "ascii";
     for (int line = 0; line < maxLines && !text.isAtEnd(); ++line) {
-        TextCursor words(text.line());
-        const std::string key = lowered(words.word());
+        TextReader words(text.line());
+        const std::string key = toLower(words.word());
         if (!readVtkLine(key, words, header) || key == "cell_data") {
             break;
         }
@@ -231,13 +231,13 @@ PlainHeader vtkHeader(std::string_view content, const std::string& path)
             continue;
         }
         words.word();   // array name
-        const auto type = typeIn(types, lowered(words.word()));
+        const auto type = typeIn(types, toLower(words.word()));
         const std::string_view components = words.word();
         if (!type || (!components.empty() && components != "1")) {
             return unread(type ? core::Message(messages::volumeChannels(std::string(components.substr(0, 8))))
                                : core::Message(messages::volumeOtherVoxelType()));
         }
-        if (TextCursor ahead = text; lowered(ahead.word()) == "lookup_table") {
+        if (TextReader ahead = text; toLower(ahead.word()) == "lookup_table") {
             text.line();
         }
         header.type = *type;
@@ -308,13 +308,13 @@ public:
         if (!input) {
             return input.error();
         }
-        TextCursor text(input.value().view().substr(std::min<std::size_t>(offset_, input.value().view().size())));
+        TextReader text(input.value().view().substr(std::min<std::size_t>(offset_, input.value().view().size())));
         return visitVoxelType(type_, [&](auto kind) { return readAs<decltype(kind)>(text, voxels, observe); });
     }
 
 private:
     template <class T>
-    core::Status readAs(TextCursor& text, char* voxels, const ReadObserver& observe) const
+    core::Status readAs(TextReader& text, char* voxels, const ReadObserver& observe) const
     {
         for (std::size_t i = 0; i < count_; ++i) {
             if (i % 65536 == 0 && isStopRequested(observe, static_cast<double>(i) / static_cast<double>(count_))) {

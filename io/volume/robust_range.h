@@ -30,13 +30,13 @@ ValueRange robustRange(const ValueRange& range, std::size_t count, const ValueAt
         return range;
     }
     std::ranges::sort(sample);
-    const double usual = sample[sample.size() / 2];   // background of a mask or map, excluded from the spread
-    std::erase(sample, usual);
+    const double median = sample[sample.size() / 2];   // background of a mask or map, excluded from the spread
+    std::erase(sample, median);
     if (sample.size() < minSample) {
         return range;
     }
-    const double low = std::min(usual, sample[sample.size() / 200]);
-    const double high = std::max(usual, sample[sample.size() - 1 - sample.size() / 200]);
+    const double low = std::min(median, sample[sample.size() / 200]);
+    const double high = std::max(median, sample[sample.size() - 1 - sample.size() / 200]);
     if (range.high - range.low <= maxRangeRatio * (high - low)) {
         return range;
     }

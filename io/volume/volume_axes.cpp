@@ -53,7 +53,7 @@ double millimetersPer(std::string_view unit, core::Messages& warnings)
                                          {"\xce\xbcm", 1e-3}, {"micron", 1e-3}, {"microns", 1e-3}, {"nm", 1e-6},
                                          {"in", 25.4},        {"inch", 25.4},   {"inches", 25.4}};
     unit = trimmed(unit);
-    const std::string name = lowered(unit);
+    const std::string name = toLower(unit);
     for (const auto& [length, mm] : lengths) {
         if (name == length) {
             return mm;

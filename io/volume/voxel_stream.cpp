@@ -20,15 +20,15 @@ constexpr std::size_t streamBlock = std::size_t{1} << 20;
 constexpr std::size_t niftiHeadBytes = 348;
 constexpr double maxDeflateRatio = 1100.0;   // bound of the compression ratio; that of deflate is 1032
 
-/// Bytes of a file from `offset` on, decompressed if `isPacked` is true.
+/// Bytes of a file from `offset` on, decompressed if `isCompressed` is true.
 class PackedFile {
 public:
-    PackedFile(const std::string& path, std::uint64_t offset, bool isPacked) : file_(path, std::ios::binary)
+    PackedFile(const std::string& path, std::uint64_t offset, bool isCompressed) : file_(path, std::ios::binary)
     {
         file_.seekg(static_cast<std::streamoff>(offset));
-        isPacked_ = isPacked && inflateInit2(&inflater_, 15 + 32) == Z_OK;   // +32 detects gzip and zlib headers
-        isDamaged_ = !file_ || isPacked != isPacked_;
-        block_.resize(isPacked ? streamBlock / 4 : 0);
+        isPacked_ = isCompressed && inflateInit2(&inflater_, 15 + 32) == Z_OK;   // +32 detects gzip and zlib headers
+        isDamaged_ = !file_ || isCompressed != isPacked_;
+        block_.resize(isCompressed ? streamBlock / 4 : 0);
     }
     PackedFile(const PackedFile&) = delete;
     PackedFile& operator=(const PackedFile&) = delete;
@@ -155,11 +155,11 @@ core::Status VoxelStream::check() const
     }
     const std::uint64_t size = input.value().view().size();
     const std::uint64_t there = size - std::min(source_.offset, size);
-    if (source_.isPacked && !source_.isAtEnd &&
+    if (source_.isCompressed && !source_.isAtEnd &&
         declaresFewerThan(input.value().view().substr(size - there), needed_ + source_.skip)) {
         return cutShort();
     }
-    if (!source_.isPacked && there < needed_ + source_.skip) {
+    if (!source_.isCompressed && there < needed_ + source_.skip) {
         return fileError(source_.path, messages::volumeCutShortBy(there, needed_ + source_.skip));
     }
     return static_cast<double>(needed_) > maxDeflateRatio * static_cast<double>(there) ? core::Status(cutShort())
@@ -168,7 +168,9 @@ core::Status VoxelStream::check() const
 
 std::unique_ptr<PackedFile> VoxelStream::openAtVoxels() const
 {
-    const auto open = [this] { return std::make_unique<PackedFile>(source_.path, source_.offset, source_.isPacked); };
+    const auto open = [this] {
+        return std::make_unique<PackedFile>(source_.path, source_.offset, source_.isCompressed);
+    };
     auto file = open();
     std::uint64_t skip = source_.skip;
     if (source_.isAtEnd) {

@@ -10,7 +10,7 @@ namespace angiopose::io {
 struct VoxelSource {
     std::string path;
     std::uint64_t offset = 0;
-    bool isPacked = false;
+    bool isCompressed = false;
     std::uint64_t skip = 0;
     bool isAtEnd = false;   ///< whether the voxels are the last bytes of the decompressed data, whatever precedes them
     bool isBigEndian = false;

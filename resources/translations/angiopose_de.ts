@@ -4,12 +4,12 @@
 <context>
     <name>angiopose::app::AuxiliaryController</name>
     <message>
-        <source>No auxiliary branches selected: AngioPose weights all branches equally. Auxiliary branches determine the pose components they constrain; the other branches constrain the rest.</source>
-        <translation>Keine Hilfsäste gewählt: AngioPose gewichtet alle Äste gleich. Hilfsäste bestimmen die Lagekomponenten, die sie festlegen; die übrigen Äste bestimmen den Rest.</translation>
+        <source>No auxiliary branches selected: the method AngioPose weights all branches equally. If auxiliary branches are selected, they determine the pose components that they constrain; the other branches determine the remaining components.</source>
+        <translation>Keine Hilfsäste gewählt: Die Methode AngioPose gewichtet alle Äste gleich. Sind Hilfsäste gewählt, bestimmen sie die Lagekomponenten, die sie festlegen; die übrigen Äste bestimmen die restlichen Komponenten.</translation>
     </message>
     <message>
-        <source>%1 In AngioPose, they determine the pose components they constrain; the other branches constrain the rest. The result also reports the fit of all branches. If confidence is low, AngioPose also tries poses found from these branches alone.</source>
-        <translation>%1 In AngioPose bestimmen sie die Lagekomponenten, die sie festlegen; die übrigen Äste bestimmen den Rest. Das Ergebnis nennt auch die Anpassung aller Äste. Bei geringer Konfidenz prüft AngioPose auch Lagen, die allein aus diesen Ästen gefunden wurden.</translation>
+        <source>%1 In the method AngioPose, these branches determine the pose components that they constrain; the other branches determine the remaining components. The result also reports the fit of all branches. If confidence is low, AngioPose also tries poses found from these branches alone.</source>
+        <translation>%1 In der Methode AngioPose bestimmen diese Äste die Lagekomponenten, die sie festlegen; die übrigen Äste bestimmen die restlichen Komponenten. Das Ergebnis nennt auch die Anpassung aller Äste. Bei geringer Konfidenz prüft AngioPose auch Lagen, die allein aus diesen Ästen gefunden wurden.</translation>
     </message>
     <message>
         <source>Change method to %1</source>
@@ -52,16 +52,16 @@
         <translation>Kein Ast erreicht diesen Radius.</translation>
     </message>
     <message>
-        <source>No auxiliary branches selected: the alternation uses the %1 nodes of the tree.</source>
-        <translation>Keine Hilfsäste gewählt: Die alternierende Lösung verwendet die %1 Knoten des Gefäßbaums.</translation>
+        <source>No auxiliary branches selected: the method uses the %1 nodes of the tree as auxiliary points.</source>
+        <translation>Keine Hilfsäste gewählt: Die Methode verwendet die %1 Knoten des Gefäßbaums als Hilfspunkte.</translation>
     </message>
     <message>
         <source>Auxiliary: %1 (%2 mm, %3 % of the tree).</source>
         <translation>Hilfsäste: %1 (%2 mm, %3 % des Gefäßbaums).</translation>
     </message>
     <message>
-        <source>%1 The current method does not alternate and uses all branches.</source>
-        <translation>%1 Die aktuelle Methode alterniert nicht und verwendet alle Äste.</translation>
+        <source>%1 The current method ignores this selection and uses all branches.</source>
+        <translation>%1 Die aktuelle Methode beachtet diese Auswahl nicht und verwendet alle Äste.</translation>
     </message>
     <message>
         <source>%1 The method option “Auxiliary points” takes precedence.</source>
@@ -251,7 +251,7 @@
         <translation>Im Bild gemessen</translation>
     </message>
     <message>
-        <source>, narrowest %1 mm (−%2 %)</source>
+        <source>, narrowest point %1 mm (−%2 %)</source>
         <translation>, engste Stelle %1 mm (−%2 %)</translation>
     </message>
     <message>
@@ -318,7 +318,7 @@
         <translation>Eine Registrierung läuft</translation>
     </message>
     <message>
-        <source>Stop it and close? Unsaved changes to this case are lost.</source>
+        <source>Stop it and close? Unsaved changes to this case will be lost.</source>
         <translation>Anhalten und schließen? Ungespeicherte Änderungen an diesem Fall gehen verloren.</translation>
     </message>
     <message>
@@ -567,8 +567,8 @@
         <translation>Gefäße durch die Serie verfolgen</translation>
     </message>
     <message>
-        <source>The vessels were moved in the meantime. Track them again.</source>
-        <translation>Die Gefäße wurden inzwischen bewegt. Verfolgen Sie sie erneut.</translation>
+        <source>The vessels were moved during tracking. Track them again.</source>
+        <translation>Die Gefäße wurden während der Verfolgung bewegt. Verfolgen Sie sie erneut.</translation>
     </message>
     <message>
         <source>breathing: period %1 s, %2 mm peak to peak</source>
@@ -579,11 +579,11 @@
         <translation>Herzschlag: Periode %1 s, %2 mm Spitze–Spitze</translation>
     </message>
     <message>
-        <source>Tracked through %1 frames: scroll through or play them</source>
+        <source>Tracked through %1 frames; scroll through the frames or play them</source>
         <translation>Durch %1 Bilder verfolgt: blättern oder abspielen</translation>
     </message>
     <message>
-        <source>Tracked through %1 frames; in %2 of them, the vessels are not visible enough</source>
+        <source>Tracked through %1 frames; in %2 of them, the vessels are not sufficiently visible</source>
         <translation>Durch %1 Bilder verfolgt; in %2 davon sind die Gefäße nicht deutlich genug sichtbar</translation>
     </message>
     <message>
@@ -653,47 +653,47 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Der Gefäßbaum</translation>
     </message>
     <message>
-        <source>Lists the branches with their lengths and distances to the image. A adds a branch to the auxiliary branches, X excludes it.</source>
-        <translation>Listet die Äste mit Länge und Abstand zum Bild. A nimmt einen Ast in die Hilfsäste auf, X schließt ihn aus.</translation>
+        <source>Lists the branches with their lengths and residuals. Press A to add a branch to the auxiliary branches, X to exclude it.</source>
+        <translation>Listet die Äste mit Länge und Residuum. A nimmt einen Ast in die Hilfsäste auf, X schließt ihn aus.</translation>
     </message>
     <message>
         <source>The angiogram</source>
         <translation>Das Angiogramm</translation>
     </message>
     <message>
-        <source>The projected tree is overlaid on it, colored by distance. Wheel: scroll through frames. N: move the tree with arrow keys or mouse. H: hide it.</source>
-        <translation>Der projizierte Gefäßbaum überlagert es, nach Abstand gefärbt. Rad: Bilder blättern. N: Gefäßbaum mit Pfeiltasten oder Maus verschieben. H: verbergen.</translation>
+        <source>The projected tree is overlaid on the angiogram and colored by its distance to the traced vessels. Wheel: scroll through the frames. N: move the tree with the arrow keys or the mouse. H: hide the tree.</source>
+        <translation>Der projizierte Gefäßbaum überlagert das Angiogramm, gefärbt nach dem Abstand zu den erfassten Gefäßen. Rad: Bilder blättern. N: Gefäßbaum mit Pfeiltasten oder Maus verschieben. H: verbergen.</translation>
     </message>
     <message>
         <source>Register</source>
         <translation>Registrieren</translation>
     </message>
     <message>
-        <source>R finds the pose. Stop keeps the best pose found so far; Ctrl+Z restores the previous one.</source>
-        <translation>R findet die Lage. Anhalten behält die bisher beste Lage; Strg+Z stellt die vorherige wieder her.</translation>
+        <source>R finds the pose. Stop keeps the best pose found so far; Ctrl+Z restores the pose from before the registration.</source>
+        <translation>R findet die Lage. Anhalten behält die bisher beste Lage; Strg+Z stellt die Lage vor der Registrierung wieder her.</translation>
     </message>
     <message>
         <source>Is the result reliable?</source>
         <translation>Ist das Ergebnis verlässlich?</translation>
     </message>
     <message>
-        <source>Distances in mm, and notes on what this image cannot determine. Shift+F1 shows examples of good and bad fits.</source>
-        <translation>Abstände in mm und Hinweise darauf, was dieses Bild nicht bestimmen kann. Umschalt+F1 zeigt Beispiele guter und schlechter Registrierungen.</translation>
+        <source>Shows distances in mm and notes on what cannot be determined from this image. Shift+F1 shows examples of good and bad fits.</source>
+        <translation>Zeigt Abstände in mm und Hinweise darauf, was sich aus diesem Bild nicht bestimmen lässt. Umschalt+F1 zeigt Beispiele guter und schlechter Registrierungen.</translation>
     </message>
     <message>
         <source>Getting help</source>
         <translation>Hilfe finden</translation>
     </message>
     <message>
-        <source>F1 explains the item under the mouse pointer, ? lists and edits all shortcuts. This tour is in the Help menu.</source>
+        <source>F1 explains the item under the mouse pointer; ? lists all shortcuts and lets you change them. This tour is also available from the Help menu.</source>
         <translation>F1 erklärt das Element unter dem Mauszeiger, ? zeigt und ändert alle Tastenkürzel. Dieser Rundgang steht im Menü „Hilfe“.</translation>
     </message>
     <message>
-        <source>The angiogram is rendered by VTK (OpenGL).</source>
+        <source>The angiogram is rendered with VTK (OpenGL).</source>
         <translation>Das Angiogramm wird von VTK (OpenGL) gerendert.</translation>
     </message>
     <message>
-        <source>The angiogram is rendered by the CPU.</source>
+        <source>The angiogram is rendered on the CPU.</source>
         <translation>Das Angiogramm wird von der CPU gerendert.</translation>
     </message>
 </context>
@@ -846,8 +846,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
 <context>
     <name>angiopose::app::LinkedCrosshair</name>
     <message>
-        <source>The crosshair links side-by-side views (%1).</source>
-        <translation>Das Fadenkreuz verknüpft nebeneinander gezeigte Ansichten (%1).</translation>
+        <source>The crosshair is linked across side-by-side views (%1).</source>
+        <translation>Das Fadenkreuz ist in nebeneinander gezeigten Ansichten verknüpft (%1).</translation>
     </message>
 </context>
 <context>
@@ -877,8 +877,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Wischen: Die Überlagerung endet am Mauszeiger</translation>
     </message>
     <message>
-        <source>Lens: shows only the angiogram under the mouse pointer</source>
-        <translation>Lupe: unter dem Mauszeiger nur das Angiogramm</translation>
+        <source>Lens: hides the overlay around the mouse pointer</source>
+        <translation>Lupe: blendet die Überlagerung um den Mauszeiger aus</translation>
     </message>
     <message>
         <source>Swipe and lens off</source>
@@ -909,8 +909,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Gefäße als DRR des Scans</translation>
     </message>
     <message>
-        <source>Vessels as DRR of tubes</source>
-        <translation>Gefäße als DRR aus Röhren</translation>
+        <source>Vessels as DRR of the tube model</source>
+        <translation>Gefäße als DRR des Röhrenmodells</translation>
     </message>
 </context>
 <context>
@@ -934,48 +934,48 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
 <context>
     <name>angiopose::app::OpenController</name>
     <message>
-        <source>The pose belongs to an image of %1 × %2 px, but the angiogram has %3 × %4. Open the pose that belongs to this image.</source>
-        <translation>Die Lage gehört zu einem Bild von %1 × %2 px, das Angiogramm hat jedoch %3 × %4. Öffnen Sie die Lage, die zu diesem Bild gehört.</translation>
+        <source>The pose belongs to an image of %1 × %2 px, but the angiogram is %3 × %4 px. Open the pose that belongs to this angiogram.</source>
+        <translation>Die Lage gehört zu einem Bild von %1 × %2 px, das Angiogramm hat jedoch %3 × %4 px. Öffnen Sie die Lage, die zu diesem Angiogramm gehört.</translation>
     </message>
     <message>
-        <source>The camera of the pose is mirrored relative to the angiogram: one is viewed from the detector, the other from the source. Mirror the image, or change the viewing side in the geometry.</source>
-        <translation>Die Kamera der Lage ist gegenüber dem Angiogramm gespiegelt: Eines ist vom Detektor, das andere vom Fokus aus gesehen. Spiegeln Sie das Bild, oder ändern Sie die Betrachtungsseite in der Geometrie.</translation>
+        <source>The camera stored with the pose is mirrored relative to the angiogram: one is viewed from the detector, the other from the source. Mirror the image, or change the viewing side in the geometry panel.</source>
+        <translation>Die mit der Lage gespeicherte Kamera ist gegenüber dem Angiogramm gespiegelt: Eines ist vom Detektor, das andere vom Fokus aus gesehen. Spiegeln Sie das Bild, oder ändern Sie die Betrachtungsseite im Geometriefeld.</translation>
     </message>
     <message>
         <source>The pose was registered with different vessels.</source>
         <translation>Die Lage wurde mit anderen Gefäßen registriert.</translation>
     </message>
     <message>
-        <source>The pose was registered in a different angiogram.</source>
-        <translation>Die Lage wurde in einem anderen Angiogramm registriert.</translation>
+        <source>The pose was registered to a different angiogram.</source>
+        <translation>Die Lage wurde zu einem anderen Angiogramm registriert.</translation>
     </message>
     <message>
         <source>A pose can be opened only in a case. Open vessels and an angiogram first, then the pose.</source>
         <translation>Eine Lage lässt sich nur in einem Fall öffnen. Öffnen Sie zuerst Gefäße und ein Angiogramm, dann die Lage.</translation>
     </message>
     <message>
-        <source>At this pose, the vessels lie behind the X-ray source. The pose may belong to another patient, or it may map camera to patient; in the latter case, invert it.</source>
-        <translation>In dieser Lage liegen die Gefäße hinter dem Röntgenfokus. Die Lage gehört vielleicht zu einem anderen Patienten, oder sie bildet von der Kamera auf den Patienten ab: Dann kehren Sie sie um.</translation>
+        <source>At this pose, the vessels lie behind the X-ray source. The pose may belong to another patient, or it may map camera coordinates to patient coordinates; in the latter case, invert the pose.</source>
+        <translation>In dieser Lage liegen die Gefäße hinter dem Röntgenfokus. Die Lage gehört vielleicht zu einem anderen Patienten, oder sie bildet Kamera- auf Patientenkoordinaten ab: Dann kehren Sie die Lage um.</translation>
     </message>
     <message>
-        <source>The camera of the pose is now in use. You can revert this in the geometry panel.</source>
-        <translation>Die Kamera der Lage wird jetzt verwendet. Im Geometriefeld lässt sich das zurücknehmen.</translation>
+        <source>The camera stored with the pose is now in use. You can revert this in the geometry panel.</source>
+        <translation>Die mit der Lage gespeicherte Kamera wird jetzt verwendet. Im Geometriefeld lässt sich das zurücknehmen.</translation>
     </message>
     <message>
         <source>Open pose %1</source>
         <translation>Lage %1 öffnen</translation>
     </message>
     <message>
-        <source>Points can be opened only together with vessels. Open the vessels first, then the points.</source>
-        <translation>Punkte lassen sich nur zu Gefäßen öffnen. Öffnen Sie zuerst die Gefäße, dann die Punkte.</translation>
+        <source>Points can be opened only in a case with vessels. Open the vessels first, then the points.</source>
+        <translation>Punkte lassen sich nur in einem Fall mit Gefäßen öffnen. Öffnen Sie zuerst die Gefäße, dann die Punkte.</translation>
     </message>
     <message>
         <source>Target points added: %1.</source>
         <translation>Zielpunkte hinzugefügt: %1.</translation>
     </message>
     <message>
-        <source>None of them is near the vessels. They may belong to another patient or use a different coordinate system.</source>
-        <translation>Keiner liegt nahe den Gefäßen. Sie gehören vielleicht zu einem anderen Patienten oder verwenden ein anderes Koordinatensystem.</translation>
+        <source>None of the target points is near the vessels. The points may belong to another patient or use a different coordinate system.</source>
+        <translation>Keiner der Zielpunkte liegt nahe den Gefäßen. Die Punkte gehören vielleicht zu einem anderen Patienten oder verwenden ein anderes Koordinatensystem.</translation>
     </message>
     <message>
         <source>Open points %1</source>
@@ -994,7 +994,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>%1 wird gelesen…</translation>
     </message>
     <message>
-        <source>A registration was started in the meantime. Open the file again after it has finished.</source>
+        <source>A registration was started in the meantime. Open the file again after the registration has finished.</source>
         <translation>Inzwischen wurde eine Registrierung gestartet. Öffnen Sie die Datei nach deren Ende erneut.</translation>
     </message>
     <message>
@@ -1006,7 +1006,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Ein Blindversuch läuft. Beenden Sie ihn, bevor Sie eine andere Datei öffnen.</translation>
     </message>
     <message>
-        <source>A blind trial was started in the meantime. Open the file again after it has finished.</source>
+        <source>A blind trial was started in the meantime. Open the file again after the trial has finished.</source>
         <translation>Inzwischen wurde ein Blindversuch gestartet. Öffnen Sie die Datei nach dessen Ende erneut.</translation>
     </message>
     <message>
@@ -1014,12 +1014,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Ansicht %1 hinzufügen</translation>
     </message>
     <message>
-        <source>View added: to show it, click it in the strip above the image.</source>
+        <source>View added. To show it, click its entry in the strip above the image.</source>
         <translation>Ansicht hinzugefügt: Klicken Sie sie in der Leiste über dem Bild an, um sie zu zeigen.</translation>
     </message>
     <message>
-        <source>Additional runs can be added as views once the case has vessels. Open them again then.</source>
-        <translation>Weitere Serien lassen sich als Ansichten hinzufügen, sobald der Fall Gefäße hat. Öffnen Sie sie dann erneut.</translation>
+        <source>Additional runs can be added as views only if the case has vessels. Open the vessels first, then the runs again.</source>
+        <translation>Weitere Serien lassen sich nur als Ansichten hinzufügen, wenn der Fall Gefäße hat. Öffnen Sie zuerst die Gefäße, dann die Serien erneut.</translation>
     </message>
 </context>
 <context>
@@ -1029,7 +1029,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Welche Kamera soll verwendet werden?</translation>
     </message>
     <message>
-        <source>“%1” contains a camera that differs from the camera of the case. The pose is valid only with the camera it was registered with.</source>
+        <source>“%1” contains a camera that differs from that of the case. The pose is valid only with the camera that was used for its registration.</source>
         <translation>„%1“ enthält eine andere Kamera als der Fall. Die Lage gilt nur mit der Kamera, mit der sie registriert wurde.</translation>
     </message>
     <message>
@@ -1045,8 +1045,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Anderer Patient?</translation>
     </message>
     <message>
-        <source>If you open “%1” anyway, every image and report of the case will carry a warning, and no registration of its images will count as reliable. If only the pseudonyms differ, open it as the same patient.</source>
-        <translation>Wenn Sie „%1“ trotzdem öffnen, trägt jedes Bild und jeder Bericht des Falls einen Warnhinweis, und keine Registrierung seiner Bilder gilt als verlässlich. Unterscheiden sich nur Pseudonyme, öffnen Sie es als denselben Patienten.</translation>
+        <source>If you open “%1” anyway, every image and report of the case will carry a warning, and no registration in this case will be rated reliable. If only the pseudonyms differ, open it as the same patient.</source>
+        <translation>Wenn Sie „%1“ trotzdem öffnen, trägt jedes Bild und jeder Bericht des Falls einen Warnhinweis, und keine Registrierung in diesem Fall wird als verlässlich eingestuft. Unterscheiden sich nur Pseudonyme, öffnen Sie es als denselben Patienten.</translation>
     </message>
     <message>
         <source>Do not open</source>
@@ -1097,16 +1097,16 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Scan mit den aktuellen Gefäßen zeigen?</translation>
     </message>
     <message>
-        <source>The vessels of the case come from a file. Show “%1” in slices with these vessels, or trace its vessels and replace the current ones?</source>
-        <translation>Die Gefäße des Falls stammen aus einer Datei. „%1“ in Schichten mit diesen Gefäßen zeigen oder seine Gefäße erfassen und die aktuellen ersetzen?</translation>
+        <source>The vessels of the case come from a file. Show the slices of “%1” with these vessels, or replace them with vessels traced in this scan?</source>
+        <translation>Die Gefäße des Falls stammen aus einer Datei. Die Schichten von „%1“ mit diesen Gefäßen zeigen oder sie durch in diesem Scan erfasste Gefäße ersetzen?</translation>
     </message>
     <message>
         <source>Show with the vessels</source>
         <translation>Mit den Gefäßen zeigen</translation>
     </message>
     <message>
-        <source>Trace its vessels</source>
-        <translation>Gefäße daraus erfassen</translation>
+        <source>Trace this scan</source>
+        <translation>Diesen Scan erfassen</translation>
     </message>
     <message>
         <source>Creating the sample case…</source>
@@ -1149,7 +1149,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>%1 m groß</translation>
     </message>
     <message>
-        <source>“%1” does not specify the unit of its coordinates. If it were millimeters, the vessels would be unusually small or large. Your choice is stored in the case.</source>
+        <source>“%1” does not specify the unit of its coordinates. If the unit were millimeters, the vessels would be unusually small or large. Your choice is stored in the case.</source>
         <translation>„%1“ nennt keine Einheit der Koordinaten. In Millimetern wären die Gefäße ungewöhnlich klein oder groß. Ihre Wahl wird im Fall gespeichert.</translation>
     </message>
     <message>
@@ -1287,7 +1287,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
 <context>
     <name>angiopose::app::PoseGestures</name>
     <message>
-        <source>Nudge mode: arrow keys move, drag moves or rolls, N exits</source>
+        <source>Nudge mode: arrow keys move, dragging moves or rolls, N exits</source>
         <translation>Justiermodus: Pfeiltasten verschieben, Ziehen verschiebt oder rollt, N beendet</translation>
     </message>
     <message>
@@ -1451,7 +1451,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Andere Lösung %1 von %2, Güte %3 · %4 zum Übernehmen</translation>
     </message>
     <message>
-        <source>Due to image noise alone, poses within ±%1 mm (2 σ, mainly %2) are indistinguishable</source>
+        <source>Because of image noise alone, poses within ±%1 mm (2 σ, mainly %2) cannot be distinguished</source>
         <translation>Allein wegen des Bildrauschens sind Lagen innerhalb von ±%1 mm (2 σ, vor allem %2) nicht unterscheidbar</translation>
     </message>
 </context>
@@ -1513,7 +1513,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Registrierung: %1 · %2 % · %3 px</translation>
     </message>
     <message>
-        <source>Stopped, NOT RELIABLE: best pose so far kept; Undo restores the previous pose</source>
+        <source>Stopped, NOT RELIABLE: the best pose so far is kept; Undo restores the previous pose</source>
         <translation>Angehalten, NICHT VERLÄSSLICH: Die bisher beste Lage bleibt; „Rückgängig“ stellt die vorherige wieder her</translation>
     </message>
     <message>
@@ -1572,7 +1572,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Noch kein Angiogramm</translation>
     </message>
     <message>
-        <source>A case requires vessels and an angiogram. Without an angiogram, only the vessels can be saved, as centerlines. To create a case later, open them together with an angiogram.</source>
+        <source>A case requires vessels and an angiogram. Without an angiogram, only the vessels can be saved, as centerlines. To create a case later, open these vessels together with an angiogram.</source>
         <translation>Ein Fall benötigt Gefäße und ein Angiogramm. Ohne Angiogramm lassen sich nur die Gefäße speichern, als Mittellinien. Öffnen Sie diese später zusammen mit einem Angiogramm, um einen Fall anzulegen.</translation>
     </message>
     <message>
@@ -1638,7 +1638,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>DICOM-Objekte geschrieben: %1</translation>
     </message>
     <message>
-        <source>Could not start another AngioPose process. Start it from the system menu.</source>
+        <source>Could not start another AngioPose process. Start AngioPose from the system menu.</source>
         <translation>Ein weiterer AngioPose-Prozess konnte nicht gestartet werden. Starten Sie ihn aus dem Menü des Systems.</translation>
     </message>
     <message>
@@ -1827,7 +1827,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>%1 Mit der Eingabetaste übernehmen.</translation>
     </message>
     <message>
-        <source>Branches %1: probability %2 %; %3 % of the guidewire follows them, %4 mm from their centerlines.</source>
+        <source>Branches %1: probability %2 %; %3 % of the guidewire follows these branches, at a distance of %4 mm from their centerlines.</source>
         <translation>Äste %1: Wahrscheinlichkeit %2 %; %3 % des Führungsdrahts folgen ihnen, %4 mm neben ihren Mittellinien.</translation>
     </message>
     <message>
@@ -1854,7 +1854,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Startlage aus Winkeln</translation>
     </message>
     <message>
-        <source>Initial pose from the angles, with the isocenter in the vessels</source>
+        <source>Initial pose from the angles, with the isocenter placed in the vessels</source>
         <translation>Startlage aus den Winkeln, Isozentrum in den Gefäßen</translation>
     </message>
     <message>
@@ -1989,7 +1989,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>%1 Komponenten</translation>
     </message>
     <message>
-        <source>The vessel tree is not connected. The note below the branch list explains how to join its components.</source>
+        <source>The vessel tree is not connected. The note below the branch list explains how to join the components of the tree.</source>
         <translation>Der Gefäßbaum ist nicht zusammenhängend. Der Hinweis unter der Astliste erklärt, wie sich seine Komponenten verbinden lassen.</translation>
     </message>
     <message>
@@ -2001,7 +2001,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Bild %1, bearbeitet</translation>
     </message>
     <message>
-        <source>The header contains no pixel spacing: %1. Enter it, or press Enter in the field to confirm the value.</source>
+        <source>The header contains no pixel spacing: %1. Enter the pixel spacing, or press Enter in the field to confirm the value.</source>
         <translation>Der Header enthält keine Pixelgröße: %1. Geben Sie sie ein, oder bestätigen Sie den Wert im Feld mit der Eingabetaste.</translation>
     </message>
     <message>
@@ -2271,7 +2271,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>nicht gefunden</translation>
     </message>
     <message>
-        <source>%1. Click to show it; Delete removes the active view.</source>
+        <source>%1. Click to show this view; Delete removes the active view.</source>
         <translation>%1. Klicken, um sie zu zeigen; Entf entfernt die aktive Ansicht.</translation>
     </message>
     <message>
@@ -2302,11 +2302,11 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Startlage</translation>
     </message>
     <message>
-        <source>a step of the registration</source>
+        <source>a registration step</source>
         <translation>ein Schritt der Registrierung</translation>
     </message>
     <message>
-        <source>a pose within the image noise</source>
+        <source>a pose within image noise</source>
         <translation>eine Lage innerhalb des Bildrauschens</translation>
     </message>
     <message>
@@ -2349,7 +2349,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Addiert den oben gewählten Prior zum Anziehungsterm.</translation>
     </message>
     <message>
-        <source>Alternates kernel-weighted PnP between a few auxiliary points and all points (Song, Ghaffari).</source>
+        <source>Kernel-weighted PnP that alternates between a few auxiliary points and all points (Song, Ghaffari).</source>
         <translation>Alterniert kerngewichtetes PnP zwischen wenigen Hilfspunkten und allen Punkten (Song, Ghaffari).</translation>
     </message>
     <message>
@@ -2365,7 +2365,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Abkühlende Partikel um die Startlage, oder ein Durchlauf der Winkel aus der Bildebene.</translation>
     </message>
     <message>
-        <source>Seed of the random numbers; the same seed reproduces the result.</source>
+        <source>Seed of the random number generator; the same seed reproduces the result.</source>
         <translation>Startwert der Zufallszahlen; derselbe Wert reproduziert das Ergebnis.</translation>
     </message>
     <message>
@@ -2377,20 +2377,20 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Hilfspunkte</translation>
     </message>
     <message>
-        <source>Best-first search over sequences of matched branches, with one pose per sequence (after Zhu; re-implementation, our parameters).</source>
+        <source>Best-first search over sequences of matched branches, with one pose per sequence (based on Zhu; reimplementation with our own parameters).</source>
         <translation>Best-first-Suche über Folgen zugeordneter Äste, mit je einer Lage pro Folge (nach Zhu; nachgebaut, eigene Parameter).</translation>
     </message>
     <message>
-        <source>Image intensity under the vessels at the scale of each vessel, optimized by an evolution strategy (Jomier 2006; re-implementation, our parameters).</source>
-        <translation>Bildintensität unter den Gefäßen auf der Skala jedes Gefäßes, optimiert mit einer Evolutionsstrategie (Jomier 2006; nachgebaut, eigene Parameter).</translation>
+        <source>Image intensity along the projected vessels at the scale of each vessel, optimized by an evolution strategy (Jomier 2006; reimplementation with our own parameters).</source>
+        <translation>Bildintensität längs der projizierten Gefäße auf der Skala jedes Gefäßes, optimiert mit einer Evolutionsstrategie (Jomier 2006; nachgebaut, eigene Parameter).</translation>
     </message>
     <message>
         <source>Auxiliary branches (nodes if none are selected), nodes, the widest branches (up to one third of the total length), or random points.</source>
         <translation>Hilfsäste (Knoten, wenn keine gewählt sind), Knoten, die weitesten Äste (bis zu einem Drittel der Gesamtlänge) oder zufällige Punkte.</translation>
     </message>
     <message>
-        <source>Coarse search, then robust point-to-line refinement about the tree&apos;s centroid, with uncertainty.</source>
-        <translation>Grobe Suche, dann robuste Punkt-Linien-Verfeinerung um den Schwerpunkt, mit Unsicherheit.</translation>
+        <source>Coarse search, then robust point-to-line refinement about the tree&apos;s centroid; also estimates the pose uncertainty.</source>
+        <translation>Grobe Suche, dann robuste Punkt-Linien-Verfeinerung um den Schwerpunkt; schätzt auch die Unsicherheit der Lage.</translation>
     </message>
     <message>
         <source>Covariance matrix adaptation (CMA-ES), or a (1+1) evolution strategy.</source>
@@ -2413,11 +2413,11 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Punktabstand auf den erkannten Gefäßen.</translation>
     </message>
     <message>
-        <source>Spacing of the tree points used for matching; smaller values are slower.</source>
-        <translation>Abstand der zugeordneten Baumpunkte; kleinere Werte sind langsamer.</translation>
+        <source>Spacing of the tree points used for matching; a smaller spacing takes longer to compute.</source>
+        <translation>Abstand der zugeordneten Baumpunkte; ein kleinerer Abstand erfordert mehr Rechenzeit.</translation>
     </message>
     <message>
-        <source>Distance beyond which a point has little weight in the final stage; image noise can increase it.</source>
+        <source>Distance beyond which a point has little weight in the final stage; image noise can increase this distance.</source>
         <translation>Abstand, ab dem ein Punkt in der Endphase kaum noch Gewicht hat; Bildrauschen kann ihn vergrößern.</translation>
     </message>
     <message>
@@ -2429,7 +2429,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Kantenskala</translation>
     </message>
     <message>
-        <source>Edges along the normals of the vessel walls; RANSAC with gradient matching selects the pose (Markelj 2008; re-implementation, our parameters).</source>
+        <source>Edge search along the vessel wall normals; RANSAC with gradient matching selects the pose (Markelj 2008; reimplementation with our own parameters).</source>
         <translation>Kanten längs der Normalen der Gefäßwände; RANSAC mit Gradientenvergleich wählt die Lage (Markelj 2008; nachgebaut, eigene Parameter).</translation>
     </message>
     <message>
@@ -2441,8 +2441,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Gleiche Abstände</translation>
     </message>
     <message>
-        <source>Factor by which the kernel width is reduced in each step after the first thirty.</source>
-        <translation>Faktor, um den der Kern nach den ersten dreißig Schritten in jedem Schritt enger wird.</translation>
+        <source>Factor by which the kernel width is multiplied in each step after the first thirty.</source>
+        <translation>Faktor, mit dem die Kernbreite nach den ersten dreißig Schritten in jedem Schritt multipliziert wird.</translation>
     </message>
     <message>
         <source>Final scale</source>
@@ -2457,19 +2457,19 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Anfängliche Reichweite</translation>
     </message>
     <message>
-        <source>Initial image range</source>
-        <translation>Anfängliche Reichweite im Bild</translation>
+        <source>Initial matching range</source>
+        <translation>Anfängliche Zuordnungsreichweite</translation>
     </message>
     <message>
         <source>Max. flow steps</source>
         <translation>Max. Flussschritte</translation>
     </message>
     <message>
-        <source>Gradient ascent of the mean kernel value between tree and traced vessels, or of the image intensity (Aylward 2003; re-implementation, our parameters).</source>
+        <source>Gradient ascent on the mean kernel value between the tree and the traced vessels, or on the image intensity (Aylward 2003; reimplementation with our own parameters).</source>
         <translation>Gradientenaufstieg des mittleren Kernwerts zwischen Gefäßbaum und erkannten Gefäßen oder der Bildintensität (Aylward 2003; nachgebaut, eigene Parameter).</translation>
     </message>
     <message>
-        <source>Gradient flow of the inner product of tree and traced vessels, represented as functions in the image (Ghaffari 2019; re-implementation, our parameters).</source>
+        <source>Gradient flow of the inner product of the tree and the traced vessels, both represented as functions in the image (Ghaffari 2019; reimplementation with our own parameters).</source>
         <translation>Gradientenfluss des inneren Produkts von Gefäßbaum und erkannten Gefäßen als Funktionen im Bild (Ghaffari 2019; nachgebaut, eigene Parameter).</translation>
     </message>
     <message>
@@ -2481,19 +2481,19 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Geforderte Ähnlichkeit der Richtungen; kleinere Werte sind strenger.</translation>
     </message>
     <message>
-        <source>Maximum distance between a bifurcation or end of the tree and its match in the image.</source>
+        <source>Maximum distance between a bifurcation or endpoint of the tree and its match in the image.</source>
         <translation>Höchstabstand zwischen einer Verzweigung oder einem Ende des Baums und der Zuordnung im Bild.</translation>
     </message>
     <message>
-        <source>Search range perpendicular to the ray.</source>
-        <translation>Suchbereich senkrecht zum Strahl.</translation>
+        <source>Search range of the in-plane shift.</source>
+        <translation>Suchbereich der Verschiebung in der Bildebene.</translation>
     </message>
     <message>
         <source>Initial search distance for edges along the normals of the vessel walls.</source>
         <translation>Anfängliche Suchweite für Kanten längs der Normalen der Gefäßwände.</translation>
     </message>
     <message>
-        <source>Initial maximum distance between branches and their traced vessels.</source>
+        <source>Initial maximum distance between a branch and the traced vessel matched to it.</source>
         <translation>Anfänglicher Höchstabstand zwischen Ästen und den zugehörigen erkannten Gefäßen.</translation>
     </message>
     <message>
@@ -2501,7 +2501,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Rand der Maske um die projizierten Gefäße.</translation>
     </message>
     <message>
-        <source>Search range in LAO/RAO and CRA/CAU.</source>
+        <source>Search range of the LAO/RAO and CRA/CAU angles.</source>
         <translation>Suchbereich in LAO/RAO und CRA/CAU.</translation>
     </message>
     <message>
@@ -2509,7 +2509,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Suchbereich der Drehung in der Bildebene.</translation>
     </message>
     <message>
-        <source>Number of auxiliary points if they are random.</source>
+        <source>Number of auxiliary points if these are chosen at random.</source>
         <translation>Anzahl der Hilfspunkte, wenn sie zufällig sind.</translation>
     </message>
     <message>
@@ -2517,7 +2517,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Gewichtung des Startlage-Priors gegenüber dem Bild.</translation>
     </message>
     <message>
-        <source>Nearest-neighbor search: k-d tree and grid are exact; the distance map is accurate to within three pixels.</source>
+        <source>Nearest-neighbor search: the k-d tree and the grid are exact; the distance map is accurate to within three pixels.</source>
         <translation>Suche der nächsten Nachbarn: k-d-Baum und Gitter sind exakt, die Abstandskarte ist auf drei Pixel genau.</translation>
     </message>
     <message>
@@ -2545,11 +2545,11 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Max. Iterationen</translation>
     </message>
     <message>
-        <source>Keeps the extent of the projected tree equal to that of the traced vessels; lower it if many branches are missing from the image.</source>
+        <source>Keeps the extent of the projected tree equal to that of the traced vessels; lower the weight if many branches are missing from the image.</source>
         <translation>Hält die Ausdehnung des projizierten Baums gleich der der erkannten Gefäße; verringern Sie den Wert, wenn viele Äste im Bild fehlen.</translation>
     </message>
     <message>
-        <source>Prevents the projected tree from shrinking; lower it if many branches are missing from the image.</source>
+        <source>Prevents the projected tree from shrinking; lower the weight if many branches are missing from the image.</source>
         <translation>Hindert den projizierten Baum am Schrumpfen; verringern Sie den Wert, wenn viele Äste im Bild fehlen.</translation>
     </message>
     <message>
@@ -2557,7 +2557,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Kernabnahme</translation>
     </message>
     <message>
-        <source>Initial kernel width: the largest distance, or its square, as printed in the paper.</source>
+        <source>Initial kernel width: the largest distance, or its square as printed in the original paper.</source>
         <translation>Anfängliche Kernbreite: der größte Abstand, oder dessen Quadrat wie im Artikel.</translation>
     </message>
     <message>
@@ -2565,7 +2565,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Kerngewichtetes iteratives PnP auf allen Punkten (Song, Ghaffari).</translation>
     </message>
     <message>
-        <source>L2 distance between oriented Gaussian mixtures of tree and traced vessels (Baka 2014; re-implementation, our parameters).</source>
+        <source>L2 distance between oriented Gaussian mixtures of the tree and the traced vessels (Baka 2014; reimplementation with our own parameters).</source>
         <translation>L2-Abstand gerichteter Gauß-Mischungen von Gefäßbaum und erkannten Gefäßen (Baka 2014; nachgebaut, eigene Parameter).</translation>
     </message>
     <message>
@@ -2585,15 +2585,15 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Letzte Lage ± (Verschiebung)</translation>
     </message>
     <message>
-        <source>Minimum Huber loss of the distances to the nearest traced vessel (Rivest-Hénault 2012; re-implementation, our parameters).</source>
+        <source>Minimization of the Huber loss of the distances to the nearest traced vessel (Rivest-Hénault 2012; reimplementation with our own parameters).</source>
         <translation>Minimaler Huber-Verlust der Abstände zum nächsten erkannten Gefäß (Rivest-Hénault 2012; nachgebaut, eigene Parameter).</translation>
     </message>
     <message>
-        <source>Least squares on branches matched by graph matching, followed by length-preserving vessel motion (Groher 2009; re-implementation, our parameters).</source>
+        <source>Least squares on branches matched by graph matching, followed by length-preserving vessel motion (Groher 2009; reimplementation with our own parameters).</source>
         <translation>Kleinste Quadrate auf Ästen, die durch Graph-Matching zugeordnet sind, danach längenerhaltende Gefäßbewegung (Groher 2009; nachgebaut, eigene Parameter).</translation>
     </message>
     <message>
-        <source>Iterative closest points with OpenCV&apos;s SQPnP solver.</source>
+        <source>Iterative closest point (ICP) registration with OpenCV&apos;s SQPnP solver.</source>
         <translation>Iterative-Closest-Point-Verfahren mit dem Löser SQPnP von OpenCV.</translation>
     </message>
     <message>
@@ -2609,15 +2609,15 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Alterniert zwischen den Hilfspunkten und allen Punkten.</translation>
     </message>
     <message>
-        <source>Number of line-search rounds along all six directions.</source>
-        <translation>Anzahl der Runden der Liniensuche in allen sechs Richtungen.</translation>
+        <source>Maximum number of rounds of line searches along all six directions.</source>
+        <translation>Höchstzahl der Runden der Liniensuche in allen sechs Richtungen.</translation>
     </message>
     <message>
-        <source>Searches the neighborhood of the initial pose before the refinement.</source>
+        <source>Searches the neighborhood of the initial pose before refinement.</source>
         <translation>Sucht vor der Verfeinerung um die Startlage.</translation>
     </message>
     <message>
-        <source>Particle filter resampled by likelihood, or a sweep over the out-of-plane angles (after Tian 2022; re-implementation, our parameters).</source>
+        <source>Particle filter with resampling by likelihood, or a sweep over the out-of-plane angles (based on Tian 2022; reimplementation with our own parameters).</source>
         <translation>Partikelfilter mit Resampling nach Likelihood oder ein Durchlauf der Winkel aus der Bildebene (nach Tian 2022; nachgebaut, eigene Parameter).</translation>
     </message>
     <message>
@@ -2637,20 +2637,20 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Höchstzahl der Runden aus Astzuordnung und Lageanpassung.</translation>
     </message>
     <message>
-        <source>After the rigid fit, moves the branches to their matches while preserving their lengths, and reports the displacement; the pose does not change.</source>
+        <source>After the rigid fit, moves the branches to their matches while preserving branch lengths, and reports the displacement; the pose does not change.</source>
         <translation>Bewegt die Äste nach der starren Anpassung längenerhaltend auf ihre Zuordnungen und meldet die Verschiebung; die Lage ändert sich nicht.</translation>
     </message>
     <message>
-        <source>NICP inside the alternating search (Song, Ghaffari; re-implementation, our parameters).</source>
+        <source>NICP within the alternating search (Song, Ghaffari; reimplementation with our own parameters).</source>
         <translation>NICP in der alternierenden Suche (Song, Ghaffari; nachgebaut, eigene Parameter).</translation>
     </message>
     <message>
-        <source>Narrows the kernel after five steps, or when no new point comes within its range.</source>
-        <translation>Verengt den Kern nach fünf Schritten, oder wenn kein neuer Punkt in seine Reichweite kommt.</translation>
+        <source>Narrows the kernel after every five steps, or when no new point comes within its range.</source>
+        <translation>Verengt den Kern nach jeweils fünf Schritten, oder wenn kein neuer Punkt in seine Reichweite kommt.</translation>
     </message>
     <message>
-        <source>Nearest points</source>
-        <translation>Nächste Punkte</translation>
+        <source>Nearest-point search</source>
+        <translation>Suche nächster Punkte</translation>
     </message>
     <message>
         <source>Neighbors</source>
@@ -2661,7 +2661,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Neben der Achse ±</translation>
     </message>
     <message>
-        <source>For images that show only a guidewire or catheter: finds its path through the tree, and the pose near the last full registration.</source>
+        <source>For images that show only a guidewire or catheter: finds its path through the tree and a pose near that of the last full registration.</source>
         <translation>Für Bilder, die nur einen Führungsdraht oder Katheter zeigen: findet seinen Weg im Gefäßbaum und die Lage nahe der letzten vollständigen Registrierung.</translation>
     </message>
     <message>
@@ -2673,15 +2673,15 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Verglichene Pixel</translation>
     </message>
     <message>
-        <source>Points attract each other more strongly where the vessels are more parallel.</source>
-        <translation>Punkte ziehen einander umso stärker an, je paralleler die Gefäße dort verlaufen.</translation>
+        <source>Points attract each other more strongly where the vessels run in similar directions.</source>
+        <translation>Punkte ziehen einander umso stärker an, je ähnlicher die Gefäßrichtungen dort sind.</translation>
     </message>
     <message>
         <source>Population</source>
         <translation>Population</translation>
     </message>
     <message>
-        <source>Number of poses per round, each from three random correspondences.</source>
+        <source>Number of poses per round, each computed from three random correspondences.</source>
         <translation>Anzahl der Lagen je Runde, jede aus drei zufälligen Korrespondenzen.</translation>
     </message>
     <message>
@@ -2689,8 +2689,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Anzahl der je Runde behaltenen Lagen.</translation>
     </message>
     <message>
-        <source>Total number of poses tested.</source>
-        <translation>Gesamtzahl der geprüften Lagen.</translation>
+        <source>Maximum total number of poses tested.</source>
+        <translation>Höchstzahl der insgesamt geprüften Lagen.</translation>
     </message>
     <message>
         <source>Number of poses tested per generation.</source>
@@ -2721,7 +2721,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Zufallsstartwert</translation>
     </message>
     <message>
-        <source>Rank correlation of the image with DRRs of the CTA or of tubes, Nelder–Mead (Steininger 2012; re-implementation, our parameters).</source>
+        <source>Rank correlation of the image with DRRs of the CTA or of vessel tubes, optimized by the Nelder–Mead method (Steininger 2012; reimplementation with our own parameters).</source>
         <translation>Rangkorrelation des Bildes mit DRRs der CTA oder von Röhren, Nelder–Mead (Steininger 2012; nachgebaut, eigene Parameter).</translation>
     </message>
     <message>
@@ -2737,7 +2737,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Max. Knotenabstand</translation>
     </message>
     <message>
-        <source>Rigid only, or followed by an affine stage whose rigid component is kept if it fits better.</source>
+        <source>Rigid only, or rigid followed by an affine stage whose rigid component is adopted if it fits better.</source>
         <translation>Nur starr, oder gefolgt von einer affinen Stufe, deren starrer Teil bleibt, wenn er besser passt.</translation>
     </message>
     <message>
@@ -2761,12 +2761,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Suchradius</translation>
     </message>
     <message>
-        <source>Search roll</source>
-        <translation>Suche: Rollen</translation>
+        <source>Roll search range</source>
+        <translation>Suchbereich Rollen</translation>
     </message>
     <message>
-        <source>Search tilt</source>
-        <translation>Suche: Kippung</translation>
+        <source>Tilt search range</source>
+        <translation>Suchbereich Kippung</translation>
     </message>
     <message>
         <source>Self term</source>
@@ -2777,7 +2777,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Höchstzahl der geprüften Folgen zugeordneter Äste.</translation>
     </message>
     <message>
-        <source>Fraction of the mask used for the rank correlation; at least 2000 pixels.</source>
+        <source>Fraction of the mask used for the rank correlation; at least 2000 pixels are used.</source>
         <translation>Für die Rangkorrelation verwendeter Anteil der Maske; mindestens 2000 Pixel.</translation>
     </message>
     <message>
@@ -2797,32 +2797,32 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Verteilt die Punkte vor dem Zuordnen gleichmäßig; ausgeschaltet bleiben die Punkte unverändert.</translation>
     </message>
     <message>
-        <source>Standard deviation of the last full pose perpendicular to the ray.</source>
-        <translation>Standardabweichung der letzten vollständigen Lage senkrecht zum Strahl.</translation>
+        <source>Standard deviation of the in-plane position in the last full registration.</source>
+        <translation>Standardabweichung der Position in der Bildebene bei der letzten vollständigen Registrierung.</translation>
     </message>
     <message>
-        <source>Standard deviation of the last full pose along the ray.</source>
-        <translation>Standardabweichung der letzten vollständigen Lage längs des Strahls.</translation>
+        <source>Standard deviation of the depth in the last full registration.</source>
+        <translation>Standardabweichung der Tiefe bei der letzten vollständigen Registrierung.</translation>
     </message>
     <message>
-        <source>Standard deviation of the last full pose&apos;s angles.</source>
-        <translation>Standardabweichung der Winkel der letzten vollständigen Lage.</translation>
+        <source>Standard deviation of the angles in the last full registration.</source>
+        <translation>Standardabweichung der Winkel bei der letzten vollständigen Registrierung.</translation>
     </message>
     <message>
-        <source>Standard deviation of the initial pose perpendicular to the ray.</source>
-        <translation>Standardabweichung der Startlage senkrecht zum Strahl.</translation>
+        <source>Standard deviation of the in-plane position of the initial pose.</source>
+        <translation>Standardabweichung der Position der Startlage in der Bildebene.</translation>
     </message>
     <message>
-        <source>Standard deviation of the initial pose along the ray.</source>
-        <translation>Standardabweichung der Startlage längs des Strahls.</translation>
+        <source>Standard deviation of the depth of the initial pose.</source>
+        <translation>Standardabweichung der Tiefe der Startlage.</translation>
     </message>
     <message>
-        <source>Standard deviation of the initial pose angles; constrains the components that the image cannot determine.</source>
+        <source>Standard deviation of the angles of the initial pose; constrains the components that the image cannot determine.</source>
         <translation>Standardabweichung der Winkel der Startlage; legt die Komponenten fest, die das Bild nicht bestimmen kann.</translation>
     </message>
     <message>
-        <source>Standard deviation of the guidewire from the vessel axis, in addition to its free play within the lumen.</source>
-        <translation>Standardabweichung des Führungsdrahts von der Gefäßachse, zusätzlich zum Spiel innerhalb der Gefäßweite.</translation>
+        <source>Standard deviation of the distance of the guidewire from the centerline, in addition to its free play within the lumen.</source>
+        <translation>Standardabweichung des Abstands zwischen Führungsdraht und Mittellinie, zusätzlich zum Spiel innerhalb des Lumens.</translation>
     </message>
     <message>
         <source>Initial depth ±</source>
@@ -2841,15 +2841,15 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Gewicht der Hilfsäste</translation>
     </message>
     <message>
-        <source>Weight of the auxiliary branches relative to the fit of all branches; 1: no separate fit.</source>
-        <translation>Gewicht der Hilfsäste gegenüber der Anpassung aller Äste; 1: keine gesonderte Anpassung.</translation>
+        <source>Weight of the auxiliary branches relative to the fit of all branches; with a weight of 1, they are not fitted separately.</source>
+        <translation>Gewicht der Hilfsäste gegenüber der Anpassung aller Äste; bei 1 werden sie nicht gesondert angepasst.</translation>
     </message>
     <message>
         <source>Geometry uncertainty</source>
         <translation>Unsicherheit der Geometrie</translation>
     </message>
     <message>
-        <source>Uncertainty of focal length and principal point: typical for their source, as given below, or none.</source>
+        <source>Uncertainty of the focal length and the principal point: typical of their source, as specified below, or none.</source>
         <translation>Unsicherheit von Brennweite und Hauptpunkt: typisch für ihre Herkunft, wie unten angegeben, oder keine.</translation>
     </message>
     <message>
@@ -2857,23 +2857,23 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Brennweite ±</translation>
     </message>
     <message>
-        <source>Standard deviation of the focal length, if specified.</source>
-        <translation>Standardabweichung der Brennweite, falls angegeben.</translation>
+        <source>Standard deviation of the focal length; applies if the geometry uncertainty is set to “given”.</source>
+        <translation>Standardabweichung der Brennweite; gilt, wenn die Unsicherheit der Geometrie auf „gegeben“ gesetzt ist.</translation>
     </message>
     <message>
         <source>Principal point ±</source>
         <translation>Hauptpunkt ±</translation>
     </message>
     <message>
-        <source>Standard deviation of each principal-point coordinate, if specified.</source>
-        <translation>Standardabweichung jeder Koordinate des Hauptpunkts, falls angegeben.</translation>
+        <source>Standard deviation of each principal-point coordinate; applies if the geometry uncertainty is set to “given”.</source>
+        <translation>Standardabweichung jeder Koordinate des Hauptpunkts; gilt, wenn die Unsicherheit der Geometrie auf „gegeben“ gesetzt ist.</translation>
     </message>
     <message>
         <source>Estimate geometry</source>
         <translation>Geometrie schätzen</translation>
     </message>
     <message>
-        <source>If the images clearly contradict the focal length or principal point, adopts the values they indicate and registers again.</source>
+        <source>If the images clearly contradict the focal length or the principal point, adopts the values that best fit the images and registers again.</source>
         <translation>Wenn die Bilder Brennweite oder Hauptpunkt klar widersprechen, werden die daraus ermittelten Werte übernommen und erneut registriert.</translation>
     </message>
     <message>
@@ -2889,8 +2889,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Deformation</translation>
     </message>
     <message>
-        <source>Deforms the vessels to match the image after the rigid registration: never; automatically, if the fit suggests a deformation (method angiopose, nothing locked); or always.</source>
-        <translation>Verformt die Gefäße nach der starren Registrierung auf das Bild: nie; automatisch, wenn die Anpassung auf eine Verformung hindeutet (Methode angiopose, nichts gesperrt); oder immer.</translation>
+        <source>Deforms the vessels to match the image after rigid registration: never; automatically if the fit suggests a deformation (AngioPose method, no degrees of freedom locked); or always.</source>
+        <translation>Verformt die Gefäße nach der starren Registrierung auf das Bild: nie; automatisch, wenn die Anpassung auf eine Verformung hindeutet (Methode AngioPose, keine Freiheitsgrade gesperrt); oder immer.</translation>
     </message>
     <message>
         <source>Initial rotation ±</source>
@@ -2925,8 +2925,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Höchstzahl der Verfeinerungsschritte.</translation>
     </message>
     <message>
-        <source>The spread decreases by one quarter in each round.</source>
-        <translation>Die Streuung nimmt in jeder Runde um ein Viertel ab.</translation>
+        <source>Number of rounds; the spread of the particles decreases by one quarter in each round.</source>
+        <translation>Anzahl der Runden; die Streuung der Partikel nimmt in jeder Runde um ein Viertel ab.</translation>
     </message>
     <message>
         <source>The traced vessels, or the image intensity at the scale of each vessel.</source>
@@ -2941,15 +2941,15 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Punktabstand im Baum</translation>
     </message>
     <message>
-        <source>Rotates about the source before all other steps.</source>
+        <source>Rotates about the X-ray source before all other steps.</source>
         <translation>Dreht vor allen anderen Schritten um den Fokus.</translation>
     </message>
     <message>
-        <source>Balances rotation and translation, or uses unscaled radians and millimeters, which yields hardly any translation.</source>
-        <translation>Drehung und Verschiebung ausgewogen, oder unskaliert Bogenmaß und Millimeter, was kaum verschiebt.</translation>
+        <source>Scaling of the gradient step: balanced between rotation and translation, or unscaled in radians and millimeters, which yields hardly any translation.</source>
+        <translation>Skalierung des Gradientenschritts: Drehung und Verschiebung ausgewogen, oder unskaliert in Bogenmaß und Millimetern, was kaum verschiebt.</translation>
     </message>
     <message>
-        <source>Vessel walls against image gradients, Powell&apos;s method (Mitrović 2013; re-implementation, our parameters).</source>
+        <source>Matching of vessel walls to image gradients by Powell&apos;s method (Mitrović 2013; reimplementation with our own parameters).</source>
         <translation>Gefäßwände gegen Bildgradienten, Powell-Verfahren (Mitrović 2013; nachgebaut, eigene Parameter).</translation>
     </message>
     <message>
@@ -3224,14 +3224,14 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
 <context>
     <name>messages</name>
     <message>
-        <source>The camera or the pose contains a value that is not a finite number. Export it again.</source>
+        <source>The camera or the pose contains a value that is not a finite number. Export both again.</source>
         <comment>projection.not-finite</comment>
         <translation>Kamera oder Lage enthalten einen Wert, der keine endliche Zahl ist. Exportieren Sie sie neu.</translation>
     </message>
     <message>
-        <source>The left 3 x 3 block of the projection matrix is singular, so this is not an X-ray camera. Export it again.</source>
+        <source>The left 3 × 3 block of the projection matrix is singular, so this is not an X-ray camera. Export the matrix again.</source>
         <comment>projection.degenerate</comment>
-        <translation>Der linke 3 x 3-Block der Projektionsmatrix ist singulär; dies ist also keine Röntgenkamera. Exportieren Sie sie neu.</translation>
+        <translation>Der linke 3 × 3-Block der Projektionsmatrix ist singulär; dies ist also keine Röntgenkamera. Exportieren Sie sie neu.</translation>
     </message>
     <message>
         <source>The camera has skewed pixels (skew %1). Provide a camera without skew, or resample the image.</source>
@@ -3239,7 +3239,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Die Kamera hat gescherte Pixel (Scherung %1). Geben Sie eine Kamera ohne Scherung an, oder tasten Sie das Bild neu ab.</translation>
     </message>
     <message>
-        <source>K must contain only focal lengths and principal point: fx 0 cx, 0 fy cy, 0 0 1. Check that it is not transposed.</source>
+        <source>K may contain only the focal lengths and the principal point: fx 0 cx, 0 fy cy, 0 0 1. Check that it is not transposed.</source>
         <comment>projection.intrinsics</comment>
         <translation>K darf nur Brennweiten und Hauptpunkt enthalten: fx 0 cx, 0 fy cy, 0 0 1. Prüfen Sie, ob sie transponiert ist.</translation>
     </message>
@@ -3249,12 +3249,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>R ist keine Drehung (enthält Skalierung oder Scherung). Geben Sie eine starre Lage in mm an.</translation>
     </message>
     <message>
-        <source>the file contains no camera with a pose. Provide P (3 x 4), or K (3 x 3), R (3 x 3, or rvec) and t (3).</source>
+        <source>the file contains no camera with a pose. Provide P (3 × 4); or K (3 × 3), R (3 × 3, or rvec) and t (3).</source>
         <comment>exchange.no-pose</comment>
-        <translation>die Datei enthält keine Kamera mit Lage. Geben Sie P (3 x 4) an, oder K (3 x 3), R (3 x 3 oder rvec) und t (3).</translation>
+        <translation>die Datei enthält keine Kamera mit Lage. Geben Sie P (3 × 4) an, oder K (3 × 3), R (3 × 3 oder rvec) und t (3).</translation>
     </message>
     <message>
-        <source>the file contains %1 numbers. P = K [R t] requires 12 (three rows of four), a pose cameraFromPatient 16.</source>
+        <source>the file contains %1 numbers. P = K [R t] requires 12 numbers (three rows of four); a cameraFromPatient pose requires 16 (four rows of four).</source>
         <comment>exchange.numbers</comment>
         <translation>die Datei enthält %1 Zahlen. P = K [R t] hat 12 (drei Zeilen zu vier), eine Lage cameraFromPatient hat 16.</translation>
     </message>
@@ -3264,7 +3264,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>die Kamera hat eine Verzeichnung (Verzeichnungskoeffizienten). Entzerren Sie das Bild, und geben Sie dann eine Kamera ohne Verzeichnung an.</translation>
     </message>
     <message>
-        <source>a pose in this format requires a camera. Specify a case, or a pose with a camera.</source>
+        <source>a pose in this format requires a camera. Specify a case, or a pose that includes a camera.</source>
         <comment>exchange.no-camera</comment>
         <translation>eine Lage in diesem Format braucht eine Kamera. Geben Sie einen Fall an, oder eine Lage mit Kamera.</translation>
     </message>
@@ -3304,19 +3304,19 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Punkte lassen sich als .fcsv oder .mrk.json speichern. Ändern Sie die Endung.</translation>
     </message>
     <message>
-        <source>%1 contains a pose or points. Open its case first, then open this file separately.</source>
+        <source>%1 contains a pose or points. Open the case to which the file belongs first, then open this file separately.</source>
         <comment>open.pose-alone</comment>
         <translation>%1 enthält eine Lage oder Punkte. Öffnen Sie zuerst den zugehörigen Fall, dann diese Datei allein.</translation>
     </message>
     <message>
-        <source>The camera of the pose differs from the camera of the case. The vessels are drawn with the camera of the pose.</source>
+        <source>The pose was determined with a different camera from that of the case. The vessels are drawn with the camera stored with the pose.</source>
         <comment>pose.other-camera</comment>
-        <translation>Die Kamera der Lage weicht von der Kamera des Falls ab. Die Gefäße werden mit der Kamera der Lage gezeichnet.</translation>
+        <translation>Die Lage wurde mit einer anderen Kamera bestimmt als der des Falls. Die Gefäße werden mit der bei der Lage gespeicherten Kamera gezeichnet.</translation>
     </message>
     <message>
-        <source>The pose belongs to an image of %1 x %2 px; the angiogram has %3 x %4. Choose the pose of this image.</source>
+        <source>The pose belongs to an image of %1 × %2 px, but the angiogram is %3 × %4 px. Choose the pose that belongs to this angiogram.</source>
         <comment>pose.other-image</comment>
-        <translation>Die Lage gehört zu einem Bild von %1 x %2 px, das Angiogramm hat %3 x %4. Wählen Sie die Lage dieses Bildes.</translation>
+        <translation>Die Lage gehört zu einem Bild von %1 × %2 px, das Angiogramm hat aber %3 × %4 px. Wählen Sie die zu diesem Angiogramm gehörende Lage.</translation>
     </message>
     <message>
         <source>the case has no landmarks, target points or ostium rings. Add some in the window first.</source>
@@ -3324,7 +3324,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>der Fall hat keine Landmarken, Zielpunkte oder Ostiumringe. Setzen Sie zuerst welche im Fenster.</translation>
     </message>
     <message>
-        <source>The pose is assumed to have the detector at negative z and no extrinsic matrix, as in xReg X-ray data. Use --camera if the image is mirrored.</source>
+        <source>For this pose, the detector is assumed to be at negative z without an extrinsic matrix, as in xReg X-ray data. Use --camera if the image is mirrored.</source>
         <comment>convert.xreg-guessed</comment>
         <translation>Für die Lage wird ein Detektor bei negativem z ohne extrinsische Matrix angenommen, wie in xReg-Röntgendaten. Geben Sie --camera an, wenn das Bild gespiegelt ist.</translation>
     </message>
@@ -3334,17 +3334,17 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>das Betriebssystem liefert keine Zufallszahlen; Pseudonyme lassen sich daher nicht geheim halten.</translation>
     </message>
     <message>
-        <source>The image contains burned-in text, at column %1, row %2 and elsewhere. Review it, or mask it.</source>
+        <source>The image contains burned-in text, for example at column %1, row %2. Review the text, or mask it.</source>
         <comment>deidentify.letters-stay</comment>
-        <translation>Das Bild enthält eingebrannten Text, bei Spalte %1, Zeile %2 und an anderen Stellen. Prüfen oder maskieren Sie ihn.</translation>
+        <translation>Das Bild enthält eingebrannten Text, zum Beispiel bei Spalte %1, Zeile %2. Prüfen oder maskieren Sie ihn.</translation>
     </message>
     <message>
-        <source>Burned-in text was masked (%1 % of the image area). Check that none remains.</source>
+        <source>Burned-in text was masked (%1 % of the image area). Check that no text remains.</source>
         <comment>deidentify.letters-blacked-out</comment>
         <translation>Eingebrannter Text wurde maskiert (%1 % der Bildfläche). Prüfen Sie, dass nichts übrig ist.</translation>
     </message>
     <message>
-        <source>The header declares burned-in patient information, but no text was detected in the image. Review every frame.</source>
+        <source>According to the header, patient information is burned into the image, but no text was detected. Review every frame.</source>
         <comment>deidentify.letters-declared</comment>
         <translation>Laut Header sind Patientendaten in das Bild eingebrannt, doch es wurde kein Text gefunden. Prüfen Sie jedes Einzelbild.</translation>
     </message>
@@ -3389,12 +3389,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>der Ordner enthält kein DICOM-Bild. Wählen Sie den Ordner einer Studie.</translation>
     </message>
     <message>
-        <source>an input file of the case could not be read and is missing from the ZIP archive: %1</source>
+        <source>an input file of the case could not be read and is therefore missing from the ZIP archive: %1</source>
         <comment>pack.input-missing</comment>
         <translation>eine Eingabedatei des Falls war nicht lesbar und fehlt im ZIP-Archiv: %1</translation>
     </message>
     <message>
-        <source>cases are shared as .zip. Change the extension.</source>
+        <source>cases can be shared only as .zip. Change the extension.</source>
         <comment>pack.format</comment>
         <translation>Fälle werden als .zip weitergegeben. Ändern Sie die Endung.</translation>
     </message>
@@ -3404,7 +3404,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>das ZIP-Archiv lässt sich nicht schreiben (%1). Wählen Sie einen anderen Ordner, oder schaffen Sie Speicherplatz.</translation>
     </message>
     <message>
-        <source>Names, notes and texts entered by users were replaced by numbers: %1.</source>
+        <source>Names, notes and other text entered by users were replaced by numbers (count: %1).</source>
         <comment>pack.texts-cleared</comment>
         <translation>Eingegebene Namen, Notizen und Texte wurden durch Nummern ersetzt: %1.</translation>
     </message>
@@ -3439,42 +3439,42 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>die Gefäße weichen ab.</translation>
     </message>
     <message>
-        <source>a key must have at least 16 bytes. To create one: head -c 32 /dev/urandom &gt; key</source>
+        <source>a key must be at least 16 bytes long. To create one: head -c 32 /dev/urandom &gt; key</source>
         <comment>deidentify.key-too-short</comment>
         <translation>ein Schlüssel braucht mindestens 16 Byte. Einen erzeugen: head -c 32 /dev/urandom &gt; key</translation>
     </message>
     <message>
-        <source>this input is de-identified into a file with the extension %1, and a folder into a folder. Name OUT accordingly.</source>
+        <source>the output for this file must have the extension %1; the output for a folder is a folder. Name OUT accordingly.</source>
         <comment>deidentify.kind</comment>
-        <translation>diese Eingabe wird zu einer de-identifizierten Datei mit der Endung %1, ein Ordner zu einem Ordner. Benennen Sie OUT entsprechend.</translation>
+        <translation>die Ausgabe für diese Datei muss die Endung %1 haben; die Ausgabe für einen Ordner ist ein Ordner. Benennen Sie OUT entsprechend.</translation>
     </message>
     <message>
-        <source>this TIFF cannot be rewritten losslessly (supported: grayscale, palette or RGB with 8 or 16 bits or float, in strips). Convert it to PNG.</source>
+        <source>this TIFF cannot be rewritten losslessly (supported: grayscale, palette and RGB images in strips, with 8-bit, 16-bit or floating-point samples). Convert it to PNG.</source>
         <comment>deidentify.tiff</comment>
         <translation>dieses TIFF lässt sich nicht verlustfrei wieder speichern (unterstützt: Grau, Palette oder RGB mit 8 oder 16 Bit oder Gleitkomma, in Streifen). Speichern Sie es als PNG.</translation>
     </message>
     <message>
-        <source>this is a PDF document; any page may contain names. Create it again from a de-identified case.</source>
+        <source>this is a PDF document, and any of its pages may contain names. Create it again from a de-identified case.</source>
         <comment>deidentify.pages</comment>
         <translation>dies ist ein PDF-Dokument, dessen Seiten überall Namen enthalten können. Erzeugen Sie es neu aus einem de-identifizierten Fall.</translation>
     </message>
     <message>
-        <source>objects of this kind (class %1) contain data that cannot be de-identified reliably. Omit the object.</source>
+        <source>objects of SOP class %1 contain data that cannot be reliably de-identified. Exclude this object.</source>
         <comment>deidentify.object</comment>
-        <translation>Objekte dieser Art (Klasse %1) enthalten Daten, die sich nicht sicher de-identifizieren lassen. Lassen Sie es weg.</translation>
+        <translation>Objekte der SOP-Klasse %1 enthalten Daten, die sich nicht zuverlässig de-identifizieren lassen. Schließen Sie dieses Objekt aus.</translation>
     </message>
     <message>
-        <source>its SOP class (%1) has no image, but the file contains one, which would be lost. Export it again, or omit it.</source>
+        <source>the SOP class (%1) does not define an image, but the file contains one, which would be lost. Export the object again, or exclude it.</source>
         <comment>deidentify.object-with-pixels</comment>
-        <translation>seine Klasse (%1) sieht kein Bild vor, die Datei enthält aber eines, das verloren ginge. Exportieren Sie es erneut, oder lassen Sie es weg.</translation>
+        <translation>die SOP-Klasse (%1) sieht kein Bild vor, die Datei enthält aber eines, das verloren ginge. Exportieren Sie das Objekt erneut, oder schließen Sie es aus.</translation>
     </message>
     <message>
-        <source>Free text in reports, segmentations or presentation states was removed; codes and numbers were kept: %1.</source>
+        <source>Free text was removed from reports, segmentations or presentation states (count: %1); codes and numbers were kept.</source>
         <comment>deidentify.words-cleared</comment>
-        <translation>Freitext in Befunden, Segmentierungen oder Darstellungszuständen wurde entfernt; Kodes und Zahlen blieben erhalten: %1.</translation>
+        <translation>Freitext wurde aus Befunden, Segmentierungen oder Darstellungszuständen entfernt (Anzahl: %1); Kodes und Zahlen blieben erhalten.</translation>
     </message>
     <message>
-        <source>Alternative path: %1 (%2).</source>
+        <source>Alternative path: %1 (probability %2).</source>
         <comment>wire.may-follow</comment>
         <translation>Alternativer Weg: %1 (%2).</translation>
     </message>
@@ -3489,12 +3489,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Nur %1 des Führungsdrahts liegen entlang des Gefäßbaums.</translation>
     </message>
     <message>
-        <source>The traced curves do not form a single line: gaps make up %1 of it. Remove the curves that do not belong to the guidewire.</source>
+        <source>The traced curves do not form a single line: %1 of its length is gaps. Remove the curves that do not belong to the guidewire.</source>
         <comment>wire.in-pieces</comment>
         <translation>Die erkannten Kurven bilden keine einzelne Linie: %1 davon sind Lücken. Entfernen Sie die Kurven, die nicht zum Führungsdraht gehören.</translation>
     </message>
     <message>
-        <source>The guidewire matches no path of the vessel tree near the initial pose. Start from the last full registration, or allow a larger deviation.</source>
+        <source>The guidewire does not match any path through the vessel tree near the initial pose. Start from the last full registration, or allow a larger deviation.</source>
         <comment>wire.nowhere</comment>
         <translation>Der Führungsdraht passt nahe der Startlage zu keinem Weg im Gefäßbaum. Beginnen Sie mit der letzten vollständigen Registrierung, oder lassen Sie eine größere Abweichung zu.</translation>
     </message>
@@ -3504,9 +3504,9 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Der Führungsdraht folgt mit einer Wahrscheinlichkeit von %2 den Ästen %1; er liegt %3 neben den Mittellinien.</translation>
     </message>
     <message>
-        <source>There are only %1 likely paths: the most likely one is used instead of the requested one.</source>
+        <source>The requested path rank exceeds the number of likely paths (%1): the most likely path is used instead.</source>
         <comment>wire.fewer-ways</comment>
-        <translation>Es gibt nur %1 wahrscheinliche Wege: Statt des gewünschten wird der wahrscheinlichste verwendet.</translation>
+        <translation>Der gewünschte Rang übersteigt die Zahl der wahrscheinlichen Wege (%1): Stattdessen wird der wahrscheinlichste verwendet.</translation>
     </message>
     <message>
         <source>images can be saved as .png or .svg, and in the window also as .pdf. Choose one of these.</source>
@@ -3514,7 +3514,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Bilder lassen sich als .png oder .svg speichern, im Fenster auch als .pdf. Wählen Sie eines davon.</translation>
     </message>
     <message>
-        <source>16-bit gray values can only be saved as .png.</source>
+        <source>16-bit gray values can be saved only as .png.</source>
         <comment>picture.grey-kind</comment>
         <translation>Grauwerte mit 16 Bit lassen sich nur als .png speichern.</translation>
     </message>
@@ -3539,7 +3539,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>ungültiger Wert „%2“ für die Einstellung %1: %3</translation>
     </message>
     <message>
-        <source>a batch file needs a header row with the column case, or with the columns vessels and angiogram, and one row per case.</source>
+        <source>a batch file needs a header row with a case column, or with vessels and angiogram columns, and one row per case.</source>
         <comment>batch.header-missing</comment>
         <translation>eine Stapeldatei braucht eine Kopfzeile mit der Spalte case oder mit den Spalten vessels und angiogram, und eine Zeile je Fall.</translation>
     </message>
@@ -3549,7 +3549,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Zeile %1, Spalte %2: %3</translation>
     </message>
     <message>
-        <source>line %1 specifies both a case and inputs. Specify either the case or its vessels and angiogram.</source>
+        <source>line %1 specifies both a case and inputs. Specify either the case, or its vessels and angiogram.</source>
         <comment>batch.not-both</comment>
         <translation>Zeile %1 nennt sowohl einen Fall als auch Eingaben. Nennen Sie entweder den Fall, oder seine Gefäße und sein Angiogramm.</translation>
     </message>
@@ -3589,7 +3589,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>die Gefäße messen insgesamt %1 Einheiten, was kaum Millimeter sind. Nennen Sie einen Fall, der die Einheit angibt.</translation>
     </message>
     <message>
-        <source>no folder contains a result for this row. Process it with --resume.</source>
+        <source>no folder contains a result for this row. Process the row with --resume.</source>
         <comment>batch.row-missing</comment>
         <translation>kein Ordner enthält ein Ergebnis zu dieser Zeile. Führen Sie sie mit --resume aus.</translation>
     </message>
@@ -3604,7 +3604,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>dieser Fall wurde nicht registriert: Seine Gefäße sind in der Startlage. Geben Sie --register an, oder --from mit einem Ergebnis; mit --start-pose wird die Startlage selbst exportiert.</translation>
     </message>
     <message>
-        <source>This case has not been registered: the vessels are drawn at the initial pose. Register it with --save, or use --pose or --from.</source>
+        <source>This case has not been registered: the vessels are drawn at the initial pose. Register the case with --save, or use --pose or --from.</source>
         <comment>command.drawn-at-start</comment>
         <translation>Dieser Fall wurde nicht registriert: Die Gefäße sind in der Startlage gezeichnet. Registrieren Sie ihn mit --save, oder geben Sie --pose oder --from an.</translation>
     </message>
@@ -3619,17 +3619,17 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>dies ist kein Registrierungsergebnis. Geben Sie eine result.json oder joint.json an, die `register` oder `batch` geschrieben hat.</translation>
     </message>
     <message>
-        <source>the result does not record its inputs: it was computed by an earlier version, or the geometry was estimated. Register its case instead.</source>
+        <source>the result does not record its inputs: it was computed by an earlier version, or with estimated geometry. Register its case instead.</source>
         <comment>result.without-case</comment>
         <translation>das Ergebnis hält seine Eingaben nicht fest: Es wurde mit einer früheren Version berechnet, oder die Geometrie wurde geschätzt. Registrieren Sie stattdessen seinen Fall.</translation>
     </message>
     <message>
-        <source>no input %1 with the recorded content (SHA-256 %2) was found. Specify its folder with --inputs.</source>
+        <source>no file with the recorded contents (SHA-256 %2) was found for input %1. Specify its folder with --inputs.</source>
         <comment>result.input-missing</comment>
         <translation>es wurde keine Eingabe %1 mit dem aufgezeichneten Inhalt (SHA-256 %2) gefunden. Geben Sie ihren Ordner mit --inputs an.</translation>
     </message>
     <message>
-        <source>the content of input %1 has changed since the result was computed. Specify the folder of the original with --inputs.</source>
+        <source>the contents of input %1 have changed since the result was computed. Specify the folder of the original with --inputs.</source>
         <comment>result.input-changed</comment>
         <translation>der Inhalt der Eingabe %1 hat sich seit der Berechnung geändert. Geben Sie den Ordner des Originals mit --inputs an.</translation>
     </message>
@@ -3639,9 +3639,9 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>--shard braucht den Teil und die Anzahl der Teile, z. B. 2/4, nicht „%1“.</translation>
     </message>
     <message>
-        <source>There is no degree of freedom &apos;%1&apos;. Lock %2, or none.</source>
+        <source>There is no degree of freedom &apos;%1&apos;. Available: %2, or none.</source>
         <comment>command.no-such-freedom</comment>
-        <translation>Es gibt keinen Freiheitsgrad „%1“ zum Sperren. Möglich: %2 oder none.</translation>
+        <translation>Es gibt keinen Freiheitsgrad „%1“. Möglich: %2 oder none.</translation>
     </message>
     <message>
         <source>there is no deformable registration for this pose. Register a frame in which the vessels appear deformed, or use the option deformable=always.</source>
@@ -3664,12 +3664,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>die Datei enthält noch keine Mittellinien. Erfassen Sie sie mit: angiopose-cli trace-vessel %1 --output %2.</translation>
     </message>
     <message>
-        <source>this is neither a volume nor a surface and cannot be converted to a volume. Choose a scan (DICOM, NIfTI, NRRD, MetaImage) or a surface, or another output name.</source>
+        <source>this is neither a volume nor a surface, so it cannot be converted to a volume. Choose a scan (DICOM, NIfTI, NRRD, MetaImage) or a surface, or choose another output name.</source>
         <comment>convert.no-volume</comment>
         <translation>dies ist weder Volumen noch Oberfläche und lässt sich nicht in ein Volumen umwandeln. Wählen Sie einen Scan (DICOM, NIfTI, NRRD, MetaImage) oder eine Oberfläche, oder einen anderen Ausgabenamen.</translation>
     </message>
     <message>
-        <source>this extension cannot be written. Centerlines: .vtp, .csv, .swc, .mrk.json; volumes: .nii, .nii.gz, .nrrd, .mha; surfaces: .stl; poses: .json, .tfm, .h5; X-ray runs: .dcm.</source>
+        <source>files with this extension cannot be written. Centerlines: .vtp, .csv, .swc, .mrk.json; volumes: .nii, .nii.gz, .nrrd, .mha; surfaces: .stl; poses: .json, .tfm, .h5; X-ray runs: .dcm.</source>
         <comment>convert.extension</comment>
         <translation>diese Endung lässt sich nicht schreiben. Mittellinien: .vtp, .csv, .swc, .mrk.json; Volumen: .nii, .nii.gz, .nrrd, .mha; Oberflächen: .stl; Lagen: .json, .tfm, .h5; Röntgenserien: .dcm.</translation>
     </message>
@@ -3684,7 +3684,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>dies ist kein Label-Bild und hat daher keine Labels. Lassen Sie --label weg, oder wählen Sie eine Segmentierung.</translation>
     </message>
     <message>
-        <source>the file already contains centerlines; no tracing is needed. Use `convert` to change the format.</source>
+        <source>the file already contains centerlines, so no tracing is needed. Use `convert` to change the format.</source>
         <comment>trace.centrelines</comment>
         <translation>die Datei enthält bereits Mittellinien; Erfassen ist nicht nötig. Das Format ändert `convert`.</translation>
     </message>
@@ -3694,7 +3694,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>diese Oberfläche lässt sich nicht erfassen. Wählen Sie eine andere.</translation>
     </message>
     <message>
-        <source>detecting thin vessels requires the gray values of a scan; this file has none. Omit --tubes.</source>
+        <source>the detection of thin vessels requires the gray values of a scan, but this file has none. Omit --tubes.</source>
         <comment>trace.tubes-of-mask</comment>
         <translation>zum Erkennen dünner Gefäße sind die Grauwerte eines Scans nötig; diese Datei enthält keine. Lassen Sie --tubes weg.</translation>
     </message>
@@ -3749,17 +3749,17 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Ein Bildexport braucht Gefäßbaum und Angiogramm. Öffnen Sie zuerst beide.</translation>
     </message>
     <message>
-        <source>stopped; completely received objects are kept.</source>
+        <source>stopped; objects already received in full are kept.</source>
         <comment>archive.stopped</comment>
         <translation>angehalten; vollständig empfangene Objekte bleiben erhalten.</translation>
     </message>
     <message>
-        <source>host %1 is unknown. Check its name in the PACS list, and the network.</source>
+        <source>host %1 is unknown. Check the host name in the PACS list and the network connection.</source>
         <comment>archive.unknown-host</comment>
         <translation>der Host %1 ist unbekannt. Prüfen Sie seinen Namen in der PACS-Liste und das Netzwerk.</translation>
     </message>
     <message>
-        <source>%1 cannot be reached (%2). Check host, port and network, and that the PACS is running.</source>
+        <source>%1 cannot be reached (%2). Check the host, the port and the network connection, and check that the PACS is running.</source>
         <comment>archive.no-connection</comment>
         <translation>%1 ist nicht erreichbar (%2). Prüfen Sie Host, Port und Netzwerk, und ob das PACS läuft.</translation>
     </message>
@@ -3769,12 +3769,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>%1 nahm die Verbindung an, antwortete aber nicht innerhalb von %2. Prüfen Sie, ob der Port zu einem PACS gehört.</translation>
     </message>
     <message>
-        <source>no response within %1. Try again later, or increase the response timeout of this PACS; completely received objects are kept.</source>
+        <source>no response within %1. Try again later, or increase the response timeout of this PACS; objects already received in full are kept.</source>
         <comment>archive.no-answer</comment>
         <translation>keine Antwort innerhalb von %1. Versuchen Sie es später erneut, oder erhöhen Sie das Antwort-Timeout dieses PACS; vollständig empfangene Objekte bleiben erhalten.</translation>
     </message>
     <message>
-        <source>the connection was lost (%1). Try again; completely received objects are kept.</source>
+        <source>the connection was lost (%1). Try again; objects already received in full are kept.</source>
         <comment>archive.broken</comment>
         <translation>die Verbindung brach ab (%1). Versuchen Sie es erneut; vollständig empfangene Objekte bleiben erhalten.</translation>
     </message>
@@ -3794,32 +3794,32 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>die Assoziation wurde abgelehnt (%1). Fragen Sie den PACS-Administrator, ob sich dieser Rechner verbinden darf.</translation>
     </message>
     <message>
-        <source>the PACS aborted the association. Check its log, or try again; completely received objects are kept.</source>
+        <source>the PACS aborted the association. Check its log, or try again; objects already received in full are kept.</source>
         <comment>archive.aborted</comment>
         <translation>das PACS brach die Assoziation ab. Prüfen Sie sein Protokoll, oder versuchen Sie es erneut; vollständig empfangene Objekte bleiben erhalten.</translation>
     </message>
     <message>
-        <source>the PACS does not offer %1. Ask its administrator to enable it for our AE title %2.</source>
+        <source>the PACS does not offer the requested service (%1). Ask its administrator to enable it for our AE title %2.</source>
         <comment>archive.no-service</comment>
         <translation>das PACS bietet %1 nicht an. Bitten Sie den Administrator, es für unseren AE-Titel %2 freizugeben.</translation>
     </message>
     <message>
-        <source>%1 failed with %2. Check the PACS log, or ask its administrator.</source>
+        <source>%1 failed with %2. Check the PACS log, or ask the PACS administrator.</source>
         <comment>archive.status</comment>
         <translation>%1 schlug mit %2 fehl. Prüfen Sie das Protokoll des PACS, oder fragen Sie den Administrator.</translation>
     </message>
     <message>
-        <source>the response is invalid (%1). Check that host, port and address belong to a PACS.</source>
+        <source>the response is invalid (%1). Check that the host, port and address belong to a PACS.</source>
         <comment>archive.nonsense</comment>
         <translation>die Antwort ist ungültig (%1). Prüfen Sie, ob Host, Port und Adresse zu einem PACS gehören.</translation>
     </message>
     <message>
-        <source>the TLS handshake failed (%1). Check the CA file of this PACS, the certificates, and whether this port uses TLS.</source>
+        <source>the TLS handshake failed (%1). Check the CA file of this PACS and the certificates, and check whether this port uses TLS.</source>
         <comment>archive.tls-refused</comment>
         <translation>der TLS-Handshake schlug fehl (%1). Prüfen Sie die CA-Datei dieses PACS, die Zertifikate, und ob dieser Port TLS verwendet.</translation>
     </message>
     <message>
-        <source>the file %1 cannot be used for TLS (%2). Check its path and content.</source>
+        <source>the file %1 cannot be used for TLS (%2). Check its path and contents.</source>
         <comment>archive.tls-file</comment>
         <translation>die Datei %1 ist für TLS nicht verwendbar (%2). Prüfen Sie Pfad und Inhalt.</translation>
     </message>
@@ -3829,22 +3829,22 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>das Zertifikat wurde nicht für den Host %1 ausgestellt. Prüfen Sie den Host; ist er richtig, schalten Sie die Prüfung des Hostnamens für dieses PACS aus.</translation>
     </message>
     <message>
-        <source>this is not a PACS list (%1). Correct it, or delete the file.</source>
+        <source>this is not a PACS list (%1). Correct or delete the file.</source>
         <comment>archive.list-invalid</comment>
         <translation>dies ist keine PACS-Liste (%1). Berichtigen Sie sie, oder löschen Sie die Datei.</translation>
     </message>
     <message>
-        <source>the PACS %1 is not listed in %2; available: %3. Add it, or correct the name.</source>
+        <source>the PACS %1 is not listed in %2; available: %3. Add the PACS, or correct the name.</source>
         <comment>archive.unknown</comment>
         <translation>das PACS %1 steht nicht in %2; vorhanden: %3. Fügen Sie es hinzu, oder berichtigen Sie den Namen.</translation>
     </message>
     <message>
-        <source>a PACS has no valid name. Enter 1 to 64 characters.</source>
+        <source>a PACS has no valid name. Enter a name of 1 to 64 characters.</source>
         <comment>archive.no-name</comment>
         <translation>ein PACS hat keinen gültigen Namen. Geben Sie 1 bis 64 Zeichen ein.</translation>
     </message>
     <message>
-        <source>the PACS has neither a host nor a DICOMweb address. Enter one.</source>
+        <source>the PACS has neither a host nor a DICOMweb address. Enter one of them.</source>
         <comment>archive.no-address</comment>
         <translation>das PACS hat weder einen Host noch eine DICOMweb-Adresse. Geben Sie eines davon ein.</translation>
     </message>
@@ -3869,12 +3869,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>%1 ist keine DICOMweb-Adresse. Geben Sie eine ein, die mit https:// oder http:// beginnt.</translation>
     </message>
     <message>
-        <source>the response timeout is invalid. Enter 1 to 600 s.</source>
+        <source>the response timeout is invalid. Enter a value from 1 to 600 s.</source>
         <comment>archive.bad-time</comment>
         <translation>das Antwort-Timeout ist ungültig. Geben Sie 1 bis 600 s ein.</translation>
     </message>
     <message>
-        <source>a client certificate and its private key are required together; one is missing. Specify both files.</source>
+        <source>a client certificate and its private key must be specified together; one of them is missing. Specify both files.</source>
         <comment>archive.key-without-certificate</comment>
         <translation>Client-Zertifikat und privater Schlüssel sind nur zusammen verwendbar; eines fehlt. Geben Sie beide Dateien an.</translation>
     </message>
@@ -3899,7 +3899,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>%1 ist kein Datum. Geben Sie JJJJ-MM-TT ein, oder einen Bereich wie 2024-01-01..2024-02-01.</translation>
     </message>
     <message>
-        <source>there are more than %1 matches; the rest are omitted. Narrow the query.</source>
+        <source>there are more than %1 matches; the others are omitted. Narrow the query.</source>
         <comment>archive.many-matches</comment>
         <translation>es gibt mehr als %1 Treffer; der Rest fehlt. Schränken Sie die Suche ein.</translation>
     </message>
@@ -3919,7 +3919,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>%1 von %2 Objekten wurden empfangen; die übrigen sendete das PACS nicht (%3). Rufen Sie sie erneut ab, oder prüfen Sie das Protokoll des PACS.</translation>
     </message>
     <message>
-        <source>the PACS does not offer C-GET, and C-MOVE requires a local port. Set the C-MOVE port, and have AE title, host and port registered at the PACS.</source>
+        <source>the PACS does not offer C-GET, and C-MOVE requires a local port. Set the C-MOVE port, and have the AE title, host and port of this computer registered at the PACS.</source>
         <comment>archive.no-way-back</comment>
         <translation>das PACS bietet C-GET nicht an, und C-MOVE braucht einen lokalen Port. Setzen Sie den C-MOVE-Port, und lassen Sie AE-Titel, Host und Port im PACS eintragen.</translation>
     </message>
@@ -3929,7 +3929,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>an Port %1 lässt sich nicht lauschen (%2). Wählen Sie einen anderen Port über 1024.</translation>
     </message>
     <message>
-        <source>an object exceeds the limit of %1 and was discarded. If you need it, raise the limit (--max-object).</source>
+        <source>an object exceeds the limit of %1 and was discarded. Raise the limit (--max-object) if you need this object.</source>
         <comment>archive.object-too-large</comment>
         <translation>ein Objekt überschreitet die Grenze von %1 und wurde verworfen. Erhöhen Sie bei Bedarf die Grenze (--max-object).</translation>
     </message>
@@ -3949,17 +3949,17 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>ein empfangenes Objekt hat die UID (%1) eines anderen lokalen Objekts; das lokale bleibt erhalten. Klären Sie, welches richtig ist.</translation>
     </message>
     <message>
-        <source>the series does not fit into the cache of %1. Raise the limit, or empty the cache.</source>
+        <source>the series does not fit into the cache (limit %1). Raise the limit, or empty the cache.</source>
         <comment>archive.cache-too-small</comment>
         <translation>die Serie passt nicht in den Zwischenspeicher von %1. Erhöhen Sie seine Grenze, oder leeren Sie ihn.</translation>
     </message>
     <message>
-        <source>the folder cannot be created or used (%1). Choose another one, or free disk space.</source>
+        <source>the folder cannot be created or used (%1). Choose another folder, or free disk space.</source>
         <comment>archive.no-folder</comment>
         <translation>der Ordner lässt sich nicht anlegen oder benutzen (%1). Wählen Sie einen anderen, oder schaffen Sie Speicherplatz.</translation>
     </message>
     <message>
-        <source>this is not a complete DICOM file with a transfer syntax and was not sent. Export it again, or choose another file.</source>
+        <source>this is not a complete DICOM file with a specified transfer syntax, so it was not sent. Export it again, or choose another file.</source>
         <comment>archive.not-sendable</comment>
         <translation>dies ist keine vollständige DICOM-Datei mit Transfersyntax und wurde nicht gesendet. Schreiben Sie sie neu, oder wählen Sie eine andere.</translation>
     </message>
@@ -3969,7 +3969,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>das PACS nimmt diese SOP-Klasse in der gespeicherten Transfersyntax nicht an (Klasse %1, Transfersyntax %2). Wandeln Sie das Objekt um, oder fragen Sie den PACS-Administrator.</translation>
     </message>
     <message>
-        <source>the PACS rejected the object with %1. Check its log, or ask its administrator.</source>
+        <source>the PACS rejected the object with %1. Check the PACS log, or ask the PACS administrator.</source>
         <comment>archive.store-refused</comment>
         <translation>das PACS lehnte das Objekt mit %1 ab. Prüfen Sie sein Protokoll, oder fragen Sie den Administrator.</translation>
     </message>
@@ -3994,17 +3994,17 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>%1 (AE-Titel %2) wurde abgelehnt: nicht in der Liste der zugelassenen rufenden AE-Titel.</translation>
     </message>
     <message>
-        <source>%1 (AE title %2) was rejected: its called AE title %3 is not ours. Correct it at the sender.</source>
+        <source>%1 (AE title %2) was rejected: its called AE title %3 is not ours. Correct the title at the sender.</source>
         <comment>archive.called-otherwise</comment>
         <translation>%1 (AE-Titel %2) wurde abgelehnt: Der gerufene AE-Titel %3 ist nicht unserer. Berichtigen Sie ihn beim Sender.</translation>
     </message>
     <message>
-        <source>an incoming connection failed (%1). Check address, port and TLS at the sender.</source>
+        <source>an incoming connection failed (%1). Check the address, port and TLS settings at the sender.</source>
         <comment>archive.call-failed</comment>
         <translation>eine eingehende Verbindung schlug fehl (%1). Prüfen Sie beim Sender: Adresse, Port, TLS.</translation>
     </message>
     <message>
-        <source>an incoming connection was rejected: the TLS handshake failed (%1). Check the sender&apos;s certificate, the certificates accepted here, and whether the sender uses TLS.</source>
+        <source>an incoming connection was rejected: the TLS handshake failed (%1). Check the sender&apos;s certificate and the certificates accepted here, and check whether the sender uses TLS.</source>
         <comment>archive.call-not-secured</comment>
         <translation>eine eingehende Verbindung wurde abgelehnt: Der TLS-Handshake schlug fehl (%1). Prüfen Sie das Zertifikat des Senders, die hier akzeptierten Zertifikate, und ob der Sender TLS verwendet.</translation>
     </message>
@@ -4014,7 +4014,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>TLS an einem lauschenden Port braucht ein lokales Zertifikat und dessen privaten Schlüssel. Geben Sie beide Dateien an.</translation>
     </message>
     <message>
-        <source>%1 does not exist. Check the name and whether the drive is mounted.</source>
+        <source>%1 does not exist. Check the name, and check whether the drive is mounted.</source>
         <comment>open.missing</comment>
         <translation>%1 gibt es nicht. Prüfen Sie den Namen, und ob das Laufwerk eingehängt ist.</translation>
     </message>
@@ -4049,12 +4049,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>%1 ist eine zweite 2-D-Mittellinie. Öffnen Sie nur eine auf einmal.</translation>
     </message>
     <message>
-        <source>%1 is a second angiogram. Open one at a time; add others as views.</source>
+        <source>%1 is a second angiogram. Open one angiogram at a time; add others as views.</source>
         <comment>open.second-angiogram</comment>
         <translation>%1 ist ein zweites Angiogramm. Öffnen Sie nur eines auf einmal; weitere fügen Sie als Ansichten hinzu.</translation>
     </message>
     <message>
-        <source>%1 was moved and was found at %2. Save the case to keep the new path.</source>
+        <source>%1 is no longer at its saved path; it was found at %2. Save the case to keep the new path.</source>
         <comment>open.moved</comment>
         <translation>%1 wurde verschoben und unter %2 gefunden. Speichern Sie den Fall, um den neuen Pfad zu behalten.</translation>
     </message>
@@ -4099,12 +4099,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>%1 · Median %2 · nicht verlässlich</translation>
     </message>
     <message>
-        <source>displacement, mm</source>
+        <source>displacement (mm)</source>
         <comment>picture.motion-scale</comment>
-        <translation>Verschiebung, mm</translation>
+        <translation>Verschiebung (mm)</translation>
     </message>
     <message>
-        <source>deformation of frame %1, not of this frame</source>
+        <source>deformation from frame %1, not from this frame</source>
         <comment>picture.bent-on-frame</comment>
         <translation>Verformung von Bild %1, nicht von diesem</translation>
     </message>
@@ -4119,12 +4119,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>starr: %1</translation>
     </message>
     <message>
-        <source>vessels shown rigid; deformation available</source>
+        <source>vessels shown without deformation; deformation available</source>
         <comment>picture.vessels-rigid</comment>
-        <translation>Gefäße starr gezeigt; Verformung verfügbar</translation>
+        <translation>Gefäße ohne Verformung gezeigt; Verformung verfügbar</translation>
     </message>
     <message>
-        <source>vessels deformed by up to %1, uncertain</source>
+        <source>vessels deformed by up to %1 (uncertain)</source>
         <comment>picture.vessels-bent-unsure</comment>
         <translation>Gefäße um bis zu %1 verformt, unsicher</translation>
     </message>
@@ -4174,9 +4174,9 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>SOD %1 (%2)</translation>
     </message>
     <message>
-        <source>%1 detector (%2)</source>
+        <source>%1 at the detector (%2)</source>
         <comment>picture.scale-at-detector</comment>
-        <translation>%1 Detektor (%2)</translation>
+        <translation>%1 am Detektor (%2)</translation>
     </message>
     <message>
         <source>%1 at the vessels</source>
@@ -4214,12 +4214,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>%1 der Simulation muss zwischen %2 und %3 liegen, nicht %4.</translation>
     </message>
     <message>
-        <source>Method &apos;%1&apos; has no option with the value &apos;%2&apos;. Use option=value.</source>
+        <source>Method &apos;%1&apos; has no option with the value &apos;%2&apos;. Specify it as option=value.</source>
         <comment>contest.no-such-choice</comment>
         <translation>Die Methode „%1“ hat keine Option mit dem Wert „%2“. Verwenden Sie option=wert.</translation>
     </message>
     <message>
-        <source>Method &apos;%1&apos; has several options with the value &apos;%2&apos;. Use option=value.</source>
+        <source>Method &apos;%1&apos; has several options with the value &apos;%2&apos;. Specify it as option=value.</source>
         <comment>contest.choice-of-several</comment>
         <translation>Die Methode „%1“ hat mehrere Optionen mit dem Wert „%2“. Verwenden Sie option=wert.</translation>
     </message>
@@ -4236,12 +4236,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
     <message>
         <source>The condition &apos;%1&apos; does not belong to &apos;%2&apos;. Merge only results of this program version.</source>
         <comment>merge.foreign-condition</comment>
-        <translation>Die Bedingung „%1“ gehört nicht zu „%2“. Führen Sie Ergebnisse dieser Programmversion zusammen.</translation>
+        <translation>Die Bedingung „%1“ gehört nicht zu „%2“. Führen Sie nur Ergebnisse dieser Programmversion zusammen.</translation>
     </message>
     <message>
-        <source>Two parts differ in %1 of trial %2 of %3. Merge only results of the same program version and settings.</source>
+        <source>Two parts contain different results of method %1 in trial %2 of &apos;%3&apos;. Merge only results of the same program version and settings.</source>
         <comment>merge.parts-disagree</comment>
-        <translation>Zwei Teile unterscheiden sich bei %1 im Versuch %2 von %3. Führen Sie Ergebnisse derselben Programmversion und Einstellungen zusammen.</translation>
+        <translation>Zwei Teile enthalten verschiedene Ergebnisse der Methode %1 im Versuch %2 von „%3“. Führen Sie nur Ergebnisse derselben Programmversion und Einstellungen zusammen.</translation>
     </message>
     <message>
         <source>There are no results to merge.</source>
@@ -4249,9 +4249,9 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Es gibt keine Ergebnisse zusammenzuführen.</translation>
     </message>
     <message>
-        <source>Results of &apos;%1&apos;, seed %2, and of &apos;%3&apos;, seed %4, do not belong together. Merge only parts of one experiment.</source>
+        <source>The results of &apos;%1&apos; (seed %2) and &apos;%3&apos; (seed %4) do not belong together. Merge only parts of the same experiment.</source>
         <comment>merge.runs-of-others</comment>
-        <translation>Ergebnisse von „%1“, Startwert %2, und von „%3“, Startwert %4, gehören nicht zusammen. Führen Sie Teile eines Experiments zusammen.</translation>
+        <translation>Die Ergebnisse von „%1“ (Startwert %2) und „%3“ (Startwert %4) gehören nicht zusammen. Führen Sie nur Teile desselben Experiments zusammen.</translation>
     </message>
     <message>
         <source>The focal lengths fx and fy must be finite and nonzero.</source>
@@ -4269,17 +4269,17 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Die Bildgröße der Kamera ist ungültig: Breite und Höhe müssen positiv sein.</translation>
     </message>
     <message>
-        <source>The camera belongs to images of %1 x %2 pixels, but the angiogram has %3 x %4. Use the camera of this angiogram.</source>
+        <source>The camera belongs to images of %1 × %2 pixels, but the angiogram is %3 × %4 pixels. Use the camera that belongs to this angiogram.</source>
         <comment>camera.other-image</comment>
-        <translation>Die Kamera gilt für Bilder mit %1 x %2 Pixeln, das Angiogramm hat aber %3 x %4. Verwenden Sie die zum Angiogramm gehörende Kamera.</translation>
+        <translation>Die Kamera gilt für Bilder mit %1 × %2 Pixeln, das Angiogramm hat aber %3 × %4 Pixel. Verwenden Sie die zum Angiogramm gehörende Kamera.</translation>
     </message>
     <message>
-        <source>Image width and height must be between 1 and %1 px. Choose another size.</source>
+        <source>Image width and height must each be between 1 and %1 px. Choose another size.</source>
         <comment>picture.size</comment>
         <translation>Breite und Höhe des Bildes müssen zwischen 1 und %1 px liegen. Wählen Sie eine andere Größe.</translation>
     </message>
     <message>
-        <source>%1 is missing or not positive. Enter it in the C-arm geometry (the image header does not contain it).</source>
+        <source>%1 is missing or not positive. Enter it in the C-arm geometry; the image header does not contain it.</source>
         <comment>geometry.value-missing</comment>
         <translation>%1 fehlt oder ist nicht positiv. Tragen Sie den Wert in der C-Bogen-Geometrie ein (der Bildheader enthält ihn nicht).</translation>
     </message>
@@ -4304,9 +4304,9 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Die Angulationswinkel (LAO/RAO, CRA/CAU) fehlen oder sind ungültig. Tragen Sie sie in der C-Bogen-Geometrie ein.</translation>
     </message>
     <message>
-        <source>A coordinate of the isocenter is not a number (NaN or infinite). Enter its position in the patient in mm.</source>
+        <source>A coordinate of the isocenter is not a finite number. Enter the position of the isocenter in patient coordinates (mm).</source>
         <comment>geometry.isocentre-not-finite</comment>
-        <translation>Das Isozentrum hat eine Koordinate, die keine Zahl ist (NaN oder unendlich). Geben Sie seine Position im Patienten in mm ein.</translation>
+        <translation>Eine Koordinate des Isozentrums ist keine endliche Zahl. Geben Sie die Position des Isozentrums in Patientenkoordinaten (mm) ein.</translation>
     </message>
     <message>
         <source>Enter the source-to-detector distance (SID), typically 900 to 1200 mm.</source>
@@ -4339,34 +4339,34 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Ein Abstand Fokus–Detektor (SID) von %1 ist für einen C-Bogen unplausibel (500 bis 2000 mm): Prüfen Sie die Einheit.</translation>
     </message>
     <message>
-        <source>SOD (%1) is not smaller than SID (%2): the isocenter would lie behind the detector. Correct one of the two.</source>
+        <source>The SOD (%1) is not smaller than the SID (%2): the isocenter would lie behind the detector. Correct one of the two distances.</source>
         <comment>geometry.sod-beyond-sid</comment>
         <translation>SOD (%1) ist nicht kleiner als SID (%2): Das Isozentrum läge hinter dem Detektor. Berichtigen Sie einen der Werte.</translation>
     </message>
     <message>
-        <source>SID is %1 times SOD; the typical angiographic magnification is 1.0 to 2.5. Check both distances.</source>
+        <source>The SID is %1 times the SOD, but the typical angiographic magnification is 1.0 to 2.5. Check both distances.</source>
         <comment>geometry.magnification-unusual</comment>
         <translation>SID ist das %1-fache von SOD; Angiogramme sind typischerweise 1,0- bis 2,5-fach vergrößert. Prüfen Sie beide Abstände.</translation>
     </message>
     <message>
-        <source>The magnification of %1 in the header (0018,1114) does not match SID/SOD = %2: one of the three values is outdated. Check SID and SOD.</source>
+        <source>The magnification in the header (0018,1114) is %1, which does not match SID/SOD = %2: one of the three values is outdated. Check the SID and the SOD.</source>
         <comment>geometry.magnification-stale</comment>
-        <translation>Die Vergrößerung im Header von %1 (0018,1114) entspricht nicht SID/SOD = %2: Einer der drei Werte ist veraltet. Prüfen Sie SID und SOD.</translation>
+        <translation>Die Vergrößerung im Header (0018,1114) ist %1 und entspricht nicht SID/SOD = %2: Einer der drei Werte ist veraltet. Prüfen Sie SID und SOD.</translation>
     </message>
     <message>
-        <source>A detector pixel spacing of %1 is outside 0.05 to 2 mm: check its unit.</source>
+        <source>The detector pixel spacing of %1 is outside the range of 0.05 to 2 mm: check its unit.</source>
         <comment>geometry.spacing-unusual</comment>
         <translation>Eine Pixelgröße von %1 liegt außerhalb 0,05 bis 2 mm: Prüfen Sie die Einheit.</translation>
     </message>
     <message>
-        <source>The pixel height-to-width ratio is %1 according to the pixel spacing but %2 according to the pixel aspect ratio: check the pixel spacing.</source>
+        <source>The ratio of pixel height to width is %1 according to the pixel spacing, but %2 according to the pixel aspect ratio: check the pixel spacing.</source>
         <comment>geometry.aspect-differs</comment>
         <translation>Das Verhältnis von Pixelhöhe zu -breite ist nach der Pixelgröße %1, nach dem Pixelseitenverhältnis %2: Prüfen Sie die Pixelgröße.</translation>
     </message>
     <message>
-        <source>According to its pixel spacing, the image covers %1 x %2 of the detector</source>
+        <source>According to its pixel spacing, the image covers %1 × %2 of the detector</source>
         <comment>geometry.image-covers</comment>
-        <translation>Nach der Pixelgröße bedeckt das Bild %1 x %2 des Detektors</translation>
+        <translation>Nach der Pixelgröße bedeckt das Bild %1 × %2 des Detektors</translation>
     </message>
     <message>
         <source>%1: no C-arm detector has this size. Check the pixel spacing.</source>
@@ -4374,27 +4374,27 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>%1: Kein C-Bogen-Detektor hat diese Größe. Prüfen Sie die Pixelgröße.</translation>
     </message>
     <message>
-        <source>%1, but the field of view is %2 x %3: the image may be zoomed, cropped or resampled. Check the pixel spacing.</source>
+        <source>%1, but the field of view is %2 × %3: the image may have been zoomed, cropped or resampled. Check the pixel spacing.</source>
         <comment>geometry.extent-unlike-field</comment>
-        <translation>%1, das Bildfeld ist aber %2 x %3: Das Bild ist vielleicht gezoomt, beschnitten oder neu abgetastet. Prüfen Sie die Pixelgröße.</translation>
+        <translation>%1, das Bildfeld ist aber %2 × %3: Das Bild ist vielleicht gezoomt, beschnitten oder neu abgetastet. Prüfen Sie die Pixelgröße.</translation>
     </message>
     <message>
-        <source>%1, which exceeds the image intensifier of %2. Check the pixel spacing.</source>
+        <source>%1, which exceeds the diameter of the image intensifier (%2). Check the pixel spacing.</source>
         <comment>geometry.extent-beyond-intensifier</comment>
         <translation>%1, mehr als der Bildverstärker von %2. Prüfen Sie die Pixelgröße.</translation>
     </message>
     <message>
-        <source>%1, which exceeds its active area of %2 x %3. Check the pixel spacing.</source>
+        <source>%1, which exceeds the active area of the detector (%2 × %3). Check the pixel spacing.</source>
         <comment>geometry.extent-beyond-detector</comment>
-        <translation>%1, mehr als seine aktive Fläche von %2 x %3. Prüfen Sie die Pixelgröße.</translation>
+        <translation>%1, mehr als seine aktive Fläche von %2 × %3. Prüfen Sie die Pixelgröße.</translation>
     </message>
     <message>
-        <source>The calibrated pixel spacing of %1 times SID/SOD is %2, not the detector&apos;s %3: the calibration or a distance is wrong.</source>
+        <source>The calibrated pixel spacing (%1) multiplied by SID/SOD is %2, but the detector pixel spacing is %3: the calibration or one of the distances is wrong.</source>
         <comment>geometry.calibration-off</comment>
         <translation>Die kalibrierte Pixelgröße von %1 mal SID/SOD ergibt %2, nicht die %3 des Detektors: Kalibrierung oder Abstand stimmt nicht.</translation>
     </message>
     <message>
-        <source>Pixel Spacing (0028,0030) is %1 without calibration, but the detector pixel spacing is %2: check which one applies.</source>
+        <source>The uncalibrated Pixel Spacing (0028,0030) is %1, but the detector pixel spacing is %2: check which one applies.</source>
         <comment>geometry.spacings-differ</comment>
         <translation>Pixel Spacing (0028,0030) ist ohne Kalibrierung %1, die Pixelgröße des Detektors aber %2: Prüfen Sie, welche gilt.</translation>
     </message>
@@ -4414,7 +4414,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Das Rollen liegt außerhalb ±180°. Berichtigen Sie es.</translation>
     </message>
     <message>
-        <source>The principal point (%1, %2) is outside the image, which is plausible only for a cropped image.</source>
+        <source>The principal point (%1, %2) is outside the image, which is plausible only if the image was cropped.</source>
         <comment>geometry.principal-point-outside</comment>
         <translation>Der Hauptpunkt (%1, %2) liegt außerhalb des Bildes; das ist nur bei einem beschnittenen Bild richtig.</translation>
     </message>
@@ -4434,32 +4434,32 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Zwei der Angiogramme zeigen entgegengesetzte Seiten des Patienten. Prüfen Sie, ob die richtigen geöffnet sind.</translation>
     </message>
     <message>
-        <source>The registration rated this pose as not reliable.</source>
+        <source>The registration rated this pose as unreliable.</source>
         <comment>pose.run-distrusted</comment>
         <translation>Die Registrierung stufte diese Lage als nicht verlässlich ein.</translation>
     </message>
     <message>
-        <source>Different patients in these images?</source>
+        <source>Images may be from different patients</source>
         <comment>picture.not-same-patient</comment>
-        <translation>Verschiedene Patienten in diesen Bildern?</translation>
+        <translation>Bilder möglicherweise von verschiedenen Patienten</translation>
     </message>
     <message>
-        <source>Two of the angiograms are from different examinations (accession number differs): the vessels may have moved in between.</source>
+        <source>Two of the angiograms are from different examinations (different accession numbers): the vessels may have moved between them.</source>
         <comment>patient.examination-of-runs-differs</comment>
         <translation>Zwei der Angiogramme stammen aus verschiedenen Untersuchungen (Anforderungsnummer verschieden): Die Gefäße können sich dazwischen bewegt haben.</translation>
     </message>
     <message>
-        <source>Do these images belong together?</source>
+        <source>Images may not belong together</source>
         <comment>picture.not-together</comment>
-        <translation>Gehören diese Bilder zusammen?</translation>
+        <translation>Bilder gehören möglicherweise nicht zusammen</translation>
     </message>
     <message>
-        <source>Scan and angiogram appear to belong to different patients (%1 differs). Check that both are correct.</source>
+        <source>The scan and the angiogram appear to belong to different patients (%1 differs). Check that the correct files are open.</source>
         <comment>patient.differs</comment>
         <translation>Scan und Angiogramm scheinen von verschiedenen Patienten zu sein (%1 verschieden). Prüfen Sie, ob beide richtig sind.</translation>
     </message>
     <message>
-        <source>Scan and angiogram appear to belong to different patients (%1 differ). Check that both are correct.</source>
+        <source>The scan and the angiogram appear to belong to different patients (%1 differ). Check that the correct files are open.</source>
         <comment>patient.differs-in-several</comment>
         <translation>Scan und Angiogramm scheinen von verschiedenen Patienten zu sein (%1 verschieden). Prüfen Sie, ob beide richtig sind.</translation>
     </message>
@@ -4484,7 +4484,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Geschlecht</translation>
     </message>
     <message>
-        <source>The scan shows the patient&apos;s %1 side, the angiogram the other side. Check that both are correct.</source>
+        <source>The scan shows the patient&apos;s %1 side, but the angiogram shows the other side. Check that the correct files are open.</source>
         <comment>patient.side-differs</comment>
         <translation>Der Scan zeigt die Seite %1 des Patienten, das Angiogramm die andere. Prüfen Sie, ob beide richtig sind.</translation>
     </message>
@@ -4554,7 +4554,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Unbekannte Option „%1“. Eine Liste der Optionen gibt: angiopose-cli register --help</translation>
     </message>
     <message>
-        <source>Branch %1 is selected as %2, but the vessel tree has no such branch. Select an existing branch.</source>
+        <source>Branch %1 is selected as %2, but does not exist in the vessel tree. Select an existing branch.</source>
         <comment>input.chosen-branch-missing</comment>
         <translation>Ast %1 ist als %2 ausgewählt, der Gefäßbaum hat ihn aber nicht. Wählen Sie einen vorhandenen Ast.</translation>
     </message>
@@ -4574,22 +4574,22 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Alle Äste des Gefäßbaums sind ausgeschlossen. Schließen Sie mindestens einen ein.</translation>
     </message>
     <message>
-        <source>The image size does not match the camera. Use the camera of this image.</source>
+        <source>The image size does not match the camera. Use the camera that belongs to this image.</source>
         <comment>input.image-not-of-camera</comment>
         <translation>Die Bildgröße passt nicht zur Kamera. Verwenden Sie die zum Bild gehörende Kamera.</translation>
     </message>
     <message>
-        <source>%1 points of the traced vessels were unordered and have been connected to their neighbors.</source>
+        <source>Unordered points of the traced vessels were connected to their neighbors (number of points: %1).</source>
         <comment>input.target-reordered</comment>
         <translation>%1 Punkte der erkannten Gefäße waren ungeordnet: Jeder wurde mit seinen Nachbarn verbunden.</translation>
     </message>
     <message>
-        <source>Auxiliary branches: median distance to the traced vessels %1 (%2 when fitting all branches). The pose changed by %3 and %4.</source>
+        <source>Auxiliary branches: median distance to the traced vessels %1 (%2 in the fit of all branches). The pose changed by %3 and %4.</source>
         <comment>result.chosen-branches-fitted</comment>
         <translation>Hilfsäste: medianer Abstand zu den erkannten Gefäßen %1 (%2 bei Anpassung aller Äste). Die Lage änderte sich um %3 und %4.</translation>
     </message>
     <message>
-        <source>With deformation allowed, the vessels move by %1 (RMS; maximum %2) toward the matched branches, and the median distance becomes %3 instead of %4 at the rigid pose. The rigid pose is reported.</source>
+        <source>With deformation allowed, the vessels move toward the matched branches by %1 (RMS; maximum %2), which changes the median distance from %4 (rigid pose) to %3. The rigid pose is reported.</source>
         <comment>result.matched-branches-moved</comment>
         <translation>Mit Verformung bewegen sich die Gefäße um %1 (RMS; maximal %2) auf die zugeordneten Äste zu: Der mediane Abstand wird %3 statt %4 in der starren Lage. Angegeben ist die starre Lage.</translation>
     </message>
@@ -4614,7 +4614,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Noch keine Landmarken. Klicken Sie eine Stelle an den Gefäßen und dieselbe im Bild an.</translation>
     </message>
     <message>
-        <source>Without gantry angles, a pose requires four landmarks; there are %1. Add landmarks, or enter the angles; one landmark is then enough.</source>
+        <source>Without gantry angles, four landmarks are required to determine a pose; there are %1. Add landmarks, or enter the angles; one landmark is then enough.</source>
         <comment>landmarks.too-few</comment>
         <translation>Ohne C-Bogen-Winkel braucht eine Lage vier Landmarken; es sind %1. Fügen Sie Landmarken hinzu, oder tragen Sie die Winkel ein: dann genügt eine.</translation>
     </message>
@@ -4634,7 +4634,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Die Landmarken liegen auf einer Geraden; die Drehung um sie ist daher unbestimmt. Fügen Sie eine daneben hinzu.</translation>
     </message>
     <message>
-        <source>No pose projects these landmarks onto their pixels. Check that each pair marks the same point.</source>
+        <source>No pose projects these landmarks onto their pixels. Check that the two points of each pair mark the same anatomical location.</source>
         <comment>landmarks.no-pose</comment>
         <translation>Keine Lage projiziert diese Landmarken auf ihre Pixel. Prüfen Sie, ob jedes Paar dieselbe Stelle markiert.</translation>
     </message>
@@ -4654,7 +4654,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Eine gemeinsame Registrierung kann einzelne Freiheitsgrade nicht sperren. Entsperren Sie sie zuerst.</translation>
     </message>
     <message>
-        <source>View %1 uses a different vessel tree or different branches than view %2. Use the same in all views.</source>
+        <source>View %1 uses a different vessel tree or different branches than view %2. Use the same tree and branches in all views.</source>
         <comment>views.other-tree</comment>
         <translation>Ansicht %1 verwendet einen anderen Gefäßbaum oder andere Äste als Ansicht %2. Verwenden Sie in allen Ansichten dieselben.</translation>
     </message>
@@ -4664,7 +4664,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Ansicht %1 ist mit der gemeinsamen Lage nicht vereinbar.</translation>
     </message>
     <message>
-        <source>The geometry of view %1 differs substantially from its header. Check the angles and distances.</source>
+        <source>The geometry of view %1 differs substantially from the values in its header. Check the angles and distances.</source>
         <comment>views.far-from-header</comment>
         <translation>Die Geometrie der Ansicht %1 weicht stark von ihrem Header ab. Prüfen Sie Winkel und Abstände.</translation>
     </message>
@@ -4674,12 +4674,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Nur ein Bild: nichts zu verfolgen. Öffnen Sie eine Serie mit mehreren Bildern.</translation>
     </message>
     <message>
-        <source>The centerline of this frame comes from a file; other frames have none. Remove that centerline from the case to trace every frame.</source>
+        <source>The centerline of this frame comes from a file, and the other frames have none. Remove this centerline from the case so that every frame is traced.</source>
         <comment>follow.given-target</comment>
         <translation>Die Mittellinie dieses Bildes stammt aus einer Datei; andere Bilder haben keine. Entfernen Sie diese Mittellinie aus dem Fall, um jedes Bild zu erfassen.</translation>
     </message>
     <message>
-        <source>The gantry rotates during this run: the frames differ in view angle, not only in motion. Register the frames individually, or jointly as views.</source>
+        <source>The gantry rotates during this run: the frames differ not only by vessel motion but also in the projection angles. Register the frames individually, or jointly as views.</source>
         <comment>follow.gantry-turns</comment>
         <translation>Der C-Bogen dreht sich während der Serie: Die Bilder unterscheiden sich im Blickwinkel, nicht nur durch Bewegung. Registrieren Sie die Bilder einzeln, oder gemeinsam als Ansichten.</translation>
     </message>
@@ -4699,7 +4699,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Der Gefäßbaum erklärt nur %1 der erkannten Gefäße. Prüfen Sie, ob er zum Bild gehört und seine Einheit mm ist.</translation>
     </message>
     <message>
-        <source>A better fit lies %1 away.</source>
+        <source>A better fit exists %1 away.</source>
         <comment>trust.better-aside</comment>
         <translation>Eine bessere Übereinstimmung liegt %1 entfernt.</translation>
     </message>
@@ -4729,7 +4729,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Eine andere Lage passt fast ebenso gut zum Bild: Vergleichen Sie die anderen Lösungen.</translation>
     </message>
     <message>
-        <source>Fits of this quality are within 2 mm of the vessels in only %1 of cases.</source>
+        <source>Only %1 of fits of this quality are within 2 mm of the vessels.</source>
         <comment>trust.often-fails</comment>
         <translation>Vergleichbare Anpassungen liegen nur in %1 der Fälle höchstens 2 mm neben den Gefäßen.</translation>
     </message>
@@ -4739,107 +4739,107 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Die Registrierung wurde vorzeitig angehalten.</translation>
     </message>
     <message>
-        <source>The image shows %1 of the vessel tree. These branches appear unopacified: %2. The pose is based on the others.</source>
+        <source>The image shows %1 of the vessel tree. These branches appear unopacified: %2. The pose is based on the remaining branches.</source>
         <comment>trust.part-filled</comment>
         <translation>Das Bild zeigt %1 des Gefäßbaums. Diese Äste erscheinen nicht kontrastiert: %2. Die Lage beruht auf den übrigen.</translation>
     </message>
     <message>
-        <source>The image shows %1 of the vessel tree: %2 of %3 branches appear unopacified. The pose is based on the others.</source>
+        <source>The image shows %1 of the vessel tree: %2 of %3 branches appear unopacified. The pose is based on the remaining branches.</source>
         <comment>trust.few-filled</comment>
         <translation>Das Bild zeigt %1 des Gefäßbaums: %2 von %3 Ästen erscheinen nicht kontrastiert. Die Lage beruht auf den übrigen.</translation>
     </message>
     <message>
-        <source>The image shows %1 of the vessel tree, and less than half of every branch. The pose is based on the visible segments.</source>
+        <source>The image shows %1 of the vessel tree and less than half of each branch. The pose is based on the visible segments.</source>
         <comment>trust.pieces-filled</comment>
         <translation>Das Bild zeigt %1 des Gefäßbaums und von jedem Ast weniger als die Hälfte. Die Lage beruht auf den sichtbaren Abschnitten.</translation>
     </message>
     <message>
-        <source>Only part of the vessel tree appears opacified, and it accounts for too little of the image for a reliable result.</source>
+        <source>Only part of the vessel tree appears opacified, and this part accounts for too little of the image for a reliable result.</source>
         <comment>trust.filled-doubtful</comment>
         <translation>Nur ein Teil des Gefäßbaums erscheint kontrastiert, und er erklärt zu wenig vom Bild für ein sicheres Ergebnis.</translation>
     </message>
     <message>
-        <source>Only a single vessel path is visible. It fits at many positions, and a guidewire or catheter does not follow the vessel axis. The guidewire method ranks the possible paths.</source>
+        <source>Only a single vessel path is visible. It fits at many positions, and a guidewire or catheter does not follow the centerline exactly. The guidewire method ranks the possible paths.</source>
         <comment>trust.single-path</comment>
-        <translation>Nur ein Gefäßweg ist sichtbar. Er passt an vielen Stellen, und ein Führungsdraht oder Katheter folgt nicht der Gefäßachse. Die Führungsdraht-Methode stuft die möglichen Wege ein.</translation>
+        <translation>Nur ein Gefäßweg ist sichtbar. Er passt an vielen Stellen, und ein Führungsdraht oder Katheter folgt nicht genau der Mittellinie. Die Führungsdraht-Methode stuft die möglichen Wege ein.</translation>
     </message>
     <message>
-        <source>Depth cannot be determined from this single view: the distance from the source stays close to the initial pose.</source>
+        <source>Depth cannot be determined from this single view: the distance from the source stays close to that of the initial pose.</source>
         <comment>trust.depth-unknown</comment>
         <translation>Die Tiefe lässt sich aus dieser einen Ansicht nicht bestimmen: Der Abstand vom Fokus bleibt nahe der Startlage.</translation>
     </message>
     <message>
-        <source>Depth cannot be determined from this single view: the distance from the source differs by %1 from the initial pose and may be wrong. Lock the depth, or add a view.</source>
+        <source>Depth cannot be determined from this single view: the distance from the source differs by %1 from that of the initial pose and may be wrong. Lock the depth, or add a view.</source>
         <comment>trust.depth-moved</comment>
         <translation>Die Tiefe lässt sich aus dieser einen Ansicht nicht bestimmen: Der Abstand vom Fokus weicht um %1 von der Startlage ab und kann falsch sein. Sperren Sie die Tiefe, oder fügen Sie eine Ansicht hinzu.</translation>
     </message>
     <message>
-        <source>The vessels fit clearly better with a focal length that is %1 longer. Check the source-to-detector distance (may be larger) and the pixel spacing (may be smaller). The option “Estimate geometry” uses the values that fit the images.</source>
+        <source>The vessels fit clearly better with a focal length that is %1 longer. Check the source-to-detector distance (it may be larger) and the pixel spacing (it may be smaller). The option “Estimate geometry” uses the values that best fit the images.</source>
         <comment>camera.focal-longer</comment>
         <translation>Die Gefäße passen deutlich besser mit einer um %1 längeren Brennweite. Prüfen Sie den Abstand Fokus–Detektor (vielleicht größer) und die Pixelgröße (vielleicht kleiner). Die Option „Geometrie schätzen“ verwendet die Werte, die zu den Bildern passen.</translation>
     </message>
     <message>
-        <source>The vessels fit clearly better with a focal length that is %1 shorter. Check the source-to-detector distance (may be smaller) and the pixel spacing (may be larger). The option “Estimate geometry” uses the values that fit the images.</source>
+        <source>The vessels fit clearly better with a focal length that is %1 shorter. Check the source-to-detector distance (it may be smaller) and the pixel spacing (it may be larger). The option “Estimate geometry” uses the values that best fit the images.</source>
         <comment>camera.focal-shorter</comment>
         <translation>Die Gefäße passen deutlich besser mit einer um %1 kürzeren Brennweite. Prüfen Sie den Abstand Fokus–Detektor (vielleicht kleiner) und die Pixelgröße (vielleicht größer). Die Option „Geometrie schätzen“ verwendet die Werte, die zu den Bildern passen.</translation>
     </message>
     <message>
-        <source>The images contradicted the geometry, so it was estimated from them: the focal length is %1 of the specified value, and the principal point is shifted by (%2, %3) px.</source>
+        <source>The images contradicted the specified geometry, so the geometry was estimated from the images: the focal length is %1 of the specified value, and the principal point is shifted by (%2, %3) px.</source>
         <comment>camera.estimated</comment>
         <translation>Die Bilder widersprachen der Geometrie, die daher aus ihnen geschätzt wurde: Die Brennweite ist %1 der angegebenen, der Hauptpunkt ist um (%2, %3) px verschoben.</translation>
     </message>
     <message>
-        <source>The vessels fit clearly better with the principal point shifted by %1, to (%2, %3). Check the principal point, and whether the image was cropped or shifted.</source>
+        <source>The vessels fit clearly better with the principal point shifted by %1, to (%2, %3). Check the principal point, and check whether the image was cropped or shifted.</source>
         <comment>camera.principal-point-off</comment>
         <translation>Die Gefäße passen deutlich besser, wenn der Hauptpunkt um %1 nach (%2, %3) verschoben ist. Prüfen Sie ihn, und ob das Bild beschnitten oder verschoben wurde.</translation>
     </message>
     <message>
-        <source>The image appears rotated 90° clockwise: when rotated back, the agreement between vessels and image is %1 instead of %2. Check the image export, or the roll.</source>
+        <source>The image appears to be rotated 90° clockwise: when it is rotated back, the agreement between vessels and image is %1 instead of %2. Check the image export, or the roll.</source>
         <comment>frame.turned-clockwise</comment>
         <translation>Das Bild scheint um 90° im Uhrzeigersinn gedreht: Zurückgedreht stimmen Gefäße und Bild zu %1 statt %2 überein. Prüfen Sie den Bildexport, oder die Bilddrehung.</translation>
     </message>
     <message>
-        <source>The image appears rotated 90° counterclockwise: when rotated back, the agreement between vessels and image is %1 instead of %2. Check the image export, or the roll.</source>
+        <source>The image appears to be rotated 90° counterclockwise: when it is rotated back, the agreement between vessels and image is %1 instead of %2. Check the image export, or the roll.</source>
         <comment>frame.turned-anticlockwise</comment>
         <translation>Das Bild scheint um 90° gegen den Uhrzeigersinn gedreht: Zurückgedreht stimmen Gefäße und Bild zu %1 statt %2 überein. Prüfen Sie den Bildexport, oder die Bilddrehung.</translation>
     </message>
     <message>
-        <source>The image appears rotated 180°: when rotated back, the agreement between vessels and image is %1 instead of %2. Check the image export, the roll, and the patient position.</source>
+        <source>The image appears to be rotated 180°: when it is rotated back, the agreement between vessels and image is %1 instead of %2. Check the image export, the roll and the patient position.</source>
         <comment>frame.upside-down</comment>
         <translation>Das Bild scheint um 180° gedreht: Zurückgedreht stimmen Gefäße und Bild zu %1 statt %2 überein. Prüfen Sie den Bildexport, die Bilddrehung und die Patientenlagerung.</translation>
     </message>
     <message>
-        <source>The image appears mirrored left to right: when mirrored back, the agreement between vessels and image is %1 instead of %2. Check the viewing side in the geometry.</source>
+        <source>The image appears to be mirrored left to right: when it is mirrored back, the agreement between vessels and image is %1 instead of %2. Check the viewing side in the geometry.</source>
         <comment>frame.mirrored-left-right</comment>
         <translation>Das Bild scheint links-rechts gespiegelt: Zurückgespiegelt stimmen Gefäße und Bild zu %1 statt %2 überein. Prüfen Sie die Betrachtungsseite in der Geometrie.</translation>
     </message>
     <message>
-        <source>The image appears mirrored top to bottom: when mirrored back, the agreement between vessels and image is %1 instead of %2. Check the image export.</source>
+        <source>The image appears to be mirrored top to bottom: when it is mirrored back, the agreement between vessels and image is %1 instead of %2. Check the image export.</source>
         <comment>frame.mirrored-up-down</comment>
         <translation>Das Bild scheint oben-unten gespiegelt: Zurückgespiegelt stimmen Gefäße und Bild zu %1 statt %2 überein. Prüfen Sie den Bildexport.</translation>
     </message>
     <message>
-        <source>The image appears mirrored and rotated 90°: when corrected, the agreement between vessels and image is %1 instead of %2. Check the image export.</source>
+        <source>The image appears to be mirrored and rotated 90°: when both are undone, the agreement between vessels and image is %1 instead of %2. Check the image export.</source>
         <comment>frame.mirrored-and-turned</comment>
         <translation>Das Bild scheint gespiegelt und um 90° gedreht: Korrigiert stimmen Gefäße und Bild zu %1 statt %2 überein. Prüfen Sie den Bildexport.</translation>
     </message>
     <message>
-        <source>The patient position was %1, and the device seems to define its angles relative to the table: interpreted this way, the agreement between vessels and image is %2 instead of %3. Enter in the geometry: LAO/RAO %4, CRA/CAU %5, roll %6.</source>
+        <source>The patient position was %1, and the device appears to define its angles relative to the table: with this interpretation, the agreement between vessels and image is %2 instead of %3. Enter these angles in the geometry: LAO/RAO %4, CRA/CAU %5, roll %6.</source>
         <comment>frame.counted-from-table</comment>
         <translation>Die Patientenlagerung war %1, und das Gerät scheint seine Winkel relativ zum Tisch anzugeben: So interpretiert stimmen Gefäße und Bild zu %2 statt %3 überein. Geben Sie in der Geometrie ein: LAO/RAO %4, CRA/CAU %5, Bilddrehung %6.</translation>
     </message>
     <message>
-        <source>The mirrored image fits the vessels about equally well (agreement %1, currently %2): check the viewing side of the image.</source>
+        <source>The mirrored image fits the vessels about equally well (agreement %1; currently %2): check the viewing side in the geometry.</source>
         <comment>frame.mirror-rival</comment>
         <translation>Das gespiegelte Bild passt etwa ebenso gut zu den Gefäßen (Übereinstimmung %1, derzeit %2): Prüfen Sie die Betrachtungsseite des Bildes.</translation>
     </message>
     <message>
-        <source>The patient position is %1 (0018,5100), not head first supine. The angles are interpreted as the DICOM standard defines them: relative to the patient, with the head up in the image. If this device defines them relative to the table, the initial pose is rotated; if a registration fails, AngioPose tests this and reports the angles to enter.</source>
+        <source>The patient position is %1 (0018,5100), not head-first supine (HFS). The angles are interpreted as the DICOM standard defines them: relative to the patient, with the head up in the image. If this device defines them relative to the table, the initial pose is incorrectly rotated. If a registration fails, AngioPose tests this interpretation and reports the angles to enter.</source>
         <comment>dicom.patient-lies</comment>
         <translation>Die Patientenlagerung ist %1 (0018,5100), nicht Kopf voran in Rückenlage. Die Winkel werden nach dem DICOM-Standard interpretiert: relativ zum Patienten, Kopf im Bild oben. Gibt dieses Gerät sie relativ zum Tisch an, ist die Startlage gedreht; misslingt eine Registrierung, prüft AngioPose dies und nennt die einzugebenden Winkel.</translation>
     </message>
     <message>
-        <source>The table moved during this run (%1). The motion is ignored: a pose is valid only for its own frame, and the frames are not views of the same position.</source>
+        <source>The table moved during this run (%1). The motion is ignored: a pose is valid only for its own frame, and different frames do not show the same table position.</source>
         <comment>dicom.table-moved</comment>
         <translation>Der Tisch bewegte sich während dieser Serie (%1). Die Bewegung bleibt unberücksichtigt: Eine Lage gilt nur für ihr eigenes Bild, und die Bilder sind keine Ansichten derselben Position.</translation>
     </message>
@@ -4854,7 +4854,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Deformierbare Registrierung braucht mindestens eine registrierte Ansicht.</translation>
     </message>
     <message>
-        <source>The traced vessels are isolated points. Connect them into curves before deforming the tree.</source>
+        <source>The traced vessels consist of isolated points. Connect the points to form curves before deforming the tree.</source>
         <comment>bend.needs-curves</comment>
         <translation>Die erkannten Gefäße sind einzelne Punkte. Verbinden Sie sie zu Kurven, bevor der Baum verformt wird.</translation>
     </message>
@@ -4864,17 +4864,17 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Die A-priori-Werte der Lage und der Knotenabstand müssen positive Zahlen sein.</translation>
     </message>
     <message>
-        <source>The vessels are deformed relative to the tree: the rigid overlay deviates by %1 on average, most at branch %3 (%2).</source>
+        <source>The vessels are deformed relative to the tree: the rigid overlay deviates by %1 on average and most at branch %3 (%2).</source>
         <comment>bend.rigid-off</comment>
         <translation>Die Gefäße sind gegenüber dem Baum verformt: Die starre Überlagerung weicht im Mittel um %1 ab, am meisten an Ast %3 (%2).</translation>
     </message>
     <message>
-        <source>The vessels may be deformed relative to the tree, but the image is inconclusive: the rigid overlay would deviate by %1 on average, most at branch %3 (%2).</source>
+        <source>The vessels may be deformed relative to the tree, but the image is inconclusive: the rigid overlay would deviate by %1 on average and most at branch %3 (%2).</source>
         <comment>bend.may-be-off</comment>
         <translation>Die Gefäße sind möglicherweise gegenüber dem Baum verformt, das Bild ist aber nicht eindeutig: Die starre Überlagerung wiche im Mittel um %1 ab, am meisten an Ast %3 (%2).</translation>
     </message>
     <message>
-        <source>Deformable registration was stopped before it finished: the rigid pose is kept.</source>
+        <source>Deformable registration was stopped before it finished; the rigid pose is kept.</source>
         <comment>bend.stopped</comment>
         <translation>Die deformierbare Registrierung wurde vorzeitig angehalten: Die starre Lage bleibt erhalten.</translation>
     </message>
@@ -4889,39 +4889,39 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Nur %1 des Gefäßbaums ließen sich Gefäßen im Bild zuordnen.</translation>
     </message>
     <message>
-        <source>The traced vessels are still about %1 away from the deformed tree: their motion is more local than the model can represent.</source>
+        <source>The traced vessels are still about %1 away from the deformed tree: the vessel motion is more local than the model can represent.</source>
         <comment>bend.not-followed</comment>
         <translation>Die erkannten Gefäße liegen noch etwa %1 neben dem verformten Baum: Ihre Bewegung ist kleinräumiger, als das Modell abbilden kann.</translation>
     </message>
     <message>
-        <source>The vessels toward the %1 (%2 of their length) are displaced by %3 relative to the rest, toward the %4.</source>
+        <source>The %1 vessels (%2 of the total vessel length) are displaced by %3 relative to the rest (direction: %4).</source>
         <comment>bend.part-moved</comment>
-        <translation>Die Gefäße in Richtung %1 (%2 ihrer Länge) sind gegenüber dem Rest um %3 verschoben, in Richtung %4.</translation>
+        <translation>Die Gefäße %1 (%2 der gesamten Gefäßlänge) sind gegenüber dem Rest um %3 nach %4 verschoben.</translation>
     </message>
     <message>
-        <source>Motion of the vessels along the ray cannot be determined from one view.</source>
+        <source>Vessel motion in depth cannot be determined from a single view.</source>
         <comment>bend.depth-unknown</comment>
-        <translation>Die Bewegung der Gefäße entlang des Strahls lässt sich aus einer Ansicht nicht bestimmen.</translation>
+        <translation>Die Bewegung der Gefäße in der Tiefe lässt sich aus einer Ansicht nicht bestimmen.</translation>
     </message>
     <message>
-        <source>front</source>
+        <source>anterior</source>
         <comment>side.front</comment>
-        <translation>vorne</translation>
+        <translation>anterior</translation>
     </message>
     <message>
-        <source>back</source>
+        <source>posterior</source>
         <comment>side.back</comment>
-        <translation>hinten</translation>
+        <translation>posterior</translation>
     </message>
     <message>
-        <source>head</source>
+        <source>superior</source>
         <comment>side.head</comment>
-        <translation>Kopf</translation>
+        <translation>kranial</translation>
     </message>
     <message>
-        <source>feet</source>
+        <source>inferior</source>
         <comment>side.feet</comment>
-        <translation>Füße</translation>
+        <translation>kaudal</translation>
     </message>
     <message>
         <source>The angiogram frame is empty. Choose another frame or file.</source>
@@ -4929,32 +4929,32 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Das Angiogrammbild ist leer. Wählen Sie ein anderes Bild oder eine andere Datei.</translation>
     </message>
     <message>
-        <source>The angiogram frame has pixels that are not a number (NaN or infinite). Choose another frame, or export the image again.</source>
+        <source>The angiogram frame contains pixel values that are not finite numbers. Choose another frame, or export the image again.</source>
         <comment>frame.not-finite</comment>
-        <translation>Das Angiogrammbild hat Pixel, die keine Zahl sind (NaN oder unendlich). Wählen Sie ein anderes Bild, oder exportieren Sie es neu.</translation>
+        <translation>Das Angiogrammbild enthält Pixelwerte, die keine endlichen Zahlen sind. Wählen Sie ein anderes Bild, oder exportieren Sie die Aufnahme neu.</translation>
     </message>
     <message>
-        <source>The angiogram frame has only one gray value, so there is nothing to trace. Choose another frame or file.</source>
+        <source>All pixels of the angiogram frame have the same gray value, so there is nothing to trace. Choose another frame or file.</source>
         <comment>frame.one-colour</comment>
         <translation>Das Angiogrammbild hat nur einen Grauwert: Es gibt nichts zu erkennen. Wählen Sie ein anderes Bild oder eine andere Datei.</translation>
     </message>
     <message>
-        <source>This is a text page, such as a dose report, not an angiogram. Choose the corresponding run, or another frame.</source>
+        <source>This is a page of text, such as a dose report, not an angiogram. Choose the corresponding run, or another frame.</source>
         <comment>frame.report-page</comment>
         <translation>Dies ist eine Textseite, etwa ein Dosisbericht, kein Angiogramm. Wählen Sie die Serie, zu der sie gehört, oder ein anderes Bild.</translation>
     </message>
     <message>
-        <source>The structures traced here are already visible in the first frame of the run: no contrast agent arrives in between. If the run contains none, they are catheters, guidewires and bone edges, not vessels.</source>
+        <source>The structures traced here are already visible in the first frame of the run: no contrast agent arrives between the two frames. If the run contains no contrast agent, the structures are catheters, guidewires and bone edges, not vessels.</source>
         <comment>frame.nothing-new</comment>
         <translation>Die hier erkannten Strukturen sind schon im ersten Bild der Serie sichtbar: Dazwischen kommt kein Kontrastmittel an. Enthält die Serie keines, sind es Katheter, Führungsdrähte und Knochenkanten, keine Gefäße.</translation>
     </message>
     <message>
-        <source>Few structures in this frame resemble opacified vessels: the traced curves are short or faint, or may be catheters, guidewires and bone edges. Choose a frame with more contrast agent; if there is none, check the curves with “Edit traced vessels”.</source>
+        <source>Few structures in this frame resemble opacified vessels: the traced curves are short or faint, or may be catheters, guidewires and bone edges. Choose a frame with more contrast agent; if there is no such frame, check the curves with “Edit traced vessels”.</source>
         <comment>frame.little-contrast</comment>
         <translation>Wenige Strukturen in diesem Bild ähneln kontrastierten Gefäßen: Die erkannten Kurven sind kurz oder schwach, oder es sind vielleicht Katheter, Führungsdrähte und Knochenkanten. Wählen Sie ein Bild mit mehr Kontrastmittel; gibt es keines, prüfen Sie die Kurven mit „Erkannte Gefäße bearbeiten“.</translation>
     </message>
     <message>
-        <source>No vessel was found in the angiogram frame. Choose a frame with more contrast agent, raise the sensitivity, or check whether vessels are dark or bright.</source>
+        <source>No vessel was found in the angiogram frame. Choose a frame with more contrast agent, raise the sensitivity, or check whether the vessels are dark or bright.</source>
         <comment>frame.no-vessels</comment>
         <translation>Im Angiogrammbild wurde kein Gefäß gefunden. Wählen Sie ein Bild mit mehr Kontrastmittel, erhöhen Sie die Empfindlichkeit, oder prüfen Sie, ob Gefäße dunkel oder hell sind.</translation>
     </message>
@@ -4974,7 +4974,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Die Gefäßmaske enthält kein Gefäß von mindestens %1. Zeichnen Sie längere Gefäße, oder senken Sie die Mindestlänge.</translation>
     </message>
     <message>
-        <source>The run has only one frame, so nothing can be subtracted. Choose a run with frames before contrast arrival.</source>
+        <source>The run has only one frame, so no mask can be subtracted. Choose a run with frames before the arrival of contrast agent.</source>
         <comment>subtraction.one-frame</comment>
         <translation>Die Serie hat nur ein Bild: Es gibt nichts zu subtrahieren. Wählen Sie eine Serie mit Bildern vor Kontrastmittelankunft.</translation>
     </message>
@@ -5009,7 +5009,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Das Volumen hat keinen gültigen Voxelabstand. Geben Sie den Abstand in mm ein, oder exportieren Sie es neu.</translation>
     </message>
     <message>
-        <source>The volume has only one value, so there is nothing to trace. Choose another series or file.</source>
+        <source>All voxels of the volume have the same value, so there is nothing to trace. Choose another series or file.</source>
         <comment>volume.one-value</comment>
         <translation>Das Volumen hat nur einen Wert: Es gibt nichts zu erkennen. Wählen Sie eine andere Serie oder Datei.</translation>
     </message>
@@ -5019,7 +5019,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Die Erkennung wurde angehalten; es wurde kein Ergebnis behalten.</translation>
     </message>
     <message>
-        <source>The volume contains no vessel: no voxel is set. Lower the threshold, or load another file.</source>
+        <source>The volume contains no vessel: no voxel belongs to the mask. Lower the threshold, or load another file.</source>
         <comment>tracing.nothing-set</comment>
         <translation>Das Volumen enthält kein Gefäß: Kein Voxel ist gesetzt. Senken Sie die Schwelle, oder laden Sie eine andere Datei.</translation>
     </message>
@@ -5029,12 +5029,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Das Volumen enthält keine gefäßartige Struktur: Kein Ast ist lang genug. Senken Sie die Schwelle oder die Mindestlänge der Äste.</translation>
     </message>
     <message>
-        <source>No opacified vessels were found: soft tissue measures %1, and no uniform region shows vascular enhancement. Is this the arterial phase? Choose the CT angiogram, or set the lower threshold of the vessels.</source>
+        <source>No opacified vessels were found: soft tissue measures %1, and no uniform region shows vascular enhancement. Is this the arterial phase? Choose the CT angiogram, or set the lower vessel threshold.</source>
         <comment>tracing.no-contrast</comment>
         <translation>Es wurden keine kontrastierten Gefäße gefunden: Weichgewebe misst %1, und kein homogener Bereich zeigt eine Gefäßkontrastierung. Ist dies die arterielle Phase? Wählen Sie die CT-Angiographie, oder geben Sie die untere Schwelle der Gefäße an.</translation>
     </message>
     <message>
-        <source>No opacified vessels were found: apart from bone, the brightest region measures %1 (soft tissue %2) and is not vessel-like. Is this the arterial phase? Choose the CT angiogram, or set the lower threshold of the vessels.</source>
+        <source>No opacified vessels were found: apart from bone, the brightest region measures %1 (soft tissue %2) and is not vessel-like. Is this the arterial phase? Choose the CT angiogram, or set the lower vessel threshold.</source>
         <comment>tracing.brightest-is-no-vessel</comment>
         <translation>Es wurden keine kontrastierten Gefäße gefunden: Außer Knochen misst der hellste Bereich %1 (Weichgewebe %2) und ist nicht gefäßartig. Ist dies die arterielle Phase? Wählen Sie die CT-Angiographie, oder geben Sie die untere Schwelle der Gefäße an.</translation>
     </message>
@@ -5049,12 +5049,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>(%1, %2, %3)</translation>
     </message>
     <message>
-        <source>The seed %1 mm (LPS) is not inside a vessel. Place it inside a vessel, or lower the threshold.</source>
+        <source>The seed at %1 mm (LPS) is not inside a vessel. Place the seed inside a vessel, or lower the threshold.</source>
         <comment>tracing.seed-in-no-vessel</comment>
         <translation>Der Startpunkt %1 mm (LPS) liegt in keinem Gefäß. Setzen Sie ihn in eines, oder senken Sie die Schwelle.</translation>
     </message>
     <message>
-        <source>The seed %1 mm (LPS) is not inside an enhanced vessel: the vessel at a distance of %2 was used.</source>
+        <source>The seed at %1 mm (LPS) is not inside an enhanced vessel: the vessel at a distance of %2 was used.</source>
         <comment>tracing.seed-moved</comment>
         <translation>Der Startpunkt %1 mm (LPS) liegt in keinem kontrastierten Gefäß: Das Gefäß in %2 Abstand wurde verwendet.</translation>
     </message>
@@ -5064,47 +5064,47 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Kein Startpunkt gesetzt: Die Aorta (oder Hauptarterie) wurde automatisch bei %1 mm (LPS) gefunden und erfasst. Ist es das falsche Gefäß, setzen Sie einen Startpunkt in das richtige.</translation>
     </message>
     <message>
-        <source>No seed was placed, and no aorta or main artery was found: the largest component was traced. If these are not the desired vessels, place a seed in them.</source>
+        <source>No seed was placed, and no aorta or main artery was found: the largest component was traced. If it does not contain the desired vessels, place a seed in those vessels.</source>
         <comment>tracing.no-seed-largest-piece</comment>
         <translation>Kein Startpunkt gesetzt, und keine Aorta oder Hauptarterie gefunden: Die größte Komponente wurde erfasst. Sind es nicht die gewünschten Gefäße, setzen Sie einen Startpunkt in diese.</translation>
     </message>
     <message>
-        <source>This is a head scan, and arteries cannot be identified reliably: venous sinuses and veins may be enhanced too. Place a seed in the artery to trace, for example in a carotid artery in the neck or at the skull base.</source>
+        <source>This is a head scan, in which arteries cannot be identified reliably: venous sinuses and veins may also be enhanced. Place a seed in the artery to trace, for example in a carotid artery in the neck or at the skull base.</source>
         <comment>tracing.head-needs-seed</comment>
         <translation>Dies ist ein Kopfscan, und die Arterien sind nicht sicher zu erkennen: Auch venöse Sinus und Venen können kontrastiert sein. Setzen Sie einen Startpunkt in die zu erfassende Arterie, etwa in eine Halsschlagader am Hals oder an der Schädelbasis.</translation>
     </message>
     <message>
-        <source>The values of this scan are not in Hounsfield units, and no large vessel can be identified reliably. Place a seed in a wide part of the artery to trace.</source>
+        <source>The values of this scan are not in Hounsfield units, so no large vessel can be identified reliably. Place a seed in a wide part of the artery to trace.</source>
         <comment>tracing.scan-needs-seed</comment>
         <translation>Die Werte dieses Scans sind keine Hounsfield-Einheiten, und kein großes Gefäß ist sicher zu erkennen. Setzen Sie einen Startpunkt an einer weiten Stelle in die zu erfassende Arterie.</translation>
     </message>
     <message>
-        <source>Arteries and venous sinuses of this head are connected and equally enhanced: the vessel found without a seed runs along the skull. Place a seed in the artery to trace, and mark the sinuses as points to avoid.</source>
+        <source>In this head scan, arteries and venous sinuses are connected and equally enhanced: the vessel that was found without a seed runs along the skull. Place a seed in the artery to trace, and mark the sinuses as points to avoid.</source>
         <comment>tracing.veins-with-arteries</comment>
         <translation>Arterien und venöse Sinus dieses Kopfes sind verbunden und gleich kontrastiert: Das ohne Startpunkt gefundene Gefäß verläuft am Schädel entlang. Setzen Sie einen Startpunkt in die zu erfassende Arterie, und markieren Sie die Sinus als zu meiden.</translation>
     </message>
     <message>
-        <source>Coil inhomogeneity (up to %1×) was corrected: the threshold applies where the coil sensitivity is highest.</source>
+        <source>Intensity inhomogeneity due to coil sensitivity (up to %1×) was corrected: the threshold refers to intensities where the sensitivity is highest.</source>
         <comment>tracing.coil-evened-out</comment>
-        <translation>Die Spuleninhomogenität (bis %1×) wurde korrigiert: Die Schwelle gilt, wo die Spulenempfindlichkeit am höchsten ist.</translation>
+        <translation>Die Intensitätsinhomogenität durch die Spulenempfindlichkeit (bis %1×) wurde korrigiert: Die Schwelle bezieht sich auf Intensitäten, wo die Empfindlichkeit am höchsten ist.</translation>
     </message>
     <message>
-        <source>The centerlines follow %1 of the mask&apos;s skeleton within two voxels; most of the rest is at %2 mm (LPS). Where the lumen is wide or its wall rough, they follow the center of the lumen instead. Check there for a missing vessel.</source>
+        <source>The centerlines follow %1 of the mask&apos;s skeleton within two voxels; most of the rest is at %2 mm (LPS). Where the lumen is wide or its wall is rough, the centerlines follow the center of the lumen instead. Check there for a missing vessel.</source>
         <comment>tracing.skeleton-not-followed</comment>
         <translation>Die Mittellinien folgen %1 des Maskenskeletts bis auf zwei Voxel; das meiste vom Rest liegt bei %2 mm (LPS). Wo das Lumen weit oder seine Wand rau ist, folgen sie stattdessen der Lumenmitte. Prüfen Sie dort, ob ein Gefäß fehlt.</translation>
     </message>
     <message>
-        <source>The point %1 mm (LPS) is outside the scan. Choose a point inside it.</source>
+        <source>The point at %1 mm (LPS) is outside the scan. Choose a point inside the scan.</source>
         <comment>tracing.path-end-outside-scan</comment>
         <translation>Der Punkt %1 mm (LPS) liegt außerhalb des Scans. Wählen Sie einen innerhalb.</translation>
     </message>
     <message>
-        <source>The point %1 mm (LPS) is not inside a structure brighter than its surroundings. Place it inside the vessel.</source>
+        <source>The point at %1 mm (LPS) is not inside a structure brighter than its surroundings. Place the point inside the vessel.</source>
         <comment>tracing.path-end-in-nothing</comment>
         <translation>Der Punkt %1 mm (LPS) liegt in keiner Struktur, die heller als ihre Umgebung ist. Setzen Sie ihn in das Gefäß.</translation>
     </message>
     <message>
-        <source>Both points lie at the same position of the vessel. Place them farther apart.</source>
+        <source>Both points are at the same position in the vessel. Place them farther apart.</source>
         <comment>tracing.path-ends-too-near</comment>
         <translation>Beide Punkte liegen an derselben Stelle des Gefäßes. Setzen Sie sie weiter auseinander.</translation>
     </message>
@@ -5114,27 +5114,27 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Zwischen den beiden Punkten wurde kein Weg gefunden. Setzen Sie sie näher zusammen.</translation>
     </message>
     <message>
-        <source>Over a length of %1, the path does not run through a vessel-like structure. Check it, or place a point in between.</source>
+        <source>Over a length of %1, the path does not run through a vessel-like structure. Check the path, or place a point in between.</source>
         <comment>tracing.path-outside</comment>
         <translation>Auf einer Länge von %1 verläuft der Weg durch keine gefäßartige Struktur. Prüfen Sie ihn, oder setzen Sie einen Punkt dazwischen.</translation>
     </message>
     <message>
-        <source>Tracing thin vessels requires seeds, but none is placed. Place one in each vessel, near its origin.</source>
+        <source>Tracing thin vessels requires seeds, but none has been placed. Place one in each vessel, near its origin.</source>
         <comment>tracing.tubes-need-seed</comment>
         <translation>Das Erfassen dünner Gefäße braucht Startpunkte, und keiner ist gesetzt. Setzen Sie in jedes Gefäß einen, nahe dem Abgang.</translation>
     </message>
     <message>
-        <source>No thin vessel of sufficient length was found from the seeds. Place them at the center of the vessels, or turn off the restriction to thin vessels.</source>
+        <source>No thin vessel of sufficient length was found starting from the seeds. Place the seeds at the center of the vessels, or turn off the restriction to thin vessels.</source>
         <comment>tracing.no-tube-at-seed</comment>
         <translation>Von den Startpunkten aus wurde kein ausreichend langes dünnes Gefäß gefunden. Setzen Sie sie in die Mitte der Gefäße, oder heben Sie die Beschränkung auf dünne Gefäße auf.</translation>
     </message>
     <message>
-        <source>The search limit was reached: the vessels are truncated. Check for leakage into lung, liver or bone.</source>
+        <source>The search limit was reached, so the vessels are truncated. Check for leakage into lung, liver or bone.</source>
         <comment>tracing.tubes-cut-short</comment>
         <translation>Die Suchgrenze wurde erreicht: Die Gefäße sind abgeschnitten. Prüfen Sie, ob die Segmentierung in Lunge, Leber oder Knochen ausläuft.</translation>
     </message>
     <message>
-        <source>The vessels consist of %1 unconnected components, each with its own root: %2. Connect those that belong together, or select components by placing a seed in each.</source>
+        <source>The vessels consist of %1 unconnected components, each with its own root: %2. Connect those that belong together, or select the desired components by placing a seed in each.</source>
         <comment>tracing.vessels-in-pieces</comment>
         <translation>Die Gefäße bestehen aus %1 unverbundenen Komponenten, jede mit eigener Wurzel: %2. Verbinden Sie, was zusammengehört, oder wählen Sie einzelne durch je einen Startpunkt aus.</translation>
     </message>
@@ -5149,12 +5149,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>%1 der Voxel bei %2</translation>
     </message>
     <message>
-        <source>%1 others with %2</source>
+        <source>%1 more with %2</source>
         <comment>tracing.other-pieces</comment>
         <translation>%1 weitere mit %2</translation>
     </message>
     <message>
-        <source>A component that is not connected to the traced vessels was omitted: %1 mm (LPS). Place a seed in it if it belongs to the tree.</source>
+        <source>A component that is not connected to the traced vessels was omitted: at %1 mm (LPS). Place a seed in it if it belongs to the tree.</source>
         <comment>tracing.one-piece-left-out</comment>
         <translation>Eine nicht mit den erkannten Gefäßen verbundene Komponente wurde ausgelassen: %1 mm (LPS). Setzen Sie einen Startpunkt hinein, wenn sie zum Baum gehört.</translation>
     </message>
@@ -5164,7 +5164,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>%1 Komponenten mit %2 der Voxel sind nicht mit den erkannten Gefäßen verbunden und wurden ausgelassen: %3. Setzen Sie in jede, die zum Baum gehört, einen Startpunkt.</translation>
     </message>
     <message>
-        <source>A component contains no branch of the minimum length and was omitted: %1 mm (LPS). Lower the minimum branch length if it is a vessel.</source>
+        <source>A component contains no branch of the minimum length and was omitted: at %1 mm (LPS). Lower the minimum branch length if it is a vessel.</source>
         <comment>tracing.one-piece-too-short</comment>
         <translation>Eine Komponente enthält keinen Ast der Mindestlänge und wurde ausgelassen: %1 mm (LPS). Senken Sie die Mindestlänge der Äste, wenn es ein Gefäß ist.</translation>
     </message>
@@ -5174,37 +5174,37 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>%1 Komponenten mit %2 der Voxel enthalten keinen Ast der Mindestlänge und wurden ausgelassen: %3. Senken Sie die Mindestlänge der Äste, wenn es Gefäße sind.</translation>
     </message>
     <message>
-        <source>Gaps where a vessel clearly continues were closed: %1, up to %2 long. Check there for vessels that do not belong together.</source>
+        <source>Gaps across which a vessel clearly continues were closed (number: %1; length: up to %2). Check that the connected vessels belong together.</source>
         <comment>tracing.gaps-closed</comment>
-        <translation>Lücken, über die ein Gefäß deutlich weiterläuft, wurden geschlossen: %1, bis %2. Prüfen Sie dort, ob die Gefäße zusammengehören.</translation>
+        <translation>Lücken, über die ein Gefäß deutlich weiterläuft, wurden geschlossen (Anzahl: %1; Länge: bis %2). Prüfen Sie, ob die verbundenen Gefäße zusammengehören.</translation>
     </message>
     <message>
-        <source>1 loop was cut at its narrowest point; check for touching vessels.</source>
+        <source>1 loop was cut at its narrowest point; check whether vessels merely touch there.</source>
         <comment>tracing.one-loop-opened</comment>
         <translation>1 Schleife wurde an der engsten Stelle getrennt; prüfen Sie, ob sich dort Gefäße nur berühren.</translation>
     </message>
     <message>
-        <source>%1 loops were cut at their narrowest points; check for touching vessels.</source>
+        <source>%1 loops were cut at their narrowest points; check whether vessels merely touch there.</source>
         <comment>tracing.loops-opened</comment>
         <translation>%1 Schleifen wurden an den engsten Stellen getrennt; prüfen Sie, ob sich dort Gefäße nur berühren.</translation>
     </message>
     <message>
-        <source>Loops kept as requested: %1. At the closure of a loop, one branch ends on another.</source>
+        <source>Loops kept as requested: %1. Where a loop closes, one branch ends on another.</source>
         <comment>tracing.loops-kept</comment>
         <translation>Wie gewünscht erhaltene Schleifen: %1. Wo sich eine schließt, endet ein Ast auf einem anderen.</translation>
     </message>
     <message>
-        <source>A region darker than the vessels was omitted; it may be a vein or an organ. Place a seed in it if it belongs to the tree.</source>
+        <source>A region darker than the vessels was omitted; it may be a vein or soft tissue. Place a seed in it if it belongs to the tree.</source>
         <comment>tracing.one-dim-part-left-out</comment>
-        <translation>Ein Bereich, der dunkler als die Gefäße ist, wurde ausgelassen; es könnte eine Vene oder ein Organ sein. Setzen Sie einen Startpunkt hinein, wenn er zum Baum gehört.</translation>
+        <translation>Ein Bereich, der dunkler als die Gefäße ist, wurde ausgelassen; es könnte eine Vene oder Weichgewebe sein. Setzen Sie einen Startpunkt hinein, wenn er zum Baum gehört.</translation>
     </message>
     <message>
-        <source>%1 regions darker than the vessels were omitted; they may be veins or organs. Place seeds in those that belong to the tree.</source>
+        <source>%1 regions darker than the vessels were omitted; they may be veins or soft tissue. Place seeds in those that belong to the tree.</source>
         <comment>tracing.dim-parts-left-out</comment>
-        <translation>%1 Bereiche, die dunkler als die Gefäße sind, wurden ausgelassen; es könnten Venen oder Organe sein. Setzen Sie in die, die zum Baum gehören, einen Startpunkt.</translation>
+        <translation>%1 Bereiche, die dunkler als die Gefäße sind, wurden ausgelassen; es könnten Venen oder Weichgewebe sein. Setzen Sie in die, die zum Baum gehören, einen Startpunkt.</translation>
     </message>
     <message>
-        <source>No voxel of the scan is as dark as air in Hounsfield units. If the values are not HU, bone cannot be separated reliably from vessels. Check the vessels for bone, or export the scan in Hounsfield units.</source>
+        <source>No voxel of the scan has a value as low as that of air in Hounsfield units. If the values are not in Hounsfield units, bone cannot be separated reliably from vessels. Check the vessels for bone, or export the scan in Hounsfield units.</source>
         <comment>tracing.perhaps-no-hounsfield</comment>
         <translation>Kein Voxel des Scans ist so dunkel wie Luft in Hounsfield-Einheiten: Sind die Werte keine HE, lässt sich Knochen nicht sicher von Gefäßen trennen. Prüfen Sie die Gefäße auf Knochen, oder exportieren Sie den Scan in Hounsfield-Einheiten.</translation>
     </message>
@@ -5219,27 +5219,27 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Ast %1 kommt im Gefäßbaum doppelt vor. Ast-IDs müssen eindeutig sein.</translation>
     </message>
     <message>
-        <source>Branch %1 of the vessel tree has fewer than two points. Remove it, or add points.</source>
+        <source>Branch %1 of the vessel tree has fewer than two points. Remove the branch, or add points.</source>
         <comment>tree.branch-too-few-points</comment>
         <translation>Ast %1 des Gefäßbaums hat weniger als zwei Punkte. Entfernen Sie ihn, oder ergänzen Sie Punkte.</translation>
     </message>
     <message>
-        <source>Branch %1 of the vessel tree has a coordinate that is not a number (NaN or infinite).</source>
+        <source>Branch %1 of the vessel tree has a coordinate that is not a finite number.</source>
         <comment>tree.branch-not-finite</comment>
-        <translation>Ast %1 des Gefäßbaums hat eine Koordinate, die keine Zahl ist (NaN oder unendlich).</translation>
+        <translation>Ast %1 des Gefäßbaums hat eine Koordinate, die keine endliche Zahl ist.</translation>
     </message>
     <message>
-        <source>Branch %1 of the vessel tree has no length: all its points coincide.</source>
+        <source>Branch %1 of the vessel tree has zero length: all its points coincide.</source>
         <comment>tree.branch-without-length</comment>
         <translation>Ast %1 des Gefäßbaums hat keine Länge: alle Punkte fallen zusammen.</translation>
     </message>
     <message>
-        <source>The number of radii of branch %1 of the vessel tree does not match its number of points.</source>
+        <source>Branch %1 of the vessel tree has different numbers of radii and points.</source>
         <comment>tree.branch-radii-missing</comment>
         <translation>Die Zahl der Radien von Ast %1 des Gefäßbaums entspricht nicht der Zahl seiner Punkte.</translation>
     </message>
     <message>
-        <source>Branch %1 of the vessel tree has a radius that is negative or not a number. Correct it, or omit the radii of this branch.</source>
+        <source>Branch %1 of the vessel tree has a radius that is negative or not a number. Correct the radius, or omit the radii of this branch.</source>
         <comment>tree.branch-radius-unusable</comment>
         <translation>Ast %1 des Gefäßbaums hat einen Radius, der negativ oder keine Zahl ist. Berichtigen Sie ihn, oder lassen Sie die Radien dieses Astes weg.</translation>
     </message>
@@ -5249,7 +5249,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Der Gefäßbaum hat keinen Ast %1.</translation>
     </message>
     <message>
-        <source>The range of %1 must consist of two angles within ±%2°, the lower one first.</source>
+        <source>The range of %1 must consist of two angles within ±%2°, with the lower one first.</source>
         <comment>angles.range-odd</comment>
         <translation>Der Bereich von %1 braucht zwei Winkel innerhalb von ±%2°, den kleineren zuerst.</translation>
     </message>
@@ -5274,12 +5274,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Die Gefäße haben keine Radien: 1 mm wird angenommen; die Überdeckung des Astes ist daher geschätzt.</translation>
     </message>
     <message>
-        <source>Branch %1 is not connected to another branch, so it has no takeoff. Use the branch itself.</source>
+        <source>Branch %1 is not connected to another branch, so it has no takeoff. Specify the branch itself instead.</source>
         <comment>tree.no-take-off</comment>
         <translation>Ast %1 ist mit keinem anderen Ast verbunden und hat daher keinen Abgang. Verwenden Sie den Ast selbst.</translation>
     </message>
     <message>
-        <source>All branches descend from branch %1; no branches would remain.</source>
+        <source>All branches descend from branch %1; no branches would remain if it were deleted.</source>
         <comment>edit.all-hang-on-branch</comment>
         <translation>Alle Äste gehen von Ast %1 aus; es blieben keine Äste übrig.</translation>
     </message>
@@ -5309,9 +5309,9 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Die 2-D-Mittellinie ist leer: Im Bild wurde kein Gefäß gefunden. Wählen Sie ein anderes Bild oder eine höhere Empfindlichkeit, oder geben Sie eine Mittelliniendatei an.</translation>
     </message>
     <message>
-        <source>Curve %1 of the 2-D centerline has a coordinate that is not a number (NaN or infinite).</source>
+        <source>Curve %1 of the 2-D centerline has a coordinate that is not a finite number.</source>
         <comment>centreline.curve-not-finite</comment>
-        <translation>Kurve %1 der 2-D-Mittellinie hat eine Koordinate, die keine Zahl ist (NaN oder unendlich).</translation>
+        <translation>Kurve %1 der 2-D-Mittellinie hat eine Koordinate, die keine endliche Zahl ist.</translation>
     </message>
     <message>
         <source>The surface has no triangles, or the voxel size is not positive. Choose another surface.</source>
@@ -5324,12 +5324,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Die Oberfläche ist flach und umschließt kein Volumen. Wählen Sie eine Gefäßwand.</translation>
     </message>
     <message>
-        <source>The voxel size is too small for a surface of this extent. Choose a larger voxel size.</source>
+        <source>The voxel size is too small for a surface of this size. Choose a larger voxel size.</source>
         <comment>surface.voxel-too-fine</comment>
         <translation>Die Voxelgröße ist für eine so große Oberfläche zu klein. Wählen Sie eine größere.</translation>
     </message>
     <message>
-        <source>The surface encloses no volume: it has large openings, or is thinner than a voxel. Close its holes, or choose a smaller voxel size.</source>
+        <source>The surface encloses no volume: it has large openings or is thinner than a voxel. Close its holes, or choose a smaller voxel size.</source>
         <comment>surface.nothing-inside</comment>
         <translation>Die Oberfläche umschließt nichts: Sie ist zu offen oder dünner als ein Voxel. Schließen Sie die Löcher, oder wählen Sie kleinere Voxel.</translation>
     </message>
@@ -5354,7 +5354,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>ein Wert hat den falschen Typ. Vergleichen Sie die Datei mit dem veröffentlichten Schema.</translation>
     </message>
     <message>
-        <source>the case was saved by a newer AngioPose. Update the program.</source>
+        <source>the case was saved by a newer version of AngioPose. Update the program.</source>
         <comment>case.newer</comment>
         <translation>der Fall stammt von einem neueren AngioPose. Aktualisieren Sie das Programm.</translation>
     </message>
@@ -5389,12 +5389,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>dies ist eine Eingabe des Falls und wird nicht überschrieben. Wählen Sie einen anderen Namen.</translation>
     </message>
     <message>
-        <source>a file name or a text in the case is not UTF-8. Rename the file.</source>
+        <source>a file name or other text in the case is not valid UTF-8. Rename the file, or correct the text.</source>
         <comment>case.not-utf8</comment>
-        <translation>ein Dateiname oder Text im Fall ist nicht UTF-8. Benennen Sie die Datei um.</translation>
+        <translation>ein Dateiname oder anderer Text im Fall ist kein gültiges UTF-8. Benennen Sie die Datei um, oder berichtigen Sie den Text.</translation>
     </message>
     <message>
-        <source>a scan alone is not a case: the case file needs traced vessels and an angiogram. Trace the vessels and open an angiogram before saving; the scan file itself is not changed.</source>
+        <source>a scan alone is not a case: a case requires traced vessels and an angiogram. Trace the vessels and open an angiogram before saving; the scan file itself is not changed.</source>
         <comment>case.scan-alone</comment>
         <translation>ein CT allein ist noch kein Fall: Die Falldatei braucht erfasste Gefäße und ein Angiogramm. Erfassen Sie vor dem Speichern die Gefäße, und öffnen Sie ein Angiogramm; die CT-Datei selbst wird nicht verändert.</translation>
     </message>
@@ -5409,17 +5409,17 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>die Lage ist keine starre Transformation mit endlichen Werten. Setzen Sie sie vor dem Speichern zurück.</translation>
     </message>
     <message>
-        <source>the camera belongs to an image of %1 x %2 pixels, but the angiogram has %3 x %4. Specify the camera of this image.</source>
+        <source>the camera belongs to an image of %1 × %2 pixels, but the angiogram is %3 × %4 pixels. Specify the camera that belongs to this angiogram.</source>
         <comment>case.camera-of-other-image</comment>
-        <translation>die Kamera gehört zu einem Bild mit %1 x %2 Pixeln, das Angiogramm hat aber %3 x %4. Geben Sie die Kamera dieses Bildes an.</translation>
+        <translation>die Kamera gehört zu einem Bild mit %1 × %2 Pixeln, das Angiogramm hat aber %3 × %4 Pixel. Geben Sie die zum Angiogramm gehörende Kamera an.</translation>
     </message>
     <message>
-        <source>maxVesselRadiusPx is less than minVesselRadiusPx. Swap them.</source>
+        <source>maxVesselRadiusPx is less than minVesselRadiusPx. Swap the two values.</source>
         <comment>case.radii-swapped</comment>
         <translation>maxVesselRadiusPx ist kleiner als minVesselRadiusPx. Vertauschen Sie beide.</translation>
     </message>
     <message>
-        <source>the case contains no vessel input. Specify the vessel file as centerline, segmentation, surface or volume.</source>
+        <source>the case specifies no vessel input. Specify the vessel file as centerline, segmentation, surface or volume.</source>
         <comment>case.no-input</comment>
         <translation>der Fall nennt keine Eingabe für die Gefäße. Geben Sie die Gefäßdatei als centerline, segmentation, surface oder volume an.</translation>
     </message>
@@ -5459,14 +5459,14 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>die Datei hat sich seit dem Speichern des Falls geändert. Prüfen Sie, ob es die richtige ist.</translation>
     </message>
     <message>
-        <source>the stored result was discarded because the vessels, the image or the traced curves have changed since. Register again.</source>
+        <source>the stored result was discarded because the vessels, the image or the traced curves have changed since it was computed. Register again.</source>
         <comment>case.result-stale</comment>
         <translation>das gespeicherte Ergebnis wurde verworfen, weil sich Gefäße, Bild oder erkannte Kurven seither geändert haben. Registrieren Sie erneut.</translation>
     </message>
     <message>
-        <source>the stored result was discarded because the case file has changed since: %1. Register again.</source>
+        <source>the stored result was discarded because parts of the case have changed since it was computed: %1. Register again.</source>
         <comment>case.result-beside</comment>
-        <translation>das gespeicherte Ergebnis wurde verworfen, weil die Falldatei seither geändert wurde: %1. Registrieren Sie erneut.</translation>
+        <translation>das gespeicherte Ergebnis wurde verworfen, weil sich Teile des Falls seit der Berechnung geändert haben: %1. Registrieren Sie erneut.</translation>
     </message>
     <message>
         <source>the tracked poses were discarded because they do not match the run or the pose of the case. Track the vessels again.</source>
@@ -5474,7 +5474,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>die verfolgten Lagen wurden verworfen, weil sie nicht zur Serie oder zur Lage des Falls passen. Verfolgen Sie die Gefäße erneut.</translation>
     </message>
     <message>
-        <source>The vessels of a tracked run are shown at their poses, but without deformation: %1 Track them again.</source>
+        <source>The vessels of a tracked run are shown at the tracked poses, but without deformation: %1 Track the vessels again.</source>
         <comment>case.bends-left-out</comment>
         <translation>Die Gefäße einer verfolgten Serie werden in ihren Lagen gezeigt, aber ohne Verformung: %1 Verfolgen Sie sie erneut.</translation>
     </message>
@@ -5564,12 +5564,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>die Optionen</translation>
     </message>
     <message>
-        <source>this is not the DICOM image with which the case was created.</source>
+        <source>this is not the DICOM image from which the case was created.</source>
         <comment>case.other-image</comment>
         <translation>dies ist nicht das DICOM-Bild, mit dem der Fall erstellt wurde.</translation>
     </message>
     <message>
-        <source>%1 The case contains the edited vessels and can be opened without the file.</source>
+        <source>%1 The case contains the edited vessels and can be opened without this file.</source>
         <comment>case.opens-without</comment>
         <translation>%1 Der Fall enthält die bearbeiteten Gefäße und lässt sich ohne die Datei öffnen.</translation>
     </message>
@@ -5579,7 +5579,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>der Baum hat keinen Ast %1; der Eintrag wird ignoriert.</translation>
     </message>
     <message>
-        <source>Another view was omitted: %1</source>
+        <source>An additional view was omitted: %1</source>
         <comment>case.view-left-out</comment>
         <translation>Eine weitere Ansicht wurde ausgelassen: %1</translation>
     </message>
@@ -5589,12 +5589,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Zeile %1: „%2“ ist kein gültiger Ordnername. Verwenden Sie einen ohne „/“.</translation>
     </message>
     <message>
-        <source>line %1: the frame &apos;%2&apos; is not an integer.</source>
+        <source>line %1: the frame number &apos;%2&apos; is not an integer. Correct the line.</source>
         <comment>batch.frame-no-number</comment>
-        <translation>Zeile %1: das Bild „%2“ ist keine ganze Zahl.</translation>
+        <translation>Zeile %1: Die Bildnummer „%2“ ist keine ganze Zahl. Berichtigen Sie die Zeile.</translation>
     </message>
     <message>
-        <source>line %1: the name &apos;%2&apos; is already used. Use a unique name for each case.</source>
+        <source>line %1: the name &apos;%2&apos; is already in use. Use a unique name for each case.</source>
         <comment>batch.name-twice</comment>
         <translation>Zeile %1: Der Name „%2“ ist schon vergeben. Verwenden Sie für jeden Fall einen eigenen Namen.</translation>
     </message>
@@ -5604,12 +5604,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>die Spalte %1 fehlt. Wählen Sie einen Ordner, den `angiopose-cli evaluate` geschrieben hat.</translation>
     </message>
     <message>
-        <source>line %1, column %2 is not a number. Choose a folder written by `angiopose-cli evaluate`.</source>
+        <source>the value in line %1, column %2 is not a number. Choose a folder written by `angiopose-cli evaluate`.</source>
         <comment>runs.no-number</comment>
         <translation>Zeile %1, Spalte %2 ist keine Zahl. Wählen Sie einen Ordner, den `angiopose-cli evaluate` geschrieben hat.</translation>
     </message>
     <message>
-        <source>the folder contains results of different experiments or seeds. Use a separate folder for each.</source>
+        <source>the folder contains results of different experiments or seeds. Use a separate folder for each experiment and seed.</source>
         <comment>runs.mixed</comment>
         <translation>der Ordner enthält Ergebnisse verschiedener Experimente oder Startwerte. Verwenden Sie für jedes einen eigenen Ordner.</translation>
     </message>
@@ -5649,7 +5649,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>dies ist ein Ordner. Wählen Sie eine Datei darin.</translation>
     </message>
     <message>
-        <source>this is not a regular file. Choose a file on disk.</source>
+        <source>this is not a regular file. Choose a file on a disk.</source>
         <comment>file.not-regular</comment>
         <translation>dies ist keine reguläre Datei. Wählen Sie eine Datei auf der Festplatte.</translation>
     </message>
@@ -5739,7 +5739,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>dies ist keine Texttabelle. Wählen Sie eine CSV-Datei mit Kopfzeile.</translation>
     </message>
     <message>
-        <source>line %1 has %2 columns, but the first line has %3. Separate columns by commas and use a period as the decimal point.</source>
+        <source>line %1 has %2 columns, but the first line has %3. Separate columns with commas, and use a period as the decimal point.</source>
         <comment>table.columns</comment>
         <translation>Zeile %1 hat %2 Spalten, die erste hat %3. Trennen Sie Spalten durch Kommas, und verwenden Sie den Punkt als Dezimalzeichen.</translation>
     </message>
@@ -5749,7 +5749,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Zeile %1, Spalte %2: „%3“ ist keine endliche Zahl. Berichtigen oder entfernen Sie die Zeile.</translation>
     </message>
     <message>
-        <source>line %1: the value in the column branch must be an integer. Correct the line.</source>
+        <source>line %1: the value in the branch column must be an integer. Correct the line.</source>
         <comment>table.branch-no-number</comment>
         <translation>Zeile %1: Der Wert in der Spalte branch muss eine ganze Zahl sein. Berichtigen Sie die Zeile.</translation>
     </message>
@@ -5769,9 +5769,9 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>der Mittelpunkt der Transformation ist nicht endlich. Exportieren Sie die Transformation neu.</translation>
     </message>
     <message>
-        <source>the file contains no 4 x 4 matrix `cameraFromPatient`, at the top level or in `pose`. Add the matrix.</source>
+        <source>the file contains no 4 × 4 matrix `cameraFromPatient`, at the top level or in `pose`. Add the matrix.</source>
         <comment>pose.no-matrix</comment>
-        <translation>die Datei hat keine 4 x 4-Matrix `cameraFromPatient`, weder auf oberster Ebene noch in `pose`. Fügen Sie eine hinzu.</translation>
+        <translation>die Datei hat keine 4 × 4-Matrix `cameraFromPatient`, weder auf oberster Ebene noch in `pose`. Fügen Sie eine hinzu.</translation>
     </message>
     <message>
         <source>cameraFromPatient must have four rows of four numbers.</source>
@@ -5794,9 +5794,9 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>cameraFromPatient ist eine Spiegelung (Determinante unter 0). Ein gespiegeltes Bild gehört in das Vorzeichen von fx, nicht in die Drehung.</translation>
     </message>
     <message>
-        <source>the upper left 3 x 3 block of cameraFromPatient is not a rotation (it contains scale or shear). Provide a rigid pose in mm.</source>
+        <source>the upper left 3 × 3 block of cameraFromPatient is not a rotation (it contains scale or shear). Provide a rigid pose in mm.</source>
         <comment>pose.no-rotation</comment>
-        <translation>der linke obere 3 x 3-Block von cameraFromPatient ist keine Drehung (Skalierung oder Scherung). Geben Sie eine starre Lage in mm an.</translation>
+        <translation>der linke obere 3 × 3-Block von cameraFromPatient ist keine Drehung (Skalierung oder Scherung). Geben Sie eine starre Lage in mm an.</translation>
     </message>
     <message>
         <source>the file is too large for a pose. Choose a .json, .tfm, .mat or .h5 file.</source>
@@ -5934,7 +5934,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>eine JSON-Datei</translation>
     </message>
     <message>
-        <source>Color image converted to grayscale.</source>
+        <source>The color image was converted to grayscale.</source>
         <comment>image.colour-to-grey</comment>
         <translation>Farbbild in Graustufen umgewandelt.</translation>
     </message>
@@ -5944,12 +5944,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Die Transparenz des Bildes wird ignoriert.</translation>
     </message>
     <message>
-        <source>A non-DICOM image contains no C-arm geometry. Enter it in the geometry of the case.</source>
+        <source>A non-DICOM image contains no C-arm geometry. Enter the geometry manually.</source>
         <comment>image.no-geometry</comment>
         <translation>Ein Nicht-DICOM-Bild enthält keine C-Bogen-Geometrie. Tragen Sie sie in der Geometrie des Falls ein.</translation>
     </message>
     <message>
-        <source>The image is a binary mask: its vessels are used as drawn.</source>
+        <source>The image is a binary mask: the vessels are used as drawn.</source>
         <comment>image.is-mask</comment>
         <translation>Das Bild ist eine binäre Maske: Die Gefäße werden übernommen, wie sie gezeichnet sind.</translation>
     </message>
@@ -5974,7 +5974,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>das Bild ist beschädigt oder unvollständig. Kopieren oder exportieren Sie es neu.</translation>
     </message>
     <message>
-        <source>the image is damaged or in an unsupported format. Export it as untiled grayscale or RGB with 8 or 16 bits.</source>
+        <source>the image is damaged or in an unsupported format. Export it as an untiled grayscale or RGB image with 8 or 16 bits per channel.</source>
         <comment>image.unusual</comment>
         <translation>das Bild ist beschädigt oder hat ein nicht unterstütztes Format. Exportieren Sie es in Grau oder RGB mit 8 oder 16 Bit, ohne Kacheln.</translation>
     </message>
@@ -5994,12 +5994,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>es gibt kein Bild zu schreiben. Erzeugen Sie zuerst eines.</translation>
     </message>
     <message>
-        <source>a pixel is not a finite number. Correct the image before writing it.</source>
+        <source>a pixel value is not a finite number. Correct the image before writing it.</source>
         <comment>image.pixel-not-finite-writing</comment>
         <translation>ein Pixel ist keine endliche Zahl. Berichtigen Sie das Bild vor dem Schreiben.</translation>
     </message>
     <message>
-        <source>a pixel is not a finite number. Export the image again.</source>
+        <source>a pixel value is not a finite number. Export the image again.</source>
         <comment>image.pixel-not-finite</comment>
         <translation>ein Pixel ist keine endliche Zahl. Exportieren Sie das Bild neu.</translation>
     </message>
@@ -6009,17 +6009,17 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>dies ist %1, keine 2-D-Mittellinie. Wählen Sie eine CSV-Tabelle oder eine PNG-Maske.</translation>
     </message>
     <message>
-        <source>this is not a binary mask. Draw the vessels in white on black.</source>
+        <source>this is not a binary mask. Draw the vessels in white on a black background.</source>
         <comment>centreline.no-mask</comment>
         <translation>dies ist keine binäre Maske. Zeichnen Sie die Gefäße weiß auf schwarz.</translation>
     </message>
     <message>
-        <source>the header row has no columns x and y. The first line must specify the columns: x,y and, if available, branch,radius (px).</source>
+        <source>the header row has no x and y columns. The first line must specify the columns: x,y and, if available, branch,radius (px).</source>
         <comment>centreline.no-columns</comment>
         <translation>in der Kopfzeile fehlen die Spalten x und y. Die erste Zeile muss die Spalten nennen: x,y und, falls vorhanden, branch,radius (px).</translation>
     </message>
     <message>
-        <source>the file has a column z, so it is a 3-D centerline. Choose the centerline traced in the image.</source>
+        <source>the file has a z column, so it is a 3-D centerline. Choose the centerline traced in the image.</source>
         <comment>centreline.is-3d</comment>
         <translation>die Datei hat eine Spalte z, ist also eine 3-D-Mittellinie. Wählen Sie die im Bild erkannte Mittellinie.</translation>
     </message>
@@ -6029,9 +6029,9 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>die Datei hat über eine Million Punkte. Tasten Sie die Mittellinie neu ab.</translation>
     </message>
     <message>
-        <source>line %1 is far outside any image. Coordinates must be in pixels.</source>
+        <source>the point in line %1 is far outside any image. Coordinates must be in pixels.</source>
         <comment>centreline.outside</comment>
-        <translation>Zeile %1 liegt weit außerhalb jedes Bildes. Koordinaten müssen in Pixeln angegeben sein.</translation>
+        <translation>der Punkt in Zeile %1 liegt weit außerhalb jedes Bildes. Koordinaten müssen in Pixeln angegeben sein.</translation>
     </message>
     <message>
         <source>this is not a DICOM file. Choose a scan.</source>
@@ -6039,7 +6039,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>dies ist keine DICOM-Datei. Wählen Sie einen Scan.</translation>
     </message>
     <message>
-        <source>the deflate-compressed content is damaged or truncated. Copy or export the file again.</source>
+        <source>the deflate-compressed data are damaged or truncated. Copy or export the file again.</source>
         <comment>dicom.deflate-damaged</comment>
         <translation>der Deflate-komprimierte Inhalt ist beschädigt oder unvollständig. Kopieren oder exportieren Sie sie neu.</translation>
     </message>
@@ -6069,7 +6069,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Das Dateiende ist beschädigt (%1); das Bild ist vollständig.</translation>
     </message>
     <message>
-        <source>%1 is damaged before the pixel data: %2. Copy or export it again.</source>
+        <source>%1 is damaged at a position before the pixel data: %2. Copy or export it again.</source>
         <comment>dicom.damaged-before-pixels</comment>
         <translation>%1 ist vor den Pixeldaten beschädigt: %2. Kopieren oder exportieren Sie die Datei neu.</translation>
     </message>
@@ -6089,7 +6089,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>diese DICOM-Datei (%1)</translation>
     </message>
     <message>
-        <source>the header has contradictory values for the bits per pixel. It is damaged; export the run again.</source>
+        <source>the header contains contradictory values for the bits per pixel. The header is damaged; export the run again.</source>
         <comment>dicom.bits-contradict</comment>
         <translation>die Angaben der Bits je Pixel widersprechen sich. Der Header ist beschädigt; exportieren Sie die Serie neu.</translation>
     </message>
@@ -6099,12 +6099,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>das Bild ist in Palettenfarben gespeichert. Exportieren Sie das Angiogramm in Graustufen.</translation>
     </message>
     <message>
-        <source>the pixels (%1, %2 samples) are neither grayscale nor color. Export the angiogram in grayscale.</source>
+        <source>the pixels (%1, %2 samples per pixel) are neither grayscale nor color. Export the angiogram in grayscale.</source>
         <comment>dicom.not-grey</comment>
         <translation>die Pixel (%1, %2 Werte) sind weder grau noch farbig. Exportieren Sie das Angiogramm in Graustufen.</translation>
     </message>
     <message>
-        <source>the pixels have %1 bits. Export the angiogram with 8 or 16 bits.</source>
+        <source>the pixels have %1 bits. Export the angiogram with 8 or 16 bits per pixel.</source>
         <comment>dicom.pixel-bits</comment>
         <translation>die Pixel haben %1 Bit. Exportieren Sie das Angiogramm mit 8 oder 16 Bit.</translation>
     </message>
@@ -6114,9 +6114,9 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>der Header nennt keine Bildgröße. Die Datei ist beschädigt; exportieren Sie die Serie neu.</translation>
     </message>
     <message>
-        <source>the file declares %1 frames of %2 x %3 pixels, more than AngioPose supports. Export fewer frames.</source>
+        <source>the file declares %1 frames of %2 × %3 pixels, more than AngioPose supports. Export fewer frames.</source>
         <comment>dicom.too-many-frames</comment>
-        <translation>die Datei nennt %1 Bilder mit %2 x %3 Pixeln, mehr als AngioPose unterstützt. Exportieren Sie weniger Bilder.</translation>
+        <translation>die Datei nennt %1 Bilder mit %2 × %3 Pixeln, mehr als AngioPose unterstützt. Exportieren Sie weniger Bilder.</translation>
     </message>
     <message>
         <source>the pixel data are truncated: %1 of %2 bytes are present. Copy or export the file again.</source>
@@ -6134,34 +6134,34 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>nur %1 von %2 Bildern sind vorhanden. Kopieren oder exportieren Sie die Datei neu.</translation>
     </message>
     <message>
-        <source>frame %1 cannot be decoded (transfer syntax %2): it is damaged, truncated, or uses an unsupported compression. Export the run again, uncompressed if possible.</source>
+        <source>frame %1 cannot be decoded (transfer syntax %2): it is damaged or truncated, or its compression is not supported. Export the run again, uncompressed if possible.</source>
         <comment>dicom.frame-undecodable</comment>
         <translation>Bild %1 lässt sich nicht dekodieren (Transfersyntax %2): beschädigt, unvollständig oder nicht unterstützte Kompression. Exportieren Sie die Serie neu, möglichst unkomprimiert.</translation>
     </message>
     <message>
-        <source>Frames %1 of %2 cannot be decoded and are shown blank; the others can be read. Export the run again if you need them.</source>
+        <source>Some frames cannot be decoded and are shown blank: %1 (of %2 frames). Export the run again if you need these frames.</source>
         <comment>dicom.frames-lost</comment>
-        <translation>Die Bilder %1 von %2 lassen sich nicht dekodieren und werden leer gezeigt; die anderen sind lesbar. Exportieren Sie die Serie neu, wenn Sie sie brauchen.</translation>
+        <translation>Einige Bilder lassen sich nicht dekodieren und werden leer gezeigt: %1 (von %2 Bildern). Exportieren Sie die Serie neu, wenn Sie diese Bilder brauchen.</translation>
     </message>
     <message>
-        <source>Frames %1 of %2 are partly damaged and are shown as far as they could be decoded. Compare them with another viewer before using them.</source>
+        <source>Some frames are partly damaged and are shown as far as they could be decoded: %1 (of %2 frames). Check them in another viewer before using them.</source>
         <comment>dicom.frames-flawed</comment>
-        <translation>Die Bilder %1 von %2 sind teilweise beschädigt und werden gezeigt, soweit sie sich dekodieren ließen. Vergleichen Sie sie vor dem Gebrauch mit einem anderen Betrachter.</translation>
+        <translation>Einige Bilder sind teilweise beschädigt und werden gezeigt, soweit sie sich dekodieren ließen: %1 (von %2 Bildern). Prüfen Sie sie vor dem Gebrauch in einem anderen Betrachter.</translation>
     </message>
     <message>
-        <source>The image is partly damaged and is shown as far as it could be decoded. Compare it with another viewer before using it.</source>
+        <source>The image is partly damaged and is shown as far as it could be decoded. Check it in another viewer before using it.</source>
         <comment>image.flawed</comment>
-        <translation>Das Bild ist teilweise beschädigt und wird gezeigt, soweit es sich dekodieren ließ. Vergleichen Sie es vor dem Gebrauch mit einem anderen Betrachter.</translation>
+        <translation>Das Bild ist teilweise beschädigt und wird gezeigt, soweit es sich dekodieren ließ. Prüfen Sie es vor dem Gebrauch in einem anderen Betrachter.</translation>
     </message>
     <message>
-        <source>the image has only %1 x %2 pixels. Choose the full-size angiogram.</source>
+        <source>the image has only %1 × %2 pixels. Choose the full-size angiogram.</source>
         <comment>dicom.thumbnail</comment>
-        <translation>das Bild hat nur %1 x %2 Pixel. Wählen Sie das Angiogramm in voller Größe.</translation>
+        <translation>das Bild hat nur %1 × %2 Pixel. Wählen Sie das Angiogramm in voller Größe.</translation>
     </message>
     <message>
-        <source>This is %1, not X-ray angiography: it has no C-arm geometry.</source>
+        <source>This is %1, not an X-ray angiogram: it has no C-arm geometry.</source>
         <comment>dicom.not-xray</comment>
-        <translation>Dies ist %1, keine Röntgenangiographie: Es gibt keine C-Bogen-Geometrie.</translation>
+        <translation>Dies ist %1, kein Röntgenangiogramm: Es gibt keine C-Bogen-Geometrie.</translation>
     </message>
     <message>
         <source>the DICOM file could not be written. Choose another format.</source>
@@ -6184,12 +6184,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>der Speicher reicht nicht, um diese Serie zu schreiben. Schreiben Sie weniger Bilder.</translation>
     </message>
     <message>
-        <source>modality %1</source>
+        <source>an image of modality %1</source>
         <comment>dicom.modality</comment>
-        <translation>Modalität %1</translation>
+        <translation>ein Bild der Modalität %1</translation>
     </message>
     <message>
-        <source>an image without modality</source>
+        <source>an image without a specified modality</source>
         <comment>dicom.no-modality</comment>
         <translation>ein Bild ohne Modalität</translation>
     </message>
@@ -6209,12 +6209,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Der Header enthält kein Imager Pixel Spacing (0018,1164): Tragen Sie es in der Geometrie ein.</translation>
     </message>
     <message>
-        <source>The header contains no imager pixel spacing (0018,1164): enter it in the geometry. The image intensifier of %1 suggests at most %2.</source>
+        <source>The header contains no imager pixel spacing (0018,1164): enter it in the geometry. An image intensifier of %1 suggests at most %2.</source>
         <comment>dicom.spacing-missing-intensifier</comment>
         <translation>Der Header enthält kein Imager Pixel Spacing (0018,1164): Tragen Sie es in der Geometrie ein. Der Bildverstärker von %1 legt höchstens %2 nahe.</translation>
     </message>
     <message>
-        <source>The header contains only isocenter angles (0018,9463), whose signs are ambiguous. Enter LAO/RAO and CRA/CAU in the geometry.</source>
+        <source>The header contains only isocenter angles (0018,9463), whose signs are ambiguous. Enter the LAO/RAO and CRA/CAU angles in the geometry.</source>
         <comment>dicom.angles-of-isocentre</comment>
         <translation>Der Header enthält nur Isozentrumswinkel (0018,9463), deren Vorzeichen mehrdeutig sind: Tragen Sie LAO/RAO und CRA/CAU in der Geometrie ein.</translation>
     </message>
@@ -6224,19 +6224,19 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Der Detektor ist um %1 gekippt (0018,1530): der Hauptpunkt ist unsicher.</translation>
     </message>
     <message>
-        <source>The image is assumed to be mirrored, based on %1. Check left and right.</source>
+        <source>Based on %1, the image is assumed to be mirrored. Check the orientation markers (L, R).</source>
         <comment>dicom.image-mirrored</comment>
-        <translation>Das Bild wird als gespiegelt angenommen, auf Grundlage von %1. Prüfen Sie links und rechts.</translation>
+        <translation>Auf Grundlage von %1 gilt das Bild als gespiegelt. Prüfen Sie die Orientierungsmarkierungen (L, R).</translation>
     </message>
     <message>
-        <source>The C-arm moved during this run, but the header contains %1 for its %2 frames: the angles of the first frame are used. Check them for the selected frame.</source>
+        <source>The C-arm moved during this run, but the header does not specify the angles of all %2 frames (specified: %1). The angles of the first frame are used. Check them for the selected frame.</source>
         <comment>dicom.gantry-moved</comment>
-        <translation>Der C-Bogen hat sich während der Serie bewegt, der Header enthält aber %1 für %2 Bilder: Es werden die Winkel des ersten Bildes verwendet. Prüfen Sie sie für das benutzte Bild.</translation>
+        <translation>Der C-Bogen hat sich während der Serie bewegt, der Header gibt aber nicht die Winkel aller %2 Bilder an (angegeben: %1). Es werden die Winkel des ersten Bildes verwendet. Prüfen Sie sie für das ausgewählte Bild.</translation>
     </message>
     <message>
-        <source>no angles</source>
+        <source>none</source>
         <comment>dicom.gantry-no-angles</comment>
-        <translation>keine Winkel</translation>
+        <translation>keine</translation>
     </message>
     <message>
         <source>%1</source>
@@ -6244,14 +6244,14 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>%1</translation>
     </message>
     <message>
-        <source>The traced structure is hardly longer than wide: check that it is a vessel.</source>
+        <source>The traced structure is hardly longer than it is wide: check that it is a vessel.</source>
         <comment>vessels.compact</comment>
         <translation>Die erfasste Struktur ist kaum länger als breit: Prüfen Sie, ob es ein Gefäß ist.</translation>
     </message>
     <message>
-        <source>The vessels measure %1 across, or have an unusual diameter: if the unit of the file is not millimeters, specify the unit.</source>
+        <source>The extent (%1) or the diameter of the vessels is unusual: if the unit of the file is not the millimeter, specify the unit.</source>
         <comment>vessels.unusual-size</comment>
-        <translation>Die Gefäße messen insgesamt %1 oder haben einen ungewöhnlichen Durchmesser: Ist die Einheit der Datei nicht Millimeter, geben Sie die Einheit an.</translation>
+        <translation>Die Ausdehnung (%1) oder der Durchmesser der Gefäße ist ungewöhnlich: Ist die Einheit der Datei nicht Millimeter, geben Sie die Einheit an.</translation>
     </message>
     <message>
         <source>unsupported surface format. Choose a .vtp, .vtk, .stl, .ply or .obj file.</source>
@@ -6274,12 +6274,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>alle Dreiecke haben die Fläche null. Wählen Sie die Oberfläche eines Gefäßes.</translation>
     </message>
     <message>
-        <source>the surface has more triangles than AngioPose supports. Decimate it.</source>
+        <source>the surface has more triangles than AngioPose supports. Decimate the surface.</source>
         <comment>surface.too-large</comment>
         <translation>die Oberfläche hat mehr Dreiecke, als AngioPose unterstützt. Vereinfachen Sie sie.</translation>
     </message>
     <message>
-        <source>a coordinate is not a number, or exceeds one kilometer. Correct it, or export the surface again.</source>
+        <source>a coordinate is not a number or exceeds one kilometer. Correct the coordinate, or export the surface again.</source>
         <comment>surface.coordinate</comment>
         <translation>eine Koordinate ist keine Zahl oder größer als ein Kilometer. Berichtigen Sie sie, oder exportieren Sie die Oberfläche neu.</translation>
     </message>
@@ -6304,27 +6304,27 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Die Oberfläche ist nicht geschlossen (%1 offene und %2 mehrfache Kanten): Ihr Inneres wird durch Mehrheitsentscheid bestimmt. Prüfen Sie das Ergebnis, oder schließen Sie die Löcher.</translation>
     </message>
     <message>
-        <source>The triangles are inconsistently oriented; overlapping parts may cancel out.</source>
+        <source>The triangles are inconsistently oriented, so overlapping parts may cancel each other out.</source>
         <comment>surface.disoriented</comment>
         <translation>Die Dreiecke sind uneinheitlich orientiert; überlappende Teile können sich aufheben.</translation>
     </message>
     <message>
-        <source>The surface measures %1 across, which is unusual: if its unit is not millimeters, specify the unit.</source>
+        <source>The surface measures %1 across, which is unusual: if its unit is not the millimeter, specify the unit.</source>
         <comment>surface.unusual-size</comment>
         <translation>Die Oberfläche misst insgesamt %1, was ungewöhnlich ist: Ist ihre Einheit nicht Millimeter, geben Sie die Einheit an.</translation>
     </message>
     <message>
-        <source>Outlier points were removed with their triangles because they cannot belong to the same body: %1 (not numbers, or farther than %2 from the center). Check the surface.</source>
+        <source>Outlier points (%1) were removed together with their triangles because they are not finite or lie farther than %2 from the center. Check the surface.</source>
         <comment>surface.stray-points</comment>
-        <translation>Ausreißerpunkte wurden mit ihren Dreiecken entfernt, da sie nicht zum selben Körper gehören können: %1 (keine Zahlen, oder mehr als %2 von der Mitte entfernt). Prüfen Sie die Oberfläche.</translation>
+        <translation>Ausreißerpunkte (%1) wurden mit ihren Dreiecken entfernt, da sie nicht endlich sind oder mehr als %2 von der Mitte entfernt liegen. Prüfen Sie die Oberfläche.</translation>
     </message>
     <message>
-        <source>the surface measures %1 across, larger than any human body. Specify the unit of the file, or remove outlier points.</source>
+        <source>the surface measures %1 across, which is larger than any human body. Specify the unit of the file, or remove outlier points.</source>
         <comment>surface.larger-than-body</comment>
         <translation>die Oberfläche misst insgesamt %1, mehr als jeder Körper. Geben Sie die Einheit der Datei an, oder entfernen Sie Ausreißerpunkte.</translation>
     </message>
     <message>
-        <source>line %1 is not a valid point. The file is damaged; export it again.</source>
+        <source>line %1 does not define a valid point. The file is damaged; export it again.</source>
         <comment>surface.obj-bad-point</comment>
         <translation>Zeile %1 ist kein gültiger Punkt. Die Datei ist beschädigt; exportieren Sie sie neu.</translation>
     </message>
@@ -6379,7 +6379,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>die Datei enthält keine Linien. Wählen Sie eine Datei mit Gefäßmittellinien.</translation>
     </message>
     <message>
-        <source>the file contains a surface, not centerlines. Extract the centerlines first (e.g., with VMTK or 3D Slicer) and open those.</source>
+        <source>the file contains a surface, not centerlines. Extract the centerlines first (e.g., with VMTK or 3D Slicer), and open them instead.</source>
         <comment>tree.is-surface</comment>
         <translation>die Datei enthält eine Oberfläche, keine Mittellinien. Extrahieren Sie zuerst die Mittellinien (z. B. mit VMTK oder Slicer), und öffnen Sie diese.</translation>
     </message>
@@ -6459,12 +6459,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>die erste Zeile muss die Spalten nennen: x,y,z und, falls vorhanden, radius,branch.</translation>
     </message>
     <message>
-        <source>the header row has no columns x, y and z. Name the columns accordingly (mm, patient LPS).</source>
+        <source>the header row has no x, y and z columns. Name the columns accordingly (coordinates in mm, LPS).</source>
         <comment>tree.table-no-columns</comment>
         <translation>der Kopfzeile fehlen die Spalten x, y und z. Benennen Sie die Spalten entsprechend (mm, Patient LPS).</translation>
     </message>
     <message>
-        <source>the file appears to be a list of graph nodes (column id) without an order along the vessels. Add a branch column, or export the centerlines themselves.</source>
+        <source>the file appears to be a list of graph nodes (it has an id column) without an order along the vessels. Add a branch column, or export the centerlines themselves.</source>
         <comment>tree.table-is-graph</comment>
         <translation>die Datei scheint eine Liste von Graphknoten (Spalte id) ohne Reihenfolge entlang der Gefäße zu sein. Fügen Sie eine Spalte branch hinzu, oder exportieren Sie die Mittellinien selbst.</translation>
     </message>
@@ -6494,7 +6494,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>keine Serie in diesem Ordner bildet ein Volumen. Wählen Sie einen anderen Ordner.</translation>
     </message>
     <message>
-        <source>the input contains %1 volumes (%2). Choose one by its series ID; `info` lists them.</source>
+        <source>the input contains %1 volumes (%2). Choose one of them by its series ID; `info` lists the IDs.</source>
         <comment>series.several</comment>
         <translation>die Eingabe enthält %1 Volumen (%2). Wählen Sie eines über seine Serien-ID; `info` listet sie auf.</translation>
     </message>
@@ -6514,12 +6514,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>dies ist eine einzelne Schicht, kein Volumen. Kopieren Sie alle Schichten der Serie, oder wählen Sie eine andere Serie.</translation>
     </message>
     <message>
-        <source>the images contain no pixel size, so they do not form a volume. Choose another series.</source>
+        <source>the images specify no pixel size, so they do not form a volume. Choose another series.</source>
         <comment>series.no-pixel-size</comment>
         <translation>die Bilder enthalten keine Pixelgröße und bilden daher kein Volumen. Wählen Sie eine andere Serie.</translation>
     </message>
     <message>
-        <source>the images contain no position in the patient, so they do not form a volume. Choose another series.</source>
+        <source>the images specify no position in the patient, so they do not form a volume. Choose another series.</source>
         <comment>series.no-place</comment>
         <translation>die Bilder enthalten keine Position im Patienten und bilden daher kein Volumen. Wählen Sie eine andere Serie.</translation>
     </message>
@@ -6529,7 +6529,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>die Schichten liegen nebeneinander statt übereinander. Wählen Sie eine andere Serie.</translation>
     </message>
     <message>
-        <source>the slice spacing is too uneven to form a volume (%1 slices over %2). Copy all slices of the series, or choose another series.</source>
+        <source>the slice spacing is too uneven for a volume (%1 slices over %2). Copy all slices of the series, or choose another series.</source>
         <comment>series.too-uneven</comment>
         <translation>der Schichtabstand ist für ein Volumen zu ungleichmäßig (%1 Schichten auf %2). Kopieren Sie alle Schichten der Serie, oder wählen Sie eine andere Serie.</translation>
     </message>
@@ -6544,12 +6544,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>die Bildgröße entspricht nicht dem Header. Exportieren Sie die Serie neu.</translation>
     </message>
     <message>
-        <source>The slices are unevenly spaced (%1 to %2) and were resampled to %3.</source>
+        <source>The slices are unevenly spaced (%1 to %2) and were resampled to a spacing of %3.</source>
         <comment>series.uneven-slices</comment>
         <translation>Die Schichten haben ungleiche Abstände (%1 bis %2): auf %3 neu abgetastet.</translation>
     </message>
     <message>
-        <source>The slices are not stacked perpendicularly (deviation of %1, as with a tilted gantry): they were shifted in plane to their true position.</source>
+        <source>The slices are not stacked perpendicularly (deviation of %1, as with a tilted gantry): they were shifted in plane to their true positions.</source>
         <comment>series.slanted</comment>
         <translation>Die Schichten sind nicht senkrecht gestapelt (%1 Abweichung, wie bei geneigter Gantry): Sie wurden in ihrer Ebene an ihre tatsächliche Position verschoben.</translation>
     </message>
@@ -6574,17 +6574,17 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>nach Schicht %1 und anderswo</translation>
     </message>
     <message>
-        <source>%1 of %2 slices have the same position as another slice; only the first acquired slice at each position is used.</source>
+        <source>%1 of %2 slices have the same position as another slice; only the slice acquired first at each position is used.</source>
         <comment>series.overlap</comment>
         <translation>%1 von %2 Schichten haben dieselbe Position wie eine andere; verwendet wird je Position nur die zuerst aufgenommene.</translation>
     </message>
     <message>
-        <source>%1 files of the series are duplicates and are ignored.</source>
+        <source>Duplicate files of the series are ignored (number: %1).</source>
         <comment>series.files-twice</comment>
-        <translation>%1 Dateien der Serie sind Duplikate.</translation>
+        <translation>Doppelte Dateien der Serie werden ignoriert (Anzahl: %1).</translation>
     </message>
     <message>
-        <source>%1 files of the series are damaged at the end.</source>
+        <source>Some files of the series are damaged at the end (number: %1).</source>
         <comment>series.files-damaged</comment>
         <translation>%1 Dateien der Serie sind am Ende beschädigt.</translation>
     </message>
@@ -6599,7 +6599,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Teil %1 von %2</translation>
     </message>
     <message>
-        <source>The slices are stored with different rescale factors or as floating point. %1</source>
+        <source>The slices are stored with different rescale factors or as floating-point values. %1</source>
         <comment>series.scales</comment>
         <translation>Die Schichten sind unterschiedlich skaliert oder als Gleitkommazahlen gespeichert. %1</translation>
     </message>
@@ -6614,9 +6614,9 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>dies ist %1, kein Volumen. Wählen Sie einen DICOM-Ordner, NIfTI, NRRD oder MetaImage (.mha, .mhd).</translation>
     </message>
     <message>
-        <source>the file contains a %1, not an image. Choose the scan.</source>
+        <source>the file contains an object of type %1, not an image. Choose the scan.</source>
         <comment>volume.holds-other</comment>
-        <translation>die Datei enthält ein %1, kein Bild. Wählen Sie den Scan.</translation>
+        <translation>die Datei enthält ein Objekt vom Typ %1, kein Bild. Wählen Sie den Scan.</translation>
     </message>
     <message>
         <source>the file declares %1, more than AngioPose supports. Crop the scan to the vessels.</source>
@@ -6639,17 +6639,17 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>die Datei ist %1-dimensional, ein Volumen hat aber drei Dimensionen. Wählen Sie den ganzen Scan.</translation>
     </message>
     <message>
-        <source>the file has %1 dimensions (4-D or more). Save the volume you need as a separate file and open that.</source>
+        <source>the file has %1 dimensions (4-D or more). Save the volume you need as a separate file, and open that file.</source>
         <comment>volume.dimensions</comment>
         <translation>die Datei hat %1 Dimensionen (4-D oder mehr). Speichern Sie das benötigte Volumen als eigene Datei, und öffnen Sie diese.</translation>
     </message>
     <message>
-        <source>the file contains %1 volumes or values per voxel (4-D). Extract the volume you need and open that.</source>
+        <source>the file contains %1 volumes or values per voxel (4-D). Extract the volume you need, and open it.</source>
         <comment>volume.several-4d</comment>
         <translation>die Datei enthält %1 Volumen oder Werte je Voxel (4-D). Extrahieren Sie das benötigte Volumen, und öffnen Sie es.</translation>
     </message>
     <message>
-        <source>the file contains %1 volumes, layers or values per voxel (4-D). Save the volume you need as a separate file and open that.</source>
+        <source>the file contains %1 volumes, layers or values per voxel (4-D). Save the volume you need as a separate file, and open that file.</source>
         <comment>volume.several-layers</comment>
         <translation>die Datei enthält %1 Volumen, Ebenen oder Werte je Voxel (4-D). Speichern Sie das benötigte Volumen als eigene Datei, und öffnen Sie diese.</translation>
     </message>
@@ -6664,7 +6664,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>die erste Achse hat %1 Einträge; es ist also ein Farbbild, kein Volumen. Wählen Sie den Scan.</translation>
     </message>
     <message>
-        <source>the voxels are colors. Choose the grayscale scan itself.</source>
+        <source>the voxel values are colors. Choose the grayscale scan itself.</source>
         <comment>volume.colours</comment>
         <translation>die Voxel sind Farben. Wählen Sie den Scan selbst in Grauwerten.</translation>
     </message>
@@ -6689,7 +6689,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>der Header ist beschädigt: Der Offset der Voxeldaten ist ungültig. Exportieren Sie die Datei neu.</translation>
     </message>
     <message>
-        <source>the axes are at %1 to each other instead of 90°. Resample the volume to orthogonal axes.</source>
+        <source>the angle between the axes is %1 instead of 90°. Resample the volume to orthogonal axes.</source>
         <comment>volume.skewed</comment>
         <translation>die Achsen stehen %1 statt 90° zueinander. Tasten Sie das Volumen auf orthogonale Achsen neu ab.</translation>
     </message>
@@ -6704,7 +6704,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>der %1-Header ist nicht lesbar. Exportieren Sie die Datei neu.</translation>
     </message>
     <message>
-        <source>the HeaderSize is invalid. Correct the header.</source>
+        <source>HeaderSize is invalid. Correct the header.</source>
         <comment>volume.header-size</comment>
         <translation>die HeaderSize ist ungültig. Berichtigen Sie den Header.</translation>
     </message>
@@ -6719,27 +6719,27 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>line skip oder byte skip ist ungültig. Berichtigen Sie den Header.</translation>
     </message>
     <message>
-        <source>the header skips lines in a separate data file. Save header and voxels as one file.</source>
+        <source>the header skips lines in a separate data file. Save the header and the voxels as one file.</source>
         <comment>volume.skips-lines-elsewhere</comment>
         <translation>der Header überspringt Zeilen in einer separaten Datendatei. Speichern Sie Header und Voxel als eine Datei.</translation>
     </message>
     <message>
-        <source>the voxels are split over several files. Save the volume as one file.</source>
+        <source>the voxel data are split across several files. Save the volume as one file.</source>
         <comment>volume.several-files</comment>
         <translation>die Voxel sind auf mehrere Dateien verteilt. Speichern Sie es als eine Datei.</translation>
     </message>
     <message>
-        <source>the voxel type &quot;%1&quot; is not supported. Save the volume as 16-bit or float.</source>
+        <source>the voxel type &quot;%1&quot; is not supported. Save the volume with 16-bit integer or floating-point voxels.</source>
         <comment>volume.voxel-type</comment>
         <translation>der Voxeltyp „%1“ wird nicht unterstützt. Speichern Sie es als 16 Bit oder float.</translation>
     </message>
     <message>
-        <source>the voxel type (NIfTI datatype %1) is not supported. Save the volume as 16-bit or float.</source>
+        <source>the voxel type (NIfTI datatype %1) is not supported. Save the volume with 16-bit integer or floating-point voxels.</source>
         <comment>volume.nifti-type</comment>
         <translation>der Voxeltyp (NIfTI-Datentyp %1) wird nicht unterstützt. Speichern Sie es als 16 Bit oder float.</translation>
     </message>
     <message>
-        <source>the voxel type is not supported. Save the volume as 16-bit or float.</source>
+        <source>the voxel type is not supported. Save the volume with 16-bit integer or floating-point voxels.</source>
         <comment>volume.other-voxel-type</comment>
         <translation>der Voxeltyp wird nicht unterstützt. Speichern Sie es als 16 Bit oder float.</translation>
     </message>
@@ -6789,17 +6789,17 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>die Datei mit den Voxeln lässt sich nicht lesen (%1).</translation>
     </message>
     <message>
-        <source>the voxel data start with the header of another volume. Open that file itself, or set the number of bytes to skip: -1 if the voxels are at the end.</source>
+        <source>the voxel data start with the header of another volume. Open that file itself, or set the number of bytes to skip (-1 if the voxels are at the end).</source>
         <comment>volume.voxels-are-header</comment>
         <translation>die Voxeldaten beginnen mit dem Header eines anderen Volumens. Öffnen Sie jene Datei selbst, oder geben Sie die Zahl der zu überspringenden Bytes an: -1, wenn die Voxel am Ende stehen.</translation>
     </message>
     <message>
-        <source>no voxel contains a valid number. Export the volume again.</source>
+        <source>the volume contains no finite voxel values. Export it again.</source>
         <comment>volume.no-numbers</comment>
-        <translation>kein Voxel enthält eine gültige Zahl. Exportieren Sie das Volumen neu.</translation>
+        <translation>das Volumen enthält keine endlichen Voxelwerte. Exportieren Sie es neu.</translation>
     </message>
     <message>
-        <source>%1 voxels are not numbers; they are set to the lowest value.</source>
+        <source>Some voxel values are not numbers (%1 voxels); they are set to the lowest value.</source>
         <comment>volume.not-numbers</comment>
         <translation>%1 Voxel sind keine Zahlen; sie werden auf den kleinsten Wert gesetzt.</translation>
     </message>
@@ -6809,24 +6809,24 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Die %1-Voxel werden auf 16 Bit gerundet, in Schritten von %2.</translation>
     </message>
     <message>
-        <source>The header does not specify the orientation of the axes: i to the left, j to the back and k to the head are assumed. Check left and right.</source>
+        <source>The header does not specify the orientation of the axes: i toward the left, j posterior and k superior are assumed. Check left and right.</source>
         <comment>volume.axes-assumed</comment>
         <translation>Der Header nennt die Ausrichtung der Achsen nicht: i nach links, j nach hinten und k zum Kopf werden angenommen. Prüfen Sie links und rechts.</translation>
     </message>
     <message>
-        <source>The header does not specify the orientation of the voxels: +x (right to left), +y (front to back) and +z (up) are assumed to be i, j reversed and k. Check left and right.</source>
+        <source>The header does not specify the orientation of the voxels: +x (right to left), +y (anterior to posterior) and +z (superior) are assumed to correspond to i, reversed j and k. Check left and right.</source>
         <comment>volume.voxels-assumed</comment>
         <translation>Der Header nennt die Ausrichtung der Voxel nicht: +x (rechts nach links), +y (vorn nach hinten) und +z (aufwärts) werden als i, umgekehrtes j und k angenommen. Prüfen Sie links und rechts.</translation>
     </message>
     <message>
-        <source>The header contains no voxel size: 1 x 1 x 1 mm is assumed.</source>
+        <source>The header contains no voxel size: 1 × 1 × 1 mm is assumed.</source>
         <comment>volume.size-assumed</comment>
-        <translation>Der Header enthält keine Voxelgröße: 1 x 1 x 1 mm wird angenommen.</translation>
+        <translation>Der Header enthält keine Voxelgröße: 1 × 1 × 1 mm wird angenommen.</translation>
     </message>
     <message>
-        <source>The voxel size is specified as 1 x 1 x 1 mm: check that it was not lost in a conversion.</source>
+        <source>The voxel size is specified as 1 × 1 × 1 mm: check that the true size was not lost in a conversion.</source>
         <comment>volume.size-of-one</comment>
-        <translation>Die Voxelgröße ist mit 1 x 1 x 1 mm angegeben: Prüfen Sie, ob sie bei einer Umwandlung verloren ging.</translation>
+        <translation>Die Voxelgröße ist mit 1 × 1 × 1 mm angegeben: Prüfen Sie, ob sie bei einer Umwandlung verloren ging.</translation>
     </message>
     <message>
         <source>NIfTI supports at most 32767 voxels along an axis. Save the volume as .nrrd or .mha.</source>
@@ -6864,17 +6864,17 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>die Datei enthält den Wert %1, der kein Label ist: Labels sind nichtnegative ganze Zahlen. Wählen Sie ein Labelbild.</translation>
     </message>
     <message>
-        <source>the file contains no labeled voxels: every voxel is background. Choose another segmentation.</source>
+        <source>the file contains no labeled voxels: all voxels are background. Choose another segmentation.</source>
         <comment>labels.nothing-marked</comment>
         <translation>die Datei enthält keine markierten Voxel: Alle Voxel sind Hintergrund. Wählen Sie eine andere Segmentierung.</translation>
     </message>
     <message>
-        <source>there is no label %1. Available labels: %2. Choose one of these.</source>
+        <source>there is no label %1. Choose one of the available labels: %2.</source>
         <comment>labels.no-such-number</comment>
         <translation>es gibt kein Label %1. Vorhandene Labels: %2. Wählen Sie eines davon.</translation>
     </message>
     <message>
-        <source>there is no label &quot;%1&quot;. Available labels: %2. Choose one of these.</source>
+        <source>there is no label &quot;%1&quot;. Choose one of the available labels: %2.</source>
         <comment>labels.no-such-name</comment>
         <translation>es gibt kein Label „%1“. Vorhandene Labels: %2. Wählen Sie eines davon.</translation>
     </message>
@@ -6894,17 +6894,17 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Wegen ihres Namens ausgelassene Labels: %1.</translation>
     </message>
     <message>
-        <source>The volume contains labels; its vessels are taken directly from them.</source>
+        <source>The volume contains labels; the vessels are taken directly from these.</source>
         <comment>labels.volume-holds-labels</comment>
         <translation>Das Volumen enthält Labels; die Gefäße werden direkt daraus übernommen.</translation>
     </message>
     <message>
-        <source>Measuring lengths at the vessels requires their depth. Open the vessels, or measure at the detector or in pixels.</source>
+        <source>Measuring lengths at the vessels requires the depth of the vessels. Open a vessel tree, or measure at the detector or in pixels.</source>
         <comment>measure.needs-vessels</comment>
         <translation>Eine Länge an den Gefäßen erfordert deren Tiefe. Öffnen Sie die Gefäße, oder messen Sie am Detektor oder in Pixeln.</translation>
     </message>
     <message>
-        <source>The vessels lie behind the X-ray source, so nothing can be measured at them. Correct the pose, or measure in pixels.</source>
+        <source>The vessels lie behind the X-ray source, so lengths at the vessels cannot be measured. Correct the pose, or measure in pixels.</source>
         <comment>measure.behind-source</comment>
         <translation>Die Gefäße liegen hinter dem Röntgenfokus, daher lässt sich an ihnen nichts messen. Korrigieren Sie die Lage, oder messen Sie in Pixeln.</translation>
     </message>
@@ -6914,17 +6914,17 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Die Pixelgröße des Detektors ist unbekannt. Geben Sie sie unter „Geometrie“ ein, oder messen Sie in Pixeln.</translation>
     </message>
     <message>
-        <source>This type of measurement requires at least %1 points; this one has %2. Draw it again.</source>
+        <source>This type of measurement requires at least %1 points, but has only %2. Draw the measurement again.</source>
         <comment>measure.points</comment>
         <translation>Diese Art von Messung braucht mindestens %1 Punkte; diese hat %2. Zeichnen Sie sie neu.</translation>
     </message>
     <message>
-        <source>A point of the measurement has a non-finite coordinate. Draw it again.</source>
+        <source>A point of the measurement has a non-finite coordinate. Draw the measurement again.</source>
         <comment>measure.not-finite</comment>
         <translation>Ein Punkt der Messung hat eine nicht endliche Koordinate. Zeichnen Sie sie neu.</translation>
     </message>
     <message>
-        <source>One side of the angle has zero length. Move its points apart.</source>
+        <source>One side of the angle has zero length. Move its two points apart.</source>
         <comment>measure.angle-open</comment>
         <translation>Ein Schenkel des Winkels hat die Länge null. Ziehen Sie seine Punkte auseinander.</translation>
     </message>
@@ -6954,17 +6954,17 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>%1 (Maßstab angenommen)</translation>
     </message>
     <message>
-        <source>At the depth of the vessels&apos; centroid (%1 from the source), a pixel measures %2. Segments that run toward or away from the source are longer than they appear.</source>
+        <source>Pixel size %2 at the depth of the vessel centroid (%1 from the source). Segments that run toward or away from the source are longer than they appear.</source>
         <comment>measure.basis-vessels</comment>
-        <translation>In der Tiefe des Gefäßschwerpunkts (%1 vom Fokus) misst ein Pixel %2. Abschnitte, die zum Fokus hin oder von ihm weg verlaufen, sind länger, als sie erscheinen.</translation>
+        <translation>Pixelgröße %2 in der Tiefe des Gefäßschwerpunkts (%1 vom Fokus). Abschnitte, die zum Fokus hin oder von ihm weg verlaufen, sind länger, als sie erscheinen.</translation>
     </message>
     <message>
-        <source>On the detector, a pixel measures %1. Structures in the patient are smaller by the magnification factor.</source>
+        <source>Pixel size %1 at the detector. Structures in the patient are smaller by the magnification factor.</source>
         <comment>measure.basis-detector</comment>
-        <translation>Auf dem Detektor misst ein Pixel %1. Strukturen im Patienten sind um den Vergrößerungsfaktor kleiner.</translation>
+        <translation>Pixelgröße %1 auf dem Detektor. Strukturen im Patienten sind um den Vergrößerungsfaktor kleiner.</translation>
     </message>
     <message>
-        <source>Image pixels only; no physical scale.</source>
+        <source>In image pixels only; no physical scale.</source>
         <comment>measure.basis-pixels</comment>
         <translation>Nur Bildpixel; kein physikalischer Maßstab.</translation>
     </message>
@@ -6989,32 +6989,32 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Die Geometrie hinter diesem Maßstab wurde manuell eingegeben.</translation>
     </message>
     <message>
-        <source>This pose does not come from a registration; the depth of the vessels is unverified.</source>
+        <source>This pose was not determined by a registration; the depth of the vessels is unverified.</source>
         <comment>measure.depth-unchecked</comment>
         <translation>Diese Lage stammt nicht aus einer Registrierung; die Tiefe der Gefäße ist ungeprüft.</translation>
     </message>
     <message>
-        <source>The registration of this pose is not reliable, and neither is the depth of the vessels.</source>
+        <source>The registration that determined this pose is not reliable, and neither is the depth of the vessels.</source>
         <comment>measure.pose-doubtful</comment>
         <translation>Die Registrierung dieser Lage ist nicht verlässlich und damit auch nicht die Tiefe der Gefäße.</translation>
     </message>
     <message>
-        <source>Depth uncertainty: ±%1 (1-σ), which is ±%2 of the length.</source>
+        <source>Depth uncertainty: ±%1 (1-σ), which corresponds to ±%2 of the measured length.</source>
         <comment>measure.depth-spread</comment>
         <translation>Unsicherheit der Tiefe: ±%1 (1-σ), das sind ±%2 der Länge.</translation>
     </message>
     <message>
-        <source>this type of measurement requires at least %1 points, not %2. Add points or remove the measurement.</source>
+        <source>this type of measurement requires at least %1 points, not %2. Add points, or remove the measurement.</source>
         <comment>case.measurement-points</comment>
         <translation>diese Art von Messung braucht mindestens %1 Punkte, nicht %2. Ergänzen Sie Punkte, oder entfernen Sie die Messung.</translation>
     </message>
     <message>
-        <source>Branch %1 has no length, so nothing can be measured along it. Trace it again.</source>
+        <source>Branch %1 has zero length, so nothing can be measured along it. Trace the branch again.</source>
         <comment>measure.branch-no-length</comment>
         <translation>Ast %1 hat keine Länge, daher lässt sich entlang seines Verlaufs nichts messen. Erfassen Sie ihn neu.</translation>
     </message>
     <message>
-        <source>This branch has no radii, so its diameter is unknown. Trace a scan, or open a tree with radii.</source>
+        <source>This branch has no radii, so its diameter is unknown. Trace the vessels in a scan, or open a tree with radii.</source>
         <comment>measure.branch-no-radii</comment>
         <translation>Dieser Ast hat keine Radien, daher ist sein Durchmesser unbekannt. Erfassen Sie die Gefäße eines Scans, oder öffnen Sie einen Gefäßbaum mit Radien.</translation>
     </message>
@@ -7024,7 +7024,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Kein Abschnitt dieses Astes ist gleichmäßig genug für eine Referenz; es wird keine Stenose angegeben.</translation>
     </message>
     <message>
-        <source>No scale was entered for this image. Enter the size of a pixel, or measure in pixels.</source>
+        <source>No scale was entered for this image. Enter the pixel size, or measure in pixels.</source>
         <comment>measure.needs-typed-scale</comment>
         <translation>Für dieses Bild wurde kein Maßstab eingegeben. Geben Sie die Größe eines Pixels ein, oder messen Sie in Pixeln.</translation>
     </message>
@@ -7034,9 +7034,9 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>%1 (Maßstab eingegeben)</translation>
     </message>
     <message>
-        <source>A pixel measures %1, as entered for this image. This holds only at the depth where it was measured.</source>
+        <source>Pixel size %1, as entered for this image. Valid only at the depth at which it was determined.</source>
         <comment>measure.basis-typed</comment>
-        <translation>Ein Pixel misst %1, wie für dieses Bild eingegeben. Das gilt nur in der Tiefe, in der gemessen wurde.</translation>
+        <translation>Pixelgröße %1, wie für dieses Bild eingegeben. Gilt nur in der Tiefe, für die sie bestimmt wurde.</translation>
     </message>
     <message>
         <source>Not marked in this frame. Choose “Mark target point in image” and click the point.</source>
@@ -7044,27 +7044,27 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>In diesem Bild nicht markiert. Wählen Sie „Zielpunkt im Bild markieren“, und klicken Sie auf den Punkt.</translation>
     </message>
     <message>
-        <source>Marked in frame %1, but the pose belongs to frame %2. Go to the marked frame, or mark the point in the current one.</source>
+        <source>Marked in frame %1, but the pose belongs to frame %2. Go to the marked frame, or mark the point in the current frame.</source>
         <comment>check.other-frame</comment>
         <translation>In Bild %1 markiert, aber die Lage gehört zu Bild %2. Wechseln Sie zum markierten Bild, oder markieren Sie den Punkt in diesem.</translation>
     </message>
     <message>
-        <source>The point lies behind the X-ray source at this pose. Correct the pose.</source>
+        <source>At this pose, the point lies behind the X-ray source. Correct the pose.</source>
         <comment>check.behind-source</comment>
         <translation>Bei dieser Lage liegt der Punkt hinter dem Röntgenfokus. Korrigieren Sie die Lage.</translation>
     </message>
     <message>
-        <source>In the image plane at the depth of the point (%1 from the source): %2, %3. A pixel measures %4 there, which limits the click accuracy.</source>
+        <source>In the image plane at the depth of the point (%1 from the source): %2, %3. The pixel size there is %4, which limits the click accuracy.</source>
         <comment>check.image-error</comment>
         <translation>In der Bildebene in der Tiefe des Punkts (%1 vom Fokus): %2, %3. Ein Pixel misst dort %4 und begrenzt die Genauigkeit eines Klicks.</translation>
     </message>
     <message>
-        <source>The pose covariance predicts %1 at this point (1-σ).</source>
+        <source>The pose covariance predicts an error of %1 at this point (1-σ).</source>
         <comment>check.claimed</comment>
         <translation>Die Kovarianz der Lage sagt an diesem Punkt %1 voraus (1-σ).</translation>
     </message>
     <message>
-        <source>This pose does not come from a registration; no error is predicted.</source>
+        <source>This pose was not determined by a registration; no error is predicted.</source>
         <comment>check.nothing-claimed</comment>
         <translation>Diese Lage stammt nicht aus einer Registrierung; es wird kein Fehler vorhergesagt.</translation>
     </message>
@@ -7074,17 +7074,17 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Mit verformten Gefäßen: %1.</translation>
     </message>
     <message>
-        <source>In 3-D, at the intersection of the rays of views %1 (angle %2): %3. Distance between the rays: %4.</source>
+        <source>In 3-D, where the rays of views %1 are closest to each other (angle %2): %3. Distance between the rays: %4.</source>
         <comment>check.space-error</comment>
-        <translation>In 3-D, am Schnittpunkt der Strahlen der Ansichten %1 (Winkel %2): %3. Abstand der Strahlen: %4.</translation>
+        <translation>In 3-D, wo sich die Strahlen der Ansichten %1 am nächsten kommen (Winkel %2): %3. Abstand der Strahlen: %4.</translation>
     </message>
     <message>
-        <source>A 3-D error requires the point to be marked in two views; it is currently marked in at most one.</source>
+        <source>A 3-D error can be computed only if the point is marked in two views; it is currently marked in at most one.</source>
         <comment>check.needs-two-views</comment>
         <translation>Ein 3-D-Fehler setzt voraus, dass der Punkt in zwei Ansichten markiert ist; bisher ist er höchstens in einer markiert.</translation>
     </message>
     <message>
-        <source>The views show the point from almost the same direction (%1 between the rays), so its depth cannot be determined.</source>
+        <source>The views show the point from almost the same direction (angle between the rays: %1), so its depth cannot be determined.</source>
         <comment>check.rays-alike</comment>
         <translation>Die Ansichten zeigen den Punkt aus fast derselben Richtung (%1 zwischen den Strahlen), daher lässt sich seine Tiefe nicht bestimmen.</translation>
     </message>
@@ -7109,12 +7109,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Dieser Ast hat hier keinen Radius, daher ist die Größe eines Rings nicht definiert. Setzen Sie stattdessen einen Zielpunkt.</translation>
     </message>
     <message>
-        <source>Click on the vessels: target points and rings must lie on them.</source>
+        <source>Click the vessels: target points and rings must lie on them.</source>
         <comment>check.needs-vessels</comment>
         <translation>Klicken Sie auf die Gefäße: Zielpunkte und Ringe müssen auf ihnen liegen.</translation>
     </message>
     <message>
-        <source>Patient coordinates x %1, y %2, z %3.</source>
+        <source>Patient coordinates: x %1, y %2, z %3.</source>
         <comment>check.place</comment>
         <translation>Patientenkoordinaten x %1, y %2, z %3.</translation>
     </message>
@@ -7124,12 +7124,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>zwei Marken haben die Nummer %1. Geben Sie jeder eine eigene Nummer.</translation>
     </message>
     <message>
-        <source>a ring requires a radius greater than 0 and a direction. Add them or remove the ring.</source>
+        <source>a ring requires a radius greater than 0 and a direction. Add both, or remove the ring.</source>
         <comment>case.ring-open</comment>
         <translation>ein Ring braucht einen Radius über 0 und eine Richtung. Ergänzen Sie beides, oder entfernen Sie den Ring.</translation>
     </message>
     <message>
-        <source>an arrow requires two points, a text annotation one. Correct the points or remove the annotation.</source>
+        <source>an arrow requires two points and a text annotation one point. Correct the points, or remove the annotation.</source>
         <comment>case.annotation-points</comment>
         <translation>ein Pfeil braucht zwei Punkte, ein Text einen. Korrigieren Sie die Punkte, oder entfernen Sie die Anmerkung.</translation>
     </message>
@@ -7139,7 +7139,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Voxelgröße des Scans: %1 × %2 × %3.</translation>
     </message>
     <message>
-        <source>Scan voxels; their size is unknown because the scan is not open.</source>
+        <source>In scan voxels; the voxel size is unknown because the scan is not open.</source>
         <comment>measure.basis-scan-away</comment>
         <translation>Scan-Voxel; ihre Größe ist unbekannt, weil der Scan nicht geöffnet ist.</translation>
     </message>
@@ -7154,12 +7154,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>dies ist ein Befund, kein Bild.</translation>
     </message>
     <message>
-        <source>this only defines how other images are displayed.</source>
+        <source>this object only defines how other images are displayed.</source>
         <comment>study.presentation</comment>
         <translation>dies legt nur fest, wie andere Bilder dargestellt werden.</translation>
     </message>
     <message>
-        <source>this contains no image (%1).</source>
+        <source>this object contains no image (%1).</source>
         <comment>study.no-image</comment>
         <translation>hier ist kein Bild enthalten (%1).</translation>
     </message>
@@ -7169,7 +7169,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>dies ist ein Übersichtsbild (Scout), weder Volumen noch Angiogramm.</translation>
     </message>
     <message>
-        <source>the frames are compressed as video, which is not supported. Export them in another format.</source>
+        <source>the frames are compressed as video, which is not supported. Export the run in another format.</source>
         <comment>study.video</comment>
         <translation>die Bilder sind als Video komprimiert, was nicht unterstützt wird. Exportieren Sie sie in einem anderen Format.</translation>
     </message>
@@ -7179,7 +7179,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>AngioPose erfasst in Bildern der Modalität %1 keine Gefäße.</translation>
     </message>
     <message>
-        <source>listed in the DICOMDIR, but the files are missing.</source>
+        <source>this is listed in the DICOMDIR, but the files are missing.</source>
         <comment>study.missing</comment>
         <translation>im DICOMDIR aufgeführt, aber die Dateien fehlen.</translation>
     </message>
@@ -7209,7 +7209,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>ein Film muss mindestens %1 Pixel je Seite haben. Wählen Sie eine größere Größe.</translation>
     </message>
     <message>
-        <source>MP4 does not support frames of %1 × %2 pixels: the limit is 9,437,184 pixels (4096 × 2304), and 8688 per side. Choose a smaller size, or GIF.</source>
+        <source>MP4 does not support frames of %1 × %2 pixels: the limits are 9,437,184 pixels per frame (4096 × 2304) and 8688 pixels per side. Choose a smaller size, or GIF.</source>
         <comment>movie.too-large</comment>
         <translation>MP4 unterstützt keine Bilder von %1 × %2 Pixeln: Die Grenze liegt bei 9.437.184 Pixeln (4096 × 2304) und 8688 je Seite. Wählen Sie eine kleinere Größe oder GIF.</translation>
     </message>
@@ -7244,7 +7244,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Die Berichtsvorlage %1 ist nicht lesbar: Eine Vorlage muss ein UTF-8-Text von höchstens 1 MB sein. Wählen Sie eine andere Vorlage oder die eingebaute.</translation>
     </message>
     <message>
-        <source>The report template does not contain %1. Without it, a report could omit information that must be read together with the result. Add it.</source>
+        <source>The report template does not contain %1. Without it, a report could omit information that must be read together with the result. Add it to the template.</source>
         <comment>report.template-lacks</comment>
         <translation>Der Berichtsvorlage fehlt %1. Ohne diese Angabe könnte ein Bericht Informationen auslassen, die mit dem Ergebnis gelesen werden müssen. Fügen Sie sie hinzu.</translation>
     </message>
@@ -7259,7 +7259,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Die Berichtsvorlage enthält „%1“, womit sich andere Inhalte laden oder ausführen ließen. Entfernen Sie es.</translation>
     </message>
     <message>
-        <source>The image %1 of the report template cannot be read. Place it next to the template, as PNG or JPEG of at most 16 MB and 8192 pixels per side.</source>
+        <source>The image %1 of the report template cannot be read. Place it next to the template, as a PNG or JPEG file of at most 16 MB and 8192 pixels per side.</source>
         <comment>report.template-picture</comment>
         <translation>Das Bild %1 der Berichtsvorlage ist nicht lesbar. Legen Sie es neben die Vorlage, als PNG oder JPEG von höchstens 16 MB und 8192 Pixeln je Seite.</translation>
     </message>
@@ -7274,27 +7274,27 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>das ist kein PDF. Exportieren Sie zuerst den Bericht als PDF.</translation>
     </message>
     <message>
-        <source>a presentation state must reference a DICOM image, and this angiogram cannot be referenced. Open it as DICOM, or leave out the presentation state.</source>
+        <source>a presentation state must reference a DICOM image, but this angiogram cannot be referenced. Open it as DICOM, or leave out the presentation state.</source>
         <comment>object.no-reference</comment>
         <translation>ein Presentation State muss auf ein DICOM-Bild verweisen, und auf dieses Angiogramm lässt sich nicht verweisen. Öffnen Sie es als DICOM, oder lassen Sie den Presentation State weg.</translation>
     </message>
     <message>
-        <source>no vessels lie within the image. Move them into it first, or leave out the presentation state.</source>
+        <source>no vessels lie within the image. Move the vessels into the image first, or leave out the presentation state.</source>
         <comment>object.no-lines</comment>
         <translation>im Bild liegen keine Gefäße. Verschieben Sie sie zuerst dorthin, oder lassen Sie den Presentation State weg.</translation>
     </message>
     <message>
-        <source>the pose is not a rigid transform with finite values. Reset the pose first.</source>
+        <source>the pose is not a rigid transform with finite values. Reset it first.</source>
         <comment>object.pose-not-rigid</comment>
         <translation>die Lage ist keine starre Transformation mit endlichen Werten. Setzen Sie zuerst die Lage zurück.</translation>
     </message>
     <message>
-        <source>no vessel lies in the scan. Check that scan and vessels belong to the same patient, or leave out the segmentation.</source>
+        <source>no vessel lies within the scan. Check that the scan and the vessels belong to the same patient, or leave out the segmentation.</source>
         <comment>object.no-voxels</comment>
         <translation>im Scan liegt kein Gefäß. Prüfen Sie, ob Scan und Gefäße vom selben Patienten stammen, oder lassen Sie die Segmentierung weg.</translation>
     </message>
     <message>
-        <source>there is no measurement and no registration result. Create one of them first, or leave out the measurements.</source>
+        <source>there is neither a measurement nor a registration result. Create one of them first, or leave out the measurements.</source>
         <comment>object.nothing-measured</comment>
         <translation>es gibt weder eine Messung noch ein Registrierungsergebnis. Erstellen Sie zuerst eines davon, oder lassen Sie die Messungen weg.</translation>
     </message>
@@ -7309,7 +7309,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>eine Segmentierung braucht den Scan oder die Maske, aus denen die Gefäße stammen. Öffnen Sie diese zuerst, oder lassen Sie die Segmentierung weg.</translation>
     </message>
     <message>
-        <source>the program angiopose, which creates the reports, is missing at &apos;%1&apos;. Install it next to angiopose-cli, or build the target angiopose.</source>
+        <source>the program angiopose, which creates the reports, was not found at &apos;%1&apos;. Install it next to angiopose-cli, or build the target angiopose.</source>
         <comment>report.program-missing</comment>
         <translation>das Programm angiopose, das die Berichte schreibt, fehlt unter &apos;%1&apos;. Installieren Sie es neben angiopose-cli, oder bauen Sie das Ziel angiopose.</translation>
     </message>
@@ -7329,7 +7329,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>angehalten; es wurde kein Bericht geschrieben.</translation>
     </message>
     <message>
-        <source>reports are created by angiopose-cli report or in the window. Pass the PDF with --report, or leave out the report.</source>
+        <source>reports are created with `angiopose-cli report` or in the window. Pass the PDF with --report, or leave out the report.</source>
         <comment>dicom-export.no-report</comment>
         <translation>Berichte entstehen mit angiopose-cli report oder im Fenster. Geben Sie das PDF mit --report an, oder lassen Sie den Bericht weg.</translation>
     </message>
@@ -7349,12 +7349,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Der Scan ist keine DICOM-Serie: Seine Segmentierung verweist auf keine Serie und hat ein eigenes Bezugssystem.</translation>
     </message>
     <message>
-        <source>A Spatial Registration contains only a rigid matrix. It cannot store the perspective camera, which an overlay requires. The camera is stored in private elements and in the accompanying camera.json.</source>
+        <source>A Spatial Registration object contains only a rigid matrix. It cannot store the perspective camera, which an overlay requires. The camera is stored in private elements and in the accompanying file camera.json.</source>
         <comment>dicom-export.rigid-only</comment>
         <translation>Eine Spatial Registration enthält nur eine starre Matrix. Die perspektivische Kamera, die eine Überlagerung erfordert, kann sie nicht speichern. Die Kamera steht in ihren privaten Elementen und in der beiliegenden camera.json.</translation>
     </message>
     <message>
-        <source>The presentation state shows the image as stored, not subtracted: its gray values differ from those shown here.</source>
+        <source>The presentation state shows the image as stored, without subtraction: its gray values differ from those shown here.</source>
         <comment>dicom-export.treated</comment>
         <translation>Der Presentation State zeigt das gespeicherte, nicht subtrahierte Bild: Seine Grauwerte weichen von den hier gezeigten ab.</translation>
     </message>
@@ -7364,9 +7364,9 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>aus diesem Fall lässt sich keines dieser Objekte erzeugen. Öffnen Sie zuerst Gefäße und ein Angiogramm.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is unknown. Use %2.</source>
+        <source>&quot;%1&quot; is unknown. Use one of these: %2.</source>
         <comment>dicom-export.kind-unknown</comment>
-        <translation>„%1“ ist unbekannt. Verwenden Sie %2.</translation>
+        <translation>„%1“ ist unbekannt. Verwenden Sie eines von diesen: %2.</translation>
     </message>
     <message>
         <source>stopped; nothing was written.</source>
@@ -7384,7 +7384,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Für diese Lage ist keine Registrierung verzeichnet. Registrieren Sie zuerst.</translation>
     </message>
     <message>
-        <source>stopped before the movie was complete. Nothing was written.</source>
+        <source>stopped before the movie was complete; nothing was written.</source>
         <comment>movie.stopped</comment>
         <translation>angehalten, bevor der Film vollständig war. Es wurde nichts geschrieben.</translation>
     </message>
@@ -7414,7 +7414,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Schritt %1 von %2 · Median %3 · Ergebnis nicht verlässlich</translation>
     </message>
     <message>
-        <source>front view, rotated by %1</source>
+        <source>frontal view, rotated by %1</source>
         <comment>movie.turned</comment>
         <translation>Ansicht von vorn, um %1 gedreht</translation>
     </message>
@@ -7434,37 +7434,37 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>der Fall ist auch anderswo geöffnet (Prozess %1 auf %2). Speichern Sie ihn unter anderem Namen, oder schließen Sie ihn dort.</translation>
     </message>
     <message>
-        <source>the table lists no cases. Start with a header row that contains the column case and one of the columns reference and pairs; add one row per case.</source>
+        <source>the table lists no cases. Start with a header row that contains a case column and either a reference or a pairs column; add one row per case.</source>
         <comment>own.no-header</comment>
         <translation>die Tabelle führt keine Fälle auf. Beginnen Sie mit einer Kopfzeile mit der Spalte case und einer der Spalten reference und pairs; fügen Sie je Fall eine Zeile hinzu.</translation>
     </message>
     <message>
-        <source>line %1 specifies no case. Enter the path of a case file in the column case.</source>
+        <source>line %1 specifies no case. Enter the path of a case file in the case column.</source>
         <comment>own.no-case</comment>
         <translation>Zeile %1 nennt keinen Fall. Geben Sie in der Spalte case den Pfad einer Falldatei an.</translation>
     </message>
     <message>
-        <source>line %1 has no ground truth. Specify a pose in the column reference, or a table of point pairs in the column pairs.</source>
+        <source>line %1 has no ground truth. Specify a pose in the reference column, or a table of point pairs in the pairs column.</source>
         <comment>own.no-truth</comment>
         <translation>Zeile %1 hat keine Referenzwahrheit. Geben Sie eine Lage in der Spalte reference an oder eine Tabelle von Punktpaaren in der Spalte pairs.</translation>
     </message>
     <message>
-        <source>line %1 specifies the true vessel positions in the column bent. This requires a pose in the column reference and excludes landmarks, which would also have to be deformed.</source>
+        <source>line %1 specifies the true vessel positions in the bent column. This requires a pose in the reference column and cannot be combined with landmarks, which would also have to be deformed.</source>
         <comment>own.bent-alone</comment>
         <translation>Zeile %1 gibt in der Spalte bent die wahren Gefäßpositionen an. Das erfordert eine Lage in der Spalte reference und schließt Landmarken aus, die ebenfalls verformt werden müssten.</translation>
     </message>
     <message>
-        <source>the branches, or their numbers of points, differ from those of the case&apos;s vessels. Deformed vessels are evaluated point by point: move the points of the case&apos;s own vessel file.</source>
+        <source>the branches or their numbers of points differ from those of the vessels of the case. Deformed vessels are evaluated point by point: create them by moving the points of the case&apos;s own vessel file.</source>
         <comment>own.bent-other</comment>
         <translation>die Äste oder deren Punktzahlen weichen von den Gefäßen des Falles ab. Verformte Gefäße werden Punkt für Punkt ausgewertet: Verschieben Sie die Punkte der Gefäßdatei des Falles.</translation>
     </message>
     <message>
-        <source>line %1: &apos;%2&apos; is not a valid condition name, because files are named after it. Use letters, digits, dots, dashes and underscores.</source>
+        <source>line %1: &apos;%2&apos; is not a valid condition name. It is used in file names: use only letters, digits, periods, hyphens and underscores.</source>
         <comment>own.condition-name</comment>
-        <translation>Zeile %1: &apos;%2&apos; ist kein gültiger Name einer Bedingung, denn Dateien werden danach benannt. Verwenden Sie Buchstaben, Ziffern, Punkte, Binde- und Unterstriche.</translation>
+        <translation>Zeile %1: &apos;%2&apos; ist kein gültiger Name einer Bedingung. Er wird in Dateinamen verwendet: Verwenden Sie nur Buchstaben, Ziffern, Punkte, Binde- und Unterstriche.</translation>
     </message>
     <message>
-        <source>a column is named &apos;pose.&apos; without a name after the dot. Add the name of the method or person that determined these poses.</source>
+        <source>a column is named &apos;pose.&apos; without a name after the period. Add the name of the method or person that determined these poses.</source>
         <comment>own.pose-without-name</comment>
         <translation>eine Spalte heißt &apos;pose.&apos; ohne Namen nach dem Punkt. Ergänzen Sie die Methode oder Person, die diese Lagen bestimmt hat.</translation>
     </message>
@@ -7479,12 +7479,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>die Tabelle enthält keine Punkte.</translation>
     </message>
     <message>
-        <source>column %1 is missing: this is not a blind trial log, or it was written by an earlier version that did not store the centroid. Such logs are created by Registration &gt; Blind observer trial.</source>
+        <source>column %1 is missing: this is not a blind trial log, or it was written by an earlier version that did not store the centroid. Create a new log with Registration &gt; Blind observer trial.</source>
         <comment>observers.column-missing</comment>
-        <translation>die Spalte %1 fehlt: Dies ist kein Protokoll von Blindversuchen, oder eine frühere Version, die den Schwerpunkt nicht speicherte, hat es geschrieben. Solche Protokolle erzeugt Registrierung &gt; Blinder Beobachterversuch.</translation>
+        <translation>die Spalte %1 fehlt: Dies ist kein Protokoll von Blindversuchen, oder eine frühere Version, die den Schwerpunkt nicht speicherte, hat es geschrieben. Erzeugen Sie mit Registrierung &gt; Blinder Beobachterversuch ein neues Protokoll.</translation>
     </message>
     <message>
-        <source>The logs contain no two finished trials of the same image, so there is nothing to compare. Have an observer repeat a trial, or another observer perform it.</source>
+        <source>The logs contain no two finished trials of the same image, so there is nothing to compare. Have an observer repeat a trial, or have another observer perform it.</source>
         <comment>observers.too-few</comment>
         <translation>Die Protokolle enthalten keine zwei beendeten Versuche an demselben Bild, daher gibt es nichts zu vergleichen. Lassen Sie eine Person einen Versuch wiederholen oder eine andere ihn durchführen.</translation>
     </message>
@@ -7504,12 +7504,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>&apos;%1&apos; von %2 hat einen ungültigen Wert: %3.</translation>
     </message>
     <message>
-        <source>this is not a study file. The file must begin with &quot;format&quot;: &quot;angiopose-study&quot;, &quot;version&quot;: 1.</source>
+        <source>this is not a study file. A study file must begin with &quot;format&quot;: &quot;angiopose-study&quot;, &quot;version&quot;: 1.</source>
         <comment>study.no-study</comment>
         <translation>dies ist keine Studiendatei. Die Datei muss mit &quot;format&quot;: &quot;angiopose-study&quot;, &quot;version&quot;: 1 beginnen.</translation>
     </message>
     <message>
-        <source>two settings are named &apos;%1&apos;. Give each a unique name, which is also used as its folder name.</source>
+        <source>two settings are named &apos;%1&apos;. Give each setting a unique name, which is also used as its folder name.</source>
         <comment>study.name-twice</comment>
         <translation>zwei Einstellungen heißen &apos;%1&apos;. Geben Sie jeder einen eigenen Namen, der auch als Ordnername dient.</translation>
     </message>
@@ -7539,7 +7539,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>`simulate` braucht --seed für einen Fall oder --study für viele.</translation>
     </message>
     <message>
-        <source>%1 voxels lie far outside the range of all others (%2 to %3); they are clamped to that range.</source>
+        <source>Some voxel values (%1 voxels) are far outside the range of all others (%2 to %3); they are clamped to that range.</source>
         <comment>volume.stray-values</comment>
         <translation>%1 Voxel liegen weit außerhalb des Bereichs aller anderen (%2 bis %3); sie werden auf diesen Bereich begrenzt.</translation>
     </message>
@@ -7549,17 +7549,17 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>die Ausgabe wurde nicht vollständig geschrieben: Laufwerk oder Pipe hinter der Standardausgabe ist voll oder geschlossen. Schaffen Sie Platz, oder leiten Sie die Ausgabe um.</translation>
     </message>
     <message>
-        <source>the audit log cannot be written (%1), so actions are not recorded in it. Free up space, or grant write permission.</source>
+        <source>the audit log cannot be written (%1), so actions are not recorded. Free up space, or grant write permission.</source>
         <comment>audit.not-written</comment>
         <translation>das Audit-Protokoll lässt sich nicht schreiben (%1), daher werden Aktionen darin nicht verzeichnet. Schaffen Sie Platz, oder erlauben Sie das Schreiben.</translation>
     </message>
     <message>
-        <source>The header contains no table position: the image of this view determines the vessel position, and only the rotation comes from the angles.</source>
+        <source>The header contains no table position: the vessel position in this view is determined from its image, and only the rotation is derived from the gantry angles.</source>
         <comment>geometry.table-unknown</comment>
         <translation>Der Header enthält keine Tischposition: Die Gefäßposition in dieser Ansicht ergibt sich aus ihrem Bild, nur die Drehung aus den Winkeln.</translation>
     </message>
     <message>
-        <source>The only distance in the headers is (0018,1111), and it differs between the views (%1, %2), so it is not the isocenter distance. The shift between the views is not used; enter the source-to-isocenter distance (SOD) of both views.</source>
+        <source>The only distance in the headers is (0018,1111), and it differs between the views (%1, %2), so it is not the source-to-isocenter distance. The shift between the views is not used; enter the source-to-isocenter distance (SOD) of both views.</source>
         <comment>geometry.isocenter-unknown</comment>
         <translation>Der einzige Abstand in den Headern ist (0018,1111), und er unterscheidet sich zwischen den Ansichten (%1, %2), ist also nicht der Isozentrumsabstand. Die Verschiebung zwischen den Ansichten wird nicht verwendet; geben Sie für beide Ansichten den Abstand Fokus–Isozentrum (SOD) ein.</translation>
     </message>
@@ -7569,7 +7569,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Der Tisch bewegte sich während einer der Serien: Die Verschiebung zwischen den Ansichten wird als unbekannt behandelt (50 mm).</translation>
     </message>
     <message>
-        <source>Almost all lines traced here remain stationary throughout the run, as shutter edges, leads and bones do: the frame shows no contrast agent to track.</source>
+        <source>Almost all lines traced here remain stationary throughout the run, like shutter edges, leads and bones: the frame shows no contrast agent to track.</source>
         <comment>follow.stands-still</comment>
         <translation>Fast alle hier erkannten Linien stehen in der ganzen Serie still, wie Blendenränder, Kabel und Knochen: Das Bild zeigt kein Kontrastmittel, das sich verfolgen ließe.</translation>
     </message>
@@ -7594,14 +7594,14 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Bild %1 existiert nicht (ab 0 gezählt, wie in Falldateien). Die Aufnahme hat die Bilder 0 bis %2.</translation>
     </message>
     <message>
-        <source>The image is shown as its orientation tag (%1) specifies: rotated or mirrored relative to its stored pixels.</source>
+        <source>The image is shown as specified by its orientation tag (%1): rotated or mirrored relative to the stored pixels.</source>
         <comment>image.turned</comment>
         <translation>Das Bild wird gemäß seiner Orientierungsangabe (%1) dargestellt: gegenüber den gespeicherten Pixeln gedreht oder gespiegelt.</translation>
     </message>
     <message>
-        <source>page %1 has %2 x %3 pixels, the first page %4 x %5. Export the frames of a single run, all of the same size.</source>
+        <source>page %1 is %2 × %3 pixels, but the first page is %4 × %5 pixels. Export the frames of a single run, all of the same size.</source>
         <comment>image.pages-differ</comment>
-        <translation>Seite %1 hat %2 x %3 Pixel, die erste Seite %4 x %5. Exportieren Sie die Bilder einer einzigen Serie, alle gleich groß.</translation>
+        <translation>Seite %1 hat %2 × %3 Pixel, die erste Seite aber %4 × %5 Pixel. Exportieren Sie die Bilder einer einzigen Serie, alle gleich groß.</translation>
     </message>
     <message>
         <source>the file has %1 pages. Export the mask as a single image.</source>
@@ -7614,7 +7614,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Der Header nennt %1 Bilder, die Datei enthält aber %2; die in der Datei wurden geladen. Kopieren oder exportieren Sie die Datei erneut, falls Bilder fehlen.</translation>
     </message>
     <message>
-        <source>The header contains contradictory frame intervals: Frame Time %1, Frame Time Vector %2. %3 is used.</source>
+        <source>The header contains contradictory frame intervals: Frame Time %1, Frame Time Vector %2. The value used is %3.</source>
         <comment>dicom.frame-times</comment>
         <translation>Der Header enthält widersprüchliche Bildabstände: Frame Time %1, Frame Time Vector %2. Verwendet wird %3.</translation>
     </message>
@@ -7629,32 +7629,32 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Die Blende %1 im Header (0018,1600) verdeckt das gesamte Bild (%2) und wird ignoriert. Prüfen Sie, dass kein Blendenrand als Gefäß erkannt ist.</translation>
     </message>
     <message>
-        <source>The image is assumed to be rotated clockwise by %1, based on %2. Check the head and left directions.</source>
+        <source>Based on %2, the image is assumed to be rotated clockwise by %1. Check the orientation markers (H, L).</source>
         <comment>dicom.image-turned</comment>
-        <translation>Das Bild gilt gemäß %2 als um %1 im Uhrzeigersinn gedreht. Prüfen Sie, wo Kopf und links liegen.</translation>
+        <translation>Auf Grundlage von %2 gilt das Bild als um %1 im Uhrzeigersinn gedreht. Prüfen Sie die Orientierungsmarkierungen (H, L).</translation>
     </message>
     <message>
-        <source>Patient Orientation (0020,0020) is %1, which is impossible at these angles. Check the angles, and whether the image is mirrored or rotated.</source>
+        <source>Patient Orientation (0020,0020) is %1, which is impossible at these gantry angles. Check the angles, and check whether the image is mirrored or rotated.</source>
         <comment>dicom.orientation-unlike-angles</comment>
         <translation>Patient Orientation (0020,0020) lautet %1, was bei diesen Winkeln unmöglich ist. Prüfen Sie die Winkel und ob das Bild gespiegelt oder gedreht ist.</translation>
     </message>
     <message>
-        <source>According to the header, the object is %1 and the isocenter %2 from the source: the vessels are initially placed at the object distance, and the gantry rotates about the isocenter.</source>
+        <source>According to the header, the object is at a distance of %1 and the isocenter at a distance of %2 from the source: the vessels are initially placed at the object distance, and the gantry rotates about the isocenter.</source>
         <comment>dicom.object-off-isocenter</comment>
         <translation>Laut Header liegt das Objekt %1 und das Isozentrum %2 vom Fokus entfernt: Die Gefäße beginnen im Objektabstand, und der C-Bogen dreht um das Isozentrum.</translation>
     </message>
     <message>
-        <source>The file specifies its unit (&quot;%1&quot;): one unit is read as %2. Specify the unit if this is wrong.</source>
+        <source>The file specifies its unit (&quot;%1&quot;): one unit is read as %2. Specify the unit if this is incorrect.</source>
         <comment>vessels.unit-stated</comment>
         <translation>Die Datei nennt ihre Einheit („%1“): eine Einheit wird als %2 gelesen. Geben Sie die Einheit an, falls das nicht stimmt.</translation>
     </message>
     <message>
-        <source>The file specifies its unit (&quot;%1&quot;, which is %2), but one unit is read as %3, as requested. Check the size.</source>
+        <source>The file specifies its unit (&quot;%1&quot;, that is, %2), but one unit is read as %3, as requested. Check the size.</source>
         <comment>vessels.unit-overruled</comment>
         <translation>Die Datei nennt ihre Einheit („%1“, also %2), aber eine Einheit wird wie angefordert als %3 gelesen. Prüfen Sie die Größe.</translation>
     </message>
     <message>
-        <source>The file specifies two units (&quot;%1&quot; and &quot;%2&quot;). Check the size, and specify the unit if it is wrong.</source>
+        <source>The file specifies two units (&quot;%1&quot; and &quot;%2&quot;). Check the size; if it is wrong, specify the unit.</source>
         <comment>vessels.units-contradict</comment>
         <translation>Die Datei nennt zwei Einheiten („%1“ und „%2“). Prüfen Sie die Größe und geben Sie die Einheit an, falls sie nicht stimmt.</translation>
     </message>
@@ -7664,9 +7664,9 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>die Achsen sind %1, nicht LPS oder RAS. Exportieren Sie die Datei in Patientenkoordinaten (LPS).</translation>
     </message>
     <message>
-        <source>Lines whose first points were stored at the end and have been moved to the beginning: %1. Check the vessels.</source>
+        <source>In some lines, the first points were stored at the end and have been moved to the beginning (number of lines: %1). Check the vessels.</source>
         <comment>tree.turned-round</comment>
-        <translation>Linien, deren erste Punkte am Ende standen und an den Anfang gesetzt wurden: %1. Prüfen Sie die Gefäße.</translation>
+        <translation>In einigen Linien standen die ersten Punkte am Ende und wurden an den Anfang gesetzt (Anzahl der Linien: %1). Prüfen Sie die Gefäße.</translation>
     </message>
     <message>
         <source>The lines contain %1 jumps of up to %2, far beyond their typical point spacing, and were split there. Check the order of the points.</source>
@@ -7674,7 +7674,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Die Linien springen %1-mal um bis zu %2, weit mehr als ihr typischer Punktabstand; sie wurden dort getrennt. Prüfen Sie die Reihenfolge der Punkte.</translation>
     </message>
     <message>
-        <source>%1 curve points have no position and were skipped.</source>
+        <source>Curve points without a position were skipped (number: %1).</source>
         <comment>tree.markups-not-placed</comment>
         <translation>%1 Kurvenpunkte haben keine Position und wurden ausgelassen.</translation>
     </message>
@@ -7699,7 +7699,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>die Koordinaten sind in „%1“, einer unbekannten Längeneinheit. Exportieren Sie sie in mm.</translation>
     </message>
     <message>
-        <source>The header contains contradictory slice spacings: %1 (Spacing Between Slices) and %2 (slice positions). The positions are used.</source>
+        <source>The header contains contradictory slice spacings: %1 (Spacing Between Slices) and %2 (slice positions). The slice positions are used.</source>
         <comment>series.step</comment>
         <translation>Der Header enthält widersprüchliche Schichtabstände: %1 (Spacing Between Slices), %2 nach den Schichtpositionen. Die Positionen gelten.</translation>
     </message>
@@ -7709,7 +7709,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Teil %1 von %2 (Akquisition %3)</translation>
     </message>
     <message>
-        <source>%1 of %2 images of the series share a SOP Instance UID although they differ; all of them are read. Export the series again before archiving it.</source>
+        <source>%1 of %2 images of the series share an SOP Instance UID although they differ; all of them are read. Export the series again before archiving it.</source>
         <comment>series.same-uid</comment>
         <translation>%1 von %2 Bildern der Serie haben dieselbe SOP Instance UID, obwohl sie sich unterscheiden; alle werden gelesen. Exportieren Sie die Serie vor dem Archivieren neu.</translation>
     </message>
@@ -7724,27 +7724,27 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Der Header gibt Längen in „%1“ an, einer unbekannten Einheit: Millimeter werden angenommen. Prüfen Sie die Voxelgröße.</translation>
     </message>
     <message>
-        <source>The qform and sform transforms differ by up to %1; the qform, in scanner coordinates, is used.</source>
+        <source>The qform and sform transforms differ by up to %1; the qform transform (scanner coordinates) is used.</source>
         <comment>volume.nifti-qform-used</comment>
         <translation>Die Transformationen qform und sform weichen um bis zu %1 voneinander ab; die qform in Gerätekoordinaten wird verwendet.</translation>
     </message>
     <message>
-        <source>The qform and sform transforms differ by up to %1; the sform is used.</source>
+        <source>The qform and sform transforms differ by up to %1; the sform transform is used.</source>
         <comment>volume.nifti-sform-used</comment>
         <translation>Die Transformationen qform und sform weichen um bis zu %1 voneinander ab; die sform wird verwendet.</translation>
     </message>
     <message>
-        <source>The header contains contradictory voxel sizes: %1 (pixdim) and %2 (transform). The transform is used. Check which is correct.</source>
+        <source>The header contains contradictory voxel sizes: %1 (pixdim) and %2 (transform). The size from the transform is used. Check which one is correct.</source>
         <comment>volume.nifti-sizes</comment>
         <translation>Der Header enthält widersprüchliche Voxelgrößen: %1 (pixdim), %2 nach seiner Transformation. Die Transformation wird verwendet. Prüfen Sie, was stimmt.</translation>
     </message>
     <message>
-        <source>The header contains contradictory voxel types: %1 bits (bitpix), but %2 bits according to the datatype (%3), which is used.</source>
+        <source>The header contains contradictory voxel types: %1 bits (bitpix), but %2 bits according to the datatype (%3). The datatype is used.</source>
         <comment>volume.nifti-bits</comment>
         <translation>Der Header enthält widersprüchliche Voxeltypen: %1 Bit (bitpix), aber %2 Bit nach dem Datentyp (%3), der verwendet wird.</translation>
     </message>
     <message>
-        <source>The header states that the voxels begin at byte %1, inside the header itself; they are read from byte %2.</source>
+        <source>The header states that the voxel data begin at byte %1, inside the header itself; they are read from byte %2 instead.</source>
         <comment>volume.nifti-start-within-header</comment>
         <translation>Laut Header beginnen die Voxel bei Byte %1, also innerhalb des Headers selbst; sie werden ab Byte %2 gelesen.</translation>
     </message>
@@ -7764,12 +7764,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>NICHT VERLÄSSLICH</translation>
     </message>
     <message>
-        <source>These distances cover only the %1 of the tree classified as opacified. Whole tree: median %2, 95th percentile %3.</source>
+        <source>These distances cover only the %1 of the tree that is classified as opacified. Whole tree: median %2, 95th percentile %3.</source>
         <comment>fit.over-opacified</comment>
         <translation>Diese Abstände gelten nur für die %1 des Gefäßbaums, die als kontrastiert eingestuft sind. Ganzer Gefäßbaum: Median %2, 95. Perzentil %3.</translation>
     </message>
     <message>
-        <source>Excluded branches: %1 (medians). Including them: median %2, 95th percentile %3.</source>
+        <source>Excluded branches: %1 (medians). With these included: median %2, 95th percentile %3.</source>
         <comment>fit.without-excluded</comment>
         <translation>Ausgeschlossene Äste: %1 (Mediane). Mit ihnen: Median %2, 95. Perzentil %3.</translation>
     </message>
@@ -7838,12 +7838,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Mit --report: Autor statt des Benutzernamens.</translation>
     </message>
     <message>
-        <source>With --report: include the patient&apos;s identity, which is omitted by default.</source>
+        <source>With --report: include the patient&apos;s identity (omitted by default).</source>
         <translation>Mit --report: die Patientendaten aufnehmen, die sonst fehlen.</translation>
     </message>
     <message>
-        <source>With --report: language to use instead of the language of the window.</source>
-        <translation>Mit --report: Sprache statt der des Fensters.</translation>
+        <source>With --report: language to use instead of the UI language.</source>
+        <translation>Mit --report: Sprache statt der Sprache der Oberfläche.</translation>
     </message>
     <message>
         <source>Reports are available in %1, not in “%2”.</source>
@@ -7900,8 +7900,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Wählt die Bilder vor Ankunft des Kontrastmittels</translation>
     </message>
     <message>
-        <source>Computes the shift of each frame</source>
-        <translation>Berechnet die Verschiebung jedes Bildes</translation>
+        <source>Computes the mask shift for each frame</source>
+        <translation>Berechnet die Maskenverschiebung für jedes Bild</translation>
     </message>
     <message>
         <source>Manual</source>
@@ -7972,7 +7972,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>logarithmisch</translation>
     </message>
     <message>
-        <source>Relation of stored values to X-ray intensity (0028,1040)</source>
+        <source>Relation of the stored pixel values to the X-ray intensity (0028,1040)</source>
         <translation>Beziehung der gespeicherten Werte zur Röntgenintensität (0028,1040)</translation>
     </message>
     <message>
@@ -7988,7 +7988,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>hell</translation>
     </message>
     <message>
-        <source>Sets whether contrast agent is darker or brighter than the background</source>
+        <source>Sets whether the contrast agent is darker or brighter than the background</source>
         <translation>Legt fest, ob Kontrastmittel dunkler oder heller als der Hintergrund ist</translation>
     </message>
     <message>
@@ -8024,7 +8024,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Mindestlänge</translation>
     </message>
     <message>
-        <source>Removes isolated segments shorter than this, and spurs shorter than a third of it</source>
+        <source>Removes isolated segments shorter than this length, and spurs shorter than a third of it</source>
         <translation>Entfernt isolierte Abschnitte, die kürzer sind, und Sporne unter einem Drittel davon</translation>
     </message>
     <message>
@@ -8032,7 +8032,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Empfindlichkeit</translation>
     </message>
     <message>
-        <source>Values above 1 also trace fainter vessels</source>
+        <source>Above 1, fainter vessels are also traced</source>
         <translation>Über 1 werden auch schwächere Gefäße erfasst</translation>
     </message>
     <message>
@@ -8072,8 +8072,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Maske mit Pfeiltasten oder Maus verschieben</translation>
     </message>
     <message>
-        <source>Removes structures that also appear in the mask frames, such as bones and organs</source>
-        <translation>Entfernt Strukturen, die auch die Maskenbilder zeigen, etwa Knochen und Organe</translation>
+        <source>Subtracts structures that are also visible in the mask frames, such as bone and soft tissue</source>
+        <translation>Subtrahiert Strukturen, die auch in den Maskenbildern sichtbar sind, etwa Knochen und Weichteile</translation>
     </message>
     <message>
         <source>Shows the darkest value of each pixel over the run</source>
@@ -8174,7 +8174,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Diese übernehmen</translation>
     </message>
     <message>
-        <source>Makes the suggested branches auxiliary.</source>
+        <source>Selects the suggested branches as auxiliary branches.</source>
         <translation>Macht die vorgeschlagenen Äste zu Hilfsästen.</translation>
     </message>
     <message>
@@ -8182,8 +8182,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Hilfsäste</translation>
     </message>
     <message>
-        <source>The alternating methods solve for these branches first: choose opacified, stationary, clearly separated branches. A view constrains a branch only perpendicular to its course; the table shows which branches constrain each axis at the current pose.</source>
-        <translation>Wechselnde Methoden lösen zuerst für diese Äste: Wählen Sie kontrastierte, unbewegte, klar getrennte Äste. Eine Ansicht bestimmt einen Ast nur quer zu seinem Verlauf; die Tabelle zeigt, welche Äste bei der aktuellen Lage welche Achse festlegen.</translation>
+        <source>Alternating methods solve for these branches first; choose branches that are opacified, stationary and clearly separated. In a view, a branch constrains the pose only perpendicular to its course; the table shows which branches constrain each axis at the current pose.</source>
+        <translation>Alternierende Methoden lösen zuerst für diese Äste; wählen Sie kontrastierte, unbewegte und klar getrennte Äste. In einer Ansicht bestimmt ein Ast die Lage nur quer zu seinem Verlauf; die Tabelle zeigt, welche Äste bei der aktuellen Lage welche Achse festlegen.</translation>
     </message>
     <message>
         <source>axis</source>
@@ -8222,12 +8222,12 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Ohne Hilfsäste werden die Knoten des Gefäßbaums verwendet.</translation>
     </message>
     <message>
-        <source>A suggestion requires vessels, camera and pose.</source>
+        <source>A suggestion requires vessels, a camera and a pose.</source>
         <translation>Ein Vorschlag erfordert Gefäße, Kamera und Lage.</translation>
     </message>
     <message>
-        <source>Suggested: %1. They are nearly as informative as all branches.</source>
-        <translation>Vorschlag: %1. Sie sind fast so aussagekräftig wie alle Äste.</translation>
+        <source>Suggested: %1 (nearly as informative as the whole tree).</source>
+        <translation>Vorschlag: %1 (fast so aussagekräftig wie der ganze Gefäßbaum).</translation>
     </message>
     <message>
         <source>This tree has no generation data.</source>
@@ -8285,7 +8285,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Blinder Beobachterversuch</translation>
     </message>
     <message>
-        <source>The vessels start at a random pose around the current one. Until you choose “Done”, all numbers, residual colors and earlier poses are hidden. Time and final pose are logged; the case is unchanged.</source>
+        <source>The vessels start in a random pose near the current one. Until you choose “Done”, all numbers, residual colors and earlier poses are hidden. The time and the final pose are logged; the case is not changed.</source>
         <translation>Die Gefäße beginnen in einer zufälligen Lage um die aktuelle. Bis Sie „Fertig“ wählen, sind alle Zahlen, Residuenfarben und früheren Lagen verborgen. Zeit und Endlage werden protokolliert; der Fall bleibt unverändert.</translation>
     </message>
     <message>
@@ -8313,7 +8313,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Tabellen (*.csv)</translation>
     </message>
     <message>
-        <source>Enter an observer and a log file.</source>
+        <source>Enter the observer and choose a log file.</source>
         <translation>Geben Sie einen Beobachter und eine Protokolldatei an.</translation>
     </message>
 </context>
@@ -8401,8 +8401,8 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Nur diese als Hilfsäste</translation>
     </message>
     <message>
-        <source>Clear auxiliary branches (use nodes)</source>
-        <translation>Hilfsäste aufheben (Knoten verwenden)</translation>
+        <source>Clear auxiliary branches</source>
+        <translation>Hilfsäste aufheben</translation>
     </message>
     <message>
         <source>in tree order</source>
@@ -9255,7 +9255,7 @@ Unten: Verschiebung der Gefäße je Schritt (quadratisches Mittel über alle Pun
         <translation>Radieren</translation>
     </message>
     <message>
-        <source>Brush over the parts of curves to erase</source>
+        <source>Brush over the parts of curves that you want to erase</source>
         <translation>Über die zu löschenden Kurventeile streichen</translation>
     </message>
     <message>
@@ -9315,7 +9315,7 @@ Unten: Verschiebung der Gefäße je Schritt (quadratisches Mittel über alle Pun
         <translation>Katheter</translation>
     </message>
     <message>
-        <source>Click a catheter or guidewire to mark it as a device: it does not count as a vessel, but can be tracked</source>
+        <source>Click a catheter or guidewire to mark it as a device; devices do not count as vessels, but can be tracked</source>
         <translation>Katheter oder Führungsdraht anklicken, um ihn als Instrument zu markieren: Er ist kein Gefäß, lässt sich aber verfolgen</translation>
     </message>
     <message>
@@ -9386,7 +9386,7 @@ Unten: Verschiebung der Gefäße je Schritt (quadratisches Mittel über alle Pun
         <translation>Kurve zeichnen</translation>
     </message>
     <message>
-        <source>Possible catheter: A vessel, W catheter or guidewire, Delete excludes, S next</source>
+        <source>Possible catheter: A keep as vessel, W mark as catheter or guidewire, Delete exclude, S next</source>
         <translation>Möglicher Katheter: A Gefäß, W Katheter oder Führungsdraht, Entf schließt aus, S nächster</translation>
     </message>
     <message>
@@ -9397,12 +9397,12 @@ Unten: Verschiebung der Gefäße je Schritt (quadratisches Mittel über alle Pun
 <context>
     <name>angiopose::ui::ExportDialog</name>
     <message>
-        <source>Content</source>
+        <source>Contents</source>
         <translation>Inhalt</translation>
     </message>
     <message>
-        <source>File</source>
-        <translation>Datei</translation>
+        <source>Format</source>
+        <translation>Format</translation>
     </message>
     <message>
         <source>Print resolution</source>
@@ -9445,8 +9445,8 @@ Unten: Verschiebung der Gefäße je Schritt (quadratisches Mittel über alle Pun
         <translation>%1 × %2 px, %3 × %4 cm</translation>
     </message>
     <message>
-        <source>The image is labeled “Not for clinical use”; inputs, method and pose are stored in its metadata (16-bit: metadata only).</source>
-        <translation>Das Bild ist mit „Nicht für den klinischen Einsatz“ beschriftet; Eingaben, Methode und Lage stehen in seinen Metadaten (16 Bit: nur Metadaten).</translation>
+        <source>The image is labeled “Not for clinical use”; inputs, method and pose are stored in its metadata (16-bit images carry the label in the metadata only).</source>
+        <translation>Das Bild ist mit „Nicht für den klinischen Einsatz“ beschriftet; Eingaben, Methode und Lage stehen in seinen Metadaten (16-Bit-Bilder tragen die Beschriftung nur in den Metadaten).</translation>
     </message>
     <message>
         <source>Width</source>
@@ -9457,7 +9457,7 @@ Unten: Verschiebung der Gefäße je Schritt (quadratisches Mittel über alle Pun
         <translation>Residuenfarben mit Skala</translation>
     </message>
     <message>
-        <source>Patient identity in the image</source>
+        <source>Burn in patient identity</source>
         <translation>Patientendaten im Bild</translation>
     </message>
     <message>
@@ -9619,8 +9619,8 @@ Unten: Verschiebung der Gefäße je Schritt (quadratisches Mittel über alle Pun
         <translation>Stattdessen Abstände und Pixelgröße verwenden</translation>
     </message>
     <message>
-        <source>SID 1000 mm, SOD 750 mm, pixel spacing 0.3 mm, angles 0°: fills in missing values only.</source>
-        <translation>SID 1000 mm, SOD 750 mm, Pixelgröße 0,3 mm, Winkel 0°: ersetzt nur fehlende Werte.</translation>
+        <source>Fills in missing values only: SID 1000 mm, SOD 750 mm, pixel spacing 0.3 mm, angles 0°.</source>
+        <translation>Ersetzt nur fehlende Werte: SID 1000 mm, SOD 750 mm, Pixelgröße 0,3 mm, Winkel 0°.</translation>
     </message>
     <message>
         <source>Camera from the case file: f %1 px, principal point %2, %3 px, %4.</source>
@@ -9667,8 +9667,8 @@ Unten: Verschiebung der Gefäße je Schritt (quadratisches Mittel über alle Pun
         <translation>Betrachtungsseite des Bildes</translation>
     </message>
     <message>
-        <source>Angiograms are shown as seen from the detector. A mirrored export swaps left and right: the projection is then mirrored together with the image; the vessels are never mirrored.</source>
-        <translation>Angiogramme werden wie vom Detektor gesehen gezeigt. Ein gespiegelter Export vertauscht links und rechts: Die Projektion wird mit dem Bild gespiegelt, die Gefäße nie.</translation>
+        <source>Angiograms are normally shown as seen from the detector. In a mirrored export, left and right are swapped; the projection is then mirrored together with the image, but the vessels themselves never are.</source>
+        <translation>Angiogramme werden normalerweise wie vom Detektor gesehen gezeigt. In einem gespiegelten Export sind links und rechts vertauscht; die Projektion wird dann mit dem Bild gespiegelt, die Gefäße selbst nie.</translation>
     </message>
     <message>
         <source>viewing side</source>
@@ -9683,7 +9683,7 @@ Unten: Verschiebung der Gefäße je Schritt (quadratisches Mittel über alle Pun
         <translation>%1 Tags</translation>
     </message>
     <message>
-        <source>The header contains no pixel spacing; this value is derived. Press Enter in the field to confirm it, or enter another value.</source>
+        <source>The header contains no pixel spacing; this value is derived. Press Enter in the field to confirm the value, or enter another one.</source>
         <translation>Der Header enthält keine Pixelgröße; dieser Wert ist abgeleitet. Bestätigen Sie ihn im Feld mit der Eingabetaste, oder geben Sie einen anderen ein.</translation>
     </message>
     <message>
@@ -9770,11 +9770,11 @@ Unten: Verschiebung der Gefäße je Schritt (quadratisches Mittel über alle Pun
         <translation>Schlecht: verdreht</translation>
     </message>
     <message>
-        <source>Bad: wrong view angle</source>
-        <translation>Schlecht: falscher Winkel</translation>
+        <source>Bad: wrong gantry angle</source>
+        <translation>Schlecht: falscher Gantrywinkel</translation>
     </message>
     <message>
-        <source>The lines run along the center of the vessels and are blue throughout, including the side branches.</source>
+        <source>The lines follow the vessel centers and are blue throughout, including in the side branches.</source>
         <translation>Die Linien verlaufen in der Mitte ihrer Gefäße, durchgehend blau, auch in den Seitenästen.</translation>
     </message>
     <message>
@@ -9790,8 +9790,8 @@ Unten: Verschiebung der Gefäße je Schritt (quadratisches Mittel über alle Pun
         <translation>Alle Linien liegen zur selben Seite daneben. Registrieren Sie neu, oder justieren Sie mit den Pfeiltasten.</translation>
     </message>
     <message>
-        <source>Fits in the center but deviates increasingly toward the edges: rotated in the image plane.</source>
-        <translation>Passt in der Mitte und weicht nach außen zunehmend ab: in der Bildebene verdreht.</translation>
+        <source>The lines fit in the center but deviate increasingly toward the edges: the pose is rotated in the image plane.</source>
+        <translation>Die Linien passen in der Mitte und weichen nach außen zunehmend ab: Die Lage ist in der Bildebene verdreht.</translation>
     </message>
     <message>
         <source>The trunk fits, but the side branches run in other directions: LAO/RAO or CRA/CAU is wrong.</source>
@@ -10002,7 +10002,7 @@ Unten: Verschiebung der Gefäße je Schritt (quadratisches Mittel über alle Pun
         <translation>In der 3-D-Ansicht</translation>
     </message>
     <message>
-        <source>in 3-D or in a slice, then in the image: sets one pair</source>
+        <source>set one pair: click in 3-D or in a slice, then in the image</source>
         <translation>in 3-D oder einer Schicht, dann im Bild: setzt ein Paar</translation>
     </message>
     <message>
@@ -10082,7 +10082,7 @@ Unten: Verschiebung der Gefäße je Schritt (quadratisches Mittel über alle Pun
         <translation>Fadenkreuz, mit allen Ansichten gekoppelt</translation>
     </message>
     <message>
-        <source>pick the point at the crosshair, like a click</source>
+        <source>pick the point at the crosshair (same as a click)</source>
         <translation>wählt den Punkt am Fadenkreuz wie ein Klick</translation>
     </message>
     <message>
@@ -10186,7 +10186,7 @@ Unten: Verschiebung der Gefäße je Schritt (quadratisches Mittel über alle Pun
         <translation>letzten Punkt entfernen</translation>
     </message>
     <message>
-        <source>removes the selected measurement or the last one</source>
+        <source>remove the selected measurement or the last one</source>
         <translation>entfernt die gewählte Messung oder die letzte</translation>
     </message>
     <message>
@@ -10194,19 +10194,19 @@ Unten: Verschiebung der Gefäße je Schritt (quadratisches Mittel über alle Pun
         <translation>Beim Markieren</translation>
     </message>
     <message>
-        <source>adds a target point or ring to the vessels, here, in 3-D or in a slice</source>
+        <source>add a target point or ring to the vessels, here, in 3-D or in a slice</source>
         <translation>setzt Zielpunkt oder Ring auf die Gefäße, hier, in 3-D oder in einer Schicht</translation>
     </message>
     <message>
-        <source>draws an arrow or moves an existing mark</source>
+        <source>draw an arrow or move an existing mark</source>
         <translation>zeichnet einen Pfeil oder verschiebt eine Markierung</translation>
     </message>
     <message>
-        <source>finishes a text; Esc discards it</source>
+        <source>finish the text; Esc discards it</source>
         <translation>beendet einen Text; Esc verwirft ihn</translation>
     </message>
     <message>
-        <source>removes the selected mark or the last one</source>
+        <source>remove the selected mark or the last one</source>
         <translation>entfernt die gewählte Markierung oder die letzte</translation>
     </message>
 </context>
@@ -10249,7 +10249,7 @@ Unten: Verschiebung der Gefäße je Schritt (quadratisches Mittel über alle Pun
         <translation>Dieses Tastenkürzel ist fest vorgegeben.</translation>
     </message>
     <message>
-        <source>Press the new shortcut for “%1”. Esc keeps the old one, Delete removes it.</source>
+        <source>Press the new shortcut for “%1”. Esc keeps the old shortcut; Delete removes it.</source>
         <translation>Drücken Sie das neue Tastenkürzel für „%1“. Esc behält das alte, Entf entfernt es.</translation>
     </message>
     <message>
@@ -10347,8 +10347,8 @@ Unten: Verschiebung der Gefäße je Schritt (quadratisches Mittel über alle Pun
         <translation>Landmarken und ihre Residuen</translation>
     </message>
     <message>
-        <source>Computes the initial pose from the pairs (or press Enter while picking). Undo restores the previous pose.</source>
-        <translation>Berechnet die Startlage aus den Paaren (Eingabetaste beim Klicken). Rückgängig stellt die vorige wieder her.</translation>
+        <source>Computes the initial pose from the pairs, as does pressing Enter while picking. Undo restores the previous pose.</source>
+        <translation>Berechnet die Startlage aus den Paaren, ebenso die Eingabetaste beim Setzen. Rückgängig stellt die vorige wieder her.</translation>
     </message>
     <message>
         <source>Removes the selected pairs (Delete)</source>
@@ -10457,8 +10457,8 @@ Unten: Verschiebung der Gefäße je Schritt (quadratisches Mittel über alle Pun
         <translation>Eingaben nicht gefunden</translation>
     </message>
     <message>
-        <source>“%1” refers to files that have been moved or deleted. They were not found next to the case or in the folders of recent cases. The case itself is intact.</source>
-        <translation>„%1“ verweist auf Dateien, die verschoben oder gelöscht wurden. Sie wurden weder neben dem Fall noch bei den letzten Fällen gefunden. Der Fall selbst ist unbeschädigt.</translation>
+        <source>“%1” refers to files that have been moved or deleted. The files were not found next to the case or in the folders of recent cases. The case file itself is intact.</source>
+        <translation>„%1“ verweist auf Dateien, die verschoben oder gelöscht wurden. Die Dateien wurden weder neben dem Fall noch in den Ordnern der letzten Fälle gefunden. Die Falldatei selbst ist unbeschädigt.</translation>
     </message>
     <message>
         <source>formerly in %1</source>
@@ -10477,8 +10477,8 @@ Unten: Verschiebung der Gefäße je Schritt (quadratisches Mittel über alle Pun
         <translation>Ordner durchsuchen…</translation>
     </message>
     <message>
-        <source>Searches the folder and its subfolders by name and content.</source>
-        <translation>Durchsucht den Ordner und seine Unterordner nach Name und Inhalt.</translation>
+        <source>Searches the folder and its subfolders by file name and contents.</source>
+        <translation>Durchsucht den Ordner und seine Unterordner nach Dateiname und Inhalt.</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -10792,32 +10792,32 @@ Unten: Verschiebung der Gefäße je Schritt (quadratisches Mittel über alle Pun
         <translation>Methode</translation>
     </message>
     <message>
-        <source>median mm</source>
-        <translation>Median mm</translation>
+        <source>Median (mm)</source>
+        <translation>Median (mm)</translation>
     </message>
     <message>
-        <source>P95 mm</source>
-        <translation>P95 mm</translation>
+        <source>P95 (mm)</source>
+        <translation>P95 (mm)</translation>
     </message>
     <message>
-        <source>coverage %</source>
-        <translation>Abdeckung %</translation>
+        <source>Coverage (%)</source>
+        <translation>Abdeckung (%)</translation>
     </message>
     <message>
-        <source>Δ in-plane mm</source>
-        <translation>Δ Bildebene mm</translation>
+        <source>Δ in-plane (mm)</source>
+        <translation>Δ Bildebene (mm)</translation>
     </message>
     <message>
-        <source>Δ depth mm</source>
-        <translation>Δ Tiefe mm</translation>
+        <source>Δ depth (mm)</source>
+        <translation>Δ Tiefe (mm)</translation>
     </message>
     <message>
-        <source>Δ rot. °</source>
-        <translation>Δ Rot. °</translation>
+        <source>Δ rot. (°)</source>
+        <translation>Δ Rot. (°)</translation>
     </message>
     <message>
-        <source>time ms</source>
-        <translation>Zeit ms</translation>
+        <source>Time (ms)</source>
+        <translation>Zeit (ms)</translation>
     </message>
     <message>
         <source>Author</source>
@@ -10836,8 +10836,8 @@ Unten: Verschiebung der Gefäße je Schritt (quadratisches Mittel über alle Pun
         <translation>CSV exportieren…</translation>
     </message>
     <message>
-        <source>Writes the table with the poses as matrices.</source>
-        <translation>Schreibt die Tabelle mit den Lagen als Matrizen.</translation>
+        <source>Writes the table to a CSV file, with the poses as matrices.</source>
+        <translation>Schreibt die Tabelle in eine CSV-Datei, die Lagen als Matrizen.</translation>
     </message>
     <message>
         <source>Run several methods</source>
@@ -10977,8 +10977,8 @@ Unten: Verschiebung der Gefäße je Schritt (quadratisches Mittel über alle Pun
         <translation>Über diese Methode</translation>
     </message>
     <message>
-        <source>Explains the cost that this method minimizes, when it fails, and its source.</source>
-        <translation>Erklärt, welche Kosten diese Methode minimiert, wann sie versagt, und ihre Quelle.</translation>
+        <source>Explains which cost this method minimizes, when the method fails, and where it was published.</source>
+        <translation>Erklärt, welche Kosten diese Methode minimiert, wann sie versagt und wo sie veröffentlicht ist.</translation>
     </message>
     <message>
         <source>1 auxiliary branch</source>
@@ -11017,8 +11017,8 @@ Unten: Verschiebung der Gefäße je Schritt (quadratisches Mittel über alle Pun
         <translation>Findet die Lage, die die Gefäße mit dem Angiogramm zur Deckung bringt.</translation>
     </message>
     <message>
-        <source>Uses one pose for all views: moving the vessels manually moves them in every view, and registration fits all views with the AngioPose method, because depth in one view is translation in another. If off, only the displayed view is used.</source>
-        <translation>Eine Lage für alle Ansichten: Manuelles Verschieben bewegt die Gefäße in jeder Ansicht, und die Registrierung passt alle Ansichten mit der Methode AngioPose an, denn die Tiefe der einen Ansicht ist eine Verschiebung in der anderen. Ohne Haken wird nur die gezeigte Ansicht verwendet.</translation>
+        <source>Uses one pose for all views. Moving the vessels manually moves them in every view. Registration fits all views jointly with the method AngioPose: the depth in one view is then determined by the in-plane translation in another. If off, only the displayed view is used.</source>
+        <translation>Verwendet eine Lage für alle Ansichten. Manuelles Verschieben bewegt die Gefäße in jeder Ansicht. Die Registrierung passt alle Ansichten gemeinsam mit der Methode AngioPose an: Die Tiefe der einen Ansicht wird dann durch die Verschiebung in der Bildebene der anderen bestimmt. Ohne Haken wird nur die gezeigte Ansicht verwendet.</translation>
     </message>
 </context>
 <context>
@@ -11104,7 +11104,7 @@ Unten: Verschiebung der Gefäße je Schritt (quadratisches Mittel über alle Pun
         <translation>Bewegung</translation>
     </message>
     <message>
-        <source>in-plane mm, by frame</source>
+        <source>in-plane (mm), by frame</source>
         <translation>mm in der Bildebene, je Bild</translation>
     </message>
     <message>
@@ -11120,7 +11120,7 @@ Unten: Verschiebung der Gefäße je Schritt (quadratisches Mittel über alle Pun
         <translation>Schritt %1</translation>
     </message>
     <message>
-        <source>median %1 mm over the %2 % classified as opacified, whole tree %3 mm</source>
+        <source>median %1 mm over the %2 % classified as opacified, %3 mm over the whole tree</source>
         <translation>Median %1 mm über die als kontrastiert eingestuften %2 %, ganzer Gefäßbaum %3 mm</translation>
     </message>
     <message>
@@ -11171,7 +11171,7 @@ Unten: Verschiebung der Gefäße je Schritt (quadratisches Mittel über alle Pun
         <translation>Tiefe ±%1 mm: mit einer einzelnen Ansicht nicht bestimmbar.</translation>
     </message>
     <message>
-        <source>%1 % probability that the overlay is within 2 mm of the vessels.</source>
+        <source>The overlay is within 2 mm of the vessels with a probability of %1 %.</source>
         <translation>Überlagerung mit %1 % Wahrscheinlichkeit höchstens 2 mm neben den Gefäßen.</translation>
     </message>
     <message>
@@ -11244,8 +11244,8 @@ Unten: Verschiebung der Gefäße je Schritt (quadratisches Mittel über alle Pun
         <translation>Abbrechen</translation>
     </message>
     <message>
-        <source>Series of the folder</source>
-        <translation>Serien des Ordners</translation>
+        <source>Series in the folder</source>
+        <translation>Serien im Ordner</translation>
     </message>
     <message>
         <source>Description</source>
@@ -11264,8 +11264,8 @@ Unten: Verschiebung der Gefäße je Schritt (quadratisches Mittel über alle Pun
         <translation>Größe</translation>
     </message>
     <message>
-        <source>Spacing in mm</source>
-        <translation>Abstand in mm</translation>
+        <source>Spacing (mm)</source>
+        <translation>Abstand (mm)</translation>
     </message>
     <message>
         <source>Date</source>
@@ -11392,8 +11392,8 @@ Unten: Verschiebung der Gefäße je Schritt (quadratisches Mittel über alle Pun
         <translation>Vergleicht Lagen und Methoden in einer Tabelle.</translation>
     </message>
     <message>
-        <source>median mm · %1: A ⇄ B</source>
-        <translation>Median mm · %1: A ⇄ B</translation>
+        <source>median (mm) · %1: A ⇄ B</source>
+        <translation>Median (mm) · %1: A ⇄ B</translation>
     </message>
 </context>
 <context>
@@ -11503,8 +11503,8 @@ Unten: Verschiebung der Gefäße je Schritt (quadratisches Mittel über alle Pun
         <translation>Meiden</translation>
     </message>
     <message>
-        <source>Click the heart, veins or bone in a slice. Regions reached from there through wider passages are excluded.</source>
-        <translation>Klicken Sie auf Herz, Venen oder Knochen in einer Schicht. Von dort über weitere Wege erreichte Bereiche entfallen.</translation>
+        <source>Click the heart, veins or bone in a slice. Regions with a wider connection to these points than to the seeds are excluded.</source>
+        <translation>Klicken Sie auf Herz, Venen oder Knochen in einer Schicht. Bereiche, die mit diesen Punkten breiter verbunden sind als mit den Startpunkten, entfallen.</translation>
     </message>
     <message>
         <source>Remove</source>
@@ -11542,8 +11542,8 @@ Unten: Verschiebung der Gefäße je Schritt (quadratisches Mittel über alle Pun
         <translation>Schwelle</translation>
     </message>
     <message>
-        <source>Voxels above this scan intensity are treated as vessel.</source>
-        <translation>Voxel oberhalb dieser Intensität des Scans gelten als Gefäß.</translation>
+        <source>Voxels above this scan intensity are treated as vessel lumen.</source>
+        <translation>Voxel oberhalb dieser Intensität des Scans gelten als Gefäßlumen.</translation>
     </message>
 </context>
 <context>
@@ -11597,8 +11597,8 @@ Unten: Verschiebung der Gefäße je Schritt (quadratisches Mittel über alle Pun
         <translation>Komponenten</translation>
     </message>
     <message>
-        <source>Applies without seeds. Default: in a mask, all components; in a scan, the component of the aorta or main artery. All: in a scan, the components of all great vessels.</source>
-        <translation>Gilt ohne Startpunkte. Standard: in einer Maske alle Komponenten, im Scan die der Aorta oder Hauptarterie. Alle: im Scan die Komponenten aller großen Gefäße.</translation>
+        <source>Used only if there are no seeds. Default: in a mask, all components; in a scan, the component of the aorta or main artery. All: in a scan, the components of all great vessels.</source>
+        <translation>Gilt nur, wenn es keine Startpunkte gibt. Standard: in einer Maske alle Komponenten, im Scan die der Aorta oder Hauptarterie. Alle: im Scan die Komponenten aller großen Gefäße.</translation>
     </message>
     <message>
         <source>Default</source>
@@ -11675,11 +11675,11 @@ Unten: Verschiebung der Gefäße je Schritt (quadratisches Mittel über alle Pun
         <translation>Fertig</translation>
     </message>
     <message>
-        <source>Blind trial of %1: align the vessels with the image. Values are shown again when you are done.</source>
+        <source>Blind trial by %1: align the vessels with the image. Values are shown again when you are done.</source>
         <translation>Blindversuch von %1: Bringen Sie die Gefäße mit dem Bild zur Deckung. Die Werte erscheinen danach wieder.</translation>
     </message>
     <message>
-        <source>Logs time and pose and shows the values again.</source>
+        <source>Logs the time and the pose, and shows the values again.</source>
         <translation>Protokolliert Zeit und Lage und zeigt die Werte wieder.</translation>
     </message>
 </context>
@@ -11766,7 +11766,7 @@ Unten: Verschiebung der Gefäße je Schritt (quadratisches Mittel über alle Pun
         <translation>DICOM-Ordner/CD öffnen…</translation>
     </message>
     <message>
-        <source>Lists the patients, studies and series of a folder, a CD or a DICOMDIR.</source>
+        <source>Lists the patients, studies and series in a folder, on a CD or in a DICOMDIR.</source>
         <translation>Listet Patienten, Studien und Serien eines Ordners, einer CD oder eines DICOMDIR.</translation>
     </message>
 </context>
@@ -11808,8 +11808,8 @@ Unten: Verschiebung der Gefäße je Schritt (quadratisches Mittel über alle Pun
         <translation>Automatisch</translation>
     </message>
     <message>
-        <source>Set automatically from the values of this scan; right-drag in a slice to adjust it manually.</source>
-        <translation>Aus den Werten dieses Scans; Ziehen mit rechts in einer Schicht ändert es manuell.</translation>
+        <source>Sets the window automatically from the values of this scan; right-drag in a slice to adjust it manually.</source>
+        <translation>Setzt das Fenster automatisch aus den Werten dieses Scans; Ziehen mit rechts in einer Schicht ändert es manuell.</translation>
     </message>
 </context>
 <context>
@@ -11943,8 +11943,8 @@ Unten: Verschiebung der Gefäße je Schritt (quadratisches Mittel über alle Pun
         <translation>Entfernt die gewählten Messungen (Entf)</translation>
     </message>
     <message>
-        <source>Writes all measurements and their basis as a CSV table.</source>
-        <translation>Schreibt alle Messungen mit ihrer Grundlage als CSV-Tabelle.</translation>
+        <source>Writes all measurements and their basis to a CSV file.</source>
+        <translation>Schreibt alle Messungen mit ihrer Grundlage in eine CSV-Datei.</translation>
     </message>
     <message>
         <source>at the vessels</source>
@@ -11975,8 +11975,8 @@ Unten: Verschiebung der Gefäße je Schritt (quadratisches Mittel über alle Pun
         <translation>Bildmaßstab</translation>
     </message>
     <message>
-        <source>Size of a pixel in the patient, if known from another source.</source>
-        <translation>Größe eines Pixels im Patienten, falls aus anderer Quelle bekannt.</translation>
+        <source>Pixel size in the patient, if known from another source.</source>
+        <translation>Pixelgröße im Patienten, falls aus anderer Quelle bekannt.</translation>
     </message>
     <message>
         <source>Measure</source>
@@ -11987,8 +11987,8 @@ Unten: Verschiebung der Gefäße je Schritt (quadratisches Mittel über alle Pun
         <translation>Messungen in Bild und Schichten</translation>
     </message>
     <message>
-        <source>%1 measured</source>
-        <translation>%1 gemessen</translation>
+        <source>measured: %1</source>
+        <translation>gemessen: %1</translation>
     </message>
 </context>
 <context>
@@ -12048,12 +12048,12 @@ Unten: Verschiebung der Gefäße je Schritt (quadratisches Mittel über alle Pun
         <translation>Profil…</translation>
     </message>
     <message>
-        <source>Writes length, diameters, stenosis and curvature of all branches as a CSV table.</source>
-        <translation>Schreibt Länge, Durchmesser, Stenose und Krümmung aller Äste als CSV-Tabelle.</translation>
+        <source>Writes the length, diameters, stenosis and curvature of every branch to a CSV file.</source>
+        <translation>Schreibt Länge, Durchmesser, Stenose und Krümmung jedes Astes in eine CSV-Datei.</translation>
     </message>
     <message>
-        <source>Writes diameter and curvature along this branch as a CSV table.</source>
-        <translation>Schreibt Durchmesser und Krümmung entlang dieses Astes als CSV-Tabelle.</translation>
+        <source>Writes the diameter and curvature along this branch to a CSV file.</source>
+        <translation>Schreibt Durchmesser und Krümmung entlang dieses Astes in eine CSV-Datei.</translation>
     </message>
     <message>
         <source>Length</source>
@@ -12158,8 +12158,8 @@ Unten: Verschiebung der Gefäße je Schritt (quadratisches Mittel über alle Pun
         <translation>%1 · %2 fps</translation>
     </message>
     <message>
-        <source>The header contains no frame rate: 1× assumes %1 frames per second</source>
-        <translation>Der Header enthält keine Bildrate: 1× nimmt %1 Bilder pro Sekunde an</translation>
+        <source>The header contains no frame rate: 1× corresponds to an assumed rate of %1 frames per second</source>
+        <translation>Der Header enthält keine Bildrate: 1× entspricht angenommenen %1 Bildern pro Sekunde</translation>
     </message>
     <message>
         <source>1×: acquisition frame rate, %1 frames per second</source>
@@ -12205,8 +12205,8 @@ Unten: Verschiebung der Gefäße je Schritt (quadratisches Mittel über alle Pun
         <translation>Entfernt die gewählten Markierungen (Entf)</translation>
     </message>
     <message>
-        <source>Writes all target points and rings and their errors as a CSV table.</source>
-        <translation>Schreibt alle Zielpunkte und Ringe mit ihren Fehlern als CSV-Tabelle.</translation>
+        <source>Writes all target points and ostium rings with their errors to a CSV file.</source>
+        <translation>Schreibt alle Zielpunkte und Ostiumringe mit ihren Fehlern in eine CSV-Datei.</translation>
     </message>
     <message>
         <source>Marks</source>
@@ -12232,7 +12232,7 @@ Unten: Verschiebung der Gefäße je Schritt (quadratisches Mittel über alle Pun
         <translation>Pfeil: vom Ende zur Spitze ziehen, dann schreiben · Enden lassen sich verschieben</translation>
     </message>
     <message>
-        <source>Text: click where it should start, then type · texts can be moved</source>
+        <source>Text: click where the text should start, then type · text can be moved</source>
         <translation>Text: Anfang anklicken, dann schreiben · Texte lassen sich verschieben</translation>
     </message>
     <message>
@@ -12310,8 +12310,8 @@ Unten: Verschiebung der Gefäße je Schritt (quadratisches Mittel über alle Pun
         <translation>Text</translation>
     </message>
     <message>
-        <source>On frame %1 of this view and in every image exported from it.</source>
-        <translation>Auf Bild %1 dieser Ansicht, in jedem exportierten Bild davon.</translation>
+        <source>Shown on frame %1 of this view and in every image exported from it.</source>
+        <translation>Erscheint auf Bild %1 dieser Ansicht und in jedem daraus exportierten Bild.</translation>
     </message>
     <message>
         <source>Ostium %1</source>
@@ -12810,8 +12810,8 @@ Unten: Verschiebung der Gefäße je Schritt (quadratisches Mittel über alle Pun
         <translation>Ansichten: %1</translation>
     </message>
     <message>
-        <source>Select the scan with the vessels and the runs, or double-click an entry.</source>
-        <translation>Wählen Sie den Scan mit den Gefäßen und die Serien aus, oder doppelklicken Sie auf eine Zeile.</translation>
+        <source>Select the scan that shows the vessels and one or more angiographic runs, or double-click an entry to open it.</source>
+        <translation>Wählen Sie den Scan, der die Gefäße zeigt, und eine oder mehrere Angiographieserien aus, oder doppelklicken Sie auf eine Zeile, um sie zu öffnen.</translation>
     </message>
 </context>
 <context>
@@ -12950,7 +12950,7 @@ Unten: Verschiebung der Gefäße je Schritt (quadratisches Mittel über alle Pun
         <translation>Residuenfarben mit Skala</translation>
     </message>
     <message>
-        <source>Patient identity in the frames</source>
+        <source>Burn in patient identity</source>
         <translation>Patientendaten in den Bildern</translation>
     </message>
     <message>
@@ -12994,8 +12994,8 @@ Unten: Verschiebung der Gefäße je Schritt (quadratisches Mittel über alle Pun
         <translation>Film</translation>
     </message>
     <message>
-        <source>File</source>
-        <translation>Datei</translation>
+        <source>Format</source>
+        <translation>Format</translation>
     </message>
     <message>
         <source>Width</source>
@@ -13029,11 +13029,11 @@ Unten: Verschiebung der Gefäße je Schritt (quadratisches Mittel über alle Pun
         <translation>Bericht exportieren</translation>
     </message>
     <message>
-        <source>Leave this off before sharing; the report is then anonymous.</source>
-        <translation>Vor der Weitergabe ausgeschaltet lassen: Der Bericht ist dann anonym.</translation>
+        <source>Leave this off if the report will be shared: it is then anonymous.</source>
+        <translation>Ausgeschaltet lassen, wenn der Bericht weitergegeben wird: Er ist dann anonym.</translation>
     </message>
     <message>
-        <source>Templates are HTML pages with your letterhead and logo. Save a copy of the built-in template and edit it; it contains instructions.</source>
+        <source>Templates are HTML pages with your letterhead and logo. Save a copy of the built-in template and edit the copy; it contains instructions.</source>
         <translation>Vorlagen sind HTML-Seiten mit Ihrem Briefkopf und Logo. Speichern Sie eine Kopie der eingebauten Vorlage und bearbeiten Sie sie; die Anleitung steht darin.</translation>
     </message>
     <message>
@@ -13209,8 +13209,8 @@ Unten: Verschiebung der Gefäße je Schritt (quadratisches Mittel über alle Pun
         <translation>Pseudonym</translation>
     </message>
     <message>
-        <source>One archive with the case, its inputs and its results. De-identification removes names, IDs, dates, private elements and notes, and replaces UIDs. Branch names are kept. Review every image before sharing.</source>
-        <translation>Ein Archiv mit dem Fall, seinen Eingaben und Ergebnissen. Die De-Identifizierung entfernt Namen, IDs, Datumsangaben, private Elemente und Notizen und ersetzt UIDs. Astnamen bleiben erhalten. Prüfen Sie vor der Weitergabe jedes Bild.</translation>
+        <source>Creates one archive with the case, its inputs and its results. De-identification removes names, IDs, dates, private elements and notes, and replaces UIDs. Branch names are kept. Review every image before sharing.</source>
+        <translation>Erstellt ein Archiv mit dem Fall, seinen Eingaben und Ergebnissen. Die De-Identifizierung entfernt Namen, IDs, Datumsangaben, private Elemente und Notizen und ersetzt UIDs. Astnamen bleiben erhalten. Prüfen Sie vor der Weitergabe jedes Bild.</translation>
     </message>
     <message>
         <source>Pack…</source>
@@ -13236,7 +13236,7 @@ Unten: Verschiebung der Gefäße je Schritt (quadratisches Mittel über alle Pun
         <translation>Zwischenspeicher unter die aktuelle Größe verkleinern?</translation>
     </message>
     <message>
-        <source>The cache contains %1. The least recently used objects are deleted until %2 remain.</source>
+        <source>The cache contains %1. The least recently used objects will be deleted until %2 remain.</source>
         <translation>Der Zwischenspeicher enthält %1. Die am längsten unbenutzten Objekte werden gelöscht, bis %2 übrig sind.</translation>
     </message>
     <message>
@@ -13252,7 +13252,7 @@ Unten: Verschiebung der Gefäße je Schritt (quadratisches Mittel über alle Pun
         <translation>Zwischenspeicher leeren?</translation>
     </message>
     <message>
-        <source>All retrieved objects are deleted. When you open a case whose images were in the cache, AngioPose asks for their location. “Share case as ZIP” keeps case and images together.</source>
+        <source>All retrieved objects will be deleted. When you open a case whose images were in the cache, AngioPose will ask for the location of the images. “Share case as ZIP” keeps case and images together.</source>
         <translation>Alle abgerufenen Objekte werden gelöscht. Beim Öffnen eines Falls, dessen Bilder im Zwischenspeicher lagen, fragt AngioPose nach ihrem Ort. „Fall als ZIP weitergeben“ hält Fall und Bilder zusammen.</translation>
     </message>
     <message>
@@ -13313,8 +13313,8 @@ Unten: Verschiebung der Gefäße je Schritt (quadratisches Mittel über alle Pun
         <translation>%1 wird durchsucht…</translation>
     </message>
     <message>
-        <source>%1 has no matching study. Broaden the search: use a shorter name, more days or any modality.</source>
-        <translation>%1 enthält keine passende Studie. Erweitern Sie die Suche: kürzerer Name, mehr Tage, beliebige Modalität.</translation>
+        <source>%1 has no matching study. Broaden the search: use a shorter name, a wider date range or any modality.</source>
+        <translation>%1 enthält keine passende Studie. Erweitern Sie die Suche: kürzerer Name, längerer Zeitraum, beliebige Modalität.</translation>
     </message>
     <message>
         <source>Search to list the studies in %1.</source>
@@ -13437,8 +13437,8 @@ Unten: Verschiebung der Gefäße je Schritt (quadratisches Mittel über alle Pun
         <translation>Serie %1</translation>
     </message>
     <message>
-        <source>Other errors: %1.</source>
-        <translation>Weitere Fehler: %1.</translation>
+        <source>Number of further errors: %1.</source>
+        <translation>Anzahl weiterer Fehler: %1.</translation>
     </message>
 </context>
 <context>
@@ -13758,8 +13758,8 @@ Unten: Verschiebung der Gefäße je Schritt (quadratisches Mittel über alle Pun
         <translation>Anzeigen</translation>
     </message>
     <message>
-        <source>Accepts objects that modalities and PACS send to this computer, until it is turned off or the window is closed</source>
-        <translation>Nimmt Objekte an, die Modalitäten und PACS an diesen Rechner senden, bis zum Ausschalten oder Schließen des Fensters</translation>
+        <source>Accepts objects sent to this computer by modalities and PACS until receiving is turned off or the window is closed</source>
+        <translation>Nimmt Objekte an, die Modalitäten und PACS an diesen Rechner senden, bis der Empfang ausgeschaltet oder das Fenster geschlossen wird</translation>
     </message>
     <message>
         <source>Receiving port</source>
@@ -13891,8 +13891,8 @@ Unten: Verschiebung der Gefäße je Schritt (quadratisches Mittel über alle Pun
         <translation>Fortschritt</translation>
     </message>
     <message>
-        <source>Stops; completely transferred objects are kept</source>
-        <translation>Hält an; vollständige Objekte bleiben erhalten</translation>
+        <source>Stops the transfer; objects already transferred in full are kept</source>
+        <translation>Hält die Übertragung an; bereits vollständig übertragene Objekte bleiben erhalten</translation>
     </message>
 </context>
 <context>
@@ -13902,8 +13902,8 @@ Unten: Verschiebung der Gefäße je Schritt (quadratisches Mittel über alle Pun
         <translation>De-Identifizierung: %1 %</translation>
     </message>
     <message>
-        <source>Files are already being written. Wait for it to finish, or stop it.</source>
-        <translation>Es werden bereits Dateien geschrieben. Warten Sie das Ende ab, oder halten Sie es an.</translation>
+        <source>A de-identification is already running. Wait for it to finish, or stop it.</source>
+        <translation>Eine De-Identifizierung läuft bereits. Warten Sie ihr Ende ab, oder halten Sie sie an.</translation>
     </message>
     <message>
         <source>Files to de-identify</source>
@@ -13930,22 +13930,22 @@ Unten: Verschiebung der Gefäße je Schritt (quadratisches Mittel über alle Pun
         <translation>De-identifizierte Dateien: %1, in %2.</translation>
     </message>
     <message>
-        <source>%1 files were de-identified; %2 were not, for the reasons below. The output is in %3.</source>
-        <translation>%1 Dateien wurden de-identifiziert, %2 nicht; die Gründe stehen unten. Die Ausgabe liegt in %3.</translation>
+        <source>%1 files were de-identified; %2 were not, for the reasons listed below. The output folder is %3.</source>
+        <translation>%1 Dateien wurden de-identifiziert, %2 nicht; die Gründe stehen unten. Der Ausgabeordner ist %3.</translation>
     </message>
 </context>
 <context>
     <name>angiopose::app::PrivacyController</name>
     <message>
-        <source>No list or thumbnails of recent cases, no names in the title bar, no stored folders.</source>
-        <translation>Keine Liste und keine Vorschaubilder letzter Fälle, keine Namen in der Titelleiste, keine gespeicherten Ordner.</translation>
+        <source>Stores no list or thumbnails of recent cases and no folders, and shows no names in the title bar.</source>
+        <translation>Speichert keine Liste und keine Vorschaubilder letzter Fälle und keine Ordner und zeigt keine Namen in der Titelleiste.</translation>
     </message>
     <message>
         <source>Turn on private mode?</source>
         <translation>Privaten Modus einschalten?</translation>
     </message>
     <message>
-        <source>The list of recent cases (including pinned ones), their thumbnails, and all stored folders and names are deleted permanently. Nothing of this kind is stored until private mode is turned off. Unsaved work is still autosaved; the copies are deleted when the case is closed.</source>
+        <source>The list of recent cases (including pinned ones), their thumbnails, and all stored folders and names will be permanently deleted. No such data will be stored until private mode is turned off. Unsaved work is still autosaved; the copies are deleted when the case is closed.</source>
         <translation>Die Liste der letzten Fälle (auch der angehefteten), ihre Vorschaubilder und alle gespeicherten Ordner und Namen werden endgültig gelöscht. Nichts dergleichen wird gespeichert, bis der private Modus ausgeschaltet wird. Ungespeicherte Arbeit wird weiterhin automatisch gesichert; die Kopien werden beim Schließen des Falls gelöscht.</translation>
     </message>
     <message>
@@ -13998,8 +13998,8 @@ Unten: Verschiebung der Gefäße je Schritt (quadratisches Mittel über alle Pun
         <translation>Ausblenden</translation>
     </message>
     <message>
-        <source>AngioPose crashed last time. A report with the crash location in the program, but without case data, is in %1.</source>
-        <translation>AngioPose ist zuletzt abgestürzt. Ein Bericht über die Stelle im Programm, ohne Falldaten, liegt in %1.</translation>
+        <source>AngioPose crashed during its last session. A report of where in the program it crashed, without case data, was saved to %1.</source>
+        <translation>AngioPose ist in der letzten Sitzung abgestürzt. Ein Bericht über die Absturzstelle im Programm, ohne Falldaten, liegt in %1.</translation>
     </message>
 </context>
 <context>
@@ -14009,12 +14009,12 @@ Unten: Verschiebung der Gefäße je Schritt (quadratisches Mittel über alle Pun
         <translation>Supportpaket speichern</translation>
     </message>
     <message>
-        <source>The archive contains only these texts; no images or vessels. Known names, numbers, dates and paths of this session&apos;s cases and of this computer were removed. Review the texts before sharing.</source>
-        <translation>Das Archiv enthält nur diese Texte: keine Bilder, keine Gefäße. Bekannte Namen, Nummern, Datumsangaben und Pfade der Fälle dieser Sitzung und dieses Computers wurden entfernt. Prüfen Sie die Texte vor der Weitergabe.</translation>
+        <source>The archive contains only the text shown here, no images or vessel data. Names, numbers, dates and paths known from the cases of this session and from this computer have been removed. Review the text before sharing it.</source>
+        <translation>Das Archiv enthält nur den hier gezeigten Text, keine Bilder oder Gefäßdaten. Namen, Nummern, Datumsangaben und Pfade, die aus den Fällen dieser Sitzung und von diesem Computer bekannt sind, wurden entfernt. Prüfen Sie den Text vor der Weitergabe.</translation>
     </message>
     <message>
-        <source>Texts in the bundle</source>
-        <translation>Texte im Paket</translation>
+        <source>Files in the bundle</source>
+        <translation>Dateien im Paket</translation>
     </message>
     <message>
         <source>Text to be written</source>
@@ -14052,8 +14052,8 @@ Unten: Verschiebung der Gefäße je Schritt (quadratisches Mittel über alle Pun
         <translation>Dateien de-identifizieren</translation>
     </message>
     <message>
-        <source>DICOM images and objects, PNG, JPEG and TIFF files are rewritten without names, IDs, dates, private elements and texts; UIDs are replaced. Other files are skipped and listed. Review every image before sharing.</source>
-        <translation>DICOM-Bilder und -Objekte, PNG, JPEG und TIFF werden neu geschrieben, ohne Namen, IDs, Datumsangaben, private Elemente und Texte; UIDs werden ersetzt. Andere Dateien werden übersprungen und aufgelistet. Prüfen Sie vor der Weitergabe jedes Bild.</translation>
+        <source>DICOM images and objects and PNG, JPEG and TIFF files are copied without names, IDs, dates, private elements and free text; UIDs are replaced. Other files are skipped and listed. Review every image before sharing.</source>
+        <translation>DICOM-Bilder und -Objekte sowie PNG-, JPEG- und TIFF-Dateien werden ohne Namen, IDs, Datumsangaben, private Elemente und Freitext kopiert; UIDs werden ersetzt. Andere Dateien werden übersprungen und aufgelistet. Prüfen Sie vor der Weitergabe jedes Bild.</translation>
     </message>
     <message>
         <source>Cancel</source>

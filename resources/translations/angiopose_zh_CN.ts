@@ -4,12 +4,12 @@
 <context>
     <name>angiopose::app::AuxiliaryController</name>
     <message>
-        <source>No auxiliary branches selected: AngioPose weights all branches equally. Auxiliary branches determine the pose components they constrain; the other branches constrain the rest.</source>
-        <translation>未选择辅助分支：AngioPose 对所有分支同等加权。辅助分支决定其所能约束的位姿分量，其余分支约束其他分量。</translation>
+        <source>No auxiliary branches selected: the method AngioPose weights all branches equally. If auxiliary branches are selected, they determine the pose components that they constrain; the other branches determine the remaining components.</source>
+        <translation>未选择辅助分支：AngioPose 方法对所有分支同等加权。若选择了辅助分支，则由其决定所能约束的位姿分量，其余分支决定剩余分量。</translation>
     </message>
     <message>
-        <source>%1 In AngioPose, they determine the pose components they constrain; the other branches constrain the rest. The result also reports the fit of all branches. If confidence is low, AngioPose also tries poses found from these branches alone.</source>
-        <translation>%1 在 AngioPose 中，它们决定其所能约束的位姿分量，其余分支约束其他分量；结果也给出全部分支的拟合。置信度低时，AngioPose 还会尝试仅由这些分支求得的位姿。</translation>
+        <source>%1 In the method AngioPose, these branches determine the pose components that they constrain; the other branches determine the remaining components. The result also reports the fit of all branches. If confidence is low, AngioPose also tries poses found from these branches alone.</source>
+        <translation>%1 在 AngioPose 方法中，这些分支决定其所能约束的位姿分量，其余分支决定剩余分量；结果也给出全部分支的拟合。置信度低时，AngioPose 还会尝试仅由这些分支求得的位姿。</translation>
     </message>
     <message>
         <source>Change method to %1</source>
@@ -52,16 +52,16 @@
         <translation>没有分支达到此半径。</translation>
     </message>
     <message>
-        <source>No auxiliary branches selected: the alternation uses the %1 nodes of the tree.</source>
-        <translation>未选择辅助分支：交替求解使用血管树的 %1 个节点。</translation>
+        <source>No auxiliary branches selected: the method uses the %1 nodes of the tree as auxiliary points.</source>
+        <translation>未选择辅助分支：该方法以血管树的 %1 个节点作为辅助点。</translation>
     </message>
     <message>
         <source>Auxiliary: %1 (%2 mm, %3 % of the tree).</source>
         <translation>辅助分支：%1（%2 mm，占血管树 %3 %）。</translation>
     </message>
     <message>
-        <source>%1 The current method does not alternate and uses all branches.</source>
-        <translation>%1 当前方法不交替求解，使用全部分支。</translation>
+        <source>%1 The current method ignores this selection and uses all branches.</source>
+        <translation>%1 当前方法不使用此选择，而使用全部分支。</translation>
     </message>
     <message>
         <source>%1 The method option “Auxiliary points” takes precedence.</source>
@@ -251,7 +251,7 @@
         <translation>图像中的测量</translation>
     </message>
     <message>
-        <source>, narrowest %1 mm (−%2 %)</source>
+        <source>, narrowest point %1 mm (−%2 %)</source>
         <translation>，最窄 %1 mm（−%2 %）</translation>
     </message>
     <message>
@@ -318,7 +318,7 @@
         <translation>配准正在进行</translation>
     </message>
     <message>
-        <source>Stop it and close? Unsaved changes to this case are lost.</source>
+        <source>Stop it and close? Unsaved changes to this case will be lost.</source>
         <translation>停止并关闭？此病例未保存的更改将丢失。</translation>
     </message>
     <message>
@@ -567,8 +567,8 @@
         <translation>在序列中跟踪血管</translation>
     </message>
     <message>
-        <source>The vessels were moved in the meantime. Track them again.</source>
-        <translation>血管已被移动，请重新跟踪。</translation>
+        <source>The vessels were moved during tracking. Track them again.</source>
+        <translation>跟踪期间血管被移动，请重新跟踪。</translation>
     </message>
     <message>
         <source>breathing: period %1 s, %2 mm peak to peak</source>
@@ -579,11 +579,11 @@
         <translation>心跳：周期 %1 s，峰峰值 %2 mm</translation>
     </message>
     <message>
-        <source>Tracked through %1 frames: scroll through or play them</source>
+        <source>Tracked through %1 frames; scroll through the frames or play them</source>
         <translation>已跟踪 %1 帧：可滚动或播放</translation>
     </message>
     <message>
-        <source>Tracked through %1 frames; in %2 of them, the vessels are not visible enough</source>
+        <source>Tracked through %1 frames; in %2 of them, the vessels are not sufficiently visible</source>
         <translation>已跟踪 %1 帧；其中 %2 帧血管显示不够清楚</translation>
     </message>
     <message>
@@ -653,47 +653,47 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>血管树</translation>
     </message>
     <message>
-        <source>Lists the branches with their lengths and distances to the image. A adds a branch to the auxiliary branches, X excludes it.</source>
-        <translation>列出各分支的长度及到图像的距离。A 将分支加入辅助分支，X 将其排除。</translation>
+        <source>Lists the branches with their lengths and residuals. Press A to add a branch to the auxiliary branches, X to exclude it.</source>
+        <translation>列出各分支的长度和残差。按 A 将分支加入辅助分支，按 X 将其排除。</translation>
     </message>
     <message>
         <source>The angiogram</source>
         <translation>造影图像</translation>
     </message>
     <message>
-        <source>The projected tree is overlaid on it, colored by distance. Wheel: scroll through frames. N: move the tree with arrow keys or mouse. H: hide it.</source>
-        <translation>投影血管树叠加其上，按距离着色。滚轮：换帧。N：用方向键或鼠标移动血管树。H：隐藏。</translation>
+        <source>The projected tree is overlaid on the angiogram and colored by its distance to the traced vessels. Wheel: scroll through the frames. N: move the tree with the arrow keys or the mouse. H: hide the tree.</source>
+        <translation>投影血管树叠加在造影图像上，按到所提取血管的距离着色。滚轮：换帧。N：用方向键或鼠标移动血管树。H：隐藏血管树。</translation>
     </message>
     <message>
         <source>Register</source>
         <translation>配准</translation>
     </message>
     <message>
-        <source>R finds the pose. Stop keeps the best pose found so far; Ctrl+Z restores the previous one.</source>
-        <translation>R 求位姿。停止会保留目前最佳位姿，Ctrl+Z 恢复原位姿。</translation>
+        <source>R finds the pose. Stop keeps the best pose found so far; Ctrl+Z restores the pose from before the registration.</source>
+        <translation>R 求位姿。停止会保留目前最佳位姿，Ctrl+Z 恢复配准前的位姿。</translation>
     </message>
     <message>
         <source>Is the result reliable?</source>
         <translation>结果可靠吗？</translation>
     </message>
     <message>
-        <source>Distances in mm, and notes on what this image cannot determine. Shift+F1 shows examples of good and bad fits.</source>
-        <translation>以毫米表示的距离，以及此图像无法确定之处的说明。Shift+F1 显示好与坏的配准示例。</translation>
+        <source>Shows distances in mm and notes on what cannot be determined from this image. Shift+F1 shows examples of good and bad fits.</source>
+        <translation>显示以毫米表示的距离，并说明此图像无法确定之处。Shift+F1 显示好与坏的配准示例。</translation>
     </message>
     <message>
         <source>Getting help</source>
         <translation>获取帮助</translation>
     </message>
     <message>
-        <source>F1 explains the item under the mouse pointer, ? lists and edits all shortcuts. This tour is in the Help menu.</source>
+        <source>F1 explains the item under the mouse pointer; ? lists all shortcuts and lets you change them. This tour is also available from the Help menu.</source>
         <translation>F1 解释鼠标所指内容，? 列出并修改全部快捷键。本导览在“帮助”菜单中。</translation>
     </message>
     <message>
-        <source>The angiogram is rendered by VTK (OpenGL).</source>
+        <source>The angiogram is rendered with VTK (OpenGL).</source>
         <translation>造影图像由 VTK（OpenGL）渲染。</translation>
     </message>
     <message>
-        <source>The angiogram is rendered by the CPU.</source>
+        <source>The angiogram is rendered on the CPU.</source>
         <translation>造影图像由 CPU 渲染。</translation>
     </message>
 </context>
@@ -846,7 +846,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
 <context>
     <name>angiopose::app::LinkedCrosshair</name>
     <message>
-        <source>The crosshair links side-by-side views (%1).</source>
+        <source>The crosshair is linked across side-by-side views (%1).</source>
         <translation>十字线联动并排显示的视图（%1）。</translation>
     </message>
 </context>
@@ -877,8 +877,8 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>卷帘：叠加图止于鼠标指针处</translation>
     </message>
     <message>
-        <source>Lens: shows only the angiogram under the mouse pointer</source>
-        <translation>透镜：鼠标指针处只显示造影图像</translation>
+        <source>Lens: hides the overlay around the mouse pointer</source>
+        <translation>透镜：隐藏鼠标指针周围的叠加图</translation>
     </message>
     <message>
         <source>Swipe and lens off</source>
@@ -909,7 +909,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>血管显示为扫描的 DRR</translation>
     </message>
     <message>
-        <source>Vessels as DRR of tubes</source>
+        <source>Vessels as DRR of the tube model</source>
         <translation>血管显示为管状模型的 DRR</translation>
     </message>
 </context>
@@ -934,19 +934,19 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
 <context>
     <name>angiopose::app::OpenController</name>
     <message>
-        <source>The pose belongs to an image of %1 × %2 px, but the angiogram has %3 × %4. Open the pose that belongs to this image.</source>
-        <translation>该位姿属于 %1 × %2 px 的图像，而造影图像为 %3 × %4。请打开属于此图像的位姿。</translation>
+        <source>The pose belongs to an image of %1 × %2 px, but the angiogram is %3 × %4 px. Open the pose that belongs to this angiogram.</source>
+        <translation>该位姿属于 %1 × %2 px 的图像，而造影图像为 %3 × %4 px。请打开属于此造影图像的位姿。</translation>
     </message>
     <message>
-        <source>The camera of the pose is mirrored relative to the angiogram: one is viewed from the detector, the other from the source. Mirror the image, or change the viewing side in the geometry.</source>
-        <translation>位姿的相机与造影图像互为镜像：一个从探测器看，另一个从射线源看。请镜像图像，或在几何参数中更改观察侧。</translation>
+        <source>The camera stored with the pose is mirrored relative to the angiogram: one is viewed from the detector, the other from the source. Mirror the image, or change the viewing side in the geometry panel.</source>
+        <translation>随位姿存储的相机与造影图像互为镜像：一个从探测器看，另一个从射线源看。请镜像图像，或在几何面板中更改观察侧。</translation>
     </message>
     <message>
         <source>The pose was registered with different vessels.</source>
         <translation>该位姿是用其他血管配准的。</translation>
     </message>
     <message>
-        <source>The pose was registered in a different angiogram.</source>
+        <source>The pose was registered to a different angiogram.</source>
         <translation>该位姿是在另一幅造影图像中配准的。</translation>
     </message>
     <message>
@@ -954,28 +954,28 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>位姿只能在病例中打开。请先打开血管和造影图像，再打开位姿。</translation>
     </message>
     <message>
-        <source>At this pose, the vessels lie behind the X-ray source. The pose may belong to another patient, or it may map camera to patient; in the latter case, invert it.</source>
-        <translation>按此位姿，血管位于射线源之后。该位姿可能属于其他患者，或是从相机到患者的变换：若是后者，请将其求逆。</translation>
+        <source>At this pose, the vessels lie behind the X-ray source. The pose may belong to another patient, or it may map camera coordinates to patient coordinates; in the latter case, invert the pose.</source>
+        <translation>按此位姿，血管位于射线源之后。该位姿可能属于其他患者，或是从相机坐标到患者坐标的变换：若是后者，请将其求逆。</translation>
     </message>
     <message>
-        <source>The camera of the pose is now in use. You can revert this in the geometry panel.</source>
-        <translation>现在使用位姿的相机。可在几何面板中撤回。</translation>
+        <source>The camera stored with the pose is now in use. You can revert this in the geometry panel.</source>
+        <translation>现在使用随位姿存储的相机。可在几何面板中撤回。</translation>
     </message>
     <message>
         <source>Open pose %1</source>
         <translation>打开位姿 %1</translation>
     </message>
     <message>
-        <source>Points can be opened only together with vessels. Open the vessels first, then the points.</source>
-        <translation>点只能与血管一起打开。请先打开血管，再打开点。</translation>
+        <source>Points can be opened only in a case with vessels. Open the vessels first, then the points.</source>
+        <translation>只有病例中有血管时才能打开点。请先打开血管，再打开点。</translation>
     </message>
     <message>
         <source>Target points added: %1.</source>
         <translation>已添加目标点：%1 个。</translation>
     </message>
     <message>
-        <source>None of them is near the vessels. They may belong to another patient or use a different coordinate system.</source>
-        <translation>没有一个靠近血管。它们可能属于其他患者，或使用其他坐标系。</translation>
+        <source>None of the target points is near the vessels. The points may belong to another patient or use a different coordinate system.</source>
+        <translation>没有一个目标点靠近血管。这些点可能属于其他患者，或使用其他坐标系。</translation>
     </message>
     <message>
         <source>Open points %1</source>
@@ -994,7 +994,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>正在读取 %1…</translation>
     </message>
     <message>
-        <source>A registration was started in the meantime. Open the file again after it has finished.</source>
+        <source>A registration was started in the meantime. Open the file again after the registration has finished.</source>
         <translation>期间已开始配准。请在其结束后重新打开文件。</translation>
     </message>
     <message>
@@ -1006,7 +1006,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>盲法试验进行中。打开其他文件前请先结束试验。</translation>
     </message>
     <message>
-        <source>A blind trial was started in the meantime. Open the file again after it has finished.</source>
+        <source>A blind trial was started in the meantime. Open the file again after the trial has finished.</source>
         <translation>期间已开始盲法试验。请在其结束后重新打开文件。</translation>
     </message>
     <message>
@@ -1014,12 +1014,12 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>添加视图 %1</translation>
     </message>
     <message>
-        <source>View added: to show it, click it in the strip above the image.</source>
+        <source>View added. To show it, click its entry in the strip above the image.</source>
         <translation>已添加视图：在图像上方的条中单击即可显示。</translation>
     </message>
     <message>
-        <source>Additional runs can be added as views once the case has vessels. Open them again then.</source>
-        <translation>病例有血管之后，才能将其余序列添加为视图。届时请再次打开。</translation>
+        <source>Additional runs can be added as views only if the case has vessels. Open the vessels first, then the runs again.</source>
+        <translation>只有病例有血管时，才能将其余序列添加为视图。请先打开血管，再重新打开这些序列。</translation>
     </message>
 </context>
 <context>
@@ -1029,7 +1029,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>使用哪个相机？</translation>
     </message>
     <message>
-        <source>“%1” contains a camera that differs from the camera of the case. The pose is valid only with the camera it was registered with.</source>
+        <source>“%1” contains a camera that differs from that of the case. The pose is valid only with the camera that was used for its registration.</source>
         <translation>“%1”所含相机与病例的相机不同。位姿只有配合配准时所用的相机才有效。</translation>
     </message>
     <message>
@@ -1045,8 +1045,8 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>患者不同？</translation>
     </message>
     <message>
-        <source>If you open “%1” anyway, every image and report of the case will carry a warning, and no registration of its images will count as reliable. If only the pseudonyms differ, open it as the same patient.</source>
-        <translation>如果仍然打开“%1”，该病例的每张图像和每份报告都会带有警告，且其图像的任何配准都不视为可靠。如果只是假名不同，请作为同一患者打开。</translation>
+        <source>If you open “%1” anyway, every image and report of the case will carry a warning, and no registration in this case will be rated reliable. If only the pseudonyms differ, open it as the same patient.</source>
+        <translation>如果仍然打开“%1”，该病例的每张图像和每份报告都会带有警告，且此病例中的任何配准都不会评为可靠。如果只是假名不同，请作为同一患者打开。</translation>
     </message>
     <message>
         <source>Do not open</source>
@@ -1097,16 +1097,16 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>将扫描与当前血管一起显示？</translation>
     </message>
     <message>
-        <source>The vessels of the case come from a file. Show “%1” in slices with these vessels, or trace its vessels and replace the current ones?</source>
-        <translation>病例的血管来自文件。将“%1”与这些血管一起在层面中显示，还是提取其血管并替换当前血管？</translation>
+        <source>The vessels of the case come from a file. Show the slices of “%1” with these vessels, or replace them with vessels traced in this scan?</source>
+        <translation>病例的血管来自文件。将“%1”的层面与这些血管一起显示，还是用在此扫描中提取的血管替换它们？</translation>
     </message>
     <message>
         <source>Show with the vessels</source>
         <translation>与血管一起显示</translation>
     </message>
     <message>
-        <source>Trace its vessels</source>
-        <translation>提取其血管</translation>
+        <source>Trace this scan</source>
+        <translation>提取此扫描</translation>
     </message>
     <message>
         <source>Creating the sample case…</source>
@@ -1149,7 +1149,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>宽 %1 m</translation>
     </message>
     <message>
-        <source>“%1” does not specify the unit of its coordinates. If it were millimeters, the vessels would be unusually small or large. Your choice is stored in the case.</source>
+        <source>“%1” does not specify the unit of its coordinates. If the unit were millimeters, the vessels would be unusually small or large. Your choice is stored in the case.</source>
         <translation>“%1”未说明坐标的单位。若为毫米，则血管异常小或大。您的选择会保存在病例中。</translation>
     </message>
     <message>
@@ -1287,7 +1287,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
 <context>
     <name>angiopose::app::PoseGestures</name>
     <message>
-        <source>Nudge mode: arrow keys move, drag moves or rolls, N exits</source>
+        <source>Nudge mode: arrow keys move, dragging moves or rolls, N exits</source>
         <translation>微调模式：方向键平移，拖动平移或滚转，N 退出</translation>
     </message>
     <message>
@@ -1451,7 +1451,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>其他解 %1 / %2，评分 %3 · 按 %4 采用</translation>
     </message>
     <message>
-        <source>Due to image noise alone, poses within ±%1 mm (2 σ, mainly %2) are indistinguishable</source>
+        <source>Because of image noise alone, poses within ±%1 mm (2 σ, mainly %2) cannot be distinguished</source>
         <translation>仅因图像噪声，±%1 mm 内的位姿（2 σ，主要为%2）无法区分</translation>
     </message>
 </context>
@@ -1513,7 +1513,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>配准中：%1 · %2 % · %3 px</translation>
     </message>
     <message>
-        <source>Stopped, NOT RELIABLE: best pose so far kept; Undo restores the previous pose</source>
+        <source>Stopped, NOT RELIABLE: the best pose so far is kept; Undo restores the previous pose</source>
         <translation>已停止，不可靠：保留目前最佳位姿，可撤销</translation>
     </message>
     <message>
@@ -1572,7 +1572,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>尚无造影图像</translation>
     </message>
     <message>
-        <source>A case requires vessels and an angiogram. Without an angiogram, only the vessels can be saved, as centerlines. To create a case later, open them together with an angiogram.</source>
+        <source>A case requires vessels and an angiogram. Without an angiogram, only the vessels can be saved, as centerlines. To create a case later, open these vessels together with an angiogram.</source>
         <translation>病例需要血管和造影图像。没有造影图像时，只能将血管存为中心线；以后与造影图像一起打开即可建立病例。</translation>
     </message>
     <message>
@@ -1638,7 +1638,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>已写出 DICOM 对象：%1</translation>
     </message>
     <message>
-        <source>Could not start another AngioPose process. Start it from the system menu.</source>
+        <source>Could not start another AngioPose process. Start AngioPose from the system menu.</source>
         <translation>无法启动另一个 AngioPose 进程。请从系统菜单启动。</translation>
     </message>
     <message>
@@ -1827,7 +1827,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>%1按回车采用。</translation>
     </message>
     <message>
-        <source>Branches %1: probability %2 %; %3 % of the guidewire follows them, %4 mm from their centerlines.</source>
+        <source>Branches %1: probability %2 %; %3 % of the guidewire follows these branches, at a distance of %4 mm from their centerlines.</source>
         <translation>分支 %1：概率 %2 %；%3 % 的导丝沿其走行，偏离中心线 %4 mm。</translation>
     </message>
     <message>
@@ -1854,7 +1854,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>由角度得初始位姿</translation>
     </message>
     <message>
-        <source>Initial pose from the angles, with the isocenter in the vessels</source>
+        <source>Initial pose from the angles, with the isocenter placed in the vessels</source>
         <translation>由角度得初始位姿，等中心在血管内</translation>
     </message>
     <message>
@@ -1989,7 +1989,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>%1 个部分</translation>
     </message>
     <message>
-        <source>The vessel tree is not connected. The note below the branch list explains how to join its components.</source>
+        <source>The vessel tree is not connected. The note below the branch list explains how to join the components of the tree.</source>
         <translation>血管树不连通。分支列表下方说明如何连接各部分。</translation>
     </message>
     <message>
@@ -2001,7 +2001,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>第 %1 帧，已编辑</translation>
     </message>
     <message>
-        <source>The header contains no pixel spacing: %1. Enter it, or press Enter in the field to confirm the value.</source>
+        <source>The header contains no pixel spacing: %1. Enter the pixel spacing, or press Enter in the field to confirm the value.</source>
         <translation>文件头无像素间距：%1。请输入，或在框内按回车确认。</translation>
     </message>
     <message>
@@ -2271,7 +2271,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>未找到</translation>
     </message>
     <message>
-        <source>%1. Click to show it; Delete removes the active view.</source>
+        <source>%1. Click to show this view; Delete removes the active view.</source>
         <translation>%1。单击显示；Delete 移除当前视图。</translation>
     </message>
     <message>
@@ -2302,11 +2302,11 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>初始位姿</translation>
     </message>
     <message>
-        <source>a step of the registration</source>
+        <source>a registration step</source>
         <translation>配准过程中的一步</translation>
     </message>
     <message>
-        <source>a pose within the image noise</source>
+        <source>a pose within image noise</source>
         <translation>图像噪声范围内的位姿</translation>
     </message>
     <message>
@@ -2349,7 +2349,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>在吸引项上加入上方所选先验。</translation>
     </message>
     <message>
-        <source>Alternates kernel-weighted PnP between a few auxiliary points and all points (Song, Ghaffari).</source>
+        <source>Kernel-weighted PnP that alternates between a few auxiliary points and all points (Song, Ghaffari).</source>
         <translation>以核加权 PnP 在少量辅助点与全部点之间交替求解（Song、Ghaffari）。</translation>
     </message>
     <message>
@@ -2365,7 +2365,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>围绕初始位姿的退火粒子，或遍历平面外角度。</translation>
     </message>
     <message>
-        <source>Seed of the random numbers; the same seed reproduces the result.</source>
+        <source>Seed of the random number generator; the same seed reproduces the result.</source>
         <translation>随机数种子；相同的种子可重现结果。</translation>
     </message>
     <message>
@@ -2377,20 +2377,20 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>辅助点</translation>
     </message>
     <message>
-        <source>Best-first search over sequences of matched branches, with one pose per sequence (after Zhu; re-implementation, our parameters).</source>
+        <source>Best-first search over sequences of matched branches, with one pose per sequence (based on Zhu; reimplementation with our own parameters).</source>
         <translation>在匹配分支的序列中最佳优先搜索，每个序列给出一个位姿（参照 Zhu；重新实现，参数自定）。</translation>
     </message>
     <message>
-        <source>Image intensity under the vessels at the scale of each vessel, optimized by an evolution strategy (Jomier 2006; re-implementation, our parameters).</source>
-        <translation>按各血管尺度取血管下的图像强度，用进化策略优化（Jomier 2006；重新实现，参数自定）。</translation>
+        <source>Image intensity along the projected vessels at the scale of each vessel, optimized by an evolution strategy (Jomier 2006; reimplementation with our own parameters).</source>
+        <translation>沿投影血管按各血管尺度取图像强度，用进化策略优化（Jomier 2006；重新实现，参数自定）。</translation>
     </message>
     <message>
         <source>Auxiliary branches (nodes if none are selected), nodes, the widest branches (up to one third of the total length), or random points.</source>
         <translation>辅助分支（未选择时为节点）、节点、最粗且不超过总长三分之一的分支，或随机点。</translation>
     </message>
     <message>
-        <source>Coarse search, then robust point-to-line refinement about the tree&apos;s centroid, with uncertainty.</source>
-        <translation>先粗搜索，再绕血管树质心做稳健的点到线精配准，并给出不确定度。</translation>
+        <source>Coarse search, then robust point-to-line refinement about the tree&apos;s centroid; also estimates the pose uncertainty.</source>
+        <translation>先粗搜索，再绕血管树质心做稳健的点到线精配准；同时估计位姿不确定度。</translation>
     </message>
     <message>
         <source>Covariance matrix adaptation (CMA-ES), or a (1+1) evolution strategy.</source>
@@ -2413,11 +2413,11 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>提取血管上的点间距。</translation>
     </message>
     <message>
-        <source>Spacing of the tree points used for matching; smaller values are slower.</source>
-        <translation>参与匹配的血管树点间距；越小越慢。</translation>
+        <source>Spacing of the tree points used for matching; a smaller spacing takes longer to compute.</source>
+        <translation>参与匹配的血管树点间距；间距越小，计算越慢。</translation>
     </message>
     <message>
-        <source>Distance beyond which a point has little weight in the final stage; image noise can increase it.</source>
+        <source>Distance beyond which a point has little weight in the final stage; image noise can increase this distance.</source>
         <translation>最终阶段超过此距离的点权重很小；图像噪声会使其增大。</translation>
     </message>
     <message>
@@ -2429,7 +2429,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>边缘尺度</translation>
     </message>
     <message>
-        <source>Edges along the normals of the vessel walls; RANSAC with gradient matching selects the pose (Markelj 2008; re-implementation, our parameters).</source>
+        <source>Edge search along the vessel wall normals; RANSAC with gradient matching selects the pose (Markelj 2008; reimplementation with our own parameters).</source>
         <translation>沿血管壁法线寻找边缘，以 RANSAC 和梯度匹配选位姿（Markelj 2008；重新实现，参数自定）。</translation>
     </message>
     <message>
@@ -2441,8 +2441,8 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>等间距</translation>
     </message>
     <message>
-        <source>Factor by which the kernel width is reduced in each step after the first thirty.</source>
-        <translation>前三十步之后每步核收窄的倍数。</translation>
+        <source>Factor by which the kernel width is multiplied in each step after the first thirty.</source>
+        <translation>前三十步之后，每步核宽所乘的系数。</translation>
     </message>
     <message>
         <source>Final scale</source>
@@ -2457,19 +2457,19 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>初始范围</translation>
     </message>
     <message>
-        <source>Initial image range</source>
-        <translation>图像中初始范围</translation>
+        <source>Initial matching range</source>
+        <translation>初始匹配范围</translation>
     </message>
     <message>
         <source>Max. flow steps</source>
         <translation>最大流步数</translation>
     </message>
     <message>
-        <source>Gradient ascent of the mean kernel value between tree and traced vessels, or of the image intensity (Aylward 2003; re-implementation, our parameters).</source>
+        <source>Gradient ascent on the mean kernel value between the tree and the traced vessels, or on the image intensity (Aylward 2003; reimplementation with our own parameters).</source>
         <translation>对血管树与提取血管之间的平均核值，或图像强度做梯度上升（Aylward 2003；重新实现，参数自定）。</translation>
     </message>
     <message>
-        <source>Gradient flow of the inner product of tree and traced vessels, represented as functions in the image (Ghaffari 2019; re-implementation, our parameters).</source>
+        <source>Gradient flow of the inner product of the tree and the traced vessels, both represented as functions in the image (Ghaffari 2019; reimplementation with our own parameters).</source>
         <translation>血管树与提取血管作为图像函数之内积的梯度流（Ghaffari 2019；重新实现，参数自定）。</translation>
     </message>
     <message>
@@ -2481,19 +2481,19 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>所要求的方向相似程度；越小越严格。</translation>
     </message>
     <message>
-        <source>Maximum distance between a bifurcation or end of the tree and its match in the image.</source>
+        <source>Maximum distance between a bifurcation or endpoint of the tree and its match in the image.</source>
         <translation>树的分叉或端点与其在图像中的匹配点之间的最大距离。</translation>
     </message>
     <message>
-        <source>Search range perpendicular to the ray.</source>
-        <translation>垂直于射线方向的搜索范围。</translation>
+        <source>Search range of the in-plane shift.</source>
+        <translation>平面内平移的搜索范围。</translation>
     </message>
     <message>
         <source>Initial search distance for edges along the normals of the vessel walls.</source>
         <translation>沿血管壁法线寻找边缘的初始距离。</translation>
     </message>
     <message>
-        <source>Initial maximum distance between branches and their traced vessels.</source>
+        <source>Initial maximum distance between a branch and the traced vessel matched to it.</source>
         <translation>分支与其对应提取血管之间的初始最大距离。</translation>
     </message>
     <message>
@@ -2501,7 +2501,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>掩膜超出投影血管的边距。</translation>
     </message>
     <message>
-        <source>Search range in LAO/RAO and CRA/CAU.</source>
+        <source>Search range of the LAO/RAO and CRA/CAU angles.</source>
         <translation>LAO/RAO 和 CRA/CAU 方向的搜索范围。</translation>
     </message>
     <message>
@@ -2509,7 +2509,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>平面内旋转的搜索范围。</translation>
     </message>
     <message>
-        <source>Number of auxiliary points if they are random.</source>
+        <source>Number of auxiliary points if these are chosen at random.</source>
         <translation>辅助点为随机时的数量。</translation>
     </message>
     <message>
@@ -2517,7 +2517,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>初始位姿先验相对于图像的权衡方式。</translation>
     </message>
     <message>
-        <source>Nearest-neighbor search: k-d tree and grid are exact; the distance map is accurate to within three pixels.</source>
+        <source>Nearest-neighbor search: the k-d tree and the grid are exact; the distance map is accurate to within three pixels.</source>
         <translation>最近邻搜索：k-d 树和网格为精确，距离图误差在三个像素内。</translation>
     </message>
     <message>
@@ -2545,11 +2545,11 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>最大迭代次数</translation>
     </message>
     <message>
-        <source>Keeps the extent of the projected tree equal to that of the traced vessels; lower it if many branches are missing from the image.</source>
+        <source>Keeps the extent of the projected tree equal to that of the traced vessels; lower the weight if many branches are missing from the image.</source>
         <translation>使投影血管树的范围与提取血管一致；图像中缺失许多分支时请降低。</translation>
     </message>
     <message>
-        <source>Prevents the projected tree from shrinking; lower it if many branches are missing from the image.</source>
+        <source>Prevents the projected tree from shrinking; lower the weight if many branches are missing from the image.</source>
         <translation>防止投影血管树收缩；图像中缺失许多分支时请降低。</translation>
     </message>
     <message>
@@ -2557,7 +2557,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>核衰减</translation>
     </message>
     <message>
-        <source>Initial kernel width: the largest distance, or its square, as printed in the paper.</source>
+        <source>Initial kernel width: the largest distance, or its square as printed in the original paper.</source>
         <translation>初始核宽：最大距离，或如论文所示取其平方。</translation>
     </message>
     <message>
@@ -2565,7 +2565,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>对全部点的核加权迭代 PnP（Song、Ghaffari）。</translation>
     </message>
     <message>
-        <source>L2 distance between oriented Gaussian mixtures of tree and traced vessels (Baka 2014; re-implementation, our parameters).</source>
+        <source>L2 distance between oriented Gaussian mixtures of the tree and the traced vessels (Baka 2014; reimplementation with our own parameters).</source>
         <translation>血管树与提取血管的有向高斯混合之 L2 距离（Baka 2014；重新实现，参数自定）。</translation>
     </message>
     <message>
@@ -2585,15 +2585,15 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>上次位姿 ±（平移）</translation>
     </message>
     <message>
-        <source>Minimum Huber loss of the distances to the nearest traced vessel (Rivest-Hénault 2012; re-implementation, our parameters).</source>
+        <source>Minimization of the Huber loss of the distances to the nearest traced vessel (Rivest-Hénault 2012; reimplementation with our own parameters).</source>
         <translation>到最近提取血管距离的 Huber 损失最小（Rivest-Hénault 2012；重新实现，参数自定）。</translation>
     </message>
     <message>
-        <source>Least squares on branches matched by graph matching, followed by length-preserving vessel motion (Groher 2009; re-implementation, our parameters).</source>
+        <source>Least squares on branches matched by graph matching, followed by length-preserving vessel motion (Groher 2009; reimplementation with our own parameters).</source>
         <translation>通过图匹配对应分支后的最小二乘，随后做保持长度的血管移动（Groher 2009；重新实现，参数自定）。</translation>
     </message>
     <message>
-        <source>Iterative closest points with OpenCV&apos;s SQPnP solver.</source>
+        <source>Iterative closest point (ICP) registration with OpenCV&apos;s SQPnP solver.</source>
         <translation>使用 OpenCV SQPnP 求解器的迭代最近点。</translation>
     </message>
     <message>
@@ -2609,15 +2609,15 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>辅助点与全部点交替求解。</translation>
     </message>
     <message>
-        <source>Number of line-search rounds along all six directions.</source>
-        <translation>沿六个方向线搜索的轮数。</translation>
+        <source>Maximum number of rounds of line searches along all six directions.</source>
+        <translation>沿六个方向线搜索的最多轮数。</translation>
     </message>
     <message>
-        <source>Searches the neighborhood of the initial pose before the refinement.</source>
+        <source>Searches the neighborhood of the initial pose before refinement.</source>
         <translation>精配准前先在初始位姿附近搜索。</translation>
     </message>
     <message>
-        <source>Particle filter resampled by likelihood, or a sweep over the out-of-plane angles (after Tian 2022; re-implementation, our parameters).</source>
+        <source>Particle filter with resampling by likelihood, or a sweep over the out-of-plane angles (based on Tian 2022; reimplementation with our own parameters).</source>
         <translation>按似然重采样的粒子滤波，或遍历平面外角度（参照 Tian 2022；重新实现，参数自定）。</translation>
     </message>
     <message>
@@ -2637,20 +2637,20 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>分支匹配与位姿拟合的最多轮数。</translation>
     </message>
     <message>
-        <source>After the rigid fit, moves the branches to their matches while preserving their lengths, and reports the displacement; the pose does not change.</source>
+        <source>After the rigid fit, moves the branches to their matches while preserving branch lengths, and reports the displacement; the pose does not change.</source>
         <translation>刚性拟合后将分支保持长度移向其匹配血管并报告位移；位姿不变。</translation>
     </message>
     <message>
-        <source>NICP inside the alternating search (Song, Ghaffari; re-implementation, our parameters).</source>
+        <source>NICP within the alternating search (Song, Ghaffari; reimplementation with our own parameters).</source>
         <translation>交替搜索中的 NICP（Song、Ghaffari；重新实现，参数自定）。</translation>
     </message>
     <message>
-        <source>Narrows the kernel after five steps, or when no new point comes within its range.</source>
-        <translation>五步后收窄核，或在不再有新点进入范围时收窄。</translation>
+        <source>Narrows the kernel after every five steps, or when no new point comes within its range.</source>
+        <translation>每五步收窄核，或在不再有新点进入范围时收窄。</translation>
     </message>
     <message>
-        <source>Nearest points</source>
-        <translation>最近点</translation>
+        <source>Nearest-point search</source>
+        <translation>最近点搜索</translation>
     </message>
     <message>
         <source>Neighbors</source>
@@ -2661,7 +2661,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>偏离轴线 ±</translation>
     </message>
     <message>
-        <source>For images that show only a guidewire or catheter: finds its path through the tree, and the pose near the last full registration.</source>
+        <source>For images that show only a guidewire or catheter: finds its path through the tree and a pose near that of the last full registration.</source>
         <translation>用于仅可见导丝或导管的图像：求其在血管树中的路径，以及上次完整配准附近的位姿。</translation>
     </message>
     <message>
@@ -2673,15 +2673,15 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>比较像素</translation>
     </message>
     <message>
-        <source>Points attract each other more strongly where the vessels are more parallel.</source>
-        <translation>血管走向越平行，点之间吸引越强。</translation>
+        <source>Points attract each other more strongly where the vessels run in similar directions.</source>
+        <translation>血管走向越相近，点之间吸引越强。</translation>
     </message>
     <message>
         <source>Population</source>
         <translation>种群</translation>
     </message>
     <message>
-        <source>Number of poses per round, each from three random correspondences.</source>
+        <source>Number of poses per round, each computed from three random correspondences.</source>
         <translation>每轮由三个随机对应求得的位姿数。</translation>
     </message>
     <message>
@@ -2689,8 +2689,8 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>每轮保留的位姿数。</translation>
     </message>
     <message>
-        <source>Total number of poses tested.</source>
-        <translation>测试的位姿总数。</translation>
+        <source>Maximum total number of poses tested.</source>
+        <translation>最多测试的位姿总数。</translation>
     </message>
     <message>
         <source>Number of poses tested per generation.</source>
@@ -2721,7 +2721,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>随机种子</translation>
     </message>
     <message>
-        <source>Rank correlation of the image with DRRs of the CTA or of tubes, Nelder–Mead (Steininger 2012; re-implementation, our parameters).</source>
+        <source>Rank correlation of the image with DRRs of the CTA or of vessel tubes, optimized by the Nelder–Mead method (Steininger 2012; reimplementation with our own parameters).</source>
         <translation>图像与 CTA 或管状模型的 DRR 的秩相关，Nelder–Mead（Steininger 2012；重新实现，参数自定）。</translation>
     </message>
     <message>
@@ -2737,7 +2737,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>最大节点距离</translation>
     </message>
     <message>
-        <source>Rigid only, or followed by an affine stage whose rigid component is kept if it fits better.</source>
+        <source>Rigid only, or rigid followed by an affine stage whose rigid component is adopted if it fits better.</source>
         <translation>仅刚性，或之后加仿射阶段，其刚性部分更优时保留。</translation>
     </message>
     <message>
@@ -2761,12 +2761,12 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>搜索半径</translation>
     </message>
     <message>
-        <source>Search roll</source>
-        <translation>搜索滚转</translation>
+        <source>Roll search range</source>
+        <translation>滚转搜索范围</translation>
     </message>
     <message>
-        <source>Search tilt</source>
-        <translation>搜索倾角</translation>
+        <source>Tilt search range</source>
+        <translation>倾角搜索范围</translation>
     </message>
     <message>
         <source>Self term</source>
@@ -2777,7 +2777,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>最多测试的匹配分支序列数。</translation>
     </message>
     <message>
-        <source>Fraction of the mask used for the rank correlation; at least 2000 pixels.</source>
+        <source>Fraction of the mask used for the rank correlation; at least 2000 pixels are used.</source>
         <translation>秩相关所用掩膜比例；至少 2000 像素。</translation>
     </message>
     <message>
@@ -2797,32 +2797,32 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>匹配前将点等距化；关闭则使用原始点。</translation>
     </message>
     <message>
-        <source>Standard deviation of the last full pose perpendicular to the ray.</source>
-        <translation>上次完整位姿垂直于射线的标准差。</translation>
+        <source>Standard deviation of the in-plane position in the last full registration.</source>
+        <translation>上次完整配准中平面内位置的标准差。</translation>
     </message>
     <message>
-        <source>Standard deviation of the last full pose along the ray.</source>
-        <translation>上次完整位姿沿射线的标准差。</translation>
+        <source>Standard deviation of the depth in the last full registration.</source>
+        <translation>上次完整配准中深度的标准差。</translation>
     </message>
     <message>
-        <source>Standard deviation of the last full pose&apos;s angles.</source>
-        <translation>上次完整位姿角度的标准差。</translation>
+        <source>Standard deviation of the angles in the last full registration.</source>
+        <translation>上次完整配准中角度的标准差。</translation>
     </message>
     <message>
-        <source>Standard deviation of the initial pose perpendicular to the ray.</source>
-        <translation>初始位姿垂直于射线的标准差。</translation>
+        <source>Standard deviation of the in-plane position of the initial pose.</source>
+        <translation>初始位姿平面内位置的标准差。</translation>
     </message>
     <message>
-        <source>Standard deviation of the initial pose along the ray.</source>
-        <translation>初始位姿沿射线的标准差。</translation>
+        <source>Standard deviation of the depth of the initial pose.</source>
+        <translation>初始位姿深度的标准差。</translation>
     </message>
     <message>
-        <source>Standard deviation of the initial pose angles; constrains the components that the image cannot determine.</source>
+        <source>Standard deviation of the angles of the initial pose; constrains the components that the image cannot determine.</source>
         <translation>初始位姿角度的标准差；约束图像无法确定的分量。</translation>
     </message>
     <message>
-        <source>Standard deviation of the guidewire from the vessel axis, in addition to its free play within the lumen.</source>
-        <translation>导丝偏离血管轴线的标准差，不含血管管径所允许的部分。</translation>
+        <source>Standard deviation of the distance of the guidewire from the centerline, in addition to its free play within the lumen.</source>
+        <translation>导丝与中心线距离的标准差，不含其在管腔内的活动范围。</translation>
     </message>
     <message>
         <source>Initial depth ±</source>
@@ -2841,15 +2841,15 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>辅助分支的权重</translation>
     </message>
     <message>
-        <source>Weight of the auxiliary branches relative to the fit of all branches; 1: no separate fit.</source>
-        <translation>辅助分支相对于全部分支拟合的权重；1：不单独拟合。</translation>
+        <source>Weight of the auxiliary branches relative to the fit of all branches; with a weight of 1, they are not fitted separately.</source>
+        <translation>辅助分支相对于全部分支拟合的权重；为 1 时不单独拟合。</translation>
     </message>
     <message>
         <source>Geometry uncertainty</source>
         <translation>几何不确定度</translation>
     </message>
     <message>
-        <source>Uncertainty of focal length and principal point: typical for their source, as given below, or none.</source>
+        <source>Uncertainty of the focal length and the principal point: typical of their source, as specified below, or none.</source>
         <translation>焦距和主点的不确定度：按其来源的典型值、按下方给定值，或不考虑。</translation>
     </message>
     <message>
@@ -2857,23 +2857,23 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>焦距 ±</translation>
     </message>
     <message>
-        <source>Standard deviation of the focal length, if specified.</source>
-        <translation>给定时焦距的标准差。</translation>
+        <source>Standard deviation of the focal length; applies if the geometry uncertainty is set to “given”.</source>
+        <translation>焦距的标准差；在几何不确定度设为“给定”时适用。</translation>
     </message>
     <message>
         <source>Principal point ±</source>
         <translation>主点 ±</translation>
     </message>
     <message>
-        <source>Standard deviation of each principal-point coordinate, if specified.</source>
-        <translation>给定时主点各坐标的标准差。</translation>
+        <source>Standard deviation of each principal-point coordinate; applies if the geometry uncertainty is set to “given”.</source>
+        <translation>主点各坐标的标准差；在几何不确定度设为“给定”时适用。</translation>
     </message>
     <message>
         <source>Estimate geometry</source>
         <translation>估计几何参数</translation>
     </message>
     <message>
-        <source>If the images clearly contradict the focal length or principal point, adopts the values they indicate and registers again.</source>
+        <source>If the images clearly contradict the focal length or the principal point, adopts the values that best fit the images and registers again.</source>
         <translation>当图像明显与焦距或主点不符时，采用图像所示的值并重新配准。</translation>
     </message>
     <message>
@@ -2889,8 +2889,8 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>形变</translation>
     </message>
     <message>
-        <source>Deforms the vessels to match the image after the rigid registration: never; automatically, if the fit suggests a deformation (method angiopose, nothing locked); or always.</source>
-        <translation>刚性配准后将血管形变到图像上：从不；在拟合提示存在形变时自动进行（方法 angiopose，且无锁定）；或总是。</translation>
+        <source>Deforms the vessels to match the image after rigid registration: never; automatically if the fit suggests a deformation (AngioPose method, no degrees of freedom locked); or always.</source>
+        <translation>刚性配准后将血管形变到图像上：从不；在拟合提示存在形变时自动进行（AngioPose 方法，且未锁定自由度）；或总是。</translation>
     </message>
     <message>
         <source>Initial rotation ±</source>
@@ -2925,8 +2925,8 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>精配准的最多步数。</translation>
     </message>
     <message>
-        <source>The spread decreases by one quarter in each round.</source>
-        <translation>每轮散布缩小四分之一。</translation>
+        <source>Number of rounds; the spread of the particles decreases by one quarter in each round.</source>
+        <translation>轮数；每轮粒子的散布缩小四分之一。</translation>
     </message>
     <message>
         <source>The traced vessels, or the image intensity at the scale of each vessel.</source>
@@ -2941,15 +2941,15 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>树点间距</translation>
     </message>
     <message>
-        <source>Rotates about the source before all other steps.</source>
+        <source>Rotates about the X-ray source before all other steps.</source>
         <translation>首先绕射线源旋转。</translation>
     </message>
     <message>
-        <source>Balances rotation and translation, or uses unscaled radians and millimeters, which yields hardly any translation.</source>
-        <translation>旋转与平移平衡，或弧度与毫米不加缩放直接并用（几乎不平移）。</translation>
+        <source>Scaling of the gradient step: balanced between rotation and translation, or unscaled in radians and millimeters, which yields hardly any translation.</source>
+        <translation>梯度步的缩放：旋转与平移平衡，或弧度与毫米不加缩放（几乎不平移）。</translation>
     </message>
     <message>
-        <source>Vessel walls against image gradients, Powell&apos;s method (Mitrović 2013; re-implementation, our parameters).</source>
+        <source>Matching of vessel walls to image gradients by Powell&apos;s method (Mitrović 2013; reimplementation with our own parameters).</source>
         <translation>血管壁与图像梯度匹配，Powell 法（Mitrović 2013；重新实现，参数自定）。</translation>
     </message>
     <message>
@@ -3224,14 +3224,14 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
 <context>
     <name>messages</name>
     <message>
-        <source>The camera or the pose contains a value that is not a finite number. Export it again.</source>
+        <source>The camera or the pose contains a value that is not a finite number. Export both again.</source>
         <comment>projection.not-finite</comment>
         <translation>相机或位姿中含有非有限数值。请重新导出。</translation>
     </message>
     <message>
-        <source>The left 3 x 3 block of the projection matrix is singular, so this is not an X-ray camera. Export it again.</source>
+        <source>The left 3 × 3 block of the projection matrix is singular, so this is not an X-ray camera. Export the matrix again.</source>
         <comment>projection.degenerate</comment>
-        <translation>投影矩阵左侧 3 x 3 块不可逆，因此不是 X 射线相机。请重新导出。</translation>
+        <translation>投影矩阵左侧 3 × 3 块不可逆，因此不是 X 射线相机。请重新导出。</translation>
     </message>
     <message>
         <source>The camera has skewed pixels (skew %1). Provide a camera without skew, or resample the image.</source>
@@ -3239,7 +3239,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>相机像素存在偏斜（偏斜 %1）。请提供无偏斜的相机，或对图像重采样。</translation>
     </message>
     <message>
-        <source>K must contain only focal lengths and principal point: fx 0 cx, 0 fy cy, 0 0 1. Check that it is not transposed.</source>
+        <source>K may contain only the focal lengths and the principal point: fx 0 cx, 0 fy cy, 0 0 1. Check that it is not transposed.</source>
         <comment>projection.intrinsics</comment>
         <translation>K 只能包含焦距和主点：fx 0 cx, 0 fy cy, 0 0 1。请检查是否被转置。</translation>
     </message>
@@ -3249,12 +3249,12 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>R 不是旋转（含缩放或剪切）。请提供以 mm 为单位的刚性位姿。</translation>
     </message>
     <message>
-        <source>the file contains no camera with a pose. Provide P (3 x 4), or K (3 x 3), R (3 x 3, or rvec) and t (3).</source>
+        <source>the file contains no camera with a pose. Provide P (3 × 4); or K (3 × 3), R (3 × 3, or rvec) and t (3).</source>
         <comment>exchange.no-pose</comment>
-        <translation>文件中没有带位姿的相机。请提供 P (3 x 4)，或 K (3 x 3)、R (3 x 3 或 rvec) 和 t (3)。</translation>
+        <translation>文件中没有带位姿的相机。请提供 P (3 × 4)，或 K (3 × 3)、R (3 × 3 或 rvec) 和 t (3)。</translation>
     </message>
     <message>
-        <source>the file contains %1 numbers. P = K [R t] requires 12 (three rows of four), a pose cameraFromPatient 16.</source>
+        <source>the file contains %1 numbers. P = K [R t] requires 12 numbers (three rows of four); a cameraFromPatient pose requires 16 (four rows of four).</source>
         <comment>exchange.numbers</comment>
         <translation>文件中有 %1 个数。P = K [R t] 有 12 个（三行四列），位姿 cameraFromPatient 有 16 个。</translation>
     </message>
@@ -3264,7 +3264,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>相机含畸变（畸变系数）。请先校正图像畸变，再提供无畸变的相机。</translation>
     </message>
     <message>
-        <source>a pose in this format requires a camera. Specify a case, or a pose with a camera.</source>
+        <source>a pose in this format requires a camera. Specify a case, or a pose that includes a camera.</source>
         <comment>exchange.no-camera</comment>
         <translation>此格式的位姿需要相机。请提供病例，或带相机的位姿。</translation>
     </message>
@@ -3304,19 +3304,19 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>点可保存为 .fcsv 或 .mrk.json。请更改扩展名。</translation>
     </message>
     <message>
-        <source>%1 contains a pose or points. Open its case first, then open this file separately.</source>
+        <source>%1 contains a pose or points. Open the case to which the file belongs first, then open this file separately.</source>
         <comment>open.pose-alone</comment>
         <translation>%1 含有位姿或点。请先打开其所属病例，再单独打开此文件。</translation>
     </message>
     <message>
-        <source>The camera of the pose differs from the camera of the case. The vessels are drawn with the camera of the pose.</source>
+        <source>The pose was determined with a different camera from that of the case. The vessels are drawn with the camera stored with the pose.</source>
         <comment>pose.other-camera</comment>
-        <translation>位姿的相机与病例的相机不同。血管按位姿的相机绘制。</translation>
+        <translation>该位姿由不同于病例的相机求得。血管按随位姿保存的相机绘制。</translation>
     </message>
     <message>
-        <source>The pose belongs to an image of %1 x %2 px; the angiogram has %3 x %4. Choose the pose of this image.</source>
+        <source>The pose belongs to an image of %1 × %2 px, but the angiogram is %3 × %4 px. Choose the pose that belongs to this angiogram.</source>
         <comment>pose.other-image</comment>
-        <translation>该位姿属于 %1 x %2 px 的图像，而血管造影为 %3 x %4。请选择此图像的位姿。</translation>
+        <translation>该位姿属于 %1 × %2 px 的图像，而血管造影为 %3 × %4 px。请选择属于此血管造影的位姿。</translation>
     </message>
     <message>
         <source>the case has no landmarks, target points or ostium rings. Add some in the window first.</source>
@@ -3324,7 +3324,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>病例没有标志点、目标点或开口环。请先在窗口中添加。</translation>
     </message>
     <message>
-        <source>The pose is assumed to have the detector at negative z and no extrinsic matrix, as in xReg X-ray data. Use --camera if the image is mirrored.</source>
+        <source>For this pose, the detector is assumed to be at negative z without an extrinsic matrix, as in xReg X-ray data. Use --camera if the image is mirrored.</source>
         <comment>convert.xreg-guessed</comment>
         <translation>假定该位姿的探测器位于负 z 且没有外参矩阵，与 xReg 的 X 射线数据一致。若图像为镜像，请使用 --camera。</translation>
     </message>
@@ -3334,17 +3334,17 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>操作系统未提供随机数，因此无法保证假名的保密性。</translation>
     </message>
     <message>
-        <source>The image contains burned-in text, at column %1, row %2 and elsewhere. Review it, or mask it.</source>
+        <source>The image contains burned-in text, for example at column %1, row %2. Review the text, or mask it.</source>
         <comment>deidentify.letters-stay</comment>
-        <translation>图像中有烧录文字（第 %1 列、第 %2 行及其他位置）。请检查或将其遮盖。</translation>
+        <translation>图像中有烧录文字（例如第 %1 列、第 %2 行）。请检查或将其遮盖。</translation>
     </message>
     <message>
-        <source>Burned-in text was masked (%1 % of the image area). Check that none remains.</source>
+        <source>Burned-in text was masked (%1 % of the image area). Check that no text remains.</source>
         <comment>deidentify.letters-blacked-out</comment>
         <translation>烧录文字已遮盖（占图像面积的 %1 %）。请检查是否有残留。</translation>
     </message>
     <message>
-        <source>The header declares burned-in patient information, but no text was detected in the image. Review every frame.</source>
+        <source>According to the header, patient information is burned into the image, but no text was detected. Review every frame.</source>
         <comment>deidentify.letters-declared</comment>
         <translation>文件头声明图像中烧录有身份信息，但未检测到文字。请检查每一帧。</translation>
     </message>
@@ -3389,12 +3389,12 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>文件夹中没有 DICOM 图像。请选择一次检查的文件夹。</translation>
     </message>
     <message>
-        <source>an input file of the case could not be read and is missing from the ZIP archive: %1</source>
+        <source>an input file of the case could not be read and is therefore missing from the ZIP archive: %1</source>
         <comment>pack.input-missing</comment>
         <translation>病例的一个输入文件无法读取，未放入 ZIP 压缩包：%1</translation>
     </message>
     <message>
-        <source>cases are shared as .zip. Change the extension.</source>
+        <source>cases can be shared only as .zip. Change the extension.</source>
         <comment>pack.format</comment>
         <translation>病例以 .zip 共享。请更改扩展名。</translation>
     </message>
@@ -3404,7 +3404,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>无法写入 ZIP 压缩包（%1）。请选择其他文件夹，或释放磁盘空间。</translation>
     </message>
     <message>
-        <source>Names, notes and texts entered by users were replaced by numbers: %1.</source>
+        <source>Names, notes and other text entered by users were replaced by numbers (count: %1).</source>
         <comment>pack.texts-cleared</comment>
         <translation>手工输入的名称、备注和文字已替换为编号：%1。</translation>
     </message>
@@ -3439,42 +3439,42 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>血管不同。</translation>
     </message>
     <message>
-        <source>a key must have at least 16 bytes. To create one: head -c 32 /dev/urandom &gt; key</source>
+        <source>a key must be at least 16 bytes long. To create one: head -c 32 /dev/urandom &gt; key</source>
         <comment>deidentify.key-too-short</comment>
         <translation>密钥至少需要 16 字节。可这样生成：head -c 32 /dev/urandom &gt; key</translation>
     </message>
     <message>
-        <source>this input is de-identified into a file with the extension %1, and a folder into a folder. Name OUT accordingly.</source>
+        <source>the output for this file must have the extension %1; the output for a folder is a folder. Name OUT accordingly.</source>
         <comment>deidentify.kind</comment>
-        <translation>去标识化后，此输入成为扩展名为 %1 的文件，文件夹仍为文件夹。请相应命名 OUT。</translation>
+        <translation>此文件的输出须以 %1 为扩展名；文件夹的输出为文件夹。请相应命名 OUT。</translation>
     </message>
     <message>
-        <source>this TIFF cannot be rewritten losslessly (supported: grayscale, palette or RGB with 8 or 16 bits or float, in strips). Convert it to PNG.</source>
+        <source>this TIFF cannot be rewritten losslessly (supported: grayscale, palette and RGB images in strips, with 8-bit, 16-bit or floating-point samples). Convert it to PNG.</source>
         <comment>deidentify.tiff</comment>
         <translation>该 TIFF 无法无损重新保存（支持条带式的灰度、调色板或 RGB，8 或 16 位或浮点）。请另存为 PNG。</translation>
     </message>
     <message>
-        <source>this is a PDF document; any page may contain names. Create it again from a de-identified case.</source>
+        <source>this is a PDF document, and any of its pages may contain names. Create it again from a de-identified case.</source>
         <comment>deidentify.pages</comment>
         <translation>这是 PDF 文档，任何页面都可能包含姓名。请由去标识化的病例重新生成。</translation>
     </message>
     <message>
-        <source>objects of this kind (class %1) contain data that cannot be de-identified reliably. Omit the object.</source>
+        <source>objects of SOP class %1 contain data that cannot be reliably de-identified. Exclude this object.</source>
         <comment>deidentify.object</comment>
-        <translation>此类对象（类别 %1）含有无法可靠去标识化的数据。请将其略去。</translation>
+        <translation>SOP 类 %1 的对象含有无法可靠去标识化的数据。请排除此对象。</translation>
     </message>
     <message>
-        <source>its SOP class (%1) has no image, but the file contains one, which would be lost. Export it again, or omit it.</source>
+        <source>the SOP class (%1) does not define an image, but the file contains one, which would be lost. Export the object again, or exclude it.</source>
         <comment>deidentify.object-with-pixels</comment>
-        <translation>其类别（%1）不含图像，但文件中含有图像，该图像会丢失。请重新导出，或将其略去。</translation>
+        <translation>其 SOP 类（%1）不含图像，但文件中含有图像，该图像会丢失。请重新导出该对象，或将其排除。</translation>
     </message>
     <message>
-        <source>Free text in reports, segmentations or presentation states was removed; codes and numbers were kept: %1.</source>
+        <source>Free text was removed from reports, segmentations or presentation states (count: %1); codes and numbers were kept.</source>
         <comment>deidentify.words-cleared</comment>
-        <translation>报告、分割或显示状态中的自由文本已去除，编码和数值保留：%1。</translation>
+        <translation>已从报告、分割或显示状态中去除自由文本（数量：%1）；编码和数值保留。</translation>
     </message>
     <message>
-        <source>Alternative path: %1 (%2).</source>
+        <source>Alternative path: %1 (probability %2).</source>
         <comment>wire.may-follow</comment>
         <translation>备选路径：%1（%2）。</translation>
     </message>
@@ -3489,12 +3489,12 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>仅 %1 的导丝沿血管树走行。</translation>
     </message>
     <message>
-        <source>The traced curves do not form a single line: gaps make up %1 of it. Remove the curves that do not belong to the guidewire.</source>
+        <source>The traced curves do not form a single line: %1 of its length is gaps. Remove the curves that do not belong to the guidewire.</source>
         <comment>wire.in-pieces</comment>
         <translation>提取的曲线不构成单一线条：其中 %1 为间隙。请去除不属于导丝的曲线。</translation>
     </message>
     <message>
-        <source>The guidewire matches no path of the vessel tree near the initial pose. Start from the last full registration, or allow a larger deviation.</source>
+        <source>The guidewire does not match any path through the vessel tree near the initial pose. Start from the last full registration, or allow a larger deviation.</source>
         <comment>wire.nowhere</comment>
         <translation>在初始位姿附近，导丝与血管树的任何路径都不符。请从上次完整配准开始，或允许更大的偏差。</translation>
     </message>
@@ -3504,9 +3504,9 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>导丝以 %2 的概率走行于分支 %1；偏离中心线 %3。</translation>
     </message>
     <message>
-        <source>There are only %1 likely paths: the most likely one is used instead of the requested one.</source>
+        <source>The requested path rank exceeds the number of likely paths (%1): the most likely path is used instead.</source>
         <comment>wire.fewer-ways</comment>
-        <translation>可能的路径只有 %1 条：使用最可能的一条，而非所请求的那条。</translation>
+        <translation>请求的路径序号超过可能路径的数量（%1）：改用最可能的路径。</translation>
     </message>
     <message>
         <source>images can be saved as .png or .svg, and in the window also as .pdf. Choose one of these.</source>
@@ -3514,7 +3514,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>图像可保存为 .png 或 .svg，在窗口中还可保存为 .pdf。请选择其一。</translation>
     </message>
     <message>
-        <source>16-bit gray values can only be saved as .png.</source>
+        <source>16-bit gray values can be saved only as .png.</source>
         <comment>picture.grey-kind</comment>
         <translation>16 位灰度值只能保存为 .png。</translation>
     </message>
@@ -3539,7 +3539,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>设置 %1 不能为“%2”：%3</translation>
     </message>
     <message>
-        <source>a batch file needs a header row with the column case, or with the columns vessels and angiogram, and one row per case.</source>
+        <source>a batch file needs a header row with a case column, or with vessels and angiogram columns, and one row per case.</source>
         <comment>batch.header-missing</comment>
         <translation>批处理表需要表头行，含有 case 列，或 vessels 和 angiogram 两列，并且每个病例一行。</translation>
     </message>
@@ -3549,7 +3549,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>第 %1 行，%2 列：%3</translation>
     </message>
     <message>
-        <source>line %1 specifies both a case and inputs. Specify either the case or its vessels and angiogram.</source>
+        <source>line %1 specifies both a case and inputs. Specify either the case, or its vessels and angiogram.</source>
         <comment>batch.not-both</comment>
         <translation>第 %1 行既给出病例又给出输入。请只给出病例，或只给出其血管和造影图像。</translation>
     </message>
@@ -3589,7 +3589,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>血管跨度为 %1 个单位，不大可能是毫米。请给出注明单位的病例。</translation>
     </message>
     <message>
-        <source>no folder contains a result for this row. Process it with --resume.</source>
+        <source>no folder contains a result for this row. Process the row with --resume.</source>
         <comment>batch.row-missing</comment>
         <translation>没有文件夹含有此行的结果。请用 --resume 运行。</translation>
     </message>
@@ -3604,7 +3604,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>此病例尚未配准：血管处于初始位姿。请使用 --register，或用 --from 给出结果；若要导出初始位姿本身，请用 --start-pose。</translation>
     </message>
     <message>
-        <source>This case has not been registered: the vessels are drawn at the initial pose. Register it with --save, or use --pose or --from.</source>
+        <source>This case has not been registered: the vessels are drawn at the initial pose. Register the case with --save, or use --pose or --from.</source>
         <comment>command.drawn-at-start</comment>
         <translation>此病例尚未配准：血管按初始位姿绘制。请用 --save 配准，或使用 --pose 或 --from。</translation>
     </message>
@@ -3619,17 +3619,17 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>这不是配准结果。请提供由 `register` 或 `batch` 写出的 result.json 或 joint.json。</translation>
     </message>
     <message>
-        <source>the result does not record its inputs: it was computed by an earlier version, or the geometry was estimated. Register its case instead.</source>
+        <source>the result does not record its inputs: it was computed by an earlier version, or with estimated geometry. Register its case instead.</source>
         <comment>result.without-case</comment>
         <translation>该结果未记录其输入：它由较早的版本计算，或其配准估计了几何参数。请改为配准其病例。</translation>
     </message>
     <message>
-        <source>no input %1 with the recorded content (SHA-256 %2) was found. Specify its folder with --inputs.</source>
+        <source>no file with the recorded contents (SHA-256 %2) was found for input %1. Specify its folder with --inputs.</source>
         <comment>result.input-missing</comment>
         <translation>找不到内容与记录一致的输入 %1（SHA-256 %2）。请用 --inputs 指定其所在文件夹。</translation>
     </message>
     <message>
-        <source>the content of input %1 has changed since the result was computed. Specify the folder of the original with --inputs.</source>
+        <source>the contents of input %1 have changed since the result was computed. Specify the folder of the original with --inputs.</source>
         <comment>result.input-changed</comment>
         <translation>输入 %1 的内容在计算结果之后已改变。请用 --inputs 指定原文件所在文件夹。</translation>
     </message>
@@ -3639,9 +3639,9 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>--shard 需要部分号和总份数，例如 2/4，而不是“%1”。</translation>
     </message>
     <message>
-        <source>There is no degree of freedom &apos;%1&apos;. Lock %2, or none.</source>
+        <source>There is no degree of freedom &apos;%1&apos;. Available: %2, or none.</source>
         <comment>command.no-such-freedom</comment>
-        <translation>没有可锁定的自由度“%1”。可用：%2，或 none。</translation>
+        <translation>没有自由度“%1”。可用：%2，或 none。</translation>
     </message>
     <message>
         <source>there is no deformable registration for this pose. Register a frame in which the vessels appear deformed, or use the option deformable=always.</source>
@@ -3664,12 +3664,12 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>文件中还没有中心线。请先提取：angiopose-cli trace-vessel %1 --output %2。</translation>
     </message>
     <message>
-        <source>this is neither a volume nor a surface and cannot be converted to a volume. Choose a scan (DICOM, NIfTI, NRRD, MetaImage) or a surface, or another output name.</source>
+        <source>this is neither a volume nor a surface, so it cannot be converted to a volume. Choose a scan (DICOM, NIfTI, NRRD, MetaImage) or a surface, or choose another output name.</source>
         <comment>convert.no-volume</comment>
         <translation>这既不是体数据也不是表面，无法转换为体数据。请选择扫描（DICOM、NIfTI、NRRD、MetaImage）或表面，或改用其他输出文件名。</translation>
     </message>
     <message>
-        <source>this extension cannot be written. Centerlines: .vtp, .csv, .swc, .mrk.json; volumes: .nii, .nii.gz, .nrrd, .mha; surfaces: .stl; poses: .json, .tfm, .h5; X-ray runs: .dcm.</source>
+        <source>files with this extension cannot be written. Centerlines: .vtp, .csv, .swc, .mrk.json; volumes: .nii, .nii.gz, .nrrd, .mha; surfaces: .stl; poses: .json, .tfm, .h5; X-ray runs: .dcm.</source>
         <comment>convert.extension</comment>
         <translation>不支持写入该扩展名。中心线：.vtp、.csv、.swc、.mrk.json；体数据：.nii、.nii.gz、.nrrd、.mha；表面：.stl；位姿：.json、.tfm、.h5；X 射线序列：.dcm。</translation>
     </message>
@@ -3684,7 +3684,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>不是标签图像，因此没有标签。请去掉 --label，或选择分割结果。</translation>
     </message>
     <message>
-        <source>the file already contains centerlines; no tracing is needed. Use `convert` to change the format.</source>
+        <source>the file already contains centerlines, so no tracing is needed. Use `convert` to change the format.</source>
         <comment>trace.centrelines</comment>
         <translation>文件中已是中心线，无需提取。`convert` 可转换其格式。</translation>
     </message>
@@ -3694,7 +3694,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>无法提取此表面。请选择其他表面。</translation>
     </message>
     <message>
-        <source>detecting thin vessels requires the gray values of a scan; this file has none. Omit --tubes.</source>
+        <source>the detection of thin vessels requires the gray values of a scan, but this file has none. Omit --tubes.</source>
         <comment>trace.tubes-of-mask</comment>
         <translation>检测细血管需要扫描的灰度值，而此文件没有。请去掉 --tubes。</translation>
     </message>
@@ -3749,17 +3749,17 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>导出图像需要血管树和造影图像。请先打开两者。</translation>
     </message>
     <message>
-        <source>stopped; completely received objects are kept.</source>
+        <source>stopped; objects already received in full are kept.</source>
         <comment>archive.stopped</comment>
         <translation>已停止；已完整收到的对象予以保留。</translation>
     </message>
     <message>
-        <source>host %1 is unknown. Check its name in the PACS list, and the network.</source>
+        <source>host %1 is unknown. Check the host name in the PACS list and the network connection.</source>
         <comment>archive.unknown-host</comment>
         <translation>主机 %1 未知。请检查 PACS 列表中的名称和网络。</translation>
     </message>
     <message>
-        <source>%1 cannot be reached (%2). Check host, port and network, and that the PACS is running.</source>
+        <source>%1 cannot be reached (%2). Check the host, the port and the network connection, and check that the PACS is running.</source>
         <comment>archive.no-connection</comment>
         <translation>无法连接 %1（%2）。请检查主机、端口和网络，以及 PACS 是否在运行。</translation>
     </message>
@@ -3769,12 +3769,12 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>%1 接受了连接，但在 %2 内没有应答。请检查该端口是否属于 PACS。</translation>
     </message>
     <message>
-        <source>no response within %1. Try again later, or increase the response timeout of this PACS; completely received objects are kept.</source>
+        <source>no response within %1. Try again later, or increase the response timeout of this PACS; objects already received in full are kept.</source>
         <comment>archive.no-answer</comment>
         <translation>在 %1 内没有应答。请稍后再试，或延长该 PACS 的响应超时；已完整收到的对象予以保留。</translation>
     </message>
     <message>
-        <source>the connection was lost (%1). Try again; completely received objects are kept.</source>
+        <source>the connection was lost (%1). Try again; objects already received in full are kept.</source>
         <comment>archive.broken</comment>
         <translation>连接中断（%1）。请再试一次；已完整收到的对象予以保留。</translation>
     </message>
@@ -3794,32 +3794,32 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>关联被拒绝（%1）。请询问 PACS 管理员本机是否可以连接。</translation>
     </message>
     <message>
-        <source>the PACS aborted the association. Check its log, or try again; completely received objects are kept.</source>
+        <source>the PACS aborted the association. Check its log, or try again; objects already received in full are kept.</source>
         <comment>archive.aborted</comment>
         <translation>PACS 中止了关联。请查看其日志，或再试一次；已完整收到的对象予以保留。</translation>
     </message>
     <message>
-        <source>the PACS does not offer %1. Ask its administrator to enable it for our AE title %2.</source>
+        <source>the PACS does not offer the requested service (%1). Ask its administrator to enable it for our AE title %2.</source>
         <comment>archive.no-service</comment>
         <translation>PACS 不提供 %1。请管理员为我方 AE 标题 %2 开放。</translation>
     </message>
     <message>
-        <source>%1 failed with %2. Check the PACS log, or ask its administrator.</source>
+        <source>%1 failed with %2. Check the PACS log, or ask the PACS administrator.</source>
         <comment>archive.status</comment>
         <translation>%1 失败：%2。请查看 PACS 日志，或询问管理员。</translation>
     </message>
     <message>
-        <source>the response is invalid (%1). Check that host, port and address belong to a PACS.</source>
+        <source>the response is invalid (%1). Check that the host, port and address belong to a PACS.</source>
         <comment>archive.nonsense</comment>
         <translation>应答无效（%1）。请检查主机、端口和地址是否属于 PACS。</translation>
     </message>
     <message>
-        <source>the TLS handshake failed (%1). Check the CA file of this PACS, the certificates, and whether this port uses TLS.</source>
+        <source>the TLS handshake failed (%1). Check the CA file of this PACS and the certificates, and check whether this port uses TLS.</source>
         <comment>archive.tls-refused</comment>
         <translation>TLS 握手失败（%1）。请检查该 PACS 的 CA 文件、证书，以及该端口是否使用 TLS。</translation>
     </message>
     <message>
-        <source>the file %1 cannot be used for TLS (%2). Check its path and content.</source>
+        <source>the file %1 cannot be used for TLS (%2). Check its path and contents.</source>
         <comment>archive.tls-file</comment>
         <translation>文件 %1 不能用于 TLS（%2）。请检查其路径和内容。</translation>
     </message>
@@ -3829,22 +3829,22 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>证书不是为主机 %1 签发的。请检查主机；如无误，请为该 PACS 关闭主机名校验。</translation>
     </message>
     <message>
-        <source>this is not a PACS list (%1). Correct it, or delete the file.</source>
+        <source>this is not a PACS list (%1). Correct or delete the file.</source>
         <comment>archive.list-invalid</comment>
         <translation>这不是 PACS 列表（%1）。请更正或删除该文件。</translation>
     </message>
     <message>
-        <source>the PACS %1 is not listed in %2; available: %3. Add it, or correct the name.</source>
+        <source>the PACS %1 is not listed in %2; available: %3. Add the PACS, or correct the name.</source>
         <comment>archive.unknown</comment>
         <translation>%2 中没有 PACS %1；已知：%3。请添加，或更正名称。</translation>
     </message>
     <message>
-        <source>a PACS has no valid name. Enter 1 to 64 characters.</source>
+        <source>a PACS has no valid name. Enter a name of 1 to 64 characters.</source>
         <comment>archive.no-name</comment>
         <translation>有 PACS 缺少有效名称。请输入 1 至 64 个字符。</translation>
     </message>
     <message>
-        <source>the PACS has neither a host nor a DICOMweb address. Enter one.</source>
+        <source>the PACS has neither a host nor a DICOMweb address. Enter one of them.</source>
         <comment>archive.no-address</comment>
         <translation>该 PACS 既没有主机也没有 DICOMweb 地址。请输入其一。</translation>
     </message>
@@ -3869,12 +3869,12 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>%1 不是 DICOMweb 地址。请输入以 https:// 或 http:// 开头的地址。</translation>
     </message>
     <message>
-        <source>the response timeout is invalid. Enter 1 to 600 s.</source>
+        <source>the response timeout is invalid. Enter a value from 1 to 600 s.</source>
         <comment>archive.bad-time</comment>
         <translation>响应超时无效。请输入 1 至 600 秒。</translation>
     </message>
     <message>
-        <source>a client certificate and its private key are required together; one is missing. Specify both files.</source>
+        <source>a client certificate and its private key must be specified together; one of them is missing. Specify both files.</source>
         <comment>archive.key-without-certificate</comment>
         <translation>客户端证书和私钥须成对提供，现缺其一。请指定两个文件。</translation>
     </message>
@@ -3899,7 +3899,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>%1 不是日期。请写成 YYYY-MM-DD，或日期范围：2024-01-01..2024-02-01。</translation>
     </message>
     <message>
-        <source>there are more than %1 matches; the rest are omitted. Narrow the query.</source>
+        <source>there are more than %1 matches; the others are omitted. Narrow the query.</source>
         <comment>archive.many-matches</comment>
         <translation>匹配项多于 %1 个；其余略去。请缩小查询范围。</translation>
     </message>
@@ -3919,7 +3919,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>%2 个对象中收到 %1 个，其余 PACS 没有发送（%3）。请再次获取，或查看其日志。</translation>
     </message>
     <message>
-        <source>the PACS does not offer C-GET, and C-MOVE requires a local port. Set the C-MOVE port, and have AE title, host and port registered at the PACS.</source>
+        <source>the PACS does not offer C-GET, and C-MOVE requires a local port. Set the C-MOVE port, and have the AE title, host and port of this computer registered at the PACS.</source>
         <comment>archive.no-way-back</comment>
         <translation>PACS 不提供 C-GET，而 C-MOVE 需要本地端口。请设置 C-MOVE 端口，并在 PACS 登记 AE 标题、主机和端口。</translation>
     </message>
@@ -3929,7 +3929,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>无法监听端口 %1（%2）。请选择 1024 以上的其他端口。</translation>
     </message>
     <message>
-        <source>an object exceeds the limit of %1 and was discarded. If you need it, raise the limit (--max-object).</source>
+        <source>an object exceeds the limit of %1 and was discarded. Raise the limit (--max-object) if you need this object.</source>
         <comment>archive.object-too-large</comment>
         <translation>有对象超过上限 %1，已丢弃。如有需要请提高上限（--max-object）。</translation>
     </message>
@@ -3949,17 +3949,17 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>收到的对象与本地另一对象的 UID（%1）相同；保留本地对象。请查明哪个正确。</translation>
     </message>
     <message>
-        <source>the series does not fit into the cache of %1. Raise the limit, or empty the cache.</source>
+        <source>the series does not fit into the cache (limit %1). Raise the limit, or empty the cache.</source>
         <comment>archive.cache-too-small</comment>
         <translation>该序列放不进 %1 的缓存。请提高上限，或清空缓存。</translation>
     </message>
     <message>
-        <source>the folder cannot be created or used (%1). Choose another one, or free disk space.</source>
+        <source>the folder cannot be created or used (%1). Choose another folder, or free disk space.</source>
         <comment>archive.no-folder</comment>
         <translation>无法创建或使用该文件夹（%1）。请选择其他文件夹，或释放磁盘空间。</translation>
     </message>
     <message>
-        <source>this is not a complete DICOM file with a transfer syntax and was not sent. Export it again, or choose another file.</source>
+        <source>this is not a complete DICOM file with a specified transfer syntax, so it was not sent. Export it again, or choose another file.</source>
         <comment>archive.not-sendable</comment>
         <translation>这不是带有传输语法的完整 DICOM 文件，未发送。请重新写出，或选择其他文件。</translation>
     </message>
@@ -3969,7 +3969,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>PACS 不接受以所存传输语法发送的此 SOP 类（类 %1，传输语法 %2）。请转换该对象，或询问 PACS 管理员。</translation>
     </message>
     <message>
-        <source>the PACS rejected the object with %1. Check its log, or ask its administrator.</source>
+        <source>the PACS rejected the object with %1. Check the PACS log, or ask the PACS administrator.</source>
         <comment>archive.store-refused</comment>
         <translation>PACS 以 %1 拒绝了该对象。请查看其日志，或询问管理员。</translation>
     </message>
@@ -3994,17 +3994,17 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>%1（AE 标题 %2）被拒绝：不在允许的呼叫方 AE 标题列表中。</translation>
     </message>
     <message>
-        <source>%1 (AE title %2) was rejected: its called AE title %3 is not ours. Correct it at the sender.</source>
+        <source>%1 (AE title %2) was rejected: its called AE title %3 is not ours. Correct the title at the sender.</source>
         <comment>archive.called-otherwise</comment>
         <translation>%1（AE 标题 %2）被拒绝：被叫方 AE 标题 %3 不是我方的。请在发送方更正。</translation>
     </message>
     <message>
-        <source>an incoming connection failed (%1). Check address, port and TLS at the sender.</source>
+        <source>an incoming connection failed (%1). Check the address, port and TLS settings at the sender.</source>
         <comment>archive.call-failed</comment>
         <translation>一个传入连接失败（%1）。请检查发送方：地址、端口、TLS。</translation>
     </message>
     <message>
-        <source>an incoming connection was rejected: the TLS handshake failed (%1). Check the sender&apos;s certificate, the certificates accepted here, and whether the sender uses TLS.</source>
+        <source>an incoming connection was rejected: the TLS handshake failed (%1). Check the sender&apos;s certificate and the certificates accepted here, and check whether the sender uses TLS.</source>
         <comment>archive.call-not-secured</comment>
         <translation>一个传入连接被拒绝：TLS 握手失败（%1）。请检查发送方证书、此处接受的证书，以及发送方是否使用 TLS。</translation>
     </message>
@@ -4014,7 +4014,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>监听端口上的 TLS 需要本地证书及其私钥。请指定两个文件。</translation>
     </message>
     <message>
-        <source>%1 does not exist. Check the name and whether the drive is mounted.</source>
+        <source>%1 does not exist. Check the name, and check whether the drive is mounted.</source>
         <comment>open.missing</comment>
         <translation>%1 不存在。请检查名称或驱动器是否挂载。</translation>
     </message>
@@ -4049,12 +4049,12 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>%1 是第二条二维中心线。一次只能打开一条二维中心线。</translation>
     </message>
     <message>
-        <source>%1 is a second angiogram. Open one at a time; add others as views.</source>
+        <source>%1 is a second angiogram. Open one angiogram at a time; add others as views.</source>
         <comment>open.second-angiogram</comment>
         <translation>%1 是第二个血管造影。一次只能打开一个；其余的请作为视图添加。</translation>
     </message>
     <message>
-        <source>%1 was moved and was found at %2. Save the case to keep the new path.</source>
+        <source>%1 is no longer at its saved path; it was found at %2. Save the case to keep the new path.</source>
         <comment>open.moved</comment>
         <translation>%1 已移动，在 %2 找到。请保存病例以记录新路径。</translation>
     </message>
@@ -4099,12 +4099,12 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>%1 · 中位数 %2 · 不可靠</translation>
     </message>
     <message>
-        <source>displacement, mm</source>
+        <source>displacement (mm)</source>
         <comment>picture.motion-scale</comment>
-        <translation>位移，mm</translation>
+        <translation>位移（mm）</translation>
     </message>
     <message>
-        <source>deformation of frame %1, not of this frame</source>
+        <source>deformation from frame %1, not from this frame</source>
         <comment>picture.bent-on-frame</comment>
         <translation>形变取自第 %1 帧，而非此帧</translation>
     </message>
@@ -4119,12 +4119,12 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>刚性：%1</translation>
     </message>
     <message>
-        <source>vessels shown rigid; deformation available</source>
+        <source>vessels shown without deformation; deformation available</source>
         <comment>picture.vessels-rigid</comment>
-        <translation>血管为刚性；有形变结果</translation>
+        <translation>显示未形变的血管；有形变结果</translation>
     </message>
     <message>
-        <source>vessels deformed by up to %1, uncertain</source>
+        <source>vessels deformed by up to %1 (uncertain)</source>
         <comment>picture.vessels-bent-unsure</comment>
         <translation>血管形变最大 %1，不确定</translation>
     </message>
@@ -4174,7 +4174,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>SOD %1 (%2)</translation>
     </message>
     <message>
-        <source>%1 detector (%2)</source>
+        <source>%1 at the detector (%2)</source>
         <comment>picture.scale-at-detector</comment>
         <translation>探测器 %1（%2）</translation>
     </message>
@@ -4214,12 +4214,12 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>模拟的 %1 须在 %2 至 %3 之间，不能是 %4。</translation>
     </message>
     <message>
-        <source>Method &apos;%1&apos; has no option with the value &apos;%2&apos;. Use option=value.</source>
+        <source>Method &apos;%1&apos; has no option with the value &apos;%2&apos;. Specify it as option=value.</source>
         <comment>contest.no-such-choice</comment>
         <translation>方法“%1”没有可取“%2”的选项。请写成 option=value。</translation>
     </message>
     <message>
-        <source>Method &apos;%1&apos; has several options with the value &apos;%2&apos;. Use option=value.</source>
+        <source>Method &apos;%1&apos; has several options with the value &apos;%2&apos;. Specify it as option=value.</source>
         <comment>contest.choice-of-several</comment>
         <translation>方法“%1”有多个可取“%2”的选项。请写成 option=value。</translation>
     </message>
@@ -4236,12 +4236,12 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
     <message>
         <source>The condition &apos;%1&apos; does not belong to &apos;%2&apos;. Merge only results of this program version.</source>
         <comment>merge.foreign-condition</comment>
-        <translation>条件“%1”不属于“%2”。请合并本程序版本的结果。</translation>
+        <translation>条件“%1”不属于“%2”。请只合并本程序版本的结果。</translation>
     </message>
     <message>
-        <source>Two parts differ in %1 of trial %2 of %3. Merge only results of the same program version and settings.</source>
+        <source>Two parts contain different results of method %1 in trial %2 of &apos;%3&apos;. Merge only results of the same program version and settings.</source>
         <comment>merge.parts-disagree</comment>
-        <translation>两部分在 %3 的第 %2 次试验中关于 %1 不一致。请合并程序版本和设置相同的结果。</translation>
+        <translation>两部分在“%3”的第 %2 次试验中方法 %1 的结果不一致。请只合并程序版本和设置相同的结果。</translation>
     </message>
     <message>
         <source>There are no results to merge.</source>
@@ -4249,9 +4249,9 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>没有可合并的结果。</translation>
     </message>
     <message>
-        <source>Results of &apos;%1&apos;, seed %2, and of &apos;%3&apos;, seed %4, do not belong together. Merge only parts of one experiment.</source>
+        <source>The results of &apos;%1&apos; (seed %2) and &apos;%3&apos; (seed %4) do not belong together. Merge only parts of the same experiment.</source>
         <comment>merge.runs-of-others</comment>
-        <translation>“%1”（种子 %2）与“%3”（种子 %4）的结果不属于同一实验。请合并同一实验的各部分。</translation>
+        <translation>“%1”（种子 %2）与“%3”（种子 %4）的结果不属于同一实验。请只合并同一实验的各部分。</translation>
     </message>
     <message>
         <source>The focal lengths fx and fy must be finite and nonzero.</source>
@@ -4269,17 +4269,17 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>相机的图像尺寸无效：宽和高必须为正。</translation>
     </message>
     <message>
-        <source>The camera belongs to images of %1 x %2 pixels, but the angiogram has %3 x %4. Use the camera of this angiogram.</source>
+        <source>The camera belongs to images of %1 × %2 pixels, but the angiogram is %3 × %4 pixels. Use the camera that belongs to this angiogram.</source>
         <comment>camera.other-image</comment>
-        <translation>相机对应 %1 x %2 像素的图像，而造影图像为 %3 x %4。请使用该造影图像对应的相机。</translation>
+        <translation>相机对应 %1 × %2 像素的图像，而造影图像为 %3 × %4。请使用该造影图像对应的相机。</translation>
     </message>
     <message>
-        <source>Image width and height must be between 1 and %1 px. Choose another size.</source>
+        <source>Image width and height must each be between 1 and %1 px. Choose another size.</source>
         <comment>picture.size</comment>
         <translation>图像的宽和高须为 1 至 %1 px；请选择其他尺寸。</translation>
     </message>
     <message>
-        <source>%1 is missing or not positive. Enter it in the C-arm geometry (the image header does not contain it).</source>
+        <source>%1 is missing or not positive. Enter it in the C-arm geometry; the image header does not contain it.</source>
         <comment>geometry.value-missing</comment>
         <translation>%1 缺失或不为正。请在 C 形臂几何中输入（图像头未给出）。</translation>
     </message>
@@ -4304,9 +4304,9 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>机架角度（LAO/RAO、CRA/CAU）缺失或无效。请在 C 形臂几何中输入。</translation>
     </message>
     <message>
-        <source>A coordinate of the isocenter is not a number (NaN or infinite). Enter its position in the patient in mm.</source>
+        <source>A coordinate of the isocenter is not a finite number. Enter the position of the isocenter in patient coordinates (mm).</source>
         <comment>geometry.isocentre-not-finite</comment>
-        <translation>等中心有非数值坐标（NaN 或无穷大）。请以 mm 给出其在患者中的位置。</translation>
+        <translation>等中心的某个坐标不是有限数。请以患者坐标（mm）输入等中心的位置。</translation>
     </message>
     <message>
         <source>Enter the source-to-detector distance (SID), typically 900 to 1200 mm.</source>
@@ -4339,34 +4339,34 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>源到探测器距离（SID）%1 对 C 形臂不合理（500 至 2000 mm）：请检查单位。</translation>
     </message>
     <message>
-        <source>SOD (%1) is not smaller than SID (%2): the isocenter would lie behind the detector. Correct one of the two.</source>
+        <source>The SOD (%1) is not smaller than the SID (%2): the isocenter would lie behind the detector. Correct one of the two distances.</source>
         <comment>geometry.sod-beyond-sid</comment>
         <translation>SOD（%1）不小于 SID（%2）：等中心将位于探测器之后。请更正其一。</translation>
     </message>
     <message>
-        <source>SID is %1 times SOD; the typical angiographic magnification is 1.0 to 2.5. Check both distances.</source>
+        <source>The SID is %1 times the SOD, but the typical angiographic magnification is 1.0 to 2.5. Check both distances.</source>
         <comment>geometry.magnification-unusual</comment>
         <translation>SID 为 SOD 的 %1 倍；血管造影的放大率通常为 1.0 至 2.5。请检查两个距离。</translation>
     </message>
     <message>
-        <source>The magnification of %1 in the header (0018,1114) does not match SID/SOD = %2: one of the three values is outdated. Check SID and SOD.</source>
+        <source>The magnification in the header (0018,1114) is %1, which does not match SID/SOD = %2: one of the three values is outdated. Check the SID and the SOD.</source>
         <comment>geometry.magnification-stale</comment>
         <translation>文件头中的放大倍数 %1 (0018,1114) 与 SID/SOD = %2 不符：三者之一已过时。请检查 SID 和 SOD。</translation>
     </message>
     <message>
-        <source>A detector pixel spacing of %1 is outside 0.05 to 2 mm: check its unit.</source>
+        <source>The detector pixel spacing of %1 is outside the range of 0.05 to 2 mm: check its unit.</source>
         <comment>geometry.spacing-unusual</comment>
         <translation>探测器像素间距 %1 不在 0.05 至 2 mm 之间：请检查单位。</translation>
     </message>
     <message>
-        <source>The pixel height-to-width ratio is %1 according to the pixel spacing but %2 according to the pixel aspect ratio: check the pixel spacing.</source>
+        <source>The ratio of pixel height to width is %1 according to the pixel spacing, but %2 according to the pixel aspect ratio: check the pixel spacing.</source>
         <comment>geometry.aspect-differs</comment>
         <translation>像素高宽比按间距为 %1，按像素长宽比为 %2：请检查像素间距。</translation>
     </message>
     <message>
-        <source>According to its pixel spacing, the image covers %1 x %2 of the detector</source>
+        <source>According to its pixel spacing, the image covers %1 × %2 of the detector</source>
         <comment>geometry.image-covers</comment>
-        <translation>按像素间距图像覆盖探测器 %1 x %2</translation>
+        <translation>按像素间距图像覆盖探测器 %1 × %2</translation>
     </message>
     <message>
         <source>%1: no C-arm detector has this size. Check the pixel spacing.</source>
@@ -4374,27 +4374,27 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>%1：没有这种尺寸的 C 形臂探测器。请检查像素间距。</translation>
     </message>
     <message>
-        <source>%1, but the field of view is %2 x %3: the image may be zoomed, cropped or resampled. Check the pixel spacing.</source>
+        <source>%1, but the field of view is %2 × %3: the image may have been zoomed, cropped or resampled. Check the pixel spacing.</source>
         <comment>geometry.extent-unlike-field</comment>
-        <translation>%1，而视野为 %2 x %3：图像可能经过缩放、裁剪或重采样。请检查像素间距。</translation>
+        <translation>%1，而视野为 %2 × %3：图像可能经过缩放、裁剪或重采样。请检查像素间距。</translation>
     </message>
     <message>
-        <source>%1, which exceeds the image intensifier of %2. Check the pixel spacing.</source>
+        <source>%1, which exceeds the diameter of the image intensifier (%2). Check the pixel spacing.</source>
         <comment>geometry.extent-beyond-intensifier</comment>
         <translation>%1，超过 %2 的影像增强器。请检查像素间距。</translation>
     </message>
     <message>
-        <source>%1, which exceeds its active area of %2 x %3. Check the pixel spacing.</source>
+        <source>%1, which exceeds the active area of the detector (%2 × %3). Check the pixel spacing.</source>
         <comment>geometry.extent-beyond-detector</comment>
-        <translation>%1，超过其有效面积 %2 x %3。请检查像素间距。</translation>
+        <translation>%1，超过其有效面积 %2 × %3。请检查像素间距。</translation>
     </message>
     <message>
-        <source>The calibrated pixel spacing of %1 times SID/SOD is %2, not the detector&apos;s %3: the calibration or a distance is wrong.</source>
+        <source>The calibrated pixel spacing (%1) multiplied by SID/SOD is %2, but the detector pixel spacing is %3: the calibration or one of the distances is wrong.</source>
         <comment>geometry.calibration-off</comment>
         <translation>校准像素间距 %1 乘以 SID/SOD 为 %2，而非探测器的 %3：校准或距离有误。</translation>
     </message>
     <message>
-        <source>Pixel Spacing (0028,0030) is %1 without calibration, but the detector pixel spacing is %2: check which one applies.</source>
+        <source>The uncalibrated Pixel Spacing (0028,0030) is %1, but the detector pixel spacing is %2: check which one applies.</source>
         <comment>geometry.spacings-differ</comment>
         <translation>Pixel Spacing (0028,0030) 未校准为 %1，而探测器像素间距为 %2：请核对应采用哪个。</translation>
     </message>
@@ -4414,7 +4414,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>滚转超出 ±180°。请更正。</translation>
     </message>
     <message>
-        <source>The principal point (%1, %2) is outside the image, which is plausible only for a cropped image.</source>
+        <source>The principal point (%1, %2) is outside the image, which is plausible only if the image was cropped.</source>
         <comment>geometry.principal-point-outside</comment>
         <translation>主点（%1，%2）在图像之外：仅对裁剪过的图像正确。</translation>
     </message>
@@ -4434,32 +4434,32 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>其中两个血管造影显示患者相反的两侧。请检查是否正确。</translation>
     </message>
     <message>
-        <source>The registration rated this pose as not reliable.</source>
+        <source>The registration rated this pose as unreliable.</source>
         <comment>pose.run-distrusted</comment>
         <translation>配准将此位姿评为不可靠。</translation>
     </message>
     <message>
-        <source>Different patients in these images?</source>
+        <source>Images may be from different patients</source>
         <comment>picture.not-same-patient</comment>
-        <translation>这些图像是否属于不同患者？</translation>
+        <translation>图像可能来自不同患者</translation>
     </message>
     <message>
-        <source>Two of the angiograms are from different examinations (accession number differs): the vessels may have moved in between.</source>
+        <source>Two of the angiograms are from different examinations (different accession numbers): the vessels may have moved between them.</source>
         <comment>patient.examination-of-runs-differs</comment>
         <translation>两幅造影图像来自不同的检查（检查号不同）：其间血管可能已移动。</translation>
     </message>
     <message>
-        <source>Do these images belong together?</source>
+        <source>Images may not belong together</source>
         <comment>picture.not-together</comment>
-        <translation>这些图像属于同一检查吗？</translation>
+        <translation>图像可能不属于同一检查</translation>
     </message>
     <message>
-        <source>Scan and angiogram appear to belong to different patients (%1 differs). Check that both are correct.</source>
+        <source>The scan and the angiogram appear to belong to different patients (%1 differs). Check that the correct files are open.</source>
         <comment>patient.differs</comment>
         <translation>扫描与血管造影似乎来自不同患者（%1不同）。请检查两者是否正确。</translation>
     </message>
     <message>
-        <source>Scan and angiogram appear to belong to different patients (%1 differ). Check that both are correct.</source>
+        <source>The scan and the angiogram appear to belong to different patients (%1 differ). Check that the correct files are open.</source>
         <comment>patient.differs-in-several</comment>
         <translation>扫描与血管造影似乎来自不同患者（%1不同）。请检查两者是否正确。</translation>
     </message>
@@ -4484,7 +4484,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>性别</translation>
     </message>
     <message>
-        <source>The scan shows the patient&apos;s %1 side, the angiogram the other side. Check that both are correct.</source>
+        <source>The scan shows the patient&apos;s %1 side, but the angiogram shows the other side. Check that the correct files are open.</source>
         <comment>patient.side-differs</comment>
         <translation>扫描为患者%1侧，造影图像为另一侧。请核对两者是否正确。</translation>
     </message>
@@ -4554,7 +4554,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>选项“%1”未知。可用选项见：angiopose-cli register --help</translation>
     </message>
     <message>
-        <source>Branch %1 is selected as %2, but the vessel tree has no such branch. Select an existing branch.</source>
+        <source>Branch %1 is selected as %2, but does not exist in the vessel tree. Select an existing branch.</source>
         <comment>input.chosen-branch-missing</comment>
         <translation>分支 %1 被选为%2，但血管树中没有该分支。请在现有分支中选择。</translation>
     </message>
@@ -4574,22 +4574,22 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>血管树的所有分支均已排除。请至少恢复一个。</translation>
     </message>
     <message>
-        <source>The image size does not match the camera. Use the camera of this image.</source>
+        <source>The image size does not match the camera. Use the camera that belongs to this image.</source>
         <comment>input.image-not-of-camera</comment>
         <translation>图像尺寸与相机不符。请使用该图像对应的相机。</translation>
     </message>
     <message>
-        <source>%1 points of the traced vessels were unordered and have been connected to their neighbors.</source>
+        <source>Unordered points of the traced vessels were connected to their neighbors (number of points: %1).</source>
         <comment>input.target-reordered</comment>
         <translation>提取血管的 %1 个点没有顺序：每个点已与其相邻点相连。</translation>
     </message>
     <message>
-        <source>Auxiliary branches: median distance to the traced vessels %1 (%2 when fitting all branches). The pose changed by %3 and %4.</source>
+        <source>Auxiliary branches: median distance to the traced vessels %1 (%2 in the fit of all branches). The pose changed by %3 and %4.</source>
         <comment>result.chosen-branches-fitted</comment>
         <translation>辅助分支：与提取血管距离的中位数 %1（拟合全部分支时为 %2）。位姿变化 %3、%4。</translation>
     </message>
     <message>
-        <source>With deformation allowed, the vessels move by %1 (RMS; maximum %2) toward the matched branches, and the median distance becomes %3 instead of %4 at the rigid pose. The rigid pose is reported.</source>
+        <source>With deformation allowed, the vessels move toward the matched branches by %1 (RMS; maximum %2), which changes the median distance from %4 (rigid pose) to %3. The rigid pose is reported.</source>
         <comment>result.matched-branches-moved</comment>
         <translation>若允许形变，血管向匹配的分支移动 %1（RMS；最大 %2）：距离中位数变为 %3，刚性位姿时为 %4。所报告的是刚性位姿。</translation>
     </message>
@@ -4614,7 +4614,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>尚无标志点。请单击血管上的一点和图像中的同一点。</translation>
     </message>
     <message>
-        <source>Without gantry angles, a pose requires four landmarks; there are %1. Add landmarks, or enter the angles; one landmark is then enough.</source>
+        <source>Without gantry angles, four landmarks are required to determine a pose; there are %1. Add landmarks, or enter the angles; one landmark is then enough.</source>
         <comment>landmarks.too-few</comment>
         <translation>没有机架角度时，位姿需要四个标志点；现有 %1 个。请添加，或输入角度：此时一个即可。</translation>
     </message>
@@ -4634,7 +4634,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>标志点共线，绕该线的旋转无法确定。请添加线外一点。</translation>
     </message>
     <message>
-        <source>No pose projects these landmarks onto their pixels. Check that each pair marks the same point.</source>
+        <source>No pose projects these landmarks onto their pixels. Check that the two points of each pair mark the same anatomical location.</source>
         <comment>landmarks.no-pose</comment>
         <translation>没有位姿能将这些标志点投影到其像素上。请检查每对是否标记同一点。</translation>
     </message>
@@ -4654,7 +4654,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>联合配准无法锁定单个自由度。请先解锁。</translation>
     </message>
     <message>
-        <source>View %1 uses a different vessel tree or different branches than view %2. Use the same in all views.</source>
+        <source>View %1 uses a different vessel tree or different branches than view %2. Use the same tree and branches in all views.</source>
         <comment>views.other-tree</comment>
         <translation>视图 %1 使用的血管树或分支与视图 %2 不同。请在所有视图中使用相同的。</translation>
     </message>
@@ -4664,7 +4664,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>视图 %1 与联合位姿不符。</translation>
     </message>
     <message>
-        <source>The geometry of view %1 differs substantially from its header. Check the angles and distances.</source>
+        <source>The geometry of view %1 differs substantially from the values in its header. Check the angles and distances.</source>
         <comment>views.far-from-header</comment>
         <translation>视图 %1 的几何参数与文件头相差很大。请检查角度和距离。</translation>
     </message>
@@ -4674,12 +4674,12 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>只有一帧：无可跟踪。请打开多帧序列。</translation>
     </message>
     <message>
-        <source>The centerline of this frame comes from a file; other frames have none. Remove that centerline from the case to trace every frame.</source>
+        <source>The centerline of this frame comes from a file, and the other frames have none. Remove this centerline from the case so that every frame is traced.</source>
         <comment>follow.given-target</comment>
         <translation>此帧的中心线来自文件，其他帧没有。请从病例中移除该中心线，以提取每一帧。</translation>
     </message>
     <message>
-        <source>The gantry rotates during this run: the frames differ in view angle, not only in motion. Register the frames individually, or jointly as views.</source>
+        <source>The gantry rotates during this run: the frames differ not only by vessel motion but also in the projection angles. Register the frames individually, or jointly as views.</source>
         <comment>follow.gantry-turns</comment>
         <translation>采集中机架旋转：各帧投照角度不同，而不仅是运动。请逐帧配准，或作为多个视图联合配准。</translation>
     </message>
@@ -4699,7 +4699,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>血管树仅能解释 %1 的提取血管。请检查它是否属于该图像，且单位为 mm。</translation>
     </message>
     <message>
-        <source>A better fit lies %1 away.</source>
+        <source>A better fit exists %1 away.</source>
         <comment>trust.better-aside</comment>
         <translation>相距 %1 处吻合更好。</translation>
     </message>
@@ -4729,7 +4729,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>另一位姿几乎同样符合图像：请比较其他解。</translation>
     </message>
     <message>
-        <source>Fits of this quality are within 2 mm of the vessels in only %1 of cases.</source>
+        <source>Only %1 of fits of this quality are within 2 mm of the vessels.</source>
         <comment>trust.often-fails</comment>
         <translation>与此相似的配准中，只有 %1 落在血管 2 mm 以内。</translation>
     </message>
@@ -4739,107 +4739,107 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>配准在完成前被停止。</translation>
     </message>
     <message>
-        <source>The image shows %1 of the vessel tree. These branches appear unopacified: %2. The pose is based on the others.</source>
+        <source>The image shows %1 of the vessel tree. These branches appear unopacified: %2. The pose is based on the remaining branches.</source>
         <comment>trust.part-filled</comment>
         <translation>图像显示了血管树的 %1。以下分支似乎未显影：%2。位姿依据其余分支。</translation>
     </message>
     <message>
-        <source>The image shows %1 of the vessel tree: %2 of %3 branches appear unopacified. The pose is based on the others.</source>
+        <source>The image shows %1 of the vessel tree: %2 of %3 branches appear unopacified. The pose is based on the remaining branches.</source>
         <comment>trust.few-filled</comment>
         <translation>图像显示了血管树的 %1：%3 个分支中有 %2 个似乎未显影。位姿依据其余分支。</translation>
     </message>
     <message>
-        <source>The image shows %1 of the vessel tree, and less than half of every branch. The pose is based on the visible segments.</source>
+        <source>The image shows %1 of the vessel tree and less than half of each branch. The pose is based on the visible segments.</source>
         <comment>trust.pieces-filled</comment>
         <translation>图像显示血管树的 %1，每个分支的可见部分均不足一半。位姿依据可见的节段。</translation>
     </message>
     <message>
-        <source>Only part of the vessel tree appears opacified, and it accounts for too little of the image for a reliable result.</source>
+        <source>Only part of the vessel tree appears opacified, and this part accounts for too little of the image for a reliable result.</source>
         <comment>trust.filled-doubtful</comment>
         <translation>似乎只有部分血管树显影，其对图像的解释不足以确定位姿。</translation>
     </message>
     <message>
-        <source>Only a single vessel path is visible. It fits at many positions, and a guidewire or catheter does not follow the vessel axis. The guidewire method ranks the possible paths.</source>
+        <source>Only a single vessel path is visible. It fits at many positions, and a guidewire or catheter does not follow the centerline exactly. The guidewire method ranks the possible paths.</source>
         <comment>trust.single-path</comment>
-        <translation>只见一条血管路径。它与多处相符，而且导丝或导管偏离血管轴线：导丝方法会给出各可能路径的排序。</translation>
+        <translation>只见一条血管路径。它与多处相符，而且导丝或导管并不严格沿中心线走行。导丝方法会给出各可能路径的排序。</translation>
     </message>
     <message>
-        <source>Depth cannot be determined from this single view: the distance from the source stays close to the initial pose.</source>
+        <source>Depth cannot be determined from this single view: the distance from the source stays close to that of the initial pose.</source>
         <comment>trust.depth-unknown</comment>
         <translation>此单一视图无法确定深度：到射线源的距离保持接近初始位姿。</translation>
     </message>
     <message>
-        <source>Depth cannot be determined from this single view: the distance from the source differs by %1 from the initial pose and may be wrong. Lock the depth, or add a view.</source>
+        <source>Depth cannot be determined from this single view: the distance from the source differs by %1 from that of the initial pose and may be wrong. Lock the depth, or add a view.</source>
         <comment>trust.depth-moved</comment>
         <translation>此单一视图无法确定深度：到射线源的距离偏离初始位姿 %1，可能有误。请锁定深度，或增加一个视图。</translation>
     </message>
     <message>
-        <source>The vessels fit clearly better with a focal length that is %1 longer. Check the source-to-detector distance (may be larger) and the pixel spacing (may be smaller). The option “Estimate geometry” uses the values that fit the images.</source>
+        <source>The vessels fit clearly better with a focal length that is %1 longer. Check the source-to-detector distance (it may be larger) and the pixel spacing (it may be smaller). The option “Estimate geometry” uses the values that best fit the images.</source>
         <comment>camera.focal-longer</comment>
         <translation>焦距增大 %1 时血管明显更吻合。请检查源到探测器距离（可能更大）和像素间距（可能更小）。选项“估计几何参数”会采用与图像相符的值。</translation>
     </message>
     <message>
-        <source>The vessels fit clearly better with a focal length that is %1 shorter. Check the source-to-detector distance (may be smaller) and the pixel spacing (may be larger). The option “Estimate geometry” uses the values that fit the images.</source>
+        <source>The vessels fit clearly better with a focal length that is %1 shorter. Check the source-to-detector distance (it may be smaller) and the pixel spacing (it may be larger). The option “Estimate geometry” uses the values that best fit the images.</source>
         <comment>camera.focal-shorter</comment>
         <translation>焦距减小 %1 时血管明显更吻合。请检查源到探测器距离（可能更小）和像素间距（可能更大）。选项“估计几何参数”会采用与图像相符的值。</translation>
     </message>
     <message>
-        <source>The images contradicted the geometry, so it was estimated from them: the focal length is %1 of the specified value, and the principal point is shifted by (%2, %3) px.</source>
+        <source>The images contradicted the specified geometry, so the geometry was estimated from the images: the focal length is %1 of the specified value, and the principal point is shifted by (%2, %3) px.</source>
         <comment>camera.estimated</comment>
         <translation>图像与几何参数不符，已据图像重新估计：焦距为给定值的 %1，主点偏移 (%2, %3) px。</translation>
     </message>
     <message>
-        <source>The vessels fit clearly better with the principal point shifted by %1, to (%2, %3). Check the principal point, and whether the image was cropped or shifted.</source>
+        <source>The vessels fit clearly better with the principal point shifted by %1, to (%2, %3). Check the principal point, and check whether the image was cropped or shifted.</source>
         <comment>camera.principal-point-off</comment>
         <translation>主点偏移 %1、位于 (%2, %3) 时血管明显更吻合。请检查主点，以及图像是否被裁剪或平移。</translation>
     </message>
     <message>
-        <source>The image appears rotated 90° clockwise: when rotated back, the agreement between vessels and image is %1 instead of %2. Check the image export, or the roll.</source>
+        <source>The image appears to be rotated 90° clockwise: when it is rotated back, the agreement between vessels and image is %1 instead of %2. Check the image export, or the roll.</source>
         <comment>frame.turned-clockwise</comment>
         <translation>图像似乎顺时针旋转了 90°：转回后血管与图像的吻合度为 %1，而非 %2。请检查图像导出方式或滚转角。</translation>
     </message>
     <message>
-        <source>The image appears rotated 90° counterclockwise: when rotated back, the agreement between vessels and image is %1 instead of %2. Check the image export, or the roll.</source>
+        <source>The image appears to be rotated 90° counterclockwise: when it is rotated back, the agreement between vessels and image is %1 instead of %2. Check the image export, or the roll.</source>
         <comment>frame.turned-anticlockwise</comment>
         <translation>图像似乎逆时针旋转了 90°：转回后血管与图像的吻合度为 %1，而非 %2。请检查图像导出方式或滚转角。</translation>
     </message>
     <message>
-        <source>The image appears rotated 180°: when rotated back, the agreement between vessels and image is %1 instead of %2. Check the image export, the roll, and the patient position.</source>
+        <source>The image appears to be rotated 180°: when it is rotated back, the agreement between vessels and image is %1 instead of %2. Check the image export, the roll and the patient position.</source>
         <comment>frame.upside-down</comment>
         <translation>图像似乎旋转了 180°：转回后血管与图像的吻合度为 %1，而非 %2。请检查图像导出方式、滚转角和患者体位。</translation>
     </message>
     <message>
-        <source>The image appears mirrored left to right: when mirrored back, the agreement between vessels and image is %1 instead of %2. Check the viewing side in the geometry.</source>
+        <source>The image appears to be mirrored left to right: when it is mirrored back, the agreement between vessels and image is %1 instead of %2. Check the viewing side in the geometry.</source>
         <comment>frame.mirrored-left-right</comment>
         <translation>图像似乎左右镜像：镜像还原后血管与图像的吻合度为 %1，而非 %2。请在几何中检查观察侧。</translation>
     </message>
     <message>
-        <source>The image appears mirrored top to bottom: when mirrored back, the agreement between vessels and image is %1 instead of %2. Check the image export.</source>
+        <source>The image appears to be mirrored top to bottom: when it is mirrored back, the agreement between vessels and image is %1 instead of %2. Check the image export.</source>
         <comment>frame.mirrored-up-down</comment>
         <translation>图像似乎上下镜像：镜像还原后血管与图像的吻合度为 %1，而非 %2。请检查图像导出方式。</translation>
     </message>
     <message>
-        <source>The image appears mirrored and rotated 90°: when corrected, the agreement between vessels and image is %1 instead of %2. Check the image export.</source>
+        <source>The image appears to be mirrored and rotated 90°: when both are undone, the agreement between vessels and image is %1 instead of %2. Check the image export.</source>
         <comment>frame.mirrored-and-turned</comment>
         <translation>图像似乎既镜像又旋转了 90°：校正后血管与图像的吻合度为 %1，而非 %2。请检查图像导出方式。</translation>
     </message>
     <message>
-        <source>The patient position was %1, and the device seems to define its angles relative to the table: interpreted this way, the agreement between vessels and image is %2 instead of %3. Enter in the geometry: LAO/RAO %4, CRA/CAU %5, roll %6.</source>
+        <source>The patient position was %1, and the device appears to define its angles relative to the table: with this interpretation, the agreement between vessels and image is %2 instead of %3. Enter these angles in the geometry: LAO/RAO %4, CRA/CAU %5, roll %6.</source>
         <comment>frame.counted-from-table</comment>
         <translation>患者体位为 %1，该设备似乎以检查床为基准计角：按此理解，血管与图像的吻合度为 %2，而非 %3。请在几何中输入：LAO/RAO %4，CRA/CAU %5，滚转 %6。</translation>
     </message>
     <message>
-        <source>The mirrored image fits the vessels about equally well (agreement %1, currently %2): check the viewing side of the image.</source>
+        <source>The mirrored image fits the vessels about equally well (agreement %1; currently %2): check the viewing side in the geometry.</source>
         <comment>frame.mirror-rival</comment>
         <translation>镜像后的图像与血管几乎同样吻合（吻合度 %1，当前为 %2）：请检查图像的观察侧。</translation>
     </message>
     <message>
-        <source>The patient position is %1 (0018,5100), not head first supine. The angles are interpreted as the DICOM standard defines them: relative to the patient, with the head up in the image. If this device defines them relative to the table, the initial pose is rotated; if a registration fails, AngioPose tests this and reports the angles to enter.</source>
+        <source>The patient position is %1 (0018,5100), not head-first supine (HFS). The angles are interpreted as the DICOM standard defines them: relative to the patient, with the head up in the image. If this device defines them relative to the table, the initial pose is incorrectly rotated. If a registration fails, AngioPose tests this interpretation and reports the angles to enter.</source>
         <comment>dicom.patient-lies</comment>
         <translation>患者体位为 %1 (0018,5100)，而非头先进仰卧。角度按 DICOM 标准解释：以患者为基准，图像中头部朝上。若该设备以检查床为基准计角，初始位姿会被旋转；配准失败时会尝试这种解释，并报告应输入的角度。</translation>
     </message>
     <message>
-        <source>The table moved during this run (%1). The motion is ignored: a pose is valid only for its own frame, and the frames are not views of the same position.</source>
+        <source>The table moved during this run (%1). The motion is ignored: a pose is valid only for its own frame, and different frames do not show the same table position.</source>
         <comment>dicom.table-moved</comment>
         <translation>采集过程中检查床发生移动（%1）。该移动不予考虑：位姿只对其所在帧有效，各帧并非同一位置的视图。</translation>
     </message>
@@ -4854,7 +4854,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>形变配准至少需要一个已配准的视图。</translation>
     </message>
     <message>
-        <source>The traced vessels are isolated points. Connect them into curves before deforming the tree.</source>
+        <source>The traced vessels consist of isolated points. Connect the points to form curves before deforming the tree.</source>
         <comment>bend.needs-curves</comment>
         <translation>提取的血管是孤立的点。形变配准之前请先将其连成曲线。</translation>
     </message>
@@ -4864,17 +4864,17 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>位姿先验和节点间距必须是正数。</translation>
     </message>
     <message>
-        <source>The vessels are deformed relative to the tree: the rigid overlay deviates by %1 on average, most at branch %3 (%2).</source>
+        <source>The vessels are deformed relative to the tree: the rigid overlay deviates by %1 on average and most at branch %3 (%2).</source>
         <comment>bend.rigid-off</comment>
         <translation>血管相对于血管树发生形变：刚性叠加平均偏离 %1，在分支 %3 处最大（%2）。</translation>
     </message>
     <message>
-        <source>The vessels may be deformed relative to the tree, but the image is inconclusive: the rigid overlay would deviate by %1 on average, most at branch %3 (%2).</source>
+        <source>The vessels may be deformed relative to the tree, but the image is inconclusive: the rigid overlay would deviate by %1 on average and most at branch %3 (%2).</source>
         <comment>bend.may-be-off</comment>
         <translation>血管可能相对于血管树发生形变，但图像不足以确定：刚性叠加平均将偏离 %1，在分支 %3 处最大（%2）。</translation>
     </message>
     <message>
-        <source>Deformable registration was stopped before it finished: the rigid pose is kept.</source>
+        <source>Deformable registration was stopped before it finished; the rigid pose is kept.</source>
         <comment>bend.stopped</comment>
         <translation>形变配准在完成前被停止：保留刚性位姿。</translation>
     </message>
@@ -4889,37 +4889,37 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>只有 %1 的血管树在图像中找到了对应血管。</translation>
     </message>
     <message>
-        <source>The traced vessels are still about %1 away from the deformed tree: their motion is more local than the model can represent.</source>
+        <source>The traced vessels are still about %1 away from the deformed tree: the vessel motion is more local than the model can represent.</source>
         <comment>bend.not-followed</comment>
         <translation>提取的血管与形变后的血管树仍相差约 %1：其运动比模型所能描述的更局部。</translation>
     </message>
     <message>
-        <source>The vessels toward the %1 (%2 of their length) are displaced by %3 relative to the rest, toward the %4.</source>
+        <source>The %1 vessels (%2 of the total vessel length) are displaced by %3 relative to the rest (direction: %4).</source>
         <comment>bend.part-moved</comment>
-        <translation>血管靠%1侧的部分（占其长度的 %2）相对其余部分偏移 %3，方向朝%4。</translation>
+        <translation>%1侧血管（占血管总长的 %2）相对其余部分偏移 %3（方向：%4）。</translation>
     </message>
     <message>
-        <source>Motion of the vessels along the ray cannot be determined from one view.</source>
+        <source>Vessel motion in depth cannot be determined from a single view.</source>
         <comment>bend.depth-unknown</comment>
-        <translation>单个视图无法确定血管沿射线方向的移动。</translation>
+        <translation>单个视图无法确定血管在深度方向的移动。</translation>
     </message>
     <message>
-        <source>front</source>
+        <source>anterior</source>
         <comment>side.front</comment>
         <translation>前</translation>
     </message>
     <message>
-        <source>back</source>
+        <source>posterior</source>
         <comment>side.back</comment>
         <translation>后</translation>
     </message>
     <message>
-        <source>head</source>
+        <source>superior</source>
         <comment>side.head</comment>
         <translation>头</translation>
     </message>
     <message>
-        <source>feet</source>
+        <source>inferior</source>
         <comment>side.feet</comment>
         <translation>足</translation>
     </message>
@@ -4929,32 +4929,32 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>此帧为空。请选择其他帧或文件。</translation>
     </message>
     <message>
-        <source>The angiogram frame has pixels that are not a number (NaN or infinite). Choose another frame, or export the image again.</source>
+        <source>The angiogram frame contains pixel values that are not finite numbers. Choose another frame, or export the image again.</source>
         <comment>frame.not-finite</comment>
-        <translation>此帧有非数值像素（NaN 或无穷大）。请选择其他帧，或重新导出图像。</translation>
+        <translation>此帧含有非有限的像素值。请选择其他帧，或重新导出图像。</translation>
     </message>
     <message>
-        <source>The angiogram frame has only one gray value, so there is nothing to trace. Choose another frame or file.</source>
+        <source>All pixels of the angiogram frame have the same gray value, so there is nothing to trace. Choose another frame or file.</source>
         <comment>frame.one-colour</comment>
         <translation>此帧只有单一灰度值：没有可提取的内容。请选择其他帧或文件。</translation>
     </message>
     <message>
-        <source>This is a text page, such as a dose report, not an angiogram. Choose the corresponding run, or another frame.</source>
+        <source>This is a page of text, such as a dose report, not an angiogram. Choose the corresponding run, or another frame.</source>
         <comment>frame.report-page</comment>
         <translation>这是文字页（如剂量报告），不是血管造影。请选择其所属的序列，或其他帧。</translation>
     </message>
     <message>
-        <source>The structures traced here are already visible in the first frame of the run: no contrast agent arrives in between. If the run contains none, they are catheters, guidewires and bone edges, not vessels.</source>
+        <source>The structures traced here are already visible in the first frame of the run: no contrast agent arrives between the two frames. If the run contains no contrast agent, the structures are catheters, guidewires and bone edges, not vessels.</source>
         <comment>frame.nothing-new</comment>
         <translation>此处提取的结构在序列第一帧中已经可见：两帧之间没有对比剂到达。若该序列不含对比剂，则这些是导管、导丝和骨缘，而不是血管。</translation>
     </message>
     <message>
-        <source>Few structures in this frame resemble opacified vessels: the traced curves are short or faint, or may be catheters, guidewires and bone edges. Choose a frame with more contrast agent; if there is none, check the curves with “Edit traced vessels”.</source>
+        <source>Few structures in this frame resemble opacified vessels: the traced curves are short or faint, or may be catheters, guidewires and bone edges. Choose a frame with more contrast agent; if there is no such frame, check the curves with “Edit traced vessels”.</source>
         <comment>frame.little-contrast</comment>
         <translation>此帧中几乎没有看起来像显影血管的结构：提取的曲线很短或很淡，或可能是导管、导丝和骨缘。请选择对比剂更多的帧；若没有，请用“编辑提取的血管”检查这些曲线。</translation>
     </message>
     <message>
-        <source>No vessel was found in the angiogram frame. Choose a frame with more contrast agent, raise the sensitivity, or check whether vessels are dark or bright.</source>
+        <source>No vessel was found in the angiogram frame. Choose a frame with more contrast agent, raise the sensitivity, or check whether the vessels are dark or bright.</source>
         <comment>frame.no-vessels</comment>
         <translation>此帧造影图像中未发现血管。请选择对比剂更多的帧、提高灵敏度，或检查血管是暗还是亮。</translation>
     </message>
@@ -4974,7 +4974,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>血管掩膜中没有至少 %1 的血管。请画更长的血管或降低最短长度。</translation>
     </message>
     <message>
-        <source>The run has only one frame, so nothing can be subtracted. Choose a run with frames before contrast arrival.</source>
+        <source>The run has only one frame, so no mask can be subtracted. Choose a run with frames before the arrival of contrast agent.</source>
         <comment>subtraction.one-frame</comment>
         <translation>该序列只有一帧：无法减影。请选择含对比剂到达前各帧的序列。</translation>
     </message>
@@ -5009,7 +5009,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>体数据没有有效的体素间距。请输入以 mm 为单位的间距，或重新导出。</translation>
     </message>
     <message>
-        <source>The volume has only one value, so there is nothing to trace. Choose another series or file.</source>
+        <source>All voxels of the volume have the same value, so there is nothing to trace. Choose another series or file.</source>
         <comment>volume.one-value</comment>
         <translation>体数据只有一个值：没有可提取的内容。请选择其他序列或文件。</translation>
     </message>
@@ -5019,7 +5019,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>提取已停止；未保留结果。</translation>
     </message>
     <message>
-        <source>The volume contains no vessel: no voxel is set. Lower the threshold, or load another file.</source>
+        <source>The volume contains no vessel: no voxel belongs to the mask. Lower the threshold, or load another file.</source>
         <comment>tracing.nothing-set</comment>
         <translation>体数据中没有血管：没有置位体素。请降低阈值，或载入其他文件。</translation>
     </message>
@@ -5029,12 +5029,12 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>体数据中没有类似血管的结构：没有足够长的分支。请降低阈值或最短分支长度。</translation>
     </message>
     <message>
-        <source>No opacified vessels were found: soft tissue measures %1, and no uniform region shows vascular enhancement. Is this the arterial phase? Choose the CT angiogram, or set the lower threshold of the vessels.</source>
+        <source>No opacified vessels were found: soft tissue measures %1, and no uniform region shows vascular enhancement. Is this the arterial phase? Choose the CT angiogram, or set the lower vessel threshold.</source>
         <comment>tracing.no-contrast</comment>
         <translation>未找到强化的血管：软组织为 %1，没有均匀区域显示血管强化。这是动脉期吗？请选择 CT 血管造影，或设定血管的下限阈值。</translation>
     </message>
     <message>
-        <source>No opacified vessels were found: apart from bone, the brightest region measures %1 (soft tissue %2) and is not vessel-like. Is this the arterial phase? Choose the CT angiogram, or set the lower threshold of the vessels.</source>
+        <source>No opacified vessels were found: apart from bone, the brightest region measures %1 (soft tissue %2) and is not vessel-like. Is this the arterial phase? Choose the CT angiogram, or set the lower vessel threshold.</source>
         <comment>tracing.brightest-is-no-vessel</comment>
         <translation>未找到强化的血管：除骨骼外最亮区域为 %1（软组织 %2），且形态不似血管。这是动脉期吗？请选择 CT 血管造影，或设定血管的下限阈值。</translation>
     </message>
@@ -5049,12 +5049,12 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>(%1, %2, %3)</translation>
     </message>
     <message>
-        <source>The seed %1 mm (LPS) is not inside a vessel. Place it inside a vessel, or lower the threshold.</source>
+        <source>The seed at %1 mm (LPS) is not inside a vessel. Place the seed inside a vessel, or lower the threshold.</source>
         <comment>tracing.seed-in-no-vessel</comment>
         <translation>种子点 %1 mm（LPS）不在血管内。请放入血管或降低阈值。</translation>
     </message>
     <message>
-        <source>The seed %1 mm (LPS) is not inside an enhanced vessel: the vessel at a distance of %2 was used.</source>
+        <source>The seed at %1 mm (LPS) is not inside an enhanced vessel: the vessel at a distance of %2 was used.</source>
         <comment>tracing.seed-moved</comment>
         <translation>种子点 %1 mm（LPS）不在强化的血管内：已采用距其 %2 的血管。</translation>
     </message>
@@ -5064,47 +5064,47 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>未放置种子点：已自动找到并提取位于 %1 mm（LPS）的主动脉（或主要动脉）。如果不对，请在正确的血管中放置种子点。</translation>
     </message>
     <message>
-        <source>No seed was placed, and no aorta or main artery was found: the largest component was traced. If these are not the desired vessels, place a seed in them.</source>
+        <source>No seed was placed, and no aorta or main artery was found: the largest component was traced. If it does not contain the desired vessels, place a seed in those vessels.</source>
         <comment>tracing.no-seed-largest-piece</comment>
         <translation>未放置种子点，也未找到主动脉或主要动脉：已提取最大的连通部分。如果它不是所需血管，请在血管中放置种子点。</translation>
     </message>
     <message>
-        <source>This is a head scan, and arteries cannot be identified reliably: venous sinuses and veins may be enhanced too. Place a seed in the artery to trace, for example in a carotid artery in the neck or at the skull base.</source>
+        <source>This is a head scan, in which arteries cannot be identified reliably: venous sinuses and veins may also be enhanced. Place a seed in the artery to trace, for example in a carotid artery in the neck or at the skull base.</source>
         <comment>tracing.head-needs-seed</comment>
         <translation>这是头部扫描，无法可靠识别动脉：静脉窦和静脉也可能强化。请在要提取的动脉中放置种子点，例如颈部或颅底处的颈动脉。</translation>
     </message>
     <message>
-        <source>The values of this scan are not in Hounsfield units, and no large vessel can be identified reliably. Place a seed in a wide part of the artery to trace.</source>
+        <source>The values of this scan are not in Hounsfield units, so no large vessel can be identified reliably. Place a seed in a wide part of the artery to trace.</source>
         <comment>tracing.scan-needs-seed</comment>
         <translation>该扫描的数值不是 Hounsfield 单位，无法可靠识别大血管。请在要提取的动脉较宽处放置种子点。</translation>
     </message>
     <message>
-        <source>Arteries and venous sinuses of this head are connected and equally enhanced: the vessel found without a seed runs along the skull. Place a seed in the artery to trace, and mark the sinuses as points to avoid.</source>
+        <source>In this head scan, arteries and venous sinuses are connected and equally enhanced: the vessel that was found without a seed runs along the skull. Place a seed in the artery to trace, and mark the sinuses as points to avoid.</source>
         <comment>tracing.veins-with-arteries</comment>
         <translation>该头部的动脉与静脉窦相连且强化程度相同：不用种子点找到的血管沿颅骨走行。请在要提取的动脉中放置种子点，并将静脉窦标记为应避开。</translation>
     </message>
     <message>
-        <source>Coil inhomogeneity (up to %1×) was corrected: the threshold applies where the coil sensitivity is highest.</source>
+        <source>Intensity inhomogeneity due to coil sensitivity (up to %1×) was corrected: the threshold refers to intensities where the sensitivity is highest.</source>
         <comment>tracing.coil-evened-out</comment>
-        <translation>已校正线圈不均匀性（最大 %1×）：阈值适用于线圈灵敏度最高处。</translation>
+        <translation>已校正线圈灵敏度引起的强度不均匀（最大 %1×）：阈值以灵敏度最高处的强度为准。</translation>
     </message>
     <message>
-        <source>The centerlines follow %1 of the mask&apos;s skeleton within two voxels; most of the rest is at %2 mm (LPS). Where the lumen is wide or its wall rough, they follow the center of the lumen instead. Check there for a missing vessel.</source>
+        <source>The centerlines follow %1 of the mask&apos;s skeleton within two voxels; most of the rest is at %2 mm (LPS). Where the lumen is wide or its wall is rough, the centerlines follow the center of the lumen instead. Check there for a missing vessel.</source>
         <comment>tracing.skeleton-not-followed</comment>
         <translation>中心线在两个体素以内与掩膜骨架的 %1 相符；其余大部分位于 %2 mm（LPS）。在管腔较宽或管壁粗糙处，中心线改为沿管腔中央走行。请检查该处是否缺少血管。</translation>
     </message>
     <message>
-        <source>The point %1 mm (LPS) is outside the scan. Choose a point inside it.</source>
+        <source>The point at %1 mm (LPS) is outside the scan. Choose a point inside the scan.</source>
         <comment>tracing.path-end-outside-scan</comment>
         <translation>点 %1 mm (LPS) 在扫描之外。请选择扫描内的点。</translation>
     </message>
     <message>
-        <source>The point %1 mm (LPS) is not inside a structure brighter than its surroundings. Place it inside the vessel.</source>
+        <source>The point at %1 mm (LPS) is not inside a structure brighter than its surroundings. Place the point inside the vessel.</source>
         <comment>tracing.path-end-in-nothing</comment>
         <translation>点 %1 mm (LPS) 处没有比周围更亮的结构。请将其放在血管内。</translation>
     </message>
     <message>
-        <source>Both points lie at the same position of the vessel. Place them farther apart.</source>
+        <source>Both points are at the same position in the vessel. Place them farther apart.</source>
         <comment>tracing.path-ends-too-near</comment>
         <translation>两个点位于血管的同一位置。请放得更远一些。</translation>
     </message>
@@ -5114,27 +5114,27 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>两点之间未找到路径。请放得更近一些。</translation>
     </message>
     <message>
-        <source>Over a length of %1, the path does not run through a vessel-like structure. Check it, or place a point in between.</source>
+        <source>Over a length of %1, the path does not run through a vessel-like structure. Check the path, or place a point in between.</source>
         <comment>tracing.path-outside</comment>
         <translation>路径有 %1 未经过血管样结构。请检查，或在中间放置一点。</translation>
     </message>
     <message>
-        <source>Tracing thin vessels requires seeds, but none is placed. Place one in each vessel, near its origin.</source>
+        <source>Tracing thin vessels requires seeds, but none has been placed. Place one in each vessel, near its origin.</source>
         <comment>tracing.tubes-need-seed</comment>
         <translation>提取细血管需要种子点，但尚未放置。请在每条血管的起始处附近放置一个。</translation>
     </message>
     <message>
-        <source>No thin vessel of sufficient length was found from the seeds. Place them at the center of the vessels, or turn off the restriction to thin vessels.</source>
+        <source>No thin vessel of sufficient length was found starting from the seeds. Place the seeds at the center of the vessels, or turn off the restriction to thin vessels.</source>
         <comment>tracing.no-tube-at-seed</comment>
         <translation>从种子点出发没有找到足够长的细血管。请将种子点放在血管中央，或取消仅提取细血管的限制。</translation>
     </message>
     <message>
-        <source>The search limit was reached: the vessels are truncated. Check for leakage into lung, liver or bone.</source>
+        <source>The search limit was reached, so the vessels are truncated. Check for leakage into lung, liver or bone.</source>
         <comment>tracing.tubes-cut-short</comment>
         <translation>已达到搜索上限：血管被截断。请检查是否泄漏到肺、肝或骨骼。</translation>
     </message>
     <message>
-        <source>The vessels consist of %1 unconnected components, each with its own root: %2. Connect those that belong together, or select components by placing a seed in each.</source>
+        <source>The vessels consist of %1 unconnected components, each with its own root: %2. Connect those that belong together, or select the desired components by placing a seed in each.</source>
         <comment>tracing.vessels-in-pieces</comment>
         <translation>血管由 %1 个互不相连的部分组成，每部分各有一个根：%2。请连接同属一体的部分，或在所需的各部分中放置种子点。</translation>
     </message>
@@ -5149,12 +5149,12 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>占体素 %1，位于 %2</translation>
     </message>
     <message>
-        <source>%1 others with %2</source>
+        <source>%1 more with %2</source>
         <comment>tracing.other-pieces</comment>
         <translation>另有 %1 段共 %2</translation>
     </message>
     <message>
-        <source>A component that is not connected to the traced vessels was omitted: %1 mm (LPS). Place a seed in it if it belongs to the tree.</source>
+        <source>A component that is not connected to the traced vessels was omitted: at %1 mm (LPS). Place a seed in it if it belongs to the tree.</source>
         <comment>tracing.one-piece-left-out</comment>
         <translation>有一个与提取血管不相连的部分已略去：%1 mm（LPS）。若属于血管树，请在其中放置种子点。</translation>
     </message>
@@ -5164,7 +5164,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>有 %1 个部分（占体素 %2）与提取血管不相连，已略去：%3。请在属于血管树的各部分中放置种子点。</translation>
     </message>
     <message>
-        <source>A component contains no branch of the minimum length and was omitted: %1 mm (LPS). Lower the minimum branch length if it is a vessel.</source>
+        <source>A component contains no branch of the minimum length and was omitted: at %1 mm (LPS). Lower the minimum branch length if it is a vessel.</source>
         <comment>tracing.one-piece-too-short</comment>
         <translation>有一个部分不含达到最短长度的分支，已略去：%1 mm（LPS）。若为血管，请减小最短分支长度。</translation>
     </message>
@@ -5174,37 +5174,37 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>有 %1 个部分（占体素 %2）不含达到最短长度的分支，已略去：%3。若为血管，请减小最短分支长度。</translation>
     </message>
     <message>
-        <source>Gaps where a vessel clearly continues were closed: %1, up to %2 long. Check there for vessels that do not belong together.</source>
+        <source>Gaps across which a vessel clearly continues were closed (number: %1; length: up to %2). Check that the connected vessels belong together.</source>
         <comment>tracing.gaps-closed</comment>
-        <translation>已闭合血管明显延续的断口：%1 处，最长 %2。请检查该处血管是否同属一体。</translation>
+        <translation>已闭合血管明显延续的断口（数量：%1；长度：最大 %2）。请检查所连接的血管是否同属一体。</translation>
     </message>
     <message>
-        <source>1 loop was cut at its narrowest point; check for touching vessels.</source>
+        <source>1 loop was cut at its narrowest point; check whether vessels merely touch there.</source>
         <comment>tracing.one-loop-opened</comment>
         <translation>1 个环已在最窄处断开；请检查该处血管是否仅相互接触。</translation>
     </message>
     <message>
-        <source>%1 loops were cut at their narrowest points; check for touching vessels.</source>
+        <source>%1 loops were cut at their narrowest points; check whether vessels merely touch there.</source>
         <comment>tracing.loops-opened</comment>
         <translation>%1 个环已在最窄处断开；请检查这些地方血管是否仅相互接触。</translation>
     </message>
     <message>
-        <source>Loops kept as requested: %1. At the closure of a loop, one branch ends on another.</source>
+        <source>Loops kept as requested: %1. Where a loop closes, one branch ends on another.</source>
         <comment>tracing.loops-kept</comment>
         <translation>按要求保留的环：%1 个。环闭合处，一条分支止于另一条。</translation>
     </message>
     <message>
-        <source>A region darker than the vessels was omitted; it may be a vein or an organ. Place a seed in it if it belongs to the tree.</source>
+        <source>A region darker than the vessels was omitted; it may be a vein or soft tissue. Place a seed in it if it belongs to the tree.</source>
         <comment>tracing.one-dim-part-left-out</comment>
-        <translation>一个比血管暗的部分已略去；它可能是静脉或器官。若属于血管树，请在其中放置种子点。</translation>
+        <translation>一个比血管暗的部分已略去；它可能是静脉或软组织。若属于血管树，请在其中放置种子点。</translation>
     </message>
     <message>
-        <source>%1 regions darker than the vessels were omitted; they may be veins or organs. Place seeds in those that belong to the tree.</source>
+        <source>%1 regions darker than the vessels were omitted; they may be veins or soft tissue. Place seeds in those that belong to the tree.</source>
         <comment>tracing.dim-parts-left-out</comment>
-        <translation>%1 个比血管暗的部分已略去；它们可能是静脉或器官。请在属于血管树的部分中放置种子点。</translation>
+        <translation>%1 个比血管暗的部分已略去；它们可能是静脉或软组织。请在属于血管树的部分中放置种子点。</translation>
     </message>
     <message>
-        <source>No voxel of the scan is as dark as air in Hounsfield units. If the values are not HU, bone cannot be separated reliably from vessels. Check the vessels for bone, or export the scan in Hounsfield units.</source>
+        <source>No voxel of the scan has a value as low as that of air in Hounsfield units. If the values are not in Hounsfield units, bone cannot be separated reliably from vessels. Check the vessels for bone, or export the scan in Hounsfield units.</source>
         <comment>tracing.perhaps-no-hounsfield</comment>
         <translation>扫描中没有像 Hounsfield 单位下的空气那样暗的体素：如果其数值不是 HU，就无法可靠地区分骨骼和血管。请检查血管中是否混入骨骼，或以 Hounsfield 单位重新导出扫描。</translation>
     </message>
@@ -5219,27 +5219,27 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>分支 %1 在血管树中重复。分支编号必须唯一。</translation>
     </message>
     <message>
-        <source>Branch %1 of the vessel tree has fewer than two points. Remove it, or add points.</source>
+        <source>Branch %1 of the vessel tree has fewer than two points. Remove the branch, or add points.</source>
         <comment>tree.branch-too-few-points</comment>
         <translation>血管树的分支 %1 少于两个点。请移除该分支或补充点。</translation>
     </message>
     <message>
-        <source>Branch %1 of the vessel tree has a coordinate that is not a number (NaN or infinite).</source>
+        <source>Branch %1 of the vessel tree has a coordinate that is not a finite number.</source>
         <comment>tree.branch-not-finite</comment>
-        <translation>血管树的分支 %1 有非数值坐标（NaN 或无穷大）。</translation>
+        <translation>血管树的分支 %1 有非有限的坐标。</translation>
     </message>
     <message>
-        <source>Branch %1 of the vessel tree has no length: all its points coincide.</source>
+        <source>Branch %1 of the vessel tree has zero length: all its points coincide.</source>
         <comment>tree.branch-without-length</comment>
         <translation>血管树的分支 %1 长度为零：所有点重合。</translation>
     </message>
     <message>
-        <source>The number of radii of branch %1 of the vessel tree does not match its number of points.</source>
+        <source>Branch %1 of the vessel tree has different numbers of radii and points.</source>
         <comment>tree.branch-radii-missing</comment>
         <translation>血管树分支 %1 的半径数与点数不符。</translation>
     </message>
     <message>
-        <source>Branch %1 of the vessel tree has a radius that is negative or not a number. Correct it, or omit the radii of this branch.</source>
+        <source>Branch %1 of the vessel tree has a radius that is negative or not a number. Correct the radius, or omit the radii of this branch.</source>
         <comment>tree.branch-radius-unusable</comment>
         <translation>血管树的分支 %1 有为负或非数值的半径。请更正，或省略该分支的半径。</translation>
     </message>
@@ -5249,7 +5249,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>血管树没有分支 %1。</translation>
     </message>
     <message>
-        <source>The range of %1 must consist of two angles within ±%2°, the lower one first.</source>
+        <source>The range of %1 must consist of two angles within ±%2°, with the lower one first.</source>
         <comment>angles.range-odd</comment>
         <translation>%1 的范围须为 ±%2° 以内的两个角度，小的在前。</translation>
     </message>
@@ -5274,12 +5274,12 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>血管没有半径：假定为 1 mm，因此分支的重叠程度只是估计。</translation>
     </message>
     <message>
-        <source>Branch %1 is not connected to another branch, so it has no takeoff. Use the branch itself.</source>
+        <source>Branch %1 is not connected to another branch, so it has no takeoff. Specify the branch itself instead.</source>
         <comment>tree.no-take-off</comment>
         <translation>分支 %1 不与其他分支相连，因此没有起始处。请使用分支本身。</translation>
     </message>
     <message>
-        <source>All branches descend from branch %1; no branches would remain.</source>
+        <source>All branches descend from branch %1; no branches would remain if it were deleted.</source>
         <comment>edit.all-hang-on-branch</comment>
         <translation>所有分支都源自分支 %1：将一无所剩。</translation>
     </message>
@@ -5309,9 +5309,9 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>二维中心线为空：图像中未发现血管。请选择其他帧、提高灵敏度，或提供中心线文件。</translation>
     </message>
     <message>
-        <source>Curve %1 of the 2-D centerline has a coordinate that is not a number (NaN or infinite).</source>
+        <source>Curve %1 of the 2-D centerline has a coordinate that is not a finite number.</source>
         <comment>centreline.curve-not-finite</comment>
-        <translation>二维中心线的曲线 %1 有非数值坐标（NaN 或无穷）。</translation>
+        <translation>二维中心线的曲线 %1 有非有限的坐标。</translation>
     </message>
     <message>
         <source>The surface has no triangles, or the voxel size is not positive. Choose another surface.</source>
@@ -5324,12 +5324,12 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>表面是平的，不包围任何体积。请选择血管壁。</translation>
     </message>
     <message>
-        <source>The voxel size is too small for a surface of this extent. Choose a larger voxel size.</source>
+        <source>The voxel size is too small for a surface of this size. Choose a larger voxel size.</source>
         <comment>surface.voxel-too-fine</comment>
         <translation>对于此范围的表面，体素过小。请选择更大的体素。</translation>
     </message>
     <message>
-        <source>The surface encloses no volume: it has large openings, or is thinner than a voxel. Close its holes, or choose a smaller voxel size.</source>
+        <source>The surface encloses no volume: it has large openings or is thinner than a voxel. Close its holes, or choose a smaller voxel size.</source>
         <comment>surface.nothing-inside</comment>
         <translation>表面内部为空：开口过大，或比一个体素还薄。请封闭孔洞，或选择更小的体素。</translation>
     </message>
@@ -5354,7 +5354,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>有取值类型错误。请将文件与公布的模式比较。</translation>
     </message>
     <message>
-        <source>the case was saved by a newer AngioPose. Update the program.</source>
+        <source>the case was saved by a newer version of AngioPose. Update the program.</source>
         <comment>case.newer</comment>
         <translation>病例由较新的 AngioPose 保存。请更新程序。</translation>
     </message>
@@ -5389,12 +5389,12 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>这是病例的输入文件，不会被覆盖。请选择其他文件名。</translation>
     </message>
     <message>
-        <source>a file name or a text in the case is not UTF-8. Rename the file.</source>
+        <source>a file name or other text in the case is not valid UTF-8. Rename the file, or correct the text.</source>
         <comment>case.not-utf8</comment>
-        <translation>病例中的文件名或文本不是 UTF-8。请重命名文件。</translation>
+        <translation>病例中的文件名或其他文本不是有效的 UTF-8。请重命名文件，或更正文本。</translation>
     </message>
     <message>
-        <source>a scan alone is not a case: the case file needs traced vessels and an angiogram. Trace the vessels and open an angiogram before saving; the scan file itself is not changed.</source>
+        <source>a scan alone is not a case: a case requires traced vessels and an angiogram. Trace the vessels and open an angiogram before saving; the scan file itself is not changed.</source>
         <comment>case.scan-alone</comment>
         <translation>仅有扫描不构成病例：病例文件需要已提取的血管和造影图像。保存前请先提取血管并打开造影图像；扫描文件本身不会改变。</translation>
     </message>
@@ -5409,17 +5409,17 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>该位姿不是数值有限的刚性变换。保存前请重置位姿。</translation>
     </message>
     <message>
-        <source>the camera belongs to an image of %1 x %2 pixels, but the angiogram has %3 x %4. Specify the camera of this image.</source>
+        <source>the camera belongs to an image of %1 × %2 pixels, but the angiogram is %3 × %4 pixels. Specify the camera that belongs to this angiogram.</source>
         <comment>case.camera-of-other-image</comment>
-        <translation>相机对应 %1 x %2 像素的图像，但造影图像为 %3 x %4。请提供此图像的相机。</translation>
+        <translation>相机对应 %1 × %2 像素的图像，但造影图像为 %3 × %4 像素。请提供该造影图像对应的相机。</translation>
     </message>
     <message>
-        <source>maxVesselRadiusPx is less than minVesselRadiusPx. Swap them.</source>
+        <source>maxVesselRadiusPx is less than minVesselRadiusPx. Swap the two values.</source>
         <comment>case.radii-swapped</comment>
         <translation>maxVesselRadiusPx 小于 minVesselRadiusPx。请对调。</translation>
     </message>
     <message>
-        <source>the case contains no vessel input. Specify the vessel file as centerline, segmentation, surface or volume.</source>
+        <source>the case specifies no vessel input. Specify the vessel file as centerline, segmentation, surface or volume.</source>
         <comment>case.no-input</comment>
         <translation>病例未指定血管输入。请以 centerline、segmentation、surface 或 volume 指定血管文件。</translation>
     </message>
@@ -5459,14 +5459,14 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>文件在病例保存后已更改。请确认是否正确。</translation>
     </message>
     <message>
-        <source>the stored result was discarded because the vessels, the image or the traced curves have changed since. Register again.</source>
+        <source>the stored result was discarded because the vessels, the image or the traced curves have changed since it was computed. Register again.</source>
         <comment>case.result-stale</comment>
         <translation>保存的结果已舍弃，因为血管、图像或提取的曲线此后已改变。请重新配准。</translation>
     </message>
     <message>
-        <source>the stored result was discarded because the case file has changed since: %1. Register again.</source>
+        <source>the stored result was discarded because parts of the case have changed since it was computed: %1. Register again.</source>
         <comment>case.result-beside</comment>
-        <translation>保存的结果已舍弃，因为病例文件此后有改动：%1。请重新配准。</translation>
+        <translation>保存的结果已舍弃，因为病例的以下部分在计算后已改变：%1。请重新配准。</translation>
     </message>
     <message>
         <source>the tracked poses were discarded because they do not match the run or the pose of the case. Track the vessels again.</source>
@@ -5474,7 +5474,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>跟踪得到的位姿已舍弃，因为它们与病例的序列或位姿不符。请重新跟踪血管。</translation>
     </message>
     <message>
-        <source>The vessels of a tracked run are shown at their poses, but without deformation: %1 Track them again.</source>
+        <source>The vessels of a tracked run are shown at the tracked poses, but without deformation: %1 Track the vessels again.</source>
         <comment>case.bends-left-out</comment>
         <translation>已跟踪序列的血管按其位姿显示，但不含形变：%1 请重新跟踪。</translation>
     </message>
@@ -5564,12 +5564,12 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>选项</translation>
     </message>
     <message>
-        <source>this is not the DICOM image with which the case was created.</source>
+        <source>this is not the DICOM image from which the case was created.</source>
         <comment>case.other-image</comment>
         <translation>这不是创建病例时所用的 DICOM 图像。</translation>
     </message>
     <message>
-        <source>%1 The case contains the edited vessels and can be opened without the file.</source>
+        <source>%1 The case contains the edited vessels and can be opened without this file.</source>
         <comment>case.opens-without</comment>
         <translation>%1 病例中包含编辑后的血管，无需该文件即可打开。</translation>
     </message>
@@ -5579,7 +5579,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>血管树中没有分支 %1；该条目被忽略。</translation>
     </message>
     <message>
-        <source>Another view was omitted: %1</source>
+        <source>An additional view was omitted: %1</source>
         <comment>case.view-left-out</comment>
         <translation>另一个视图已略去：%1</translation>
     </message>
@@ -5589,12 +5589,12 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>第 %1 行：“%2”不是有效的文件夹名。请使用不含“/”的名称。</translation>
     </message>
     <message>
-        <source>line %1: the frame &apos;%2&apos; is not an integer.</source>
+        <source>line %1: the frame number &apos;%2&apos; is not an integer. Correct the line.</source>
         <comment>batch.frame-no-number</comment>
-        <translation>第 %1 行：帧“%2”不是整数。</translation>
+        <translation>第 %1 行：帧号“%2”不是整数。请更正该行。</translation>
     </message>
     <message>
-        <source>line %1: the name &apos;%2&apos; is already used. Use a unique name for each case.</source>
+        <source>line %1: the name &apos;%2&apos; is already in use. Use a unique name for each case.</source>
         <comment>batch.name-twice</comment>
         <translation>第 %1 行：名称“%2”已被使用。请为每个病例使用唯一的名称。</translation>
     </message>
@@ -5604,12 +5604,12 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>缺少列 %1。请选择由 `angiopose-cli evaluate` 写出的文件夹。</translation>
     </message>
     <message>
-        <source>line %1, column %2 is not a number. Choose a folder written by `angiopose-cli evaluate`.</source>
+        <source>the value in line %1, column %2 is not a number. Choose a folder written by `angiopose-cli evaluate`.</source>
         <comment>runs.no-number</comment>
         <translation>第 %1 行第 %2 列不是数字。请选择由 `angiopose-cli evaluate` 写出的文件夹。</translation>
     </message>
     <message>
-        <source>the folder contains results of different experiments or seeds. Use a separate folder for each.</source>
+        <source>the folder contains results of different experiments or seeds. Use a separate folder for each experiment and seed.</source>
         <comment>runs.mixed</comment>
         <translation>该文件夹含有不同实验或种子的结果。请分别使用单独的文件夹。</translation>
     </message>
@@ -5649,7 +5649,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>这是文件夹。请选择其中的文件。</translation>
     </message>
     <message>
-        <source>this is not a regular file. Choose a file on disk.</source>
+        <source>this is not a regular file. Choose a file on a disk.</source>
         <comment>file.not-regular</comment>
         <translation>这不是普通文件。请选择磁盘上的文件。</translation>
     </message>
@@ -5739,7 +5739,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>这不是文本表。请选择有表头的 CSV 文件。</translation>
     </message>
     <message>
-        <source>line %1 has %2 columns, but the first line has %3. Separate columns by commas and use a period as the decimal point.</source>
+        <source>line %1 has %2 columns, but the first line has %3. Separate columns with commas, and use a period as the decimal point.</source>
         <comment>table.columns</comment>
         <translation>第 %1 行有 %2 列，首行有 %3 列。请以逗号分列，用 . 作小数点。</translation>
     </message>
@@ -5749,7 +5749,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>第 %1 行，%2 列：“%3”不是有限数。请更正或删除该行。</translation>
     </message>
     <message>
-        <source>line %1: the value in the column branch must be an integer. Correct the line.</source>
+        <source>line %1: the value in the branch column must be an integer. Correct the line.</source>
         <comment>table.branch-no-number</comment>
         <translation>第 %1 行：branch 必须为整数。请更正。</translation>
     </message>
@@ -5769,9 +5769,9 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>变换中心不是有限数。请重新导出变换。</translation>
     </message>
     <message>
-        <source>the file contains no 4 x 4 matrix `cameraFromPatient`, at the top level or in `pose`. Add the matrix.</source>
+        <source>the file contains no 4 × 4 matrix `cameraFromPatient`, at the top level or in `pose`. Add the matrix.</source>
         <comment>pose.no-matrix</comment>
-        <translation>文件顶层或 `pose` 中没有 4 x 4 矩阵 `cameraFromPatient`。请补充。</translation>
+        <translation>文件顶层或 `pose` 中没有 4 × 4 矩阵 `cameraFromPatient`。请补充。</translation>
     </message>
     <message>
         <source>cameraFromPatient must have four rows of four numbers.</source>
@@ -5794,9 +5794,9 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>cameraFromPatient 为镜像（行列式小于 0）。镜像图像应以 fx 的符号表示，而非旋转。</translation>
     </message>
     <message>
-        <source>the upper left 3 x 3 block of cameraFromPatient is not a rotation (it contains scale or shear). Provide a rigid pose in mm.</source>
+        <source>the upper left 3 × 3 block of cameraFromPatient is not a rotation (it contains scale or shear). Provide a rigid pose in mm.</source>
         <comment>pose.no-rotation</comment>
-        <translation>cameraFromPatient 左上 3 x 3 块不是旋转（含缩放或剪切）。请提供以 mm 为单位的刚性位姿。</translation>
+        <translation>cameraFromPatient 左上 3 × 3 块不是旋转（含缩放或剪切）。请提供以 mm 为单位的刚性位姿。</translation>
     </message>
     <message>
         <source>the file is too large for a pose. Choose a .json, .tfm, .mat or .h5 file.</source>
@@ -5934,7 +5934,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>JSON 文件</translation>
     </message>
     <message>
-        <source>Color image converted to grayscale.</source>
+        <source>The color image was converted to grayscale.</source>
         <comment>image.colour-to-grey</comment>
         <translation>彩色图像已转换为灰度。</translation>
     </message>
@@ -5944,12 +5944,12 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>忽略图像透明度。</translation>
     </message>
     <message>
-        <source>A non-DICOM image contains no C-arm geometry. Enter it in the geometry of the case.</source>
+        <source>A non-DICOM image contains no C-arm geometry. Enter the geometry manually.</source>
         <comment>image.no-geometry</comment>
         <translation>非 DICOM 图像不含 C 形臂几何。请在病例的几何中输入。</translation>
     </message>
     <message>
-        <source>The image is a binary mask: its vessels are used as drawn.</source>
+        <source>The image is a binary mask: the vessels are used as drawn.</source>
         <comment>image.is-mask</comment>
         <translation>该图像是二值掩膜：血管按所画的样子采用。</translation>
     </message>
@@ -5974,7 +5974,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>图像损坏或截断。请重新复制或导出。</translation>
     </message>
     <message>
-        <source>the image is damaged or in an unsupported format. Export it as untiled grayscale or RGB with 8 or 16 bits.</source>
+        <source>the image is damaged or in an unsupported format. Export it as an untiled grayscale or RGB image with 8 or 16 bits per channel.</source>
         <comment>image.unusual</comment>
         <translation>图像已损坏或格式不受支持。请以 8 或 16 位灰度或 RGB、不分块导出。</translation>
     </message>
@@ -5994,12 +5994,12 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>没有可写入的图像。请先生成或提取。</translation>
     </message>
     <message>
-        <source>a pixel is not a finite number. Correct the image before writing it.</source>
+        <source>a pixel value is not a finite number. Correct the image before writing it.</source>
         <comment>image.pixel-not-finite-writing</comment>
         <translation>有像素不是有限数。写入前请更正图像。</translation>
     </message>
     <message>
-        <source>a pixel is not a finite number. Export the image again.</source>
+        <source>a pixel value is not a finite number. Export the image again.</source>
         <comment>image.pixel-not-finite</comment>
         <translation>有像素不是有限数。请重新导出图像。</translation>
     </message>
@@ -6009,17 +6009,17 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>这是%1，不是二维中心线。请选择 CSV 表或 PNG 掩膜。</translation>
     </message>
     <message>
-        <source>this is not a binary mask. Draw the vessels in white on black.</source>
+        <source>this is not a binary mask. Draw the vessels in white on a black background.</source>
         <comment>centreline.no-mask</comment>
         <translation>这不是二值掩膜。请以黑底白色画血管。</translation>
     </message>
     <message>
-        <source>the header row has no columns x and y. The first line must specify the columns: x,y and, if available, branch,radius (px).</source>
+        <source>the header row has no x and y columns. The first line must specify the columns: x,y and, if available, branch,radius (px).</source>
         <comment>centreline.no-columns</comment>
         <translation>表头缺少 x 和 y 列。首行须为列名：x,y，以及 branch,radius（px，如有）。</translation>
     </message>
     <message>
-        <source>the file has a column z, so it is a 3-D centerline. Choose the centerline traced in the image.</source>
+        <source>the file has a z column, so it is a 3-D centerline. Choose the centerline traced in the image.</source>
         <comment>centreline.is-3d</comment>
         <translation>文件含 z 列，因此是三维中心线。请选择图像中提取的中心线。</translation>
     </message>
@@ -6029,9 +6029,9 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>超过一百万个点。请重采样中心线。</translation>
     </message>
     <message>
-        <source>line %1 is far outside any image. Coordinates must be in pixels.</source>
+        <source>the point in line %1 is far outside any image. Coordinates must be in pixels.</source>
         <comment>centreline.outside</comment>
-        <translation>第 %1 行远超出任何图像的范围。坐标单位为像素。</translation>
+        <translation>第 %1 行的点远超出任何图像的范围。坐标须以像素为单位。</translation>
     </message>
     <message>
         <source>this is not a DICOM file. Choose a scan.</source>
@@ -6039,7 +6039,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>这不是 DICOM 文件。请选择扫描。</translation>
     </message>
     <message>
-        <source>the deflate-compressed content is damaged or truncated. Copy or export the file again.</source>
+        <source>the deflate-compressed data are damaged or truncated. Copy or export the file again.</source>
         <comment>dicom.deflate-damaged</comment>
         <translation>其 deflate 压缩内容损坏或截断。请重新复制或导出。</translation>
     </message>
@@ -6069,7 +6069,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>文件末尾损坏（%1）；图像完整。</translation>
     </message>
     <message>
-        <source>%1 is damaged before the pixel data: %2. Copy or export it again.</source>
+        <source>%1 is damaged at a position before the pixel data: %2. Copy or export it again.</source>
         <comment>dicom.damaged-before-pixels</comment>
         <translation>%1 在像素之前损坏：%2。请重新复制或导出。</translation>
     </message>
@@ -6089,7 +6089,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>此 DICOM 文件（%1）</translation>
     </message>
     <message>
-        <source>the header has contradictory values for the bits per pixel. It is damaged; export the run again.</source>
+        <source>the header contains contradictory values for the bits per pixel. The header is damaged; export the run again.</source>
         <comment>dicom.bits-contradict</comment>
         <translation>文件头中的每像素位数相互矛盾。文件头损坏；请重新导出。</translation>
     </message>
@@ -6099,12 +6099,12 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>以调色板颜色存储。请以灰度导出造影图像。</translation>
     </message>
     <message>
-        <source>the pixels (%1, %2 samples) are neither grayscale nor color. Export the angiogram in grayscale.</source>
+        <source>the pixels (%1, %2 samples per pixel) are neither grayscale nor color. Export the angiogram in grayscale.</source>
         <comment>dicom.not-grey</comment>
         <translation>像素（%1，%2 个采样）既非灰度也非彩色。请以灰度导出。</translation>
     </message>
     <message>
-        <source>the pixels have %1 bits. Export the angiogram with 8 or 16 bits.</source>
+        <source>the pixels have %1 bits. Export the angiogram with 8 or 16 bits per pixel.</source>
         <comment>dicom.pixel-bits</comment>
         <translation>像素为 %1 位。请以 8 或 16 位导出。</translation>
     </message>
@@ -6114,9 +6114,9 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>文件头无图像尺寸。文件损坏；请重新导出。</translation>
     </message>
     <message>
-        <source>the file declares %1 frames of %2 x %3 pixels, more than AngioPose supports. Export fewer frames.</source>
+        <source>the file declares %1 frames of %2 × %3 pixels, more than AngioPose supports. Export fewer frames.</source>
         <comment>dicom.too-many-frames</comment>
-        <translation>声明 %1 帧、每帧 %2 x %3 像素，超出 AngioPose 的上限。请导出较少的帧。</translation>
+        <translation>声明 %1 帧、每帧 %2 × %3 像素，超出 AngioPose 的上限。请导出较少的帧。</translation>
     </message>
     <message>
         <source>the pixel data are truncated: %1 of %2 bytes are present. Copy or export the file again.</source>
@@ -6134,32 +6134,32 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>%2 帧中仅有 %1 帧。请重新复制或导出。</translation>
     </message>
     <message>
-        <source>frame %1 cannot be decoded (transfer syntax %2): it is damaged, truncated, or uses an unsupported compression. Export the run again, uncompressed if possible.</source>
+        <source>frame %1 cannot be decoded (transfer syntax %2): it is damaged or truncated, or its compression is not supported. Export the run again, uncompressed if possible.</source>
         <comment>dicom.frame-undecodable</comment>
         <translation>第 %1 帧无法解码（传输语法 %2）：损坏、截断或压缩方式不受支持。请重新导出，尽量不压缩。</translation>
     </message>
     <message>
-        <source>Frames %1 of %2 cannot be decoded and are shown blank; the others can be read. Export the run again if you need them.</source>
+        <source>Some frames cannot be decoded and are shown blank: %1 (of %2 frames). Export the run again if you need these frames.</source>
         <comment>dicom.frames-lost</comment>
-        <translation>共 %2 帧，其中第 %1 帧无法解码，显示为空白；其余各帧可读。如需要这些帧，请重新导出。</translation>
+        <translation>部分帧无法解码，显示为空白：第 %1 帧（共 %2 帧）。如需要这些帧，请重新导出。</translation>
     </message>
     <message>
-        <source>Frames %1 of %2 are partly damaged and are shown as far as they could be decoded. Compare them with another viewer before using them.</source>
+        <source>Some frames are partly damaged and are shown as far as they could be decoded: %1 (of %2 frames). Check them in another viewer before using them.</source>
         <comment>dicom.frames-flawed</comment>
-        <translation>共 %2 帧，其中第 %1 帧部分损坏，仅显示能够解码的部分。使用前请与其他阅片软件对照。</translation>
+        <translation>部分帧有损坏，仅显示能够解码的部分：第 %1 帧（共 %2 帧）。使用前请用其他阅片软件核对。</translation>
     </message>
     <message>
-        <source>The image is partly damaged and is shown as far as it could be decoded. Compare it with another viewer before using it.</source>
+        <source>The image is partly damaged and is shown as far as it could be decoded. Check it in another viewer before using it.</source>
         <comment>image.flawed</comment>
         <translation>图像部分损坏，仅显示能够解码的部分。使用前请与其他阅片软件对照。</translation>
     </message>
     <message>
-        <source>the image has only %1 x %2 pixels. Choose the full-size angiogram.</source>
+        <source>the image has only %1 × %2 pixels. Choose the full-size angiogram.</source>
         <comment>dicom.thumbnail</comment>
-        <translation>仅 %1 x %2 像素。请选择原尺寸造影图像。</translation>
+        <translation>仅 %1 × %2 像素。请选择原尺寸造影图像。</translation>
     </message>
     <message>
-        <source>This is %1, not X-ray angiography: it has no C-arm geometry.</source>
+        <source>This is %1, not an X-ray angiogram: it has no C-arm geometry.</source>
         <comment>dicom.not-xray</comment>
         <translation>这是%1，不是 X 线血管造影：没有 C 形臂几何。</translation>
     </message>
@@ -6184,12 +6184,12 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>内存不足以写入该序列。请写入较少帧。</translation>
     </message>
     <message>
-        <source>modality %1</source>
+        <source>an image of modality %1</source>
         <comment>dicom.modality</comment>
-        <translation>模态 %1</translation>
+        <translation>%1 模态的图像</translation>
     </message>
     <message>
-        <source>an image without modality</source>
+        <source>an image without a specified modality</source>
         <comment>dicom.no-modality</comment>
         <translation>未注明模态的图像</translation>
     </message>
@@ -6209,12 +6209,12 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>文件头无成像器像素间距（0018,1164）：请在几何中输入。</translation>
     </message>
     <message>
-        <source>The header contains no imager pixel spacing (0018,1164): enter it in the geometry. The image intensifier of %1 suggests at most %2.</source>
+        <source>The header contains no imager pixel spacing (0018,1164): enter it in the geometry. An image intensifier of %1 suggests at most %2.</source>
         <comment>dicom.spacing-missing-intensifier</comment>
         <translation>文件头无成像器像素间距（0018,1164）：请在几何中输入。影像增强器为 %1，提示最大为 %2。</translation>
     </message>
     <message>
-        <source>The header contains only isocenter angles (0018,9463), whose signs are ambiguous. Enter LAO/RAO and CRA/CAU in the geometry.</source>
+        <source>The header contains only isocenter angles (0018,9463), whose signs are ambiguous. Enter the LAO/RAO and CRA/CAU angles in the geometry.</source>
         <comment>dicom.angles-of-isocentre</comment>
         <translation>文件头仅有等中心角度（0018,9463），符号不确定：请在几何中输入 LAO/RAO 和 CRA/CAU。</translation>
     </message>
@@ -6224,19 +6224,19 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>探测器倾斜 %1（0018,1530）：主点不确定。</translation>
     </message>
     <message>
-        <source>The image is assumed to be mirrored, based on %1. Check left and right.</source>
+        <source>Based on %1, the image is assumed to be mirrored. Check the orientation markers (L, R).</source>
         <comment>dicom.image-mirrored</comment>
-        <translation>根据 %1 认为图像为镜像。请核对左右。</translation>
+        <translation>根据 %1，图像按镜像处理。请核对方位标记（L、R）。</translation>
     </message>
     <message>
-        <source>The C-arm moved during this run, but the header contains %1 for its %2 frames: the angles of the first frame are used. Check them for the selected frame.</source>
+        <source>The C-arm moved during this run, but the header does not specify the angles of all %2 frames (specified: %1). The angles of the first frame are used. Check them for the selected frame.</source>
         <comment>dicom.gantry-moved</comment>
-        <translation>采集中 C 形臂有移动，但文件头为 %2 帧只给出 %1：角度取自第一帧。请针对所用帧核对。</translation>
+        <translation>采集中 C 形臂有移动，但文件头未给出全部 %2 帧的角度（已给出：%1）。角度取自第一帧。请针对所选帧核对。</translation>
     </message>
     <message>
-        <source>no angles</source>
+        <source>none</source>
         <comment>dicom.gantry-no-angles</comment>
-        <translation>没有角度</translation>
+        <translation>无</translation>
     </message>
     <message>
         <source>%1</source>
@@ -6244,14 +6244,14 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>%1</translation>
     </message>
     <message>
-        <source>The traced structure is hardly longer than wide: check that it is a vessel.</source>
+        <source>The traced structure is hardly longer than it is wide: check that it is a vessel.</source>
         <comment>vessels.compact</comment>
         <translation>提取的结构长度几乎不大于宽度：请检查是否为血管。</translation>
     </message>
     <message>
-        <source>The vessels measure %1 across, or have an unusual diameter: if the unit of the file is not millimeters, specify the unit.</source>
+        <source>The extent (%1) or the diameter of the vessels is unusual: if the unit of the file is not the millimeter, specify the unit.</source>
         <comment>vessels.unusual-size</comment>
-        <translation>血管总跨度为 %1，或直径异常：若文件单位不是毫米，请指定单位。</translation>
+        <translation>血管的总跨度（%1）或直径异常：若文件单位不是毫米，请指定单位。</translation>
     </message>
     <message>
         <source>unsupported surface format. Choose a .vtp, .vtk, .stl, .ply or .obj file.</source>
@@ -6274,12 +6274,12 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>所有三角面的面积均为零。请选择血管表面。</translation>
     </message>
     <message>
-        <source>the surface has more triangles than AngioPose supports. Decimate it.</source>
+        <source>the surface has more triangles than AngioPose supports. Decimate the surface.</source>
         <comment>surface.too-large</comment>
         <translation>三角面数量超出 AngioPose 的上限。请简化表面。</translation>
     </message>
     <message>
-        <source>a coordinate is not a number, or exceeds one kilometer. Correct it, or export the surface again.</source>
+        <source>a coordinate is not a number or exceeds one kilometer. Correct the coordinate, or export the surface again.</source>
         <comment>surface.coordinate</comment>
         <translation>某个坐标不是数字，或超过一公里。请更正，或重新导出表面。</translation>
     </message>
@@ -6304,27 +6304,27 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>表面未闭合（%1 条开放边、%2 条非流形边）：内部按多数判定。请检查结果，或封闭孔洞。</translation>
     </message>
     <message>
-        <source>The triangles are inconsistently oriented; overlapping parts may cancel out.</source>
+        <source>The triangles are inconsistently oriented, so overlapping parts may cancel each other out.</source>
         <comment>surface.disoriented</comment>
         <translation>三角面方向不一致；重叠部分可能抵消。</translation>
     </message>
     <message>
-        <source>The surface measures %1 across, which is unusual: if its unit is not millimeters, specify the unit.</source>
+        <source>The surface measures %1 across, which is unusual: if its unit is not the millimeter, specify the unit.</source>
         <comment>surface.unusual-size</comment>
         <translation>表面跨度为 %1，属异常：若单位不是毫米，请指定单位。</translation>
     </message>
     <message>
-        <source>Outlier points were removed with their triangles because they cannot belong to the same body: %1 (not numbers, or farther than %2 from the center). Check the surface.</source>
+        <source>Outlier points (%1) were removed together with their triangles because they are not finite or lie farther than %2 from the center. Check the surface.</source>
         <comment>surface.stray-points</comment>
-        <translation>已去除离群点及其三角形，因其不可能属于同一身体：%1 个（非数值，或距中心超过 %2）。请检查该表面。</translation>
+        <translation>已去除离群点（%1 个）及其三角形，因其坐标非有限或距中心超过 %2。请检查该表面。</translation>
     </message>
     <message>
-        <source>the surface measures %1 across, larger than any human body. Specify the unit of the file, or remove outlier points.</source>
+        <source>the surface measures %1 across, which is larger than any human body. Specify the unit of the file, or remove outlier points.</source>
         <comment>surface.larger-than-body</comment>
         <translation>表面跨度为 %1，大于任何人体。请指定文件的单位，或去除离群点。</translation>
     </message>
     <message>
-        <source>line %1 is not a valid point. The file is damaged; export it again.</source>
+        <source>line %1 does not define a valid point. The file is damaged; export it again.</source>
         <comment>surface.obj-bad-point</comment>
         <translation>第 %1 行不是有效的点。文件损坏；请重新导出。</translation>
     </message>
@@ -6379,7 +6379,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>文件中没有线。请选择含血管中心线的文件。</translation>
     </message>
     <message>
-        <source>the file contains a surface, not centerlines. Extract the centerlines first (e.g., with VMTK or 3D Slicer) and open those.</source>
+        <source>the file contains a surface, not centerlines. Extract the centerlines first (e.g., with VMTK or 3D Slicer), and open them instead.</source>
         <comment>tree.is-surface</comment>
         <translation>文件含表面而非中心线。请先提取中心线（如用 VMTK 或 Slicer），再打开。</translation>
     </message>
@@ -6459,12 +6459,12 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>首行须为列名：x,y,z，以及 radius,branch（如有）。</translation>
     </message>
     <message>
-        <source>the header row has no columns x, y and z. Name the columns accordingly (mm, patient LPS).</source>
+        <source>the header row has no x, y and z columns. Name the columns accordingly (coordinates in mm, LPS).</source>
         <comment>tree.table-no-columns</comment>
         <translation>表头缺少 x、y、z 列。请命名（mm，患者 LPS）。</translation>
     </message>
     <message>
-        <source>the file appears to be a list of graph nodes (column id) without an order along the vessels. Add a branch column, or export the centerlines themselves.</source>
+        <source>the file appears to be a list of graph nodes (it has an id column) without an order along the vessels. Add a branch column, or export the centerlines themselves.</source>
         <comment>tree.table-is-graph</comment>
         <translation>像是图节点列表（id 列），没有沿血管的顺序。请添加 branch 列，或导出中心线本身。</translation>
     </message>
@@ -6494,7 +6494,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>此文件夹中没有序列可组成体数据。请选择其他文件夹。</translation>
     </message>
     <message>
-        <source>the input contains %1 volumes (%2). Choose one by its series ID; `info` lists them.</source>
+        <source>the input contains %1 volumes (%2). Choose one of them by its series ID; `info` lists the IDs.</source>
         <comment>series.several</comment>
         <translation>含 %1 个体数据（%2）。请按序列 ID 选择；`info` 可列出。</translation>
     </message>
@@ -6514,12 +6514,12 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>这是单个层面而非体数据。请复制该序列全部层面，或选择其他序列。</translation>
     </message>
     <message>
-        <source>the images contain no pixel size, so they do not form a volume. Choose another series.</source>
+        <source>the images specify no pixel size, so they do not form a volume. Choose another series.</source>
         <comment>series.no-pixel-size</comment>
         <translation>图像不含像素大小，无法组成体数据。请选择其他序列。</translation>
     </message>
     <message>
-        <source>the images contain no position in the patient, so they do not form a volume. Choose another series.</source>
+        <source>the images specify no position in the patient, so they do not form a volume. Choose another series.</source>
         <comment>series.no-place</comment>
         <translation>图像不含在患者中的位置，无法组成体数据。请选择其他序列。</translation>
     </message>
@@ -6529,7 +6529,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>层面并排而非堆叠。请选择其他序列。</translation>
     </message>
     <message>
-        <source>the slice spacing is too uneven to form a volume (%1 slices over %2). Copy all slices of the series, or choose another series.</source>
+        <source>the slice spacing is too uneven for a volume (%1 slices over %2). Copy all slices of the series, or choose another series.</source>
         <comment>series.too-uneven</comment>
         <translation>层间距过于不均，无法组成体数据（%2 内 %1 层）。请复制该序列全部层面，或选择其他序列。</translation>
     </message>
@@ -6544,12 +6544,12 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>图像尺寸与文件头不符。请重新导出。</translation>
     </message>
     <message>
-        <source>The slices are unevenly spaced (%1 to %2) and were resampled to %3.</source>
+        <source>The slices are unevenly spaced (%1 to %2) and were resampled to a spacing of %3.</source>
         <comment>series.uneven-slices</comment>
         <translation>层间距不均（%1 至 %2）：已重采样为 %3。</translation>
     </message>
     <message>
-        <source>The slices are not stacked perpendicularly (deviation of %1, as with a tilted gantry): they were shifted in plane to their true position.</source>
+        <source>The slices are not stacked perpendicularly (deviation of %1, as with a tilted gantry): they were shifted in plane to their true positions.</source>
         <comment>series.slanted</comment>
         <translation>层面未垂直堆叠（偏 %1，如机架倾斜）：已在层面内平移到实际位置。</translation>
     </message>
@@ -6574,17 +6574,17 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>第 %1 层之后等处</translation>
     </message>
     <message>
-        <source>%1 of %2 slices have the same position as another slice; only the first acquired slice at each position is used.</source>
+        <source>%1 of %2 slices have the same position as another slice; only the slice acquired first at each position is used.</source>
         <comment>series.overlap</comment>
         <translation>%2 层中 %1 层位置重复；采用最先采集的层面。</translation>
     </message>
     <message>
-        <source>%1 files of the series are duplicates and are ignored.</source>
+        <source>Duplicate files of the series are ignored (number: %1).</source>
         <comment>series.files-twice</comment>
-        <translation>该序列 %1 个文件重复。</translation>
+        <translation>该序列的重复文件已忽略（数量：%1）。</translation>
     </message>
     <message>
-        <source>%1 files of the series are damaged at the end.</source>
+        <source>Some files of the series are damaged at the end (number: %1).</source>
         <comment>series.files-damaged</comment>
         <translation>该序列有 %1 个文件末尾损坏。</translation>
     </message>
@@ -6599,7 +6599,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>第 %1 部分，共 %2</translation>
     </message>
     <message>
-        <source>The slices are stored with different rescale factors or as floating point. %1</source>
+        <source>The slices are stored with different rescale factors or as floating-point values. %1</source>
         <comment>series.scales</comment>
         <translation>层面以不同的缩放系数或浮点存储。%1</translation>
     </message>
@@ -6614,9 +6614,9 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>这是%1，不是体数据。请选择 DICOM 文件夹、NIfTI、NRRD 或 MetaImage（.mha、.mhd）。</translation>
     </message>
     <message>
-        <source>the file contains a %1, not an image. Choose the scan.</source>
+        <source>the file contains an object of type %1, not an image. Choose the scan.</source>
         <comment>volume.holds-other</comment>
-        <translation>文件含 %1，而非图像。请选择扫描。</translation>
+        <translation>文件含有类型为 %1 的对象，而非图像。请选择扫描。</translation>
     </message>
     <message>
         <source>the file declares %1, more than AngioPose supports. Crop the scan to the vessels.</source>
@@ -6639,17 +6639,17 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>为 %1 维，而体数据为三维。请选择完整扫描。</translation>
     </message>
     <message>
-        <source>the file has %1 dimensions (4-D or more). Save the volume you need as a separate file and open that.</source>
+        <source>the file has %1 dimensions (4-D or more). Save the volume you need as a separate file, and open that file.</source>
         <comment>volume.dimensions</comment>
         <translation>有 %1 维（四维或以上）。请单独保存所需体数据再打开。</translation>
     </message>
     <message>
-        <source>the file contains %1 volumes or values per voxel (4-D). Extract the volume you need and open that.</source>
+        <source>the file contains %1 volumes or values per voxel (4-D). Extract the volume you need, and open it.</source>
         <comment>volume.several-4d</comment>
         <translation>含 %1 个体数据或每体素多值（四维）。请提取所需的再打开。</translation>
     </message>
     <message>
-        <source>the file contains %1 volumes, layers or values per voxel (4-D). Save the volume you need as a separate file and open that.</source>
+        <source>the file contains %1 volumes, layers or values per voxel (4-D). Save the volume you need as a separate file, and open that file.</source>
         <comment>volume.several-layers</comment>
         <translation>含 %1 个体数据、层或每体素多值（四维）。请单独保存所需的再打开。</translation>
     </message>
@@ -6664,7 +6664,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>第一轴有 %1 项，因此是彩色图像而非体数据。请选择扫描。</translation>
     </message>
     <message>
-        <source>the voxels are colors. Choose the grayscale scan itself.</source>
+        <source>the voxel values are colors. Choose the grayscale scan itself.</source>
         <comment>volume.colours</comment>
         <translation>体素为彩色。请选择灰度扫描本身。</translation>
     </message>
@@ -6689,7 +6689,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>文件头损坏：体素数据偏移量无效。请重新导出。</translation>
     </message>
     <message>
-        <source>the axes are at %1 to each other instead of 90°. Resample the volume to orthogonal axes.</source>
+        <source>the angle between the axes is %1 instead of 90°. Resample the volume to orthogonal axes.</source>
         <comment>volume.skewed</comment>
         <translation>各轴夹角为 %1 而非 90°。请重采样到正交轴。</translation>
     </message>
@@ -6704,7 +6704,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>其 %1 文件头无法读取。请重新导出。</translation>
     </message>
     <message>
-        <source>the HeaderSize is invalid. Correct the header.</source>
+        <source>HeaderSize is invalid. Correct the header.</source>
         <comment>volume.header-size</comment>
         <translation>HeaderSize 无效。请更正文件头。</translation>
     </message>
@@ -6719,27 +6719,27 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>line skip 或 byte skip 无效。请更正文件头。</translation>
     </message>
     <message>
-        <source>the header skips lines in a separate data file. Save header and voxels as one file.</source>
+        <source>the header skips lines in a separate data file. Save the header and the voxels as one file.</source>
         <comment>volume.skips-lines-elsewhere</comment>
         <translation>文件头要求在另一数据文件中跳过若干行。请将文件头与体素保存为一个文件。</translation>
     </message>
     <message>
-        <source>the voxels are split over several files. Save the volume as one file.</source>
+        <source>the voxel data are split across several files. Save the volume as one file.</source>
         <comment>volume.several-files</comment>
         <translation>体素分散在多个文件中。请保存为一个文件。</translation>
     </message>
     <message>
-        <source>the voxel type &quot;%1&quot; is not supported. Save the volume as 16-bit or float.</source>
+        <source>the voxel type &quot;%1&quot; is not supported. Save the volume with 16-bit integer or floating-point voxels.</source>
         <comment>volume.voxel-type</comment>
         <translation>不支持体素类型“%1”。请保存为 16 位或浮点。</translation>
     </message>
     <message>
-        <source>the voxel type (NIfTI datatype %1) is not supported. Save the volume as 16-bit or float.</source>
+        <source>the voxel type (NIfTI datatype %1) is not supported. Save the volume with 16-bit integer or floating-point voxels.</source>
         <comment>volume.nifti-type</comment>
         <translation>不支持该体素类型（NIfTI 类型 %1）。请保存为 16 位或浮点。</translation>
     </message>
     <message>
-        <source>the voxel type is not supported. Save the volume as 16-bit or float.</source>
+        <source>the voxel type is not supported. Save the volume with 16-bit integer or floating-point voxels.</source>
         <comment>volume.other-voxel-type</comment>
         <translation>不支持其体素类型。请保存为 16 位或浮点。</translation>
     </message>
@@ -6789,17 +6789,17 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>无法读取体素文件（%1）。</translation>
     </message>
     <message>
-        <source>the voxel data start with the header of another volume. Open that file itself, or set the number of bytes to skip: -1 if the voxels are at the end.</source>
+        <source>the voxel data start with the header of another volume. Open that file itself, or set the number of bytes to skip (-1 if the voxels are at the end).</source>
         <comment>volume.voxels-are-header</comment>
         <translation>其体素数据以另一个体数据的文件头开始。请直接打开该文件，或指定要跳过的字节数：体素位于末尾时为 -1。</translation>
     </message>
     <message>
-        <source>no voxel contains a valid number. Export the volume again.</source>
+        <source>the volume contains no finite voxel values. Export it again.</source>
         <comment>volume.no-numbers</comment>
-        <translation>没有体素是数字。请重新导出。</translation>
+        <translation>体数据中没有有限的体素值。请重新导出。</translation>
     </message>
     <message>
-        <source>%1 voxels are not numbers; they are set to the lowest value.</source>
+        <source>Some voxel values are not numbers (%1 voxels); they are set to the lowest value.</source>
         <comment>volume.not-numbers</comment>
         <translation>%1 个体素不是数字；设为最低值。</translation>
     </message>
@@ -6809,24 +6809,24 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>%1 体素舍入为 16 位，步长 %2。</translation>
     </message>
     <message>
-        <source>The header does not specify the orientation of the axes: i to the left, j to the back and k to the head are assumed. Check left and right.</source>
+        <source>The header does not specify the orientation of the axes: i toward the left, j posterior and k superior are assumed. Check left and right.</source>
         <comment>volume.axes-assumed</comment>
         <translation>文件头未说明轴的方向：假定 i 向左、j 向后、k 向头。请核对左右。</translation>
     </message>
     <message>
-        <source>The header does not specify the orientation of the voxels: +x (right to left), +y (front to back) and +z (up) are assumed to be i, j reversed and k. Check left and right.</source>
+        <source>The header does not specify the orientation of the voxels: +x (right to left), +y (anterior to posterior) and +z (superior) are assumed to correspond to i, reversed j and k. Check left and right.</source>
         <comment>volume.voxels-assumed</comment>
         <translation>文件头未说明体素方位：假定 +x（右到左）、+y（前到后）、+z（向上）分别为 i、反向 j 和 k。请核对左右。</translation>
     </message>
     <message>
-        <source>The header contains no voxel size: 1 x 1 x 1 mm is assumed.</source>
+        <source>The header contains no voxel size: 1 × 1 × 1 mm is assumed.</source>
         <comment>volume.size-assumed</comment>
-        <translation>文件头无体素大小：假定为 1 x 1 x 1 mm。</translation>
+        <translation>文件头无体素大小：假定为 1 × 1 × 1 mm。</translation>
     </message>
     <message>
-        <source>The voxel size is specified as 1 x 1 x 1 mm: check that it was not lost in a conversion.</source>
+        <source>The voxel size is specified as 1 × 1 × 1 mm: check that the true size was not lost in a conversion.</source>
         <comment>volume.size-of-one</comment>
-        <translation>体素大小为 1 x 1 x 1 mm：请确认未在转换中丢失。</translation>
+        <translation>体素大小为 1 × 1 × 1 mm：请确认未在转换中丢失。</translation>
     </message>
     <message>
         <source>NIfTI supports at most 32767 voxels along an axis. Save the volume as .nrrd or .mha.</source>
@@ -6864,17 +6864,17 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>文件含有数值 %1，不是标签：标签为非负整数。请选择标签图像。</translation>
     </message>
     <message>
-        <source>the file contains no labeled voxels: every voxel is background. Choose another segmentation.</source>
+        <source>the file contains no labeled voxels: all voxels are background. Choose another segmentation.</source>
         <comment>labels.nothing-marked</comment>
         <translation>其中没有标记的体素：所有体素均为背景。请选择其他分割。</translation>
     </message>
     <message>
-        <source>there is no label %1. Available labels: %2. Choose one of these.</source>
+        <source>there is no label %1. Choose one of the available labels: %2.</source>
         <comment>labels.no-such-number</comment>
         <translation>没有标签 %1。可用标签：%2。请从中选择。</translation>
     </message>
     <message>
-        <source>there is no label &quot;%1&quot;. Available labels: %2. Choose one of these.</source>
+        <source>there is no label &quot;%1&quot;. Choose one of the available labels: %2.</source>
         <comment>labels.no-such-name</comment>
         <translation>没有标签“%1”。可用标签：%2。请从中选择。</translation>
     </message>
@@ -6894,17 +6894,17 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>因名称而跳过的标签：%1。</translation>
     </message>
     <message>
-        <source>The volume contains labels; its vessels are taken directly from them.</source>
+        <source>The volume contains labels; the vessels are taken directly from these.</source>
         <comment>labels.volume-holds-labels</comment>
         <translation>该体数据含有标签；血管直接取自这些标签。</translation>
     </message>
     <message>
-        <source>Measuring lengths at the vessels requires their depth. Open the vessels, or measure at the detector or in pixels.</source>
+        <source>Measuring lengths at the vessels requires the depth of the vessels. Open a vessel tree, or measure at the detector or in pixels.</source>
         <comment>measure.needs-vessels</comment>
         <translation>测量血管处的长度需要血管的深度。请打开血管，或在探测器处测量，或以像素测量。</translation>
     </message>
     <message>
-        <source>The vessels lie behind the X-ray source, so nothing can be measured at them. Correct the pose, or measure in pixels.</source>
+        <source>The vessels lie behind the X-ray source, so lengths at the vessels cannot be measured. Correct the pose, or measure in pixels.</source>
         <comment>measure.behind-source</comment>
         <translation>血管位于 X 射线源后方，无法在该处测量。请修正位姿，或以像素测量。</translation>
     </message>
@@ -6914,17 +6914,17 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>探测器的像素间距未知。请在“几何”中输入，或以像素测量。</translation>
     </message>
     <message>
-        <source>This type of measurement requires at least %1 points; this one has %2. Draw it again.</source>
+        <source>This type of measurement requires at least %1 points, but has only %2. Draw the measurement again.</source>
         <comment>measure.points</comment>
         <translation>此类测量至少需要 %1 个点；此处只有 %2 个。请重新绘制。</translation>
     </message>
     <message>
-        <source>A point of the measurement has a non-finite coordinate. Draw it again.</source>
+        <source>A point of the measurement has a non-finite coordinate. Draw the measurement again.</source>
         <comment>measure.not-finite</comment>
         <translation>测量的某个点含有非有限坐标。请重新绘制。</translation>
     </message>
     <message>
-        <source>One side of the angle has zero length. Move its points apart.</source>
+        <source>One side of the angle has zero length. Move its two points apart.</source>
         <comment>measure.angle-open</comment>
         <translation>该角有一条边长度为零。请移开各点。</translation>
     </message>
@@ -6954,17 +6954,17 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>%1（比例尺为假定值）</translation>
     </message>
     <message>
-        <source>At the depth of the vessels&apos; centroid (%1 from the source), a pixel measures %2. Segments that run toward or away from the source are longer than they appear.</source>
+        <source>Pixel size %2 at the depth of the vessel centroid (%1 from the source). Segments that run toward or away from the source are longer than they appear.</source>
         <comment>measure.basis-vessels</comment>
-        <translation>在血管质心的深度（距射线源 %1），一个像素为 %2。朝向或背离射线源走行的血管段比看起来更长。</translation>
+        <translation>在血管质心的深度（距射线源 %1），像素大小为 %2。朝向或背离射线源走行的血管段比看起来更长。</translation>
     </message>
     <message>
-        <source>On the detector, a pixel measures %1. Structures in the patient are smaller by the magnification factor.</source>
+        <source>Pixel size %1 at the detector. Structures in the patient are smaller by the magnification factor.</source>
         <comment>measure.basis-detector</comment>
-        <translation>在探测器上一个像素为 %1。患者体内的结构按放大倍数更小。</translation>
+        <translation>探测器处像素大小为 %1。患者体内的结构按放大倍数更小。</translation>
     </message>
     <message>
-        <source>Image pixels only; no physical scale.</source>
+        <source>In image pixels only; no physical scale.</source>
         <comment>measure.basis-pixels</comment>
         <translation>仅为图像像素；无物理比例尺。</translation>
     </message>
@@ -6989,32 +6989,32 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>此比例尺所依据的几何为手动输入。</translation>
     </message>
     <message>
-        <source>This pose does not come from a registration; the depth of the vessels is unverified.</source>
+        <source>This pose was not determined by a registration; the depth of the vessels is unverified.</source>
         <comment>measure.depth-unchecked</comment>
         <translation>此位姿并非由配准得到；血管深度未经验证。</translation>
     </message>
     <message>
-        <source>The registration of this pose is not reliable, and neither is the depth of the vessels.</source>
+        <source>The registration that determined this pose is not reliable, and neither is the depth of the vessels.</source>
         <comment>measure.pose-doubtful</comment>
         <translation>此位姿所依据的配准不可靠，血管深度亦不可靠。</translation>
     </message>
     <message>
-        <source>Depth uncertainty: ±%1 (1-σ), which is ±%2 of the length.</source>
+        <source>Depth uncertainty: ±%1 (1-σ), which corresponds to ±%2 of the measured length.</source>
         <comment>measure.depth-spread</comment>
         <translation>深度不确定度：±%1（1-σ），即长度的 ±%2。</translation>
     </message>
     <message>
-        <source>this type of measurement requires at least %1 points, not %2. Add points or remove the measurement.</source>
+        <source>this type of measurement requires at least %1 points, not %2. Add points, or remove the measurement.</source>
         <comment>case.measurement-points</comment>
         <translation>此类测量至少需要 %1 个点，而非 %2 个。请补充点或移除该测量。</translation>
     </message>
     <message>
-        <source>Branch %1 has no length, so nothing can be measured along it. Trace it again.</source>
+        <source>Branch %1 has zero length, so nothing can be measured along it. Trace the branch again.</source>
         <comment>measure.branch-no-length</comment>
         <translation>分支 %1 没有长度，无法沿其测量。请重新提取。</translation>
     </message>
     <message>
-        <source>This branch has no radii, so its diameter is unknown. Trace a scan, or open a tree with radii.</source>
+        <source>This branch has no radii, so its diameter is unknown. Trace the vessels in a scan, or open a tree with radii.</source>
         <comment>measure.branch-no-radii</comment>
         <translation>此分支没有半径，因此直径未知。请从扫描提取血管，或打开带半径的血管树。</translation>
     </message>
@@ -7024,7 +7024,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>此分支没有足够均匀的节段可作参考；不报告狭窄。</translation>
     </message>
     <message>
-        <source>No scale was entered for this image. Enter the size of a pixel, or measure in pixels.</source>
+        <source>No scale was entered for this image. Enter the pixel size, or measure in pixels.</source>
         <comment>measure.needs-typed-scale</comment>
         <translation>此图像未输入比例尺。请输入一个像素的大小，或以像素测量。</translation>
     </message>
@@ -7034,9 +7034,9 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>%1（比例尺为输入值）</translation>
     </message>
     <message>
-        <source>A pixel measures %1, as entered for this image. This holds only at the depth where it was measured.</source>
+        <source>Pixel size %1, as entered for this image. Valid only at the depth at which it was determined.</source>
         <comment>measure.basis-typed</comment>
-        <translation>按为此图像输入的值，一个像素为 %1。仅在测得该值的深度处成立。</translation>
+        <translation>像素大小 %1，按为此图像输入的值。仅在测定该值的深度处成立。</translation>
     </message>
     <message>
         <source>Not marked in this frame. Choose “Mark target point in image” and click the point.</source>
@@ -7044,27 +7044,27 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>在此帧中未标记。请选择“在图像中标记目标点”，然后点击该点。</translation>
     </message>
     <message>
-        <source>Marked in frame %1, but the pose belongs to frame %2. Go to the marked frame, or mark the point in the current one.</source>
+        <source>Marked in frame %1, but the pose belongs to frame %2. Go to the marked frame, or mark the point in the current frame.</source>
         <comment>check.other-frame</comment>
         <translation>在第 %1 帧中标记，但位姿属于第 %2 帧。请转到已标记的帧，或在本帧中标记该点。</translation>
     </message>
     <message>
-        <source>The point lies behind the X-ray source at this pose. Correct the pose.</source>
+        <source>At this pose, the point lies behind the X-ray source. Correct the pose.</source>
         <comment>check.behind-source</comment>
         <translation>在此位姿下该点位于 X 射线源后方。请修正位姿。</translation>
     </message>
     <message>
-        <source>In the image plane at the depth of the point (%1 from the source): %2, %3. A pixel measures %4 there, which limits the click accuracy.</source>
+        <source>In the image plane at the depth of the point (%1 from the source): %2, %3. The pixel size there is %4, which limits the click accuracy.</source>
         <comment>check.image-error</comment>
         <translation>在该点深度的图像平面内（距射线源 %1）：%2，%3。该处一个像素为 %4，这限制了点击的精度。</translation>
     </message>
     <message>
-        <source>The pose covariance predicts %1 at this point (1-σ).</source>
+        <source>The pose covariance predicts an error of %1 at this point (1-σ).</source>
         <comment>check.claimed</comment>
         <translation>由位姿协方差预测该点处为 %1（1-σ）。</translation>
     </message>
     <message>
-        <source>This pose does not come from a registration; no error is predicted.</source>
+        <source>This pose was not determined by a registration; no error is predicted.</source>
         <comment>check.nothing-claimed</comment>
         <translation>此位姿并非由配准得到；不预测误差。</translation>
     </message>
@@ -7074,17 +7074,17 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>血管变形后：%1。</translation>
     </message>
     <message>
-        <source>In 3-D, at the intersection of the rays of views %1 (angle %2): %3. Distance between the rays: %4.</source>
+        <source>In 3-D, where the rays of views %1 are closest to each other (angle %2): %3. Distance between the rays: %4.</source>
         <comment>check.space-error</comment>
-        <translation>在三维空间中，视图 %1 的射线相交处（夹角 %2）：%3。射线间距：%4。</translation>
+        <translation>在三维空间中，视图 %1 的射线最接近处（夹角 %2）：%3。射线间距：%4。</translation>
     </message>
     <message>
-        <source>A 3-D error requires the point to be marked in two views; it is currently marked in at most one.</source>
+        <source>A 3-D error can be computed only if the point is marked in two views; it is currently marked in at most one.</source>
         <comment>check.needs-two-views</comment>
         <translation>三维误差要求在两个视图中标记该点；目前至多在一个视图中标记。</translation>
     </message>
     <message>
-        <source>The views show the point from almost the same direction (%1 between the rays), so its depth cannot be determined.</source>
+        <source>The views show the point from almost the same direction (angle between the rays: %1), so its depth cannot be determined.</source>
         <comment>check.rays-alike</comment>
         <translation>各视图几乎从同一方向观察该点（射线夹角 %1），无法确定其深度。</translation>
     </message>
@@ -7109,12 +7109,12 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>该分支在此处没有半径，环将没有大小。请改为添加目标点。</translation>
     </message>
     <message>
-        <source>Click on the vessels: target points and rings must lie on them.</source>
+        <source>Click the vessels: target points and rings must lie on them.</source>
         <comment>check.needs-vessels</comment>
         <translation>请点击血管：目标点和环必须位于血管上。</translation>
     </message>
     <message>
-        <source>Patient coordinates x %1, y %2, z %3.</source>
+        <source>Patient coordinates: x %1, y %2, z %3.</source>
         <comment>check.place</comment>
         <translation>患者坐标 x %1，y %2，z %3。</translation>
     </message>
@@ -7124,12 +7124,12 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>两个标记的编号均为 %1。请为每个指定唯一编号。</translation>
     </message>
     <message>
-        <source>a ring requires a radius greater than 0 and a direction. Add them or remove the ring.</source>
+        <source>a ring requires a radius greater than 0 and a direction. Add both, or remove the ring.</source>
         <comment>case.ring-open</comment>
         <translation>环需要大于 0 的半径和方向。请补充，或移除该环。</translation>
     </message>
     <message>
-        <source>an arrow requires two points, a text annotation one. Correct the points or remove the annotation.</source>
+        <source>an arrow requires two points and a text annotation one point. Correct the points, or remove the annotation.</source>
         <comment>case.annotation-points</comment>
         <translation>箭头需要两个点，文字需要一个点。请修正这些点，或移除该标注。</translation>
     </message>
@@ -7139,7 +7139,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>扫描体素大小：%1 × %2 × %3。</translation>
     </message>
     <message>
-        <source>Scan voxels; their size is unknown because the scan is not open.</source>
+        <source>In scan voxels; the voxel size is unknown because the scan is not open.</source>
         <comment>measure.basis-scan-away</comment>
         <translation>扫描体素；扫描未打开，因此大小未知。</translation>
     </message>
@@ -7154,12 +7154,12 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>这是报告，不是图像。</translation>
     </message>
     <message>
-        <source>this only defines how other images are displayed.</source>
+        <source>this object only defines how other images are displayed.</source>
         <comment>study.presentation</comment>
         <translation>它只规定其他图像如何显示。</translation>
     </message>
     <message>
-        <source>this contains no image (%1).</source>
+        <source>this object contains no image (%1).</source>
         <comment>study.no-image</comment>
         <translation>其中没有图像（%1）。</translation>
     </message>
@@ -7169,7 +7169,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>这是定位像，既非体数据也非血管造影。</translation>
     </message>
     <message>
-        <source>the frames are compressed as video, which is not supported. Export them in another format.</source>
+        <source>the frames are compressed as video, which is not supported. Export the run in another format.</source>
         <comment>study.video</comment>
         <translation>其帧以视频方式压缩，不受支持。请以其他格式导出。</translation>
     </message>
@@ -7179,7 +7179,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>AngioPose 不在 %1 模态的图像中提取血管。</translation>
     </message>
     <message>
-        <source>listed in the DICOMDIR, but the files are missing.</source>
+        <source>this is listed in the DICOMDIR, but the files are missing.</source>
         <comment>study.missing</comment>
         <translation>DICOMDIR 中已列出，但文件缺失。</translation>
     </message>
@@ -7209,7 +7209,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>影片每边至少 %1 像素。请选择更大的尺寸。</translation>
     </message>
     <message>
-        <source>MP4 does not support frames of %1 × %2 pixels: the limit is 9,437,184 pixels (4096 × 2304), and 8688 per side. Choose a smaller size, or GIF.</source>
+        <source>MP4 does not support frames of %1 × %2 pixels: the limits are 9,437,184 pixels per frame (4096 × 2304) and 8688 pixels per side. Choose a smaller size, or GIF.</source>
         <comment>movie.too-large</comment>
         <translation>MP4 不支持 %1 × %2 像素的帧：上限为 9,437,184 像素（4096 × 2304），每边 8688。请选择更小的尺寸或 GIF。</translation>
     </message>
@@ -7244,7 +7244,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>无法读取报告模板 %1：模板必须是不超过 1 MB 的 UTF-8 文本。请选择其他模板或内置模板。</translation>
     </message>
     <message>
-        <source>The report template does not contain %1. Without it, a report could omit information that must be read together with the result. Add it.</source>
+        <source>The report template does not contain %1. Without it, a report could omit information that must be read together with the result. Add it to the template.</source>
         <comment>report.template-lacks</comment>
         <translation>报告模板缺少 %1。没有它，报告可能遗漏必须与结果一并阅读的信息。请补上。</translation>
     </message>
@@ -7259,7 +7259,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>报告模板含有“%1”，可能借此加载或运行其他内容。请将其删除。</translation>
     </message>
     <message>
-        <source>The image %1 of the report template cannot be read. Place it next to the template, as PNG or JPEG of at most 16 MB and 8192 pixels per side.</source>
+        <source>The image %1 of the report template cannot be read. Place it next to the template, as a PNG or JPEG file of at most 16 MB and 8192 pixels per side.</source>
         <comment>report.template-picture</comment>
         <translation>无法读取报告模板的图像 %1。请将其放在模板旁边，格式为 PNG 或 JPEG，不超过 16 MB，每边不超过 8192 像素。</translation>
     </message>
@@ -7274,27 +7274,27 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>这不是 PDF。请先将报告导出为 PDF。</translation>
     </message>
     <message>
-        <source>a presentation state must reference a DICOM image, and this angiogram cannot be referenced. Open it as DICOM, or leave out the presentation state.</source>
+        <source>a presentation state must reference a DICOM image, but this angiogram cannot be referenced. Open it as DICOM, or leave out the presentation state.</source>
         <comment>object.no-reference</comment>
         <translation>显示状态必须引用一幅 DICOM 图像，而此血管造影无法被引用。请以 DICOM 打开，或不导出显示状态。</translation>
     </message>
     <message>
-        <source>no vessels lie within the image. Move them into it first, or leave out the presentation state.</source>
+        <source>no vessels lie within the image. Move the vessels into the image first, or leave out the presentation state.</source>
         <comment>object.no-lines</comment>
         <translation>图像上没有血管。请先将血管移到图像上，或不导出显示状态。</translation>
     </message>
     <message>
-        <source>the pose is not a rigid transform with finite values. Reset the pose first.</source>
+        <source>the pose is not a rigid transform with finite values. Reset it first.</source>
         <comment>object.pose-not-rigid</comment>
         <translation>该位姿不是数值有限的刚性变换。请先重置位姿。</translation>
     </message>
     <message>
-        <source>no vessel lies in the scan. Check that scan and vessels belong to the same patient, or leave out the segmentation.</source>
+        <source>no vessel lies within the scan. Check that the scan and the vessels belong to the same patient, or leave out the segmentation.</source>
         <comment>object.no-voxels</comment>
         <translation>扫描中没有血管。请检查扫描与血管是否属于同一患者，或不导出分割。</translation>
     </message>
     <message>
-        <source>there is no measurement and no registration result. Create one of them first, or leave out the measurements.</source>
+        <source>there is neither a measurement nor a registration result. Create one of them first, or leave out the measurements.</source>
         <comment>object.nothing-measured</comment>
         <translation>既没有测量，也没有配准结果。请先完成其中之一，或不导出测量。</translation>
     </message>
@@ -7309,7 +7309,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>分割需要血管所来自的扫描或掩膜。请先打开，或不导出分割。</translation>
     </message>
     <message>
-        <source>the program angiopose, which creates the reports, is missing at &apos;%1&apos;. Install it next to angiopose-cli, or build the target angiopose.</source>
+        <source>the program angiopose, which creates the reports, was not found at &apos;%1&apos;. Install it next to angiopose-cli, or build the target angiopose.</source>
         <comment>report.program-missing</comment>
         <translation>“%1”处没有写出报告的程序 angiopose。请将其安装在 angiopose-cli 旁，或构建目标 angiopose。</translation>
     </message>
@@ -7329,7 +7329,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>已停止；未写出报告。</translation>
     </message>
     <message>
-        <source>reports are created by angiopose-cli report or in the window. Pass the PDF with --report, or leave out the report.</source>
+        <source>reports are created with `angiopose-cli report` or in the window. Pass the PDF with --report, or leave out the report.</source>
         <comment>dicom-export.no-report</comment>
         <translation>报告由 angiopose-cli report 或在窗口中生成。请用 --report 给出其 PDF，或不导出。</translation>
     </message>
@@ -7349,12 +7349,12 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>此扫描不是 DICOM 序列：其分割不引用任何序列，并有自己的参考坐标系。</translation>
     </message>
     <message>
-        <source>A Spatial Registration contains only a rigid matrix. It cannot store the perspective camera, which an overlay requires. The camera is stored in private elements and in the accompanying camera.json.</source>
+        <source>A Spatial Registration object contains only a rigid matrix. It cannot store the perspective camera, which an overlay requires. The camera is stored in private elements and in the accompanying file camera.json.</source>
         <comment>dicom-export.rigid-only</comment>
         <translation>空间配准只含一个刚性矩阵，无法保存叠加显示所需的透视相机。相机保存在其私有元素和随附的 camera.json 中。</translation>
     </message>
     <message>
-        <source>The presentation state shows the image as stored, not subtracted: its gray values differ from those shown here.</source>
+        <source>The presentation state shows the image as stored, without subtraction: its gray values differ from those shown here.</source>
         <comment>dicom-export.treated</comment>
         <translation>显示状态显示的是存储的未减影图像：其灰度值与此处所示不同。</translation>
     </message>
@@ -7364,9 +7364,9 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>此病例无法导出为任何一种对象。请先打开血管和血管造影。</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is unknown. Use %2.</source>
+        <source>&quot;%1&quot; is unknown. Use one of these: %2.</source>
         <comment>dicom-export.kind-unknown</comment>
-        <translation>“%1”未知。请使用 %2。</translation>
+        <translation>“%1”未知。请使用以下之一：%2。</translation>
     </message>
     <message>
         <source>stopped; nothing was written.</source>
@@ -7384,7 +7384,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>此位姿没有配准记录。请先配准。</translation>
     </message>
     <message>
-        <source>stopped before the movie was complete. Nothing was written.</source>
+        <source>stopped before the movie was complete; nothing was written.</source>
         <comment>movie.stopped</comment>
         <translation>影片尚未完成即已停止。未写出任何内容。</translation>
     </message>
@@ -7414,7 +7414,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>第 %1 步，共 %2 步 · 中位数 %3 · 结果不可靠</translation>
     </message>
     <message>
-        <source>front view, rotated by %1</source>
+        <source>frontal view, rotated by %1</source>
         <comment>movie.turned</comment>
         <translation>前视图，旋转 %1</translation>
     </message>
@@ -7434,37 +7434,37 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>病例也在别处打开（%2 上的进程 %1）。请以其他名称保存，或在那里将其关闭。</translation>
     </message>
     <message>
-        <source>the table lists no cases. Start with a header row that contains the column case and one of the columns reference and pairs; add one row per case.</source>
+        <source>the table lists no cases. Start with a header row that contains a case column and either a reference or a pairs column; add one row per case.</source>
         <comment>own.no-header</comment>
         <translation>未列出任何病例。请以表头行开始，包含 case 列以及 reference 或 pairs 列之一；每个病例一行。</translation>
     </message>
     <message>
-        <source>line %1 specifies no case. Enter the path of a case file in the column case.</source>
+        <source>line %1 specifies no case. Enter the path of a case file in the case column.</source>
         <comment>own.no-case</comment>
         <translation>第 %1 行没有指定病例。请在 case 列填写病例文件的路径。</translation>
     </message>
     <message>
-        <source>line %1 has no ground truth. Specify a pose in the column reference, or a table of point pairs in the column pairs.</source>
+        <source>line %1 has no ground truth. Specify a pose in the reference column, or a table of point pairs in the pairs column.</source>
         <comment>own.no-truth</comment>
         <translation>第 %1 行没有真值。请在 reference 列给出位姿，或在 pairs 列给出点对表。</translation>
     </message>
     <message>
-        <source>line %1 specifies the true vessel positions in the column bent. This requires a pose in the column reference and excludes landmarks, which would also have to be deformed.</source>
+        <source>line %1 specifies the true vessel positions in the bent column. This requires a pose in the reference column and cannot be combined with landmarks, which would also have to be deformed.</source>
         <comment>own.bent-alone</comment>
         <translation>第 %1 行在 bent 列给出了血管的真实位置。这需要 reference 列中的位姿，且不能同时使用标志点，因为标志点也必须随之变形。</translation>
     </message>
     <message>
-        <source>the branches, or their numbers of points, differ from those of the case&apos;s vessels. Deformed vessels are evaluated point by point: move the points of the case&apos;s own vessel file.</source>
+        <source>the branches or their numbers of points differ from those of the vessels of the case. Deformed vessels are evaluated point by point: create them by moving the points of the case&apos;s own vessel file.</source>
         <comment>own.bent-other</comment>
         <translation>其分支或各分支的点数与病例血管不一致。变形的血管逐点评估：请移动病例自身血管文件中的点。</translation>
     </message>
     <message>
-        <source>line %1: &apos;%2&apos; is not a valid condition name, because files are named after it. Use letters, digits, dots, dashes and underscores.</source>
+        <source>line %1: &apos;%2&apos; is not a valid condition name. It is used in file names: use only letters, digits, periods, hyphens and underscores.</source>
         <comment>own.condition-name</comment>
-        <translation>第 %1 行：&apos;%2&apos; 不是有效的条件名称，因为文件以其命名。请使用字母、数字、点、连字符和下划线。</translation>
+        <translation>第 %1 行：&apos;%2&apos; 不是有效的条件名称。该名称用于文件名：请只使用字母、数字、点、连字符和下划线。</translation>
     </message>
     <message>
-        <source>a column is named &apos;pose.&apos; without a name after the dot. Add the name of the method or person that determined these poses.</source>
+        <source>a column is named &apos;pose.&apos; without a name after the period. Add the name of the method or person that determined these poses.</source>
         <comment>own.pose-without-name</comment>
         <translation>有一列名为 pose. 但点后没有名称。请补充求得这些位姿的方法或人员的名称。</translation>
     </message>
@@ -7479,12 +7479,12 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>表中没有点。</translation>
     </message>
     <message>
-        <source>column %1 is missing: this is not a blind trial log, or it was written by an earlier version that did not store the centroid. Such logs are created by Registration &gt; Blind observer trial.</source>
+        <source>column %1 is missing: this is not a blind trial log, or it was written by an earlier version that did not store the centroid. Create a new log with Registration &gt; Blind observer trial.</source>
         <comment>observers.column-missing</comment>
-        <translation>缺少列 %1：这不是盲法试验日志，或由未保存质心的早期版本写出。此类日志由 配准 &gt; 观察者盲法试验 写出。</translation>
+        <translation>缺少列 %1：这不是盲法试验日志，或由未保存质心的早期版本写出。请用 配准 &gt; 观察者盲法试验 生成新的日志。</translation>
     </message>
     <message>
-        <source>The logs contain no two finished trials of the same image, so there is nothing to compare. Have an observer repeat a trial, or another observer perform it.</source>
+        <source>The logs contain no two finished trials of the same image, so there is nothing to compare. Have an observer repeat a trial, or have another observer perform it.</source>
         <comment>observers.too-few</comment>
         <translation>日志中没有同一图像的两次已完成试验，因此无从比较。请让观察者重复试验，或由另一位观察者进行。</translation>
     </message>
@@ -7504,12 +7504,12 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>%2 的 &apos;%1&apos; 的值无效：%3。</translation>
     </message>
     <message>
-        <source>this is not a study file. The file must begin with &quot;format&quot;: &quot;angiopose-study&quot;, &quot;version&quot;: 1.</source>
+        <source>this is not a study file. A study file must begin with &quot;format&quot;: &quot;angiopose-study&quot;, &quot;version&quot;: 1.</source>
         <comment>study.no-study</comment>
         <translation>这不是研究文件。文件须以 &quot;format&quot;: &quot;angiopose-study&quot;, &quot;version&quot;: 1 开头。</translation>
     </message>
     <message>
-        <source>two settings are named &apos;%1&apos;. Give each a unique name, which is also used as its folder name.</source>
+        <source>two settings are named &apos;%1&apos;. Give each setting a unique name, which is also used as its folder name.</source>
         <comment>study.name-twice</comment>
         <translation>有两个设置都名为 &apos;%1&apos;。请为每个设置取唯一的名称：文件夹以其命名。</translation>
     </message>
@@ -7539,7 +7539,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>`simulate` 需要 --seed（单个病例）或 --study（多个病例）。</translation>
     </message>
     <message>
-        <source>%1 voxels lie far outside the range of all others (%2 to %3); they are clamped to that range.</source>
+        <source>Some voxel values (%1 voxels) are far outside the range of all others (%2 to %3); they are clamped to that range.</source>
         <comment>volume.stray-values</comment>
         <translation>%1 个体素远超其余体素的范围（%2 至 %3）；已截断到该范围。</translation>
     </message>
@@ -7549,17 +7549,17 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>输出未完整写出：标准输出所连的驱动器或管道已满或已关闭。请腾出空间，或重定向输出。</translation>
     </message>
     <message>
-        <source>the audit log cannot be written (%1), so actions are not recorded in it. Free up space, or grant write permission.</source>
+        <source>the audit log cannot be written (%1), so actions are not recorded. Free up space, or grant write permission.</source>
         <comment>audit.not-written</comment>
         <translation>无法写入审计日志（%1），因此操作未被记录。请腾出空间，或允许写入该日志。</translation>
     </message>
     <message>
-        <source>The header contains no table position: the image of this view determines the vessel position, and only the rotation comes from the angles.</source>
+        <source>The header contains no table position: the vessel position in this view is determined from its image, and only the rotation is derived from the gantry angles.</source>
         <comment>geometry.table-unknown</comment>
         <translation>文件头未给出检查床位置：血管在此视图中的位置由其图像确定，只有旋转取自角度。</translation>
     </message>
     <message>
-        <source>The only distance in the headers is (0018,1111), and it differs between the views (%1, %2), so it is not the isocenter distance. The shift between the views is not used; enter the source-to-isocenter distance (SOD) of both views.</source>
+        <source>The only distance in the headers is (0018,1111), and it differs between the views (%1, %2), so it is not the source-to-isocenter distance. The shift between the views is not used; enter the source-to-isocenter distance (SOD) of both views.</source>
         <comment>geometry.isocenter-unknown</comment>
         <translation>只有 (0018,1111) 给出距离，且在各视图间不同（%1、%2），因此不是等中心距离。不使用视图间的位移；请为两个视图输入射线源到等中心的距离 (SOD)。</translation>
     </message>
@@ -7569,7 +7569,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>检查床在其中一次采集期间移动：视图间的位移按未知处理（50 mm）。</translation>
     </message>
     <message>
-        <source>Almost all lines traced here remain stationary throughout the run, as shutter edges, leads and bones do: the frame shows no contrast agent to track.</source>
+        <source>Almost all lines traced here remain stationary throughout the run, like shutter edges, leads and bones: the frame shows no contrast agent to track.</source>
         <comment>follow.stands-still</comment>
         <translation>此帧提取到的线条几乎都在整个序列中静止不动，如遮光器边缘、导线和骨骼：没有可跟踪的对比剂。</translation>
     </message>
@@ -7594,14 +7594,14 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>第 %1 帧不存在（按病例文件从 0 开始计数）。图像有第 0 到 %2 帧。</translation>
     </message>
     <message>
-        <source>The image is shown as its orientation tag (%1) specifies: rotated or mirrored relative to its stored pixels.</source>
+        <source>The image is shown as specified by its orientation tag (%1): rotated or mirrored relative to the stored pixels.</source>
         <comment>image.turned</comment>
         <translation>图像按其方向标记（%1）显示：相对于存储的像素已旋转或镜像。</translation>
     </message>
     <message>
-        <source>page %1 has %2 x %3 pixels, the first page %4 x %5. Export the frames of a single run, all of the same size.</source>
+        <source>page %1 is %2 × %3 pixels, but the first page is %4 × %5 pixels. Export the frames of a single run, all of the same size.</source>
         <comment>image.pages-differ</comment>
-        <translation>第 %1 页为 %2 x %3 像素，第一页为 %4 x %5。请导出同一序列中大小一致的各帧。</translation>
+        <translation>第 %1 页为 %2 × %3 像素，第一页为 %4 × %5。请导出同一序列中大小一致的各帧。</translation>
     </message>
     <message>
         <source>the file has %1 pages. Export the mask as a single image.</source>
@@ -7614,7 +7614,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>文件头声明 %1 帧，文件中有 %2 帧；已载入文件中的帧。如有缺失，请重新复制或导出。</translation>
     </message>
     <message>
-        <source>The header contains contradictory frame intervals: Frame Time %1, Frame Time Vector %2. %3 is used.</source>
+        <source>The header contains contradictory frame intervals: Frame Time %1, Frame Time Vector %2. The value used is %3.</source>
         <comment>dicom.frame-times</comment>
         <translation>文件头中的帧间隔互相矛盾：Frame Time %1，Frame Time Vector %2。采用 %3。</translation>
     </message>
@@ -7629,32 +7629,32 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>文件头中的 %1 遮光器 (0018,1600) 遮住了整幅图像（%2），已忽略。请检查遮光器边缘是否被当作血管提取。</translation>
     </message>
     <message>
-        <source>The image is assumed to be rotated clockwise by %1, based on %2. Check the head and left directions.</source>
+        <source>Based on %2, the image is assumed to be rotated clockwise by %1. Check the orientation markers (H, L).</source>
         <comment>dicom.image-turned</comment>
-        <translation>根据%2，图像按顺时针旋转 %1 处理。请检查头侧和左侧的位置。</translation>
+        <translation>根据 %2，图像按顺时针旋转 %1 处理。请核对方位标记（H、L）。</translation>
     </message>
     <message>
-        <source>Patient Orientation (0020,0020) is %1, which is impossible at these angles. Check the angles, and whether the image is mirrored or rotated.</source>
+        <source>Patient Orientation (0020,0020) is %1, which is impossible at these gantry angles. Check the angles, and check whether the image is mirrored or rotated.</source>
         <comment>dicom.orientation-unlike-angles</comment>
         <translation>Patient Orientation (0020,0020) 为 %1，在这些角度下不可能出现。请检查角度，以及图像是否被镜像或旋转。</translation>
     </message>
     <message>
-        <source>According to the header, the object is %1 and the isocenter %2 from the source: the vessels are initially placed at the object distance, and the gantry rotates about the isocenter.</source>
+        <source>According to the header, the object is at a distance of %1 and the isocenter at a distance of %2 from the source: the vessels are initially placed at the object distance, and the gantry rotates about the isocenter.</source>
         <comment>dicom.object-off-isocenter</comment>
         <translation>文件头中物体距射线源 %1，等中心距射线源 %2：血管从物体距离处开始配准，C 形臂绕等中心旋转。</translation>
     </message>
     <message>
-        <source>The file specifies its unit (&quot;%1&quot;): one unit is read as %2. Specify the unit if this is wrong.</source>
+        <source>The file specifies its unit (&quot;%1&quot;): one unit is read as %2. Specify the unit if this is incorrect.</source>
         <comment>vessels.unit-stated</comment>
         <translation>文件注明了单位（“%1”）：一个单位按 %2 读取。如有误，请指定单位。</translation>
     </message>
     <message>
-        <source>The file specifies its unit (&quot;%1&quot;, which is %2), but one unit is read as %3, as requested. Check the size.</source>
+        <source>The file specifies its unit (&quot;%1&quot;, that is, %2), but one unit is read as %3, as requested. Check the size.</source>
         <comment>vessels.unit-overruled</comment>
         <translation>文件注明了单位（“%1”，即 %2），但按要求一个单位按 %3 读取。请检查大小。</translation>
     </message>
     <message>
-        <source>The file specifies two units (&quot;%1&quot; and &quot;%2&quot;). Check the size, and specify the unit if it is wrong.</source>
+        <source>The file specifies two units (&quot;%1&quot; and &quot;%2&quot;). Check the size; if it is wrong, specify the unit.</source>
         <comment>vessels.units-contradict</comment>
         <translation>文件注明了两种单位（“%1”和“%2”）。请检查大小，如有误请指定单位。</translation>
     </message>
@@ -7664,9 +7664,9 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>其坐标轴为 %1，既不是 LPS 也不是 RAS。请以患者坐标（LPS）导出。</translation>
     </message>
     <message>
-        <source>Lines whose first points were stored at the end and have been moved to the beginning: %1. Check the vessels.</source>
+        <source>In some lines, the first points were stored at the end and have been moved to the beginning (number of lines: %1). Check the vessels.</source>
         <comment>tree.turned-round</comment>
-        <translation>起始点位于末尾、已移回开头的线：%1。请检查血管。</translation>
+        <translation>部分线的起始点位于末尾，已移回开头（线数：%1）。请检查血管。</translation>
     </message>
     <message>
         <source>The lines contain %1 jumps of up to %2, far beyond their typical point spacing, and were split there. Check the order of the points.</source>
@@ -7674,7 +7674,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>线条跳跃 %1 次，最大 %2，远超典型点距；已在该处断开。请检查点的顺序。</translation>
     </message>
     <message>
-        <source>%1 curve points have no position and were skipped.</source>
+        <source>Curve points without a position were skipped (number: %1).</source>
         <comment>tree.markups-not-placed</comment>
         <translation>曲线中有 %1 个点没有位置，已跳过。</translation>
     </message>
@@ -7699,7 +7699,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>其坐标单位为“%1”，不是已知的长度单位。请以 mm 导出。</translation>
     </message>
     <message>
-        <source>The header contains contradictory slice spacings: %1 (Spacing Between Slices) and %2 (slice positions). The positions are used.</source>
+        <source>The header contains contradictory slice spacings: %1 (Spacing Between Slices) and %2 (slice positions). The slice positions are used.</source>
         <comment>series.step</comment>
         <translation>文件头中的层间距互相矛盾：%1（Spacing Between Slices），而按层面位置为 %2。采用位置。</translation>
     </message>
@@ -7709,7 +7709,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>第 %1 部分，共 %2 部分（采集 %3）</translation>
     </message>
     <message>
-        <source>%1 of %2 images of the series share a SOP Instance UID although they differ; all of them are read. Export the series again before archiving it.</source>
+        <source>%1 of %2 images of the series share an SOP Instance UID although they differ; all of them are read. Export the series again before archiving it.</source>
         <comment>series.same-uid</comment>
         <translation>该序列 %2 幅图像中有 %1 幅共用 SOP Instance UID，但内容不同；全部读取。归档前请重新导出该序列。</translation>
     </message>
@@ -7724,27 +7724,27 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>文件头的长度单位“%1”未知：按毫米处理。请检查体素大小。</translation>
     </message>
     <message>
-        <source>The qform and sform transforms differ by up to %1; the qform, in scanner coordinates, is used.</source>
+        <source>The qform and sform transforms differ by up to %1; the qform transform (scanner coordinates) is used.</source>
         <comment>volume.nifti-qform-used</comment>
         <translation>其 qform 与 sform 变换相差最多 %1；采用扫描仪坐标的 qform。</translation>
     </message>
     <message>
-        <source>The qform and sform transforms differ by up to %1; the sform is used.</source>
+        <source>The qform and sform transforms differ by up to %1; the sform transform is used.</source>
         <comment>volume.nifti-sform-used</comment>
         <translation>其 qform 与 sform 变换相差最多 %1；采用 sform。</translation>
     </message>
     <message>
-        <source>The header contains contradictory voxel sizes: %1 (pixdim) and %2 (transform). The transform is used. Check which is correct.</source>
+        <source>The header contains contradictory voxel sizes: %1 (pixdim) and %2 (transform). The size from the transform is used. Check which one is correct.</source>
         <comment>volume.nifti-sizes</comment>
         <translation>文件头中的体素大小互相矛盾：%1（pixdim），而按变换为 %2。采用变换中的值。请确认哪个正确。</translation>
     </message>
     <message>
-        <source>The header contains contradictory voxel types: %1 bits (bitpix), but %2 bits according to the datatype (%3), which is used.</source>
+        <source>The header contains contradictory voxel types: %1 bits (bitpix), but %2 bits according to the datatype (%3). The datatype is used.</source>
         <comment>volume.nifti-bits</comment>
         <translation>文件头中的体素类型互相矛盾：%1 位（bitpix），而按数据类型（%3）为 %2 位；采用数据类型。</translation>
     </message>
     <message>
-        <source>The header states that the voxels begin at byte %1, inside the header itself; they are read from byte %2.</source>
+        <source>The header states that the voxel data begin at byte %1, inside the header itself; they are read from byte %2 instead.</source>
         <comment>volume.nifti-start-within-header</comment>
         <translation>文件头称体素从第 %1 字节开始，但该处位于文件头内；改从第 %2 字节读取。</translation>
     </message>
@@ -7764,12 +7764,12 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>不可靠</translation>
     </message>
     <message>
-        <source>These distances cover only the %1 of the tree classified as opacified. Whole tree: median %2, 95th percentile %3.</source>
+        <source>These distances cover only the %1 of the tree that is classified as opacified. Whole tree: median %2, 95th percentile %3.</source>
         <comment>fit.over-opacified</comment>
         <translation>这些距离仅针对判为显影的 %1 血管树。整棵树：中位数 %2，第 95 百分位数 %3。</translation>
     </message>
     <message>
-        <source>Excluded branches: %1 (medians). Including them: median %2, 95th percentile %3.</source>
+        <source>Excluded branches: %1 (medians). With these included: median %2, 95th percentile %3.</source>
         <comment>fit.without-excluded</comment>
         <translation>排除的分支：%1（中位数）。包括它们：中位数 %2，第 95 百分位数 %3。</translation>
     </message>
@@ -7838,12 +7838,12 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>与 --report 一起：报告的作者，代替账户名。</translation>
     </message>
     <message>
-        <source>With --report: include the patient&apos;s identity, which is omitted by default.</source>
+        <source>With --report: include the patient&apos;s identity (omitted by default).</source>
         <translation>与 --report 一起：包含患者身份信息，默认不包含。</translation>
     </message>
     <message>
-        <source>With --report: language to use instead of the language of the window.</source>
-        <translation>与 --report 一起：报告的语言，代替窗口的语言。</translation>
+        <source>With --report: language to use instead of the UI language.</source>
+        <translation>与 --report 一起：报告的语言，代替界面语言。</translation>
     </message>
     <message>
         <source>Reports are available in %1, not in “%2”.</source>
@@ -7900,8 +7900,8 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>选择对比剂到达前的帧</translation>
     </message>
     <message>
-        <source>Computes the shift of each frame</source>
-        <translation>计算每帧的位移</translation>
+        <source>Computes the mask shift for each frame</source>
+        <translation>计算每一帧的蒙片移位</translation>
     </message>
     <message>
         <source>Manual</source>
@@ -7972,7 +7972,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>对数</translation>
     </message>
     <message>
-        <source>Relation of stored values to X-ray intensity (0028,1040)</source>
+        <source>Relation of the stored pixel values to the X-ray intensity (0028,1040)</source>
         <translation>存储值与 X 线强度的关系（0028,1040）</translation>
     </message>
     <message>
@@ -7988,7 +7988,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>亮</translation>
     </message>
     <message>
-        <source>Sets whether contrast agent is darker or brighter than the background</source>
+        <source>Sets whether the contrast agent is darker or brighter than the background</source>
         <translation>设定对比剂比背景暗还是亮</translation>
     </message>
     <message>
@@ -8024,7 +8024,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>最小长度</translation>
     </message>
     <message>
-        <source>Removes isolated segments shorter than this, and spurs shorter than a third of it</source>
+        <source>Removes isolated segments shorter than this length, and spurs shorter than a third of it</source>
         <translation>去除短于此值的孤立段，以及短于其三分之一的毛刺</translation>
     </message>
     <message>
@@ -8032,7 +8032,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>灵敏度</translation>
     </message>
     <message>
-        <source>Values above 1 also trace fainter vessels</source>
+        <source>Above 1, fainter vessels are also traced</source>
         <translation>大于 1 时也提取较淡的血管</translation>
     </message>
     <message>
@@ -8072,8 +8072,8 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>用方向键或鼠标移动蒙片</translation>
     </message>
     <message>
-        <source>Removes structures that also appear in the mask frames, such as bones and organs</source>
-        <translation>去除蒙片帧中同样可见的结构，如骨骼和器官</translation>
+        <source>Subtracts structures that are also visible in the mask frames, such as bone and soft tissue</source>
+        <translation>减去蒙片帧中同样可见的结构，如骨骼和软组织</translation>
     </message>
     <message>
         <source>Shows the darkest value of each pixel over the run</source>
@@ -8174,7 +8174,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>采用这些</translation>
     </message>
     <message>
-        <source>Makes the suggested branches auxiliary.</source>
+        <source>Selects the suggested branches as auxiliary branches.</source>
         <translation>将建议的分支设为辅助分支。</translation>
     </message>
     <message>
@@ -8182,8 +8182,8 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>辅助分支</translation>
     </message>
     <message>
-        <source>The alternating methods solve for these branches first: choose opacified, stationary, clearly separated branches. A view constrains a branch only perpendicular to its course; the table shows which branches constrain each axis at the current pose.</source>
-        <translation>交替类方法先求解这些分支：请选择已显影、静止且清晰分开的分支。单个视图只能约束分支垂直于走行的位置；表中列出当前位姿下约束各自由度的分支。</translation>
+        <source>Alternating methods solve for these branches first; choose branches that are opacified, stationary and clearly separated. In a view, a branch constrains the pose only perpendicular to its course; the table shows which branches constrain each axis at the current pose.</source>
+        <translation>交替类方法先求解这些分支；请选择已显影、静止且清晰分开的分支。在单个视图中，分支只能在垂直于其走行的方向上约束位姿；表中列出当前位姿下约束各自由度的分支。</translation>
     </message>
     <message>
         <source>axis</source>
@@ -8222,12 +8222,12 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>没有辅助分支时使用血管树的节点。</translation>
     </message>
     <message>
-        <source>A suggestion requires vessels, camera and pose.</source>
+        <source>A suggestion requires vessels, a camera and a pose.</source>
         <translation>给出建议需要血管、相机和位姿。</translation>
     </message>
     <message>
-        <source>Suggested: %1. They are nearly as informative as all branches.</source>
-        <translation>建议：%1。其信息量几乎等于全部分支。</translation>
+        <source>Suggested: %1 (nearly as informative as the whole tree).</source>
+        <translation>建议：%1（信息量几乎等于整个血管树）。</translation>
     </message>
     <message>
         <source>This tree has no generation data.</source>
@@ -8285,7 +8285,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>观察者盲法试验</translation>
     </message>
     <message>
-        <source>The vessels start at a random pose around the current one. Until you choose “Done”, all numbers, residual colors and earlier poses are hidden. Time and final pose are logged; the case is unchanged.</source>
+        <source>The vessels start in a random pose near the current one. Until you choose “Done”, all numbers, residual colors and earlier poses are hidden. The time and the final pose are logged; the case is not changed.</source>
         <translation>血管从当前位姿附近的随机位姿开始。在选择“完成”之前，隐藏所有数值、残差颜色和先前位姿。时间和最终位姿写入日志；病例不变。</translation>
     </message>
     <message>
@@ -8313,7 +8313,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>表格 (*.csv)</translation>
     </message>
     <message>
-        <source>Enter an observer and a log file.</source>
+        <source>Enter the observer and choose a log file.</source>
         <translation>请输入观察者和日志文件。</translation>
     </message>
 </context>
@@ -8401,8 +8401,8 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>仅将这些设为辅助</translation>
     </message>
     <message>
-        <source>Clear auxiliary branches (use nodes)</source>
-        <translation>清除辅助分支（使用节点）</translation>
+        <source>Clear auxiliary branches</source>
+        <translation>清除辅助分支</translation>
     </message>
     <message>
         <source>in tree order</source>
@@ -9255,7 +9255,7 @@ Bottom: displacement of the vessels in each step (root mean square over all poin
         <translation>擦除</translation>
     </message>
     <message>
-        <source>Brush over the parts of curves to erase</source>
+        <source>Brush over the parts of curves that you want to erase</source>
         <translation>涂抹要擦除的曲线部分</translation>
     </message>
     <message>
@@ -9315,7 +9315,7 @@ Bottom: displacement of the vessels in each step (root mean square over all poin
         <translation>导管</translation>
     </message>
     <message>
-        <source>Click a catheter or guidewire to mark it as a device: it does not count as a vessel, but can be tracked</source>
+        <source>Click a catheter or guidewire to mark it as a device; devices do not count as vessels, but can be tracked</source>
         <translation>单击导管或导丝将其标记为器械：它不是血管，但可以跟踪</translation>
     </message>
     <message>
@@ -9386,7 +9386,7 @@ Bottom: displacement of the vessels in each step (root mean square over all poin
         <translation>绘制曲线</translation>
     </message>
     <message>
-        <source>Possible catheter: A vessel, W catheter or guidewire, Delete excludes, S next</source>
+        <source>Possible catheter: A keep as vessel, W mark as catheter or guidewire, Delete exclude, S next</source>
         <translation>可能是导管：A 血管，W 导管或导丝，Delete 排除，S 下一条</translation>
     </message>
     <message>
@@ -9397,12 +9397,12 @@ Bottom: displacement of the vessels in each step (root mean square over all poin
 <context>
     <name>angiopose::ui::ExportDialog</name>
     <message>
-        <source>Content</source>
+        <source>Contents</source>
         <translation>内容</translation>
     </message>
     <message>
-        <source>File</source>
-        <translation>文件</translation>
+        <source>Format</source>
+        <translation>格式</translation>
     </message>
     <message>
         <source>Print resolution</source>
@@ -9445,8 +9445,8 @@ Bottom: displacement of the vessels in each step (root mean square over all poin
         <translation>%1 × %2 px，%3 × %4 cm</translation>
     </message>
     <message>
-        <source>The image is labeled “Not for clinical use”; inputs, method and pose are stored in its metadata (16-bit: metadata only).</source>
-        <translation>图像上标注“不得用于临床”；输入、方法与位姿保存在元数据中。（16 位：仅元数据）</translation>
+        <source>The image is labeled “Not for clinical use”; inputs, method and pose are stored in its metadata (16-bit images carry the label in the metadata only).</source>
+        <translation>图像上标注“不得用于临床”；输入、方法与位姿保存在元数据中（16 位图像仅在元数据中标注）。</translation>
     </message>
     <message>
         <source>Width</source>
@@ -9457,7 +9457,7 @@ Bottom: displacement of the vessels in each step (root mean square over all poin
         <translation>残差颜色及色标</translation>
     </message>
     <message>
-        <source>Patient identity in the image</source>
+        <source>Burn in patient identity</source>
         <translation>图像中显示患者信息</translation>
     </message>
     <message>
@@ -9619,8 +9619,8 @@ Bottom: displacement of the vessels in each step (root mean square over all poin
         <translation>改用距离和像素间距</translation>
     </message>
     <message>
-        <source>SID 1000 mm, SOD 750 mm, pixel spacing 0.3 mm, angles 0°: fills in missing values only.</source>
-        <translation>SID 1000 mm、SOD 750 mm、像素间距 0.3 mm、角度 0°：仅用于缺失项。</translation>
+        <source>Fills in missing values only: SID 1000 mm, SOD 750 mm, pixel spacing 0.3 mm, angles 0°.</source>
+        <translation>仅用于缺失项：SID 1000 mm、SOD 750 mm、像素间距 0.3 mm、角度 0°。</translation>
     </message>
     <message>
         <source>Camera from the case file: f %1 px, principal point %2, %3 px, %4.</source>
@@ -9667,8 +9667,8 @@ Bottom: displacement of the vessels in each step (root mean square over all poin
         <translation>图像的观察侧</translation>
     </message>
     <message>
-        <source>Angiograms are shown as seen from the detector. A mirrored export swaps left and right: the projection is then mirrored together with the image; the vessels are never mirrored.</source>
-        <translation>血管造影按从探测器看的方向显示。镜像导出会左右互换：投影随图像镜像，血管绝不镜像。</translation>
+        <source>Angiograms are normally shown as seen from the detector. In a mirrored export, left and right are swapped; the projection is then mirrored together with the image, but the vessels themselves never are.</source>
+        <translation>血管造影通常按从探测器看的方向显示。镜像导出的图像左右互换；此时投影随图像镜像，血管本身绝不镜像。</translation>
     </message>
     <message>
         <source>viewing side</source>
@@ -9683,7 +9683,7 @@ Bottom: displacement of the vessels in each step (root mean square over all poin
         <translation>%1 个标签</translation>
     </message>
     <message>
-        <source>The header contains no pixel spacing; this value is derived. Press Enter in the field to confirm it, or enter another value.</source>
+        <source>The header contains no pixel spacing; this value is derived. Press Enter in the field to confirm the value, or enter another one.</source>
         <translation>文件头无像素间距；此值为推算。请在框内按回车确认，或输入其他值。</translation>
     </message>
     <message>
@@ -9770,11 +9770,11 @@ Bottom: displacement of the vessels in each step (root mean square over all poin
         <translation>不良：旋转</translation>
     </message>
     <message>
-        <source>Bad: wrong view angle</source>
+        <source>Bad: wrong gantry angle</source>
         <translation>不良：投照角度错误</translation>
     </message>
     <message>
-        <source>The lines run along the center of the vessels and are blue throughout, including the side branches.</source>
+        <source>The lines follow the vessel centers and are blue throughout, including in the side branches.</source>
         <translation>线条沿血管中央走行，全程蓝色，侧支亦然。</translation>
     </message>
     <message>
@@ -9790,8 +9790,8 @@ Bottom: displacement of the vessels in each step (root mean square over all poin
         <translation>所有线条偏向同一侧。请重新配准，或用方向键微调。</translation>
     </message>
     <message>
-        <source>Fits in the center but deviates increasingly toward the edges: rotated in the image plane.</source>
-        <translation>中间吻合而向外偏差渐大：在图像平面内旋转。</translation>
+        <source>The lines fit in the center but deviate increasingly toward the edges: the pose is rotated in the image plane.</source>
+        <translation>线条在中间吻合而向外偏差渐大：位姿在图像平面内旋转。</translation>
     </message>
     <message>
         <source>The trunk fits, but the side branches run in other directions: LAO/RAO or CRA/CAU is wrong.</source>
@@ -10002,7 +10002,7 @@ Bottom: displacement of the vessels in each step (root mean square over all poin
         <translation>在三维视图上</translation>
     </message>
     <message>
-        <source>in 3-D or in a slice, then in the image: sets one pair</source>
+        <source>set one pair: click in 3-D or in a slice, then in the image</source>
         <translation>先在三维或层面中，再在图像中单击：设置一对</translation>
     </message>
     <message>
@@ -10082,7 +10082,7 @@ Bottom: displacement of the vessels in each step (root mean square over all poin
         <translation>十字线，与所有视图联动</translation>
     </message>
     <message>
-        <source>pick the point at the crosshair, like a click</source>
+        <source>pick the point at the crosshair (same as a click)</source>
         <translation>选取十字线处的点，同单击</translation>
     </message>
     <message>
@@ -10186,7 +10186,7 @@ Bottom: displacement of the vessels in each step (root mean square over all poin
         <translation>删除最后一点</translation>
     </message>
     <message>
-        <source>removes the selected measurement or the last one</source>
+        <source>remove the selected measurement or the last one</source>
         <translation>移除所选测量或最后一个测量</translation>
     </message>
     <message>
@@ -10194,19 +10194,19 @@ Bottom: displacement of the vessels in each step (root mean square over all poin
         <translation>标记时</translation>
     </message>
     <message>
-        <source>adds a target point or ring to the vessels, here, in 3-D or in a slice</source>
+        <source>add a target point or ring to the vessels, here, in 3-D or in a slice</source>
         <translation>在血管上添加目标点或环（此处、三维或层面）</translation>
     </message>
     <message>
-        <source>draws an arrow or moves an existing mark</source>
+        <source>draw an arrow or move an existing mark</source>
         <translation>绘制箭头或移动已有标记</translation>
     </message>
     <message>
-        <source>finishes a text; Esc discards it</source>
+        <source>finish the text; Esc discards it</source>
         <translation>完成文字；Esc 放弃</translation>
     </message>
     <message>
-        <source>removes the selected mark or the last one</source>
+        <source>remove the selected mark or the last one</source>
         <translation>移除所选标记或最后一个标记</translation>
     </message>
 </context>
@@ -10249,7 +10249,7 @@ Bottom: displacement of the vessels in each step (root mean square over all poin
         <translation>此快捷键不可更改。</translation>
     </message>
     <message>
-        <source>Press the new shortcut for “%1”. Esc keeps the old one, Delete removes it.</source>
+        <source>Press the new shortcut for “%1”. Esc keeps the old shortcut; Delete removes it.</source>
         <translation>请按“%1”的新快捷键。Esc 保留原快捷键，Delete 清除。</translation>
     </message>
     <message>
@@ -10347,8 +10347,8 @@ Bottom: displacement of the vessels in each step (root mean square over all poin
         <translation>标志点及其残差</translation>
     </message>
     <message>
-        <source>Computes the initial pose from the pairs (or press Enter while picking). Undo restores the previous pose.</source>
-        <translation>由点对计算初始位姿（点选时按回车）。可撤销以恢复原位姿。</translation>
+        <source>Computes the initial pose from the pairs, as does pressing Enter while picking. Undo restores the previous pose.</source>
+        <translation>由点对计算初始位姿，点选时按回车亦可。可撤销以恢复原位姿。</translation>
     </message>
     <message>
         <source>Removes the selected pairs (Delete)</source>
@@ -10457,8 +10457,8 @@ Bottom: displacement of the vessels in each step (root mean square over all poin
         <translation>未找到输入文件</translation>
     </message>
     <message>
-        <source>“%1” refers to files that have been moved or deleted. They were not found next to the case or in the folders of recent cases. The case itself is intact.</source>
-        <translation>“%1”引用的文件已移动或删除。在病例旁及最近病例中均未找到。病例本身完好。</translation>
+        <source>“%1” refers to files that have been moved or deleted. The files were not found next to the case or in the folders of recent cases. The case file itself is intact.</source>
+        <translation>“%1”引用的文件已移动或删除。在病例旁及最近病例的文件夹中均未找到这些文件。病例文件本身完好。</translation>
     </message>
     <message>
         <source>formerly in %1</source>
@@ -10477,8 +10477,8 @@ Bottom: displacement of the vessels in each step (root mean square over all poin
         <translation>搜索文件夹…</translation>
     </message>
     <message>
-        <source>Searches the folder and its subfolders by name and content.</source>
-        <translation>按名称和内容搜索该文件夹及其子文件夹。</translation>
+        <source>Searches the folder and its subfolders by file name and contents.</source>
+        <translation>按文件名和内容搜索该文件夹及其子文件夹。</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -10792,32 +10792,32 @@ Bottom: displacement of the vessels in each step (root mean square over all poin
         <translation>方法</translation>
     </message>
     <message>
-        <source>median mm</source>
-        <translation>中位数 mm</translation>
+        <source>Median (mm)</source>
+        <translation>中位数（mm）</translation>
     </message>
     <message>
-        <source>P95 mm</source>
-        <translation>P95 mm</translation>
+        <source>P95 (mm)</source>
+        <translation>P95（mm）</translation>
     </message>
     <message>
-        <source>coverage %</source>
-        <translation>覆盖率 %</translation>
+        <source>Coverage (%)</source>
+        <translation>覆盖率（%）</translation>
     </message>
     <message>
-        <source>Δ in-plane mm</source>
-        <translation>Δ 平面内 mm</translation>
+        <source>Δ in-plane (mm)</source>
+        <translation>Δ 平面内（mm）</translation>
     </message>
     <message>
-        <source>Δ depth mm</source>
-        <translation>Δ 深度 mm</translation>
+        <source>Δ depth (mm)</source>
+        <translation>Δ 深度（mm）</translation>
     </message>
     <message>
-        <source>Δ rot. °</source>
-        <translation>Δ 旋转 °</translation>
+        <source>Δ rot. (°)</source>
+        <translation>Δ 旋转（°）</translation>
     </message>
     <message>
-        <source>time ms</source>
-        <translation>用时 ms</translation>
+        <source>Time (ms)</source>
+        <translation>用时（ms）</translation>
     </message>
     <message>
         <source>Author</source>
@@ -10836,8 +10836,8 @@ Bottom: displacement of the vessels in each step (root mean square over all poin
         <translation>导出 CSV…</translation>
     </message>
     <message>
-        <source>Writes the table with the poses as matrices.</source>
-        <translation>写出表格，位姿以矩阵表示。</translation>
+        <source>Writes the table to a CSV file, with the poses as matrices.</source>
+        <translation>将表格写入 CSV 文件，位姿以矩阵表示。</translation>
     </message>
     <message>
         <source>Run several methods</source>
@@ -10977,7 +10977,7 @@ Bottom: displacement of the vessels in each step (root mean square over all poin
         <translation>关于此方法</translation>
     </message>
     <message>
-        <source>Explains the cost that this method minimizes, when it fails, and its source.</source>
+        <source>Explains which cost this method minimizes, when the method fails, and where it was published.</source>
         <translation>显示此方法最小化的目标函数、失效情形及出处。</translation>
     </message>
     <message>
@@ -11017,8 +11017,8 @@ Bottom: displacement of the vessels in each step (root mean square over all poin
         <translation>求使血管与造影图像对齐的位姿。</translation>
     </message>
     <message>
-        <source>Uses one pose for all views: moving the vessels manually moves them in every view, and registration fits all views with the AngioPose method, because depth in one view is translation in another. If off, only the displayed view is used.</source>
-        <translation>所有视图共用一个位姿：手动移动时各视图中的血管一起移动，配准时用 AngioPose 方法同时拟合所有视图，因为一个视图中的深度就是另一个视图中的平移。不勾选时只使用显示的视图。</translation>
+        <source>Uses one pose for all views. Moving the vessels manually moves them in every view. Registration fits all views jointly with the method AngioPose: the depth in one view is then determined by the in-plane translation in another. If off, only the displayed view is used.</source>
+        <translation>所有视图共用一个位姿。手动移动时各视图中的血管一起移动。配准时用 AngioPose 方法同时拟合所有视图：一个视图中的深度由另一个视图中的平面内平移确定。不勾选时只使用显示的视图。</translation>
     </message>
 </context>
 <context>
@@ -11104,7 +11104,7 @@ Bottom: displacement of the vessels in each step (root mean square over all poin
         <translation>运动</translation>
     </message>
     <message>
-        <source>in-plane mm, by frame</source>
+        <source>in-plane (mm), by frame</source>
         <translation>平面内 mm，逐帧</translation>
     </message>
     <message>
@@ -11120,7 +11120,7 @@ Bottom: displacement of the vessels in each step (root mean square over all poin
         <translation>第 %1 步</translation>
     </message>
     <message>
-        <source>median %1 mm over the %2 % classified as opacified, whole tree %3 mm</source>
+        <source>median %1 mm over the %2 % classified as opacified, %3 mm over the whole tree</source>
         <translation>中位数 %1 mm（判定为显影的 %2 %），整个血管树 %3 mm</translation>
     </message>
     <message>
@@ -11171,7 +11171,7 @@ Bottom: displacement of the vessels in each step (root mean square over all poin
         <translation>深度 ±%1 mm：单一视图无法确定。</translation>
     </message>
     <message>
-        <source>%1 % probability that the overlay is within 2 mm of the vessels.</source>
+        <source>The overlay is within 2 mm of the vessels with a probability of %1 %.</source>
         <translation>叠加图位于血管 2 mm 以内的概率为 %1 %。</translation>
     </message>
     <message>
@@ -11243,7 +11243,7 @@ Bottom: displacement of the vessels in each step (root mean square over all poin
         <translation>取消</translation>
     </message>
     <message>
-        <source>Series of the folder</source>
+        <source>Series in the folder</source>
         <translation>文件夹中的序列</translation>
     </message>
     <message>
@@ -11263,7 +11263,7 @@ Bottom: displacement of the vessels in each step (root mean square over all poin
         <translation>大小</translation>
     </message>
     <message>
-        <source>Spacing in mm</source>
+        <source>Spacing (mm)</source>
         <translation>间距（mm）</translation>
     </message>
     <message>
@@ -11391,8 +11391,8 @@ Bottom: displacement of the vessels in each step (root mean square over all poin
         <translation>在表格中比较位姿和方法。</translation>
     </message>
     <message>
-        <source>median mm · %1: A ⇄ B</source>
-        <translation>中位数 mm · %1：A ⇄ B</translation>
+        <source>median (mm) · %1: A ⇄ B</source>
+        <translation>中位数（mm） · %1：A ⇄ B</translation>
     </message>
 </context>
 <context>
@@ -11502,8 +11502,8 @@ Bottom: displacement of the vessels in each step (root mean square over all poin
         <translation>避开</translation>
     </message>
     <message>
-        <source>Click the heart, veins or bone in a slice. Regions reached from there through wider passages are excluded.</source>
-        <translation>在层面上单击心脏、静脉或骨骼。从该处经较宽通路可达的区域将被排除。</translation>
+        <source>Click the heart, veins or bone in a slice. Regions with a wider connection to these points than to the seeds are excluded.</source>
+        <translation>在层面上单击心脏、静脉或骨骼。与这些点的连通宽于与种子点的连通的区域将被排除。</translation>
     </message>
     <message>
         <source>Remove</source>
@@ -11541,8 +11541,8 @@ Bottom: displacement of the vessels in each step (root mean square over all poin
         <translation>阈值</translation>
     </message>
     <message>
-        <source>Voxels above this scan intensity are treated as vessel.</source>
-        <translation>扫描中高于此强度的体素视为血管。</translation>
+        <source>Voxels above this scan intensity are treated as vessel lumen.</source>
+        <translation>扫描中高于此强度的体素视为血管腔。</translation>
     </message>
 </context>
 <context>
@@ -11596,7 +11596,7 @@ Bottom: displacement of the vessels in each step (root mean square over all poin
         <translation>连通部分</translation>
     </message>
     <message>
-        <source>Applies without seeds. Default: in a mask, all components; in a scan, the component of the aorta or main artery. All: in a scan, the components of all great vessels.</source>
+        <source>Used only if there are no seeds. Default: in a mask, all components; in a scan, the component of the aorta or main artery. All: in a scan, the components of all great vessels.</source>
         <translation>无种子点时使用。默认：掩膜取所有连通域；扫描取主动脉或主干动脉所在连通域。全部：扫描取每条大血管所在连通域。</translation>
     </message>
     <message>
@@ -11674,11 +11674,11 @@ Bottom: displacement of the vessels in each step (root mean square over all poin
         <translation>完成</translation>
     </message>
     <message>
-        <source>Blind trial of %1: align the vessels with the image. Values are shown again when you are done.</source>
+        <source>Blind trial by %1: align the vessels with the image. Values are shown again when you are done.</source>
         <translation>%1 的盲法试验：将血管与图像对齐。完成后重新显示数值。</translation>
     </message>
     <message>
-        <source>Logs time and pose and shows the values again.</source>
+        <source>Logs the time and the pose, and shows the values again.</source>
         <translation>记录时间和位姿，并重新显示数值。</translation>
     </message>
 </context>
@@ -11765,7 +11765,7 @@ Bottom: displacement of the vessels in each step (root mean square over all poin
         <translation>打开 DICOM 文件夹/光盘…</translation>
     </message>
     <message>
-        <source>Lists the patients, studies and series of a folder, a CD or a DICOMDIR.</source>
+        <source>Lists the patients, studies and series in a folder, on a CD or in a DICOMDIR.</source>
         <translation>列出文件夹、光盘或 DICOMDIR 中的患者、检查和序列。</translation>
     </message>
 </context>
@@ -11807,8 +11807,8 @@ Bottom: displacement of the vessels in each step (root mean square over all poin
         <translation>自动</translation>
     </message>
     <message>
-        <source>Set automatically from the values of this scan; right-drag in a slice to adjust it manually.</source>
-        <translation>取自此扫描的数值；在层面上右键拖动可手动调整。</translation>
+        <source>Sets the window automatically from the values of this scan; right-drag in a slice to adjust it manually.</source>
+        <translation>根据此扫描的数值自动设定窗；在层面上右键拖动可手动调整。</translation>
     </message>
 </context>
 <context>
@@ -11942,8 +11942,8 @@ Bottom: displacement of the vessels in each step (root mean square over all poin
         <translation>移除所选测量（Delete）</translation>
     </message>
     <message>
-        <source>Writes all measurements and their basis as a CSV table.</source>
-        <translation>将所有测量及其依据写为 CSV 表格。</translation>
+        <source>Writes all measurements and their basis to a CSV file.</source>
+        <translation>将所有测量及其依据写入 CSV 文件。</translation>
     </message>
     <message>
         <source>at the vessels</source>
@@ -11974,8 +11974,8 @@ Bottom: displacement of the vessels in each step (root mean square over all poin
         <translation>图像比例</translation>
     </message>
     <message>
-        <source>Size of a pixel in the patient, if known from another source.</source>
-        <translation>一个像素在患者体内的大小（若从其他来源已知）。</translation>
+        <source>Pixel size in the patient, if known from another source.</source>
+        <translation>患者体内的像素大小（若从其他来源已知）。</translation>
     </message>
     <message>
         <source>Measure</source>
@@ -11986,7 +11986,7 @@ Bottom: displacement of the vessels in each step (root mean square over all poin
         <translation>图像和层面中的测量</translation>
     </message>
     <message>
-        <source>%1 measured</source>
+        <source>measured: %1</source>
         <translation>已测量 %1 项</translation>
     </message>
 </context>
@@ -12047,12 +12047,12 @@ Bottom: displacement of the vessels in each step (root mean square over all poin
         <translation>剖面…</translation>
     </message>
     <message>
-        <source>Writes length, diameters, stenosis and curvature of all branches as a CSV table.</source>
-        <translation>将所有分支的长度、直径、狭窄和曲率写为 CSV 表格。</translation>
+        <source>Writes the length, diameters, stenosis and curvature of every branch to a CSV file.</source>
+        <translation>将每个分支的长度、直径、狭窄和曲率写入 CSV 文件。</translation>
     </message>
     <message>
-        <source>Writes diameter and curvature along this branch as a CSV table.</source>
-        <translation>将沿此分支的直径和曲率写为 CSV 表格。</translation>
+        <source>Writes the diameter and curvature along this branch to a CSV file.</source>
+        <translation>将沿此分支的直径和曲率写入 CSV 文件。</translation>
     </message>
     <message>
         <source>Length</source>
@@ -12157,8 +12157,8 @@ Bottom: displacement of the vessels in each step (root mean square over all poin
         <translation>%1 · %2 帧/秒</translation>
     </message>
     <message>
-        <source>The header contains no frame rate: 1× assumes %1 frames per second</source>
-        <translation>文件头未给出帧率：1× 按每秒 %1 帧</translation>
+        <source>The header contains no frame rate: 1× corresponds to an assumed rate of %1 frames per second</source>
+        <translation>文件头未给出帧率：1× 对应假定的每秒 %1 帧</translation>
     </message>
     <message>
         <source>1×: acquisition frame rate, %1 frames per second</source>
@@ -12204,8 +12204,8 @@ Bottom: displacement of the vessels in each step (root mean square over all poin
         <translation>移除所选标记（Delete）</translation>
     </message>
     <message>
-        <source>Writes all target points and rings and their errors as a CSV table.</source>
-        <translation>将所有目标点和环及其误差写为 CSV 表格。</translation>
+        <source>Writes all target points and ostium rings with their errors to a CSV file.</source>
+        <translation>将所有目标点和开口环及其误差写入 CSV 文件。</translation>
     </message>
     <message>
         <source>Marks</source>
@@ -12231,7 +12231,7 @@ Bottom: displacement of the vessels in each step (root mean square over all poin
         <translation>箭头：从尾端拖到尖端，然后输入 · 端点可移动</translation>
     </message>
     <message>
-        <source>Text: click where it should start, then type · texts can be moved</source>
+        <source>Text: click where the text should start, then type · text can be moved</source>
         <translation>文字：单击起点，然后输入 · 文字可移动</translation>
     </message>
     <message>
@@ -12309,7 +12309,7 @@ Bottom: displacement of the vessels in each step (root mean square over all poin
         <translation>文字</translation>
     </message>
     <message>
-        <source>On frame %1 of this view and in every image exported from it.</source>
+        <source>Shown on frame %1 of this view and in every image exported from it.</source>
         <translation>位于此视图的第 %1 帧，出现在其每张导出图像中。</translation>
     </message>
     <message>
@@ -12809,8 +12809,8 @@ Bottom: displacement of the vessels in each step (root mean square over all poin
         <translation>视图：%1</translation>
     </message>
     <message>
-        <source>Select the scan with the vessels and the runs, or double-click an entry.</source>
-        <translation>请勾选含血管的扫描和造影序列，或双击其中一项。</translation>
+        <source>Select the scan that shows the vessels and one or more angiographic runs, or double-click an entry to open it.</source>
+        <translation>请选择显示血管的扫描和一个或多个造影序列，或双击其中一项将其打开。</translation>
     </message>
 </context>
 <context>
@@ -12949,7 +12949,7 @@ Bottom: displacement of the vessels in each step (root mean square over all poin
         <translation>残差颜色及色标</translation>
     </message>
     <message>
-        <source>Patient identity in the frames</source>
+        <source>Burn in patient identity</source>
         <translation>帧中显示患者身份</translation>
     </message>
     <message>
@@ -12993,8 +12993,8 @@ Bottom: displacement of the vessels in each step (root mean square over all poin
         <translation>影片</translation>
     </message>
     <message>
-        <source>File</source>
-        <translation>文件</translation>
+        <source>Format</source>
+        <translation>格式</translation>
     </message>
     <message>
         <source>Width</source>
@@ -13028,11 +13028,11 @@ Bottom: displacement of the vessels in each step (root mean square over all poin
         <translation>导出报告</translation>
     </message>
     <message>
-        <source>Leave this off before sharing; the report is then anonymous.</source>
-        <translation>分享前请保持关闭：报告即为匿名。</translation>
+        <source>Leave this off if the report will be shared: it is then anonymous.</source>
+        <translation>若要分享报告，请保持关闭：报告即为匿名。</translation>
     </message>
     <message>
-        <source>Templates are HTML pages with your letterhead and logo. Save a copy of the built-in template and edit it; it contains instructions.</source>
+        <source>Templates are HTML pages with your letterhead and logo. Save a copy of the built-in template and edit the copy; it contains instructions.</source>
         <translation>模板是带有您的信头和标志的 HTML 页面。请保存内置模板的副本并进行编辑；说明在其中。</translation>
     </message>
     <message>
@@ -13208,8 +13208,8 @@ Bottom: displacement of the vessels in each step (root mean square over all poin
         <translation>假名</translation>
     </message>
     <message>
-        <source>One archive with the case, its inputs and its results. De-identification removes names, IDs, dates, private elements and notes, and replaces UIDs. Branch names are kept. Review every image before sharing.</source>
-        <translation>一个压缩包，包含病例、其输入和结果。去标识会删除姓名、编号、日期、私有元素和备注，并替换 UID。分支名称保留。分享前请检查每幅图像。</translation>
+        <source>Creates one archive with the case, its inputs and its results. De-identification removes names, IDs, dates, private elements and notes, and replaces UIDs. Branch names are kept. Review every image before sharing.</source>
+        <translation>创建一个压缩包，包含病例、其输入和结果。去标识会删除姓名、编号、日期、私有元素和备注，并替换 UID。分支名称保留。分享前请检查每幅图像。</translation>
     </message>
     <message>
         <source>Pack…</source>
@@ -13235,7 +13235,7 @@ Bottom: displacement of the vessels in each step (root mean square over all poin
         <translation>将缓存缩小到当前大小以下？</translation>
     </message>
     <message>
-        <source>The cache contains %1. The least recently used objects are deleted until %2 remain.</source>
+        <source>The cache contains %1. The least recently used objects will be deleted until %2 remain.</source>
         <translation>缓存现有 %1。将删除最久未用的对象，直到剩余 %2。</translation>
     </message>
     <message>
@@ -13251,7 +13251,7 @@ Bottom: displacement of the vessels in each step (root mean square over all poin
         <translation>清空缓存？</translation>
     </message>
     <message>
-        <source>All retrieved objects are deleted. When you open a case whose images were in the cache, AngioPose asks for their location. “Share case as ZIP” keeps case and images together.</source>
+        <source>All retrieved objects will be deleted. When you open a case whose images were in the cache, AngioPose will ask for the location of the images. “Share case as ZIP” keeps case and images together.</source>
         <translation>所有已获取的对象都将删除。图像存放在缓存中的病例在打开时会询问图像位置。“将病例分享为 ZIP”可将病例与图像保存在一起。</translation>
     </message>
     <message>
@@ -13312,8 +13312,8 @@ Bottom: displacement of the vessels in each step (root mean square over all poin
         <translation>正在搜索 %1…</translation>
     </message>
     <message>
-        <source>%1 has no matching study. Broaden the search: use a shorter name, more days or any modality.</source>
-        <translation>%1 中没有符合条件的检查。请放宽条件：更短的姓名、更多天数、任意模态。</translation>
+        <source>%1 has no matching study. Broaden the search: use a shorter name, a wider date range or any modality.</source>
+        <translation>%1 中没有符合条件的检查。请放宽条件：更短的姓名、更长的日期范围、任意模态。</translation>
     </message>
     <message>
         <source>Search to list the studies in %1.</source>
@@ -13436,8 +13436,8 @@ Bottom: displacement of the vessels in each step (root mean square over all poin
         <translation>序列 %1</translation>
     </message>
     <message>
-        <source>Other errors: %1.</source>
-        <translation>其他错误：%1。</translation>
+        <source>Number of further errors: %1.</source>
+        <translation>其他错误数：%1。</translation>
     </message>
 </context>
 <context>
@@ -13757,8 +13757,8 @@ Bottom: displacement of the vessels in each step (root mean square over all poin
         <translation>查看对象</translation>
     </message>
     <message>
-        <source>Accepts objects that modalities and PACS send to this computer, until it is turned off or the window is closed</source>
-        <translation>接收设备和 PACS 推送到本机的对象，直到关闭此开关或窗口</translation>
+        <source>Accepts objects sent to this computer by modalities and PACS until receiving is turned off or the window is closed</source>
+        <translation>接收设备和 PACS 发送到本机的对象，直到关闭接收或关闭窗口</translation>
     </message>
     <message>
         <source>Receiving port</source>
@@ -13890,8 +13890,8 @@ Bottom: displacement of the vessels in each step (root mean square over all poin
         <translation>进度</translation>
     </message>
     <message>
-        <source>Stops; completely transferred objects are kept</source>
-        <translation>停止；完整的对象予以保留</translation>
+        <source>Stops the transfer; objects already transferred in full are kept</source>
+        <translation>停止传输；已完整传输的对象予以保留</translation>
     </message>
 </context>
 <context>
@@ -13901,8 +13901,8 @@ Bottom: displacement of the vessels in each step (root mean square over all poin
         <translation>正在去标识：%1 %</translation>
     </message>
     <message>
-        <source>Files are already being written. Wait for it to finish, or stop it.</source>
-        <translation>已在写入文件。请等待其完成，或将其停止。</translation>
+        <source>A de-identification is already running. Wait for it to finish, or stop it.</source>
+        <translation>去标识正在进行。请等待其完成，或将其停止。</translation>
     </message>
     <message>
         <source>Files to de-identify</source>
@@ -13929,14 +13929,14 @@ Bottom: displacement of the vessels in each step (root mean square over all poin
         <translation>已去标识的文件：%1 个，位于 %2。</translation>
     </message>
     <message>
-        <source>%1 files were de-identified; %2 were not, for the reasons below. The output is in %3.</source>
-        <translation>%1 个文件已去标识，%2 个未去标识，原因如下。输出位于 %3。</translation>
+        <source>%1 files were de-identified; %2 were not, for the reasons listed below. The output folder is %3.</source>
+        <translation>%1 个文件已去标识，%2 个未去标识，原因如下。输出文件夹为 %3。</translation>
     </message>
 </context>
 <context>
     <name>angiopose::app::PrivacyController</name>
     <message>
-        <source>No list or thumbnails of recent cases, no names in the title bar, no stored folders.</source>
+        <source>Stores no list or thumbnails of recent cases and no folders, and shows no names in the title bar.</source>
         <translation>不保留最近病例的列表和缩略图，标题栏中不显示姓名，不记住文件夹。</translation>
     </message>
     <message>
@@ -13944,7 +13944,7 @@ Bottom: displacement of the vessels in each step (root mean square over all poin
         <translation>开启隐私模式？</translation>
     </message>
     <message>
-        <source>The list of recent cases (including pinned ones), their thumbnails, and all stored folders and names are deleted permanently. Nothing of this kind is stored until private mode is turned off. Unsaved work is still autosaved; the copies are deleted when the case is closed.</source>
+        <source>The list of recent cases (including pinned ones), their thumbnails, and all stored folders and names will be permanently deleted. No such data will be stored until private mode is turned off. Unsaved work is still autosaved; the copies are deleted when the case is closed.</source>
         <translation>最近病例列表（包括固定的病例）、其缩略图以及所有存储的文件夹和姓名将被永久删除。在关闭隐私模式之前，不会存储任何此类内容。未保存的工作仍会自动保存；副本在关闭病例时删除。</translation>
     </message>
     <message>
@@ -13997,8 +13997,8 @@ Bottom: displacement of the vessels in each step (root mean square over all poin
         <translation>忽略</translation>
     </message>
     <message>
-        <source>AngioPose crashed last time. A report with the crash location in the program, but without case data, is in %1.</source>
-        <translation>AngioPose 上次发生崩溃。程序中发生位置的报告（不含病例数据）位于 %1。</translation>
+        <source>AngioPose crashed during its last session. A report of where in the program it crashed, without case data, was saved to %1.</source>
+        <translation>AngioPose 在上次会话中崩溃。记录程序崩溃位置的报告（不含病例数据）已保存到 %1。</translation>
     </message>
 </context>
 <context>
@@ -14008,12 +14008,12 @@ Bottom: displacement of the vessels in each step (root mean square over all poin
         <translation>保存支持包</translation>
     </message>
     <message>
-        <source>The archive contains only these texts; no images or vessels. Known names, numbers, dates and paths of this session&apos;s cases and of this computer were removed. Review the texts before sharing.</source>
-        <translation>压缩包中只包含这些文本：没有图像，没有血管。本次会话的病例和本计算机的已知姓名、编号、日期和路径均已去除。分享前请检查这些文本。</translation>
+        <source>The archive contains only the text shown here, no images or vessel data. Names, numbers, dates and paths known from the cases of this session and from this computer have been removed. Review the text before sharing it.</source>
+        <translation>压缩包只包含此处显示的文本，不含图像或血管数据。由本次会话的病例和本计算机得知的姓名、编号、日期和路径均已去除。分享前请检查这些文本。</translation>
     </message>
     <message>
-        <source>Texts in the bundle</source>
-        <translation>支持包中的文本</translation>
+        <source>Files in the bundle</source>
+        <translation>支持包中的文件</translation>
     </message>
     <message>
         <source>Text to be written</source>
@@ -14051,8 +14051,8 @@ Bottom: displacement of the vessels in each step (root mean square over all poin
         <translation>文件去标识</translation>
     </message>
     <message>
-        <source>DICOM images and objects, PNG, JPEG and TIFF files are rewritten without names, IDs, dates, private elements and texts; UIDs are replaced. Other files are skipped and listed. Review every image before sharing.</source>
-        <translation>DICOM 图像和对象、PNG、JPEG 和 TIFF 将重新写入，不含姓名、编号、日期、私有元素和文本；UID 会被替换。其他文件将被跳过并列出。分享前请检查每幅图像。</translation>
+        <source>DICOM images and objects and PNG, JPEG and TIFF files are copied without names, IDs, dates, private elements and free text; UIDs are replaced. Other files are skipped and listed. Review every image before sharing.</source>
+        <translation>DICOM 图像和对象以及 PNG、JPEG 和 TIFF 文件将被复制，不含姓名、编号、日期、私有元素和自由文本；UID 会被替换。其他文件将被跳过并列出。分享前请检查每幅图像。</translation>
     </message>
     <message>
         <source>Cancel</source>

@@ -9,14 +9,14 @@
 namespace angiopose::app {
 namespace {
 
-std::unique_ptr<QUndoCommand> showFrame(CaseDocument& document, int frame, int burst = noMergeId)
+std::unique_ptr<QUndoCommand> showFrame(CaseDocument& document, int frame, int mergeId = noMergeId)
 {
     const core::Case& current = document.current();
     return std::make_unique<ShowFrame>(
         document,
         ShowFrame::Values{frame, current.shown().initialCameraFromPatient, current.shown().cameraFromPatient,
                           current.shown().result},
-        [] { return QStringLiteral("Frame"); }, burst);
+        [] { return QStringLiteral("Frame"); }, mergeId);
 }
 
 TEST(CaseDocument, GoesBackAndForth)

@@ -126,9 +126,9 @@ void expectDoubtInTheWindow(const core::Case& session)
     const auto states = stepStates(session, {});
     EXPECT_EQ(states[static_cast<std::size_t>(ui::Step::Register)].mark, ui::StepMark::Attention);
     EXPECT_EQ(states[static_cast<std::size_t>(ui::Step::Review)].mark, ui::StepMark::Attention);
-    const ui::FitVerdict verdict = ui::verdictOf({result, ui::PoseSource::Run, {}, 0.0, 0.3, 1.0, 0.0, {}});
+    const ui::FitVerdict verdict = ui::assessFit({result, ui::PoseSource::Run, {}, 0.0, 0.3, 1.0, 0.0, {}});
     EXPECT_EQ(verdict.tone, ui::VerdictTone::Bad);
-    EXPECT_TRUE(verdict.words.startsWith(QStringLiteral("NOT RELIABLE")));
+    EXPECT_TRUE(verdict.sentence.startsWith(QStringLiteral("NOT RELIABLE")));
     const ui::ResultSentences said = ui::sentencesOf(result, *session.vessels.tree, 0.3);
     EXPECT_TRUE(said.certain.isEmpty());
     ASSERT_FALSE(said.doubtful.isEmpty());
@@ -171,11 +171,11 @@ void expectDoubtInWords(const core::RegisteredCase& found)
 std::string wordsIn(const core::RegisteredCase& found)
 {
     const auto picture = drawOverlayVectors(found.session, found.targets.front());
-    std::string words;
+    std::string sentence;
     for (const ui::VectorText& text : picture.value().texts) {
-        words += text.text + "\n";
+        sentence += text.text + "\n";
     }
-    return words;
+    return sentence;
 }
 
 TEST(LowConfidence, LooksSoWhereverAResultIsShown)
@@ -206,18 +206,19 @@ TEST(LowConfidence, NamesWhatItsDistancesAreAbout)
     const core::RegisteredCase found = core::registerCase(withTarget(values, part)).value();
     const core::RegistrationResult& result = found.result();
     ASSERT_FALSE(result.unopacified.empty());
-    const double share = core::assessedShare(result);
+    const double share = core::assessedFraction(result);
     EXPECT_GT(share, 0.0);
     EXPECT_LT(share, 1.0);
     const auto basis = core::fitBasis(found.session, result, found.targets.front());
     ASSERT_TRUE(basis);
-    EXPECT_EQ(basis->assessedShare, share);
+    EXPECT_EQ(basis->assessedFraction, share);
     EXPECT_GT(basis->wholeMedianMm, 3.0 * result.metrics.medianMm) << "most of the tree lies on no vessel";
 
-    const QString words =
-        ui::verdictOf({result, ui::PoseSource::Run, {}, 0.0, 0.3, share, basis->wholeMedianMm, {}}).words;
-    EXPECT_TRUE(words.contains(QStringLiteral("over the %1 %").arg(qRound(100.0 * share)))) << words.toStdString();
-    EXPECT_TRUE(words.contains(QStringLiteral("whole tree"))) << words.toStdString();
+    const QString sentence =
+        ui::assessFit({result, ui::PoseSource::Run, {}, 0.0, 0.3, share, basis->wholeMedianMm, {}}).sentence;
+    EXPECT_TRUE(sentence.contains(QStringLiteral("over the %1 %").arg(qRound(100.0 * share))))
+        << sentence.toStdString();
+    EXPECT_TRUE(sentence.contains(QStringLiteral("whole tree"))) << sentence.toStdString();
     const std::string reported = wordsIn(found);
     EXPECT_NE(reported.find("classified as opacified. Whole tree: median"), std::string::npos) << reported;
 }

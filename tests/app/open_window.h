@@ -119,7 +119,7 @@ public:
     bool saveCase(const QString& path)
     {
         bool isSaved = false;
-        controller.saving().saveTo(path, [&isSaved] { isSaved = true; });
+        controller.saveController().saveTo(path, [&isSaved] { isSaved = true; });
         return test::waitFor([&isSaved] { return isSaved; });
     }
 

@@ -100,7 +100,7 @@ TEST_F(OverlayPicture, SaysOfWhichFrameTheDeformationIs)
     sample = test::withDeformedVessels(sample, 8.0);
     const auto words = [this] {
         const core::View& view = sample.shown();
-        return shapeLines(drawnVessels(view, sample.vessels, view.cameraFromPatient, VesselShape::Deformed));
+        return shapeLines(vesselsToDraw(view, sample.vessels, view.cameraFromPatient, VesselShape::Deformed));
     };
     const core::Message other = messages::deformedOnFrame(6);   // counted from 1
     sample.shown().result->provenance.frame = sample.shown().frame;

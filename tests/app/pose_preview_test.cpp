@@ -28,7 +28,7 @@ TEST(PosePreview, ShowsTheDocumentsPoseUntilSomebodyShowsAnother)
     preview.end(PreviewSource::Swing);
     EXPECT_FALSE(preview.shown());
     EXPECT_EQ(&preview.pose(), &document.current().shown().cameraFromPatient);
-    EXPECT_EQ(preview.colors(), ResidualColors::Kept);
+    EXPECT_EQ(preview.colors(), ResidualColors::Visible);
 }
 
 TEST(PosePreview, NobodyEndsWhatAnotherShows)
@@ -36,7 +36,7 @@ TEST(PosePreview, NobodyEndsWhatAnotherShows)
     const CaseDocument document;
     PosePreview preview(document);
     preview.show(PreviewSource::Snapshot, atDepth(700.0), ResidualColors::Hidden);
-    preview.show(PreviewSource::Drag, atDepth(800.0), ResidualColors::Kept);
+    preview.show(PreviewSource::Drag, atDepth(800.0), ResidualColors::Visible);
     const QSignalSpy changed(&preview, &PosePreview::changed);
     preview.end(PreviewSource::Snapshot);
     EXPECT_EQ(preview.shown(), PreviewSource::Drag);
@@ -57,7 +57,7 @@ TEST(PosePreview, TellsWhomAnotherTakesThePlaceOf)
     preview.show(PreviewSource::Solution, atDepth(700.0), ResidualColors::Hidden);
     preview.show(PreviewSource::Solution, atDepth(710.0), ResidualColors::Hidden);
     EXPECT_TRUE(gone.empty());
-    preview.show(PreviewSource::Run, atDepth(800.0), ResidualColors::Kept);
+    preview.show(PreviewSource::Run, atDepth(800.0), ResidualColors::Visible);
     EXPECT_EQ(gone, std::vector{PreviewSource::Solution});
     EXPECT_EQ(preview.shown(), PreviewSource::Run);
 }
@@ -82,7 +82,7 @@ TEST(PosePreview, TakesTheOtherViewsAlong)
     EXPECT_EQ(preview.poseOfView(1).matrix(), own.matrix());
     core::RigidTransform moved = atDepth(700.0);
     moved.translation.x() = 6.0;
-    preview.show(PreviewSource::Drag, moved, ResidualColors::Kept);
+    preview.show(PreviewSource::Drag, moved, ResidualColors::Visible);
     EXPECT_EQ(preview.poseOfView(0).matrix(), moved.matrix());
     // 6 mm across the first view is 6 mm along the ray of the second
     const Eigen::Vector3d way = preview.poseOfView(1).translation - own.translation;
@@ -105,7 +105,7 @@ TEST(PosePreview, LeavesViewsAloneThatDoNotMoveTogether)
     preview.setMovesAllViews(false);
     preview.setMovesAllViews(false);
     EXPECT_EQ(changed.count(), 1);
-    preview.show(PreviewSource::Drag, atDepth(720.0), ResidualColors::Kept);
+    preview.show(PreviewSource::Drag, atDepth(720.0), ResidualColors::Visible);
     EXPECT_EQ(preview.poseOfView(1).matrix(), document.current().views[1].cameraFromPatient.matrix());
 }
 

@@ -9,10 +9,10 @@ using SharedRun = TreatedRunCache::SharedRun;
 
 core::RunProcessing shiftedBy(double px)
 {
-    core::RunProcessing treatment;
-    treatment.isSubtracted = true;
-    treatment.plan.maskShiftPx = Eigen::Vector2d(px, 0.0);
-    return treatment;
+    core::RunProcessing processing;
+    processing.isSubtracted = true;
+    processing.plan.maskShiftPx = Eigen::Vector2d(px, 0.0);
+    return processing;
 }
 
 SharedRun run()

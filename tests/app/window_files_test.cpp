@@ -70,7 +70,7 @@ TEST(WindowFiles, SaveAndReopenGiveTheSameCase)
         EXPECT_TRUE(w.controller.document().isModified());
         EXPECT_TRUE(w.window.windowTitle().contains(QLatin1Char('*')));
         bool isSaved = false;
-        w.controller.saving().saveTo(path, [&isSaved] { isSaved = true; });
+        w.controller.saveController().saveTo(path, [&isSaved] { isSaved = true; });
         EXPECT_FALSE(isSaved);   // a worker saves
         ASSERT_TRUE(test::waitFor([&isSaved] { return isSaved; }));
         EXPECT_FALSE(w.controller.document().isModified());
@@ -162,8 +162,8 @@ TEST(WindowFiles, WriteAnOverlayWithItsProvenance)
     SampleWindow w;
     const QString path = folder.filePath(QStringLiteral("overlay.png"));
 
-    QSignalSpy exported(&w.controller.exporting(), &ExportController::exported);
-    w.controller.exporting().exportOverlay({600, ui::Toggle::On, ui::Toggle::Off}, path);
+    QSignalSpy exported(&w.controller.exportController(), &ExportController::exported);
+    w.controller.exportController().exportOverlay({600, ui::Toggle::On, ui::Toggle::Off}, path);
     EXPECT_TRUE(exported.isEmpty());   // a worker exports
     ASSERT_TRUE(exported.wait(test::patienceMs));
 
@@ -184,7 +184,7 @@ void takeInsteadOfWhatIsOpen(OpenWindow& w)
         QTest::mouseClick(*millimeters, Qt::LeftButton);
         EXPECT_TRUE(test::waitFor([&w] { return !w.controller.isLoading(); }));
     }
-    for (const auto& [question, verb] : {std::pair{"scanQuestion", QStringLiteral("Trace its vessels")},
+    for (const auto& [question, verb] : {std::pair{"scanQuestion", QStringLiteral("Trace this scan")},
                                          std::pair{"viewQuestion", QStringLiteral("Replace the angiogram")},
                                          std::pair{"patientQuestion", QStringLiteral("Open anyway")}}) {
         for (QDialog* asked : w.dialogs(question)) {

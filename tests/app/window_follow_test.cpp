@@ -27,14 +27,14 @@ void openRegisteredRun(OpenWindow& w)
 void follow(OpenWindow& w)
 {
     w.press(Qt::Key_F, Qt::ShiftModifier);
-    ASSERT_TRUE(w.controller.following().isRunning());
-    EXPECT_TRUE(test::waitFor([&] { return !w.controller.following().isRunning(); }));
+    ASSERT_TRUE(w.controller.tracking().isRunning());
+    EXPECT_TRUE(test::waitFor([&] { return !w.controller.tracking().isRunning(); }));
     QApplication::processEvents();
 }
 
 const core::TrackedRunFrame& followed(OpenWindow& w, int frame)
 {
-    return w.controller.following().frames().at(static_cast<std::size_t>(frame));
+    return w.controller.tracking().frames().at(static_cast<std::size_t>(frame));
 }
 
 bool says(OpenWindow& w, const QString& words)
@@ -52,7 +52,7 @@ TEST(WindowFollow, ShowsEachFrameWithItsOwnPose)
     const Eigen::Matrix4d found = w.current().shown().cameraFromPatient.matrix();
     EXPECT_FALSE(w.window.result().motion().isVisible());
     follow(w);
-    ASSERT_EQ(w.controller.following().frames().size(), 10U);
+    ASSERT_EQ(w.controller.tracking().frames().size(), 10U);
     EXPECT_EQ(w.current().shown().cameraFromPatient.matrix(), found);
     EXPECT_TRUE(w.window.result().motion().isVisible());
 
@@ -63,7 +63,7 @@ TEST(WindowFollow, ShowsEachFrameWithItsOwnPose)
     EXPECT_TRUE(test::waitFor([&] { return says(w, QStringLiteral("· tracked")); }));
     w.press(Qt::Key_Up);
     EXPECT_EQ(w.current().shown().cameraFromPatient.matrix(), found);
-    EXPECT_EQ(w.controller.following().frames().size(), 10U);   // they remain valid
+    EXPECT_EQ(w.controller.tracking().frames().size(), 10U);   // they remain valid
 }
 
 TEST(WindowFollow, AClickInThePlotShowsThatFrame)
@@ -90,7 +90,7 @@ TEST(WindowFollow, PosesAreForgottenWhenTheVesselsAreMoved)
     EXPECT_TRUE(w.window.actions()[ui::Command::ExportTrackedPoses]->isEnabled());
     w.press(Qt::Key_N);
     w.press(Qt::Key_Right);
-    EXPECT_TRUE(w.controller.following().frames().empty());
+    EXPECT_TRUE(w.controller.tracking().frames().empty());
     EXPECT_FALSE(w.window.result().motion().isVisible());
     EXPECT_FALSE(w.window.actions()[ui::Command::ExportTrackedPoses]->isEnabled());
     const Eigen::Matrix4d nudged = w.current().shown().cameraFromPatient.matrix();
@@ -105,7 +105,7 @@ void followSample(OpenWindow& w)
     w.registerVessels();
     ASSERT_TRUE(w.current().shown().result);
     follow(w);
-    ASSERT_FALSE(w.controller.following().frames().empty());
+    ASSERT_FALSE(w.controller.tracking().frames().empty());
 }
 
 TEST(WindowFollow, IsAStepOfUndo)
@@ -115,13 +115,13 @@ TEST(WindowFollow, IsAStepOfUndo)
     const auto frames = w.current().shown().followed.frames;
     w.press(Qt::Key_N);
     w.press(Qt::Key_Right);
-    EXPECT_TRUE(w.controller.following().frames().empty());
+    EXPECT_TRUE(w.controller.tracking().frames().empty());
     w.press(Qt::Key_N);
     w.controller.document().undo();
     EXPECT_EQ(w.current().shown().followed.frames, frames) << "with the pose that it went from";
     EXPECT_TRUE(w.window.result().motion().isVisible());
     w.controller.document().undo();
-    EXPECT_TRUE(w.controller.following().frames().empty());
+    EXPECT_TRUE(w.controller.tracking().frames().empty());
     EXPECT_FALSE(w.window.result().motion().isVisible());
     EXPECT_FALSE(w.window.actions()[ui::Command::ExportTrackedPoses]->isEnabled());
     w.controller.document().redo();
@@ -143,7 +143,7 @@ TEST(WindowFollow, GoesWhereTheResultGoes)
     core::Case wider = w.current();
     wider.shown().geometry.cArm.sourceToDetectorMm = {1234.0, core::Origin::User, ""};
     EXPECT_TRUE(isGoneWith([&] {
-        document.push(changeGeometry(document, withGeometry(document.current(), wider.shown().geometry.cArm),
+        document.push(changeGeometry(document, replaceGeometry(document.current(), wider.shown().geometry.cArm),
                                      [] { return QStringLiteral("geometry"); }));
     }));
     EXPECT_TRUE(
@@ -167,7 +167,7 @@ TEST(WindowFollow, ReopensAsItWasLeft)
     {
         OpenWindow w;
         followSample(w);
-        kept = w.controller.following().frames();
+        kept = w.controller.tracking().frames();
         w.controller.document().replace(w.current(), {});   // otherwise saving would overwrite the sample
         w.press(Qt::Key_S, Qt::ControlModifier);
         w.saveAs(path);
@@ -177,7 +177,7 @@ TEST(WindowFollow, ReopensAsItWasLeft)
     again.drop({path});
     again.waitForJudgement();
     EXPECT_FALSE(again.controller.document().isModified());
-    ASSERT_EQ(again.controller.following().frames().size(), kept.size());
+    ASSERT_EQ(again.controller.tracking().frames().size(), kept.size());
     EXPECT_TRUE(again.window.result().motion().isVisible());
     EXPECT_TRUE(again.window.actions()[ui::Command::ExportTrackedPoses]->isEnabled());
     const int first = again.current().shown().frame;
@@ -202,7 +202,7 @@ TEST(WindowFollow, AForgottenPoseDoesNotStayOnScreen)
     w.window.actions()[ui::Command::Cine]->setChecked(true);
     ASSERT_TRUE(test::waitFor([&] { return w.controller.preview().shown() == PreviewSource::Frame; }));
     w.controller.branches().toggleExcluded({w.current().vessels.tree->branches.back().id});   // invalidates the frames
-    EXPECT_TRUE(w.controller.following().frames().empty());
+    EXPECT_TRUE(w.controller.tracking().frames().empty());
     EXPECT_FALSE(w.controller.preview().shown());
 }
 
@@ -212,12 +212,12 @@ TEST(WindowFollow, StopKeepsTheFramesItCameTo)
     OpenWindow w;
     openRegisteredRun(w);
     w.press(Qt::Key_F, Qt::ShiftModifier);
-    ASSERT_TRUE(w.controller.following().isRunning());
+    ASSERT_TRUE(w.controller.tracking().isRunning());
     emit w.window.strip().stopRequested();
-    EXPECT_TRUE(test::waitFor([&] { return !w.controller.following().isRunning(); }));
+    EXPECT_TRUE(test::waitFor([&] { return !w.controller.tracking().isRunning(); }));
     QApplication::processEvents();
-    EXPECT_GE(w.controller.following().frames().size(), 1U);
-    EXPECT_LT(w.controller.following().frames().size(), 10U);
+    EXPECT_GE(w.controller.tracking().frames().size(), 1U);
+    EXPECT_LT(w.controller.tracking().frames().size(), 10U);
 }
 
 TEST(WindowFollow, LetsGoOfACaseThatItCouldNotFollow)
@@ -229,9 +229,9 @@ TEST(WindowFollow, LetsGoOfACaseThatItCouldNotFollow)
     w.controller.document().replace(std::move(given), {});
     const std::weak_ptr<const core::Angiogram> run = w.current().shown().angiogram;
     w.press(Qt::Key_F, Qt::ShiftModifier);
-    ASSERT_TRUE(test::waitFor([&] { return !w.controller.following().isRunning(); }));
+    ASSERT_TRUE(test::waitFor([&] { return !w.controller.tracking().isRunning(); }));
     QApplication::processEvents();
-    EXPECT_TRUE(w.controller.following().frames().empty());
+    EXPECT_TRUE(w.controller.tracking().frames().empty());
     for (QWidget* top : QApplication::topLevelWidgets()) {
         if (auto* dialog = qobject_cast<QDialog*>(top); dialog && dialog->isVisible()) {
             dialog->reject();   // closes the error message

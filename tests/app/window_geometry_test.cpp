@@ -209,7 +209,7 @@ TEST(WindowLandmarks, ComeBackWithTheCase)
     ASSERT_EQ(w.current().shown().landmarks.size(), 1U);
     const std::vector<core::Landmark> made = w.current().shown().landmarks;
     const QString path = QString::fromStdString(folder.file("with-landmarks.angiopose"));
-    w.controller.saving().saveTo(path);
+    w.controller.saveController().saveTo(path);
     ASSERT_TRUE(test::waitFor([&] { return !w.controller.document().isModified(); }));
     w.drop({path});
     EXPECT_EQ(w.current().shown().landmarks, made);

@@ -47,7 +47,7 @@ public:
         EXPECT_TRUE(first.saveCase(path));
         hash = io::sha256OfFile(path.toStdString()).value();
         move(second, Qt::Key_Right);
-        second.controller.saving().save();
+        second.controller.saveController().save();
     }
 
     static void move(OpenWindow& w, Qt::Key key)
@@ -81,7 +81,7 @@ TEST(WindowKeeping, NeverWritesOverWhatAnotherWindowSavedUnasked)
     EXPECT_TRUE(w.isAsSavedFirst());
     EXPECT_TRUE(w.second.controller.document().isModified());
 
-    w.second.controller.saving().save();   // the file still differs from what this window read
+    w.second.controller.saveController().save();   // the file still differs from what this window read
     question = questionOf(w.second);
     ASSERT_TRUE(question);
     OpenWindow::clickButton(question, QStringLiteral("Overwrite"));
@@ -142,14 +142,14 @@ TEST(WindowKeeping, SaysThatTheAutomaticCopyFailsAndTriesAgain)
 {
     SampleWindow w;
     TwoWindows::move(w, Qt::Key_Left);
-    const auto state = [&w] { return w.controller.saving().saveState(); };
+    const auto state = [&w] { return w.controller.saveController().saveState(); };
     {
         const FullDrive full;
-        w.controller.saving().autosaveSoon();
+        w.controller.saveController().autosaveSoon();
         EXPECT_TRUE(isKnown(w, QStringLiteral("Autosave failed")));
         EXPECT_EQ(state(), QStringLiteral("Not autosaved"));
     }
-    w.controller.saving().autosaveSoon();   // as the autosave timer does, without another edit
+    w.controller.saveController().autosaveSoon();   // as the autosave timer does, without another edit
     EXPECT_TRUE(test::waitFor([&state] { return state().startsWith(QStringLiteral("Autosaved")); }))
         << state().toStdString();
 }
@@ -197,11 +197,11 @@ TEST(WindowKeeping, AsksWhereTheCaseOfARecoveredCopyWasSavedSince)
     }
     const std::string later = test::readText(path.toStdString());
     OpenWindow w;
-    w.controller.saving().offerRecovery();
+    w.controller.saveController().offerRecovery();
     ASSERT_EQ(w.dialogs("recoveryDialog").size(), 1);
     OpenWindow::clickButton(w.dialogs("recoveryDialog").front(), QStringLiteral("Recover"));
     ASSERT_TRUE(test::waitFor([&] { return w.controller.document().path() == path; }));
-    w.controller.saving().save();
+    w.controller.saveController().save();
     ASSERT_TRUE(questionOf(w));
     EXPECT_EQ(test::readText(path.toStdString()), later);
     for (const RecoveryCopy& left : Autosave::recoveryCopies()) {

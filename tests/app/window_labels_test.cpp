@@ -82,7 +82,7 @@ TEST_F(WindowLabels, AreListedWithNamesAndVolumes)
     EXPECT_EQ(list().topLevelItem(0)->text(0), QStringLiteral("2  hepatic artery"));
     EXPECT_EQ(list().topLevelItem(2)->text(0), QStringLiteral("Label 9"));
     EXPECT_EQ(list().topLevelItem(1)->text(1), QStringLiteral("3.84 ml"));
-    EXPECT_EQ(choice().chosen(), std::set<int>{artery}) << "by its name";
+    EXPECT_EQ(choice().chosenLabels(), std::set<int>{artery}) << "by its name";
     EXPECT_EQ(w.current().vessels.input.labels, std::vector<int>{artery});
 }
 
@@ -91,7 +91,7 @@ TEST_F(WindowLabels, TickTraceAndUndoAsOneStep)
     const auto before = w.current().vessels.tree;
     EXPECT_LT(highestPoint(), 56.0);
     clickBoxOf(2);
-    EXPECT_EQ(choice().chosen(), (std::set<int>{artery, sideBranch}));
+    EXPECT_EQ(choice().chosenLabels(), (std::set<int>{artery, sideBranch}));
     EXPECT_EQ(w.current().vessels.input.labels, std::vector<int>{artery}) << "a draft until it has been traced";
     const int steps = w.history().count();
     trace();
@@ -101,9 +101,9 @@ TEST_F(WindowLabels, TickTraceAndUndoAsOneStep)
 
     w.press(Qt::Key_Z, Qt::ControlModifier);
     EXPECT_EQ(w.current().vessels.tree, before);
-    EXPECT_EQ(choice().chosen(), std::set<int>{artery});
+    EXPECT_EQ(choice().chosenLabels(), std::set<int>{artery});
     w.press(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
-    EXPECT_EQ(choice().chosen(), (std::set<int>{artery, sideBranch}));
+    EXPECT_EQ(choice().chosenLabels(), (std::set<int>{artery, sideBranch}));
 }
 
 TEST_F(WindowLabels, ChooseByKeysAlone)
@@ -116,14 +116,14 @@ TEST_F(WindowLabels, ChooseByKeysAlone)
     const Eigen::Vector3d inOrgan = w.window.slices().crosshair();
     EXPECT_EQ(w.window.slices().labelNameAt(inOrgan), QStringLiteral("7  liver"));
     QTest::keyClick(&list(), Qt::Key_Space);
-    EXPECT_EQ(choice().chosen(), (std::set<int>{artery, organ}));
+    EXPECT_EQ(choice().chosenLabels(), (std::set<int>{artery, organ}));
     QTest::keyClick(&list(), Qt::Key_Space);
     QTest::keyClick(&list(), Qt::Key_Up);
     QTest::keyClick(&list(), Qt::Key_Space);
-    EXPECT_TRUE(choice().chosen().empty());
+    EXPECT_TRUE(choice().chosenLabels().empty());
     EXPECT_FALSE(w.window.actions()[ui::Command::TraceScan]->isEnabled()) << "nothing to trace";
     pressButton(QStringLiteral("Vessels"));
-    EXPECT_EQ(choice().chosen(), std::set<int>{artery});
+    EXPECT_EQ(choice().chosenLabels(), std::set<int>{artery});
     EXPECT_TRUE(w.window.actions()[ui::Command::TraceScan]->isEnabled());
 }
 

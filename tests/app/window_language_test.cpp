@@ -110,10 +110,10 @@ TEST_F(WindowLanguage, ChangesWhileARunGoesOn)
 TEST_F(WindowLanguage, FollowingGoesOn)
 {
     QTest::keyClick(&host->window().angiogramView(), Qt::Key_F, Qt::ShiftModifier);
-    ASSERT_TRUE(controller().following().isRunning());
+    ASSERT_TRUE(controller().tracking().isRunning());
     choose(ui::Command::LanguageGerman);
     EXPECT_EQ(firstMenu(), QStringLiteral("&Datei"));
-    EXPECT_TRUE(test::waitFor([&] { return !controller().following().isRunning(); }));
+    EXPECT_TRUE(test::waitFor([&] { return !controller().tracking().isRunning(); }));
 }
 
 /// Words of one list that the other lacks.

@@ -191,7 +191,7 @@ TEST_F(WindowMarks, PicturesTablesAndTheCaseHaveThem)
         const std::string path = folder.file(name);
         ui::OverlayExportOptions choice{1024, ui::Toggle::Off, ui::Toggle::Off};
         choice.format = format;
-        w.controller.exporting().exportOverlay(choice, QString::fromStdString(path));
+        w.controller.exportController().exportOverlay(choice, QString::fromStdString(path));
         EXPECT_TRUE(test::waitFor([&path] { return !test::readText(path).empty(); }));
         return path;
     };
@@ -209,7 +209,7 @@ TEST_F(WindowMarks, PicturesTablesAndTheCaseHaveThem)
     EXPECT_NE(test::readText(folder.file("c.csv")).find("Target point 1"), std::string::npos);
 
     const auto saved = marks();
-    w.controller.saving().saveTo(QString::fromStdString(folder.file("marked.angiopose")));
+    w.controller.saveController().saveTo(QString::fromStdString(folder.file("marked.angiopose")));
     ASSERT_TRUE(test::waitFor([&] { return !w.controller.document().isModified(); }));
     w.controller.document().replace({}, {});
     EXPECT_TRUE(view().placedMarks().empty());

@@ -151,7 +151,7 @@ TEST_F(WindowMeasure, PointsAreMovedAndMeasurementsRenamedAndRemoved)
     QTest::keyClick(editor, Qt::Key_Return);
     EXPECT_TRUE(test::waitFor([&] { return measurements()[0].name == "neck"; }));
     EXPECT_EQ(view().marks()[0].label.rfind("neck ", 0), 0U);
-    EXPECT_TRUE(view().marks()[0].isChosen);
+    EXPECT_TRUE(view().marks()[0].isSelected);
 
     QTest::keyClick(&list(), Qt::Key_Delete);
     ASSERT_EQ(measurements().size(), 1U);
@@ -196,7 +196,7 @@ TEST_F(WindowMeasure, IsSeenOnItsFrameAloneAndComesBackWithTheCase)
 
     const test::TemporaryFolder folder;
     const QString path = QString::fromStdString(folder.file("measured.angiopose"));
-    w.controller.saving().saveTo(path);
+    w.controller.saveController().saveTo(path);
     ASSERT_TRUE(test::waitFor([&] { return !w.controller.document().isModified(); }));
     const auto saved = w.current().shown().measurements;
     w.controller.document().replace({}, {});
@@ -211,7 +211,7 @@ TEST_F(WindowMeasure, TheExportedPictureAndTableShowIt)
     const test::TemporaryFolder folder;
     const auto exported = [&](const char* name) {
         const QString path = QString::fromStdString(folder.file(name));
-        w.controller.exporting().exportOverlay({1024, ui::Toggle::Off, ui::Toggle::Off}, path);
+        w.controller.exportController().exportOverlay({1024, ui::Toggle::Off, ui::Toggle::Off}, path);
         EXPECT_TRUE(test::waitFor([&path] { return !QImage(path).isNull(); }));
         return QImage(path);
     };

@@ -45,7 +45,7 @@ protected:
     }
     bool waitForMovie()
     {
-        return test::waitFor([this] { return !w.controller.movies().isRunning(); });
+        return test::waitFor([this] { return !w.controller.movie().isRunning(); });
     }
 
     OpenWindow w;
@@ -109,7 +109,7 @@ TEST_F(WindowMovie, StopsWithoutLeavingAFile)
     files->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"))
         ->setText(QString::fromStdString(folder.file("turn.mp4")));
     QTest::mouseClick(files->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Save), Qt::LeftButton);
-    ASSERT_TRUE(test::waitFor([this] { return w.controller.movies().isRunning(); }));
+    ASSERT_TRUE(test::waitFor([this] { return w.controller.movie().isRunning(); }));
     QPushButton* stop = nullptr;
     for (QPushButton* button : w.window.strip().findChildren<QPushButton*>()) {
         stop = button->isVisible() && button->text() == QStringLiteral("Stop") ? button : stop;

@@ -150,7 +150,7 @@ void bringIn(OpenWindow& w, const Study& study, WayIn way)
         case WayIn::ScanAsVessels:
             w.drop({study.file("one.angiopose")});
             w.drop({study.otherScan()});
-            answer(w, "scanQuestion", QStringLiteral("Trace its vessels"));
+            answer(w, "scanQuestion", QStringLiteral("Trace this scan"));
             break;
         case WayIn::ScanBeside:
             w.drop({study.file("one.angiopose")});
@@ -283,8 +283,8 @@ TEST(WindowPatient, WhatIsExportedSaysThatPatientsAreMixed)
     w.waitForJudgement();
     const QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("overlay.png"));
-    QSignalSpy exported(&w.controller.exporting(), &ExportController::exported);
-    w.controller.exporting().exportOverlay({600, ui::Toggle::Off, ui::Toggle::Off}, path);
+    QSignalSpy exported(&w.controller.exportController(), &ExportController::exported);
+    w.controller.exportController().exportOverlay({600, ui::Toggle::Off, ui::Toggle::Off}, path);
     ASSERT_TRUE(exported.wait(test::patienceMs));
     EXPECT_TRUE(QImage(path).text(QStringLiteral("Patient")).contains(QStringLiteral("different patients")));
 

@@ -66,8 +66,8 @@ TEST_F(WindowPoseFiles, BecomeThePoseOfTheShownViewAsAStepOfUndo)
     ASSERT_TRUE(io::writePose(moved, file("pose.tfm")));
     ASSERT_TRUE(io::writePose(moved, file("pose.h5")));
     ASSERT_TRUE(io::writePose(moved, file("pose.json")));
-    ASSERT_TRUE(io::writeSight({camera, moved}, file("camera.yml")));
-    ASSERT_TRUE(io::writeSight({camera, moved}, file("camera.txt")));
+    ASSERT_TRUE(io::writePosedCamera({camera, moved}, file("camera.yml")));
+    ASSERT_TRUE(io::writePosedCamera({camera, moved}, file("camera.txt")));
     for (const char* name : {"pose.tfm", "pose.h5", "pose.json", "camera.yml", "camera.txt"}) {
         w.drop({path(name)});
         expectTaken();
@@ -80,7 +80,7 @@ TEST_F(WindowPoseFiles, AskWhoseCameraCountsWhereTheyBringAnother)
     core::ProjectionCamera other = camera;
     other.fx *= 1.05;
     other.fy *= 1.05;
-    ASSERT_TRUE(io::writeSight({other, moved}, file("other.yml")));
+    ASSERT_TRUE(io::writePosedCamera({other, moved}, file("other.yml")));
     w.drop({path("other.yml")});
     ASSERT_EQ(w.dialogs("cameraQuestion").size(), 1);
     EXPECT_EQ(test::distance(w.current().shown().cameraFromPatient, before), 0.0);   // nothing without confirmation
@@ -104,13 +104,13 @@ TEST_F(WindowPoseFiles, AreRefusedWithASentenceWhereTheyDoNotFit)
 {
     core::ProjectionCamera mirrored = camera;
     mirrored.fx = -camera.fx;
-    ASSERT_TRUE(io::writeSight({mirrored, moved}, file("mirrored.yml")));
+    ASSERT_TRUE(io::writePosedCamera({mirrored, moved}, file("mirrored.yml")));
     w.drop({path("mirrored.yml")});
     EXPECT_TRUE(refusal().contains(QStringLiteral("mirrored")));
 
     core::ProjectionCamera large = camera;
     large.width *= 2;
-    ASSERT_TRUE(io::writeSight({large, moved}, file("large.yml")));
+    ASSERT_TRUE(io::writePosedCamera({large, moved}, file("large.yml")));
     w.drop({path("large.yml")});
     EXPECT_TRUE(refusal().contains(QString::number(large.width)));
 

@@ -110,7 +110,7 @@ TEST_F(WindowPreferences, NoKeyMeansTwoThings)
 {
     OpenWindow w;
     std::map<QString, QString> owner;
-    for (const ui::ShortcutRow& line : w.window.actions().keySheet({})) {
+    for (const ui::ShortcutRow& line : w.window.actions().shortcutRows({})) {
         for (const QKeySequence& key : line.action ? line.action->shortcuts() : QList<QKeySequence>()) {
             const QString name = key.toString();
             EXPECT_TRUE(owner.emplace(name, line.effect).second)

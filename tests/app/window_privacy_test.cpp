@@ -66,13 +66,13 @@ protected:
         w.waitForJudgement();
         w.press(Qt::Key_N);
         w.press(Qt::Key_Left);
-        w.controller.saving().autosaveSoon();
+        w.controller.saveController().autosaveSoon();
         w.window.actions()[ui::Command::ExportPose]->trigger();
         w.saveAs(ofTest(folder.file("PLANTED folder/exported.tfm")));
         save(w);
         QTest::qWait(500);   // time for a thumbnail to be written
         shownTitle = w.window.windowTitle();
-        w.controller.saving().discardAutosave();
+        w.controller.saveController().discardAutosave();
     }
 
     test::TemporaryFolder folder;

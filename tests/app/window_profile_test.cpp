@@ -40,7 +40,7 @@ TEST_F(WindowProfile, MeasuresTheBranchThatIsChosen)
     const core::VesselBranch& branch = longest();
     w.controller.branches().select({branch.id});
     EXPECT_FALSE(w.window.profile().plot().isHidden());
-    const auto profile = core::profileOf(branch);
+    const auto profile = core::measureProfile(branch);
     ASSERT_TRUE(profile);
     EXPECT_TRUE(says(ui::numberText(profile.value().lengthMm, 1) + QStringLiteral(" mm")));
     ASSERT_TRUE(profile.value().meanDiameterMm) << "the sample's tree has radii";
@@ -59,7 +59,7 @@ TEST_F(WindowProfile, APlaceOnTheProfileIsMarkedInImageAndSlices)
     QTest::mouseClick(&plot, Qt::LeftButton, Qt::NoModifier, QPoint(plot.width() / 2, plot.height() / 2));
     const auto marked = w.window.angiogramView().crosshair().pointInPatient;
     ASSERT_TRUE(marked);
-    const auto samples = core::profileOf(branch).value().samples;
+    const auto samples = core::measureProfile(branch).value().samples;
     EXPECT_LT((*marked - samples[samples.size() / 2].pointInPatient).norm(), 2.0);
     plot.setFocus();
     QTest::keyClick(&plot, Qt::Key_Right);

@@ -37,8 +37,8 @@ QList<QPushButton*> recentButtons(const OpenWindow& w)
 
 void save(OpenWindow& w, const QString& path)
 {
-    w.controller.saving().saveTo(path);
-    ASSERT_TRUE(test::waitFor([&w] { return !w.controller.saving().isSaving(); }));
+    w.controller.saveController().saveTo(path);
+    ASSERT_TRUE(test::waitFor([&w] { return !w.controller.saveController().isSaving(); }));
 }
 
 TEST(WindowRecent, ASavedCaseShowsItsPictureOnTheFirstPage)
@@ -211,7 +211,7 @@ TEST(WindowRecent, ADriveThatDoesNotAnswerKeepsNobodyWaiting)
     rememberCase(QStringLiteral("/hanging/drive.angiopose"));
     std::promise<void> answer;
     const std::shared_future<void> answered = answer.get_future().share();
-    const auto look = [answered](const std::string& path, const std::string&) {
+    const auto check = [answered](const std::string& path, const std::string&) {
         if (path.starts_with("/hanging")) {
             answered.wait();
         }
@@ -219,7 +219,7 @@ TEST(WindowRecent, ADriveThatDoesNotAnswerKeepsNobodyWaiting)
     };
     QElapsedTimer clock;
     clock.start();
-    RecentController recent(w.controller.document(), {w.window.actions(), w.window.welcome()}, look);
+    RecentController recent(w.controller.document(), {w.window.actions(), w.window.welcome()}, check);
     EXPECT_LT(clock.elapsed(), 1000);
 
     const auto isKnown = [&w](const QString& label) {

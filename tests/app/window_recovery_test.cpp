@@ -75,7 +75,7 @@ TEST(WindowRecovery, OpensTheChosenCopyUnderTheNameOfItsCase)
 {
     const CrashedSessions crashed;
     OpenWindow w;
-    w.controller.saving().offerRecovery();
+    w.controller.saveController().offerRecovery();
     ASSERT_EQ(w.dialogs("recoveryDialog").size(), 1);
     QDialog* dialog = w.dialogs("recoveryDialog").front();
     ASSERT_EQ(dialog->findChild<QTreeWidget*>()->topLevelItemCount(), 2);
@@ -97,7 +97,7 @@ TEST(WindowRecovery, DeletesOnlyWhatWasChosen)
 {
     const CrashedSessions crashed;
     OpenWindow w;
-    w.controller.saving().offerRecovery();
+    w.controller.saveController().offerRecovery();
     QDialog* dialog = w.dialogs("recoveryDialog").front();
     dialog->findChild<QTreeWidget*>()->setCurrentItem(itemOf(*dialog, QStringLiteral("Head phantom (not saved)")));
     OpenWindow::clickButton(dialog, QStringLiteral("Delete"));

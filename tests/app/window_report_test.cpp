@@ -83,7 +83,7 @@ TEST_F(WindowReport, TellsTheFiguresOfTheFrameItShows)
     EXPECT_EQ(w.current().shown().result->provenance.frame, foundIn);
     w.waitForJudgement();
     const auto target = core::targetOf(w.current().shown());
-    const auto here = core::evaluatePose(core::registrationInputOf(w.current(), target.value()).value(),
+    const auto here = core::evaluatePose(core::makeRegistrationInput(w.current(), target.value()).value(),
                                          w.current().shown().cameraFromPatient);
     const auto words = [](double mm) { return QByteArray::number(mm, 'f', 2) + " mm ("; };
     ASSERT_NE(words(here.value().metrics.medianMm), words(thereMm)) << "or this test could not fail";
@@ -177,7 +177,7 @@ protected:
         ASSERT_TRUE(files);
         files->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"))->setText(path);
         QTest::mouseClick(files->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Open), Qt::LeftButton);
-        EXPECT_EQ(dialog->choice().templatePath, path);
+        EXPECT_EQ(dialog->options().templatePath, path);
         settings::reportTemplate.write(path);
         dialog->reject();
         QTest::qWait(50);

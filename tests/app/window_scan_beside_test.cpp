@@ -65,7 +65,7 @@ TEST_F(WindowScanBeside, IsShownInSlicesWithTheVesselsThatAreThere)
 
 TEST_F(WindowScanBeside, OrItsVesselsAreTraced)
 {
-    answer(QStringLiteral("Trace its vessels"));
+    answer(QStringLiteral("Trace this scan"));
     ASSERT_TRUE(w.current().vessels.scan);
     EXPECT_NE(w.current().vessels.tree, before);
     EXPECT_TRUE(w.current().vessels.file.path.ends_with("scan.nrrd"));

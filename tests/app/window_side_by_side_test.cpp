@@ -160,7 +160,7 @@ TEST(WindowSideBySide, ColorsTellHowEachPoseAgreesWithItsOwnImage)
     ASSERT_TRUE(test::waitFor([&] { return !residuals().empty(); }));
     const core::View& second = w.current().views[1];
     const auto expectedAt = [&](const core::RigidTransform& pose) {
-        const auto input = core::registrationInputOf(second, w.current().vessels, *second.target.centerline);
+        const auto input = core::makeRegistrationInput(second, w.current().vessels, *second.target.centerline);
         return core::evaluateWithResiduals(input.value(), pose).value().residualPx;
     };
     EXPECT_EQ(residuals(), expectedAt(second.cameraFromPatient));

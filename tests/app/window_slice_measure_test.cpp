@@ -42,11 +42,11 @@ TEST_F(WindowSliceMeasure, ALengthIsDrawnListedAndUndone)
     ASSERT_EQ(list().topLevelItemCount(), 1);
     EXPECT_TRUE(list().topLevelItem(0)->text(1).contains(QStringLiteral("in the scan")));
     EXPECT_TRUE(list().topLevelItem(0)->toolTip(0).contains(QStringLiteral("Scan voxel size: 1.000 mm")));
-    ASSERT_EQ(model().measured().size(), 1U);
+    ASSERT_EQ(model().measurementData().size(), 1U);
 
     QTest::keyClick(&view(BodyPlane::Axial), Qt::Key_Z, Qt::ControlModifier);
     EXPECT_TRUE(measurements().empty());
-    EXPECT_TRUE(model().measured().empty());
+    EXPECT_TRUE(model().measurementData().empty());
     QTest::keyClick(&view(BodyPlane::Axial), Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
     EXPECT_EQ(measurements().size(), 1U);
 }
@@ -108,7 +108,7 @@ TEST_F(WindowSliceMeasure, AClickInTheListShowsItsSlice)
     QTest::mouseClick(list().viewport(), Qt::LeftButton, {}, list().visualItemRect(row).center());
     EXPECT_NEAR(model().crosshair().y(), -8.0, 0.51);
     EXPECT_NEAR(model().crosshair().z(), 20.0, 1.0);
-    EXPECT_TRUE(model().measured()[0].isChosen);
+    EXPECT_TRUE(model().measurementData()[0].isSelected);
 
     QTest::keyClick(&list(), Qt::Key_Delete);
     EXPECT_TRUE(measurements().empty());

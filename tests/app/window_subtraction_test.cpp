@@ -53,11 +53,11 @@ TEST_F(WindowSubtraction, MasksMarkedInTheStripAreSubtracted)
     const int frame = w.current().shown().frame;
     markFirstFrames();
 
-    EXPECT_TRUE(w.current().shown().treatment.isSubtracted);
-    EXPECT_EQ(w.current().shown().treatment.plan.maskFrames, (std::vector<int>{0, 1}));
+    EXPECT_TRUE(w.current().shown().processing.isSubtracted);
+    EXPECT_EQ(w.current().shown().processing.plan.maskFrames, (std::vector<int>{0, 1}));
     EXPECT_EQ(w.current().shown().storedRun, stored);
     EXPECT_EQ(w.current().shown().frame, frame);
-    const auto expected = core::subtractRun(stored->frames, stored->polarity, w.current().shown().treatment.plan);
+    const auto expected = core::subtractRun(stored->frames, stored->polarity, w.current().shown().processing.plan);
     ASSERT_TRUE(expected) << expected.error().message;
     EXPECT_EQ(shownPicture().pixels, expected.value().frames[static_cast<std::size_t>(frame)].pixels);
     EXPECT_EQ(w.history().count(), 1) << "one step";
@@ -77,7 +77,7 @@ TEST_F(WindowSubtraction, OneKeySwitchesToAndFro)
     w.press(Qt::Key_Z, Qt::ControlModifier);
     w.press(Qt::Key_Z, Qt::ControlModifier);
     w.press(Qt::Key_Z, Qt::ControlModifier);
-    EXPECT_FALSE(w.current().shown().treatment.isSubtracted);
+    EXPECT_FALSE(w.current().shown().processing.isSubtracted);
     EXPECT_EQ(w.current().shown().angiogram, stored);
 }
 
@@ -103,14 +103,14 @@ TEST_F(WindowSubtraction, ArrowsMoveTheMaskAndRestingTakesIt)
     w.press(Qt::Key_Right);
     w.press(Qt::Key_Right);
     w.press(Qt::Key_Down, Qt::ShiftModifier);
-    ASSERT_TRUE(test::waitFor([this] { return w.current().shown().treatment.plan.maskShiftPx.has_value(); }));
+    ASSERT_TRUE(test::waitFor([this] { return w.current().shown().processing.plan.maskShiftPx.has_value(); }));
     EXPECT_EQ(w.history().count(), steps + 1) << "a burst of keys is one step";
     EXPECT_LT(test::distance(w.current().shown().cameraFromPatient, pose), 1e-12) << "the arrows were not nudges";
-    core::SubtractionPlan byItself = w.current().shown().treatment.plan;
+    core::SubtractionPlan byItself = w.current().shown().processing.plan;
     byItself.maskShiftPx.reset();
     const auto automatic = core::subtractFrame(stored->frames, stored->polarity, byItself, w.current().shown().frame);
     ASSERT_TRUE(automatic);
-    const Eigen::Vector2d moved = *w.current().shown().treatment.plan.maskShiftPx - automatic.value().maskShiftPx;
+    const Eigen::Vector2d moved = *w.current().shown().processing.plan.maskShiftPx - automatic.value().maskShiftPx;
     EXPECT_NEAR(moved.x(), 0.5, 1e-9);
     EXPECT_NEAR(moved.y(), 1.0, 1e-9);
     w.press(Qt::Key_Escape);
@@ -121,7 +121,7 @@ TEST_F(WindowSubtraction, TheCompositeIsInEveryFrame)
 {
     w.press(Qt::Key_C, Qt::ShiftModifier);
     ASSERT_TRUE(waitForRun());
-    EXPECT_TRUE(w.current().shown().treatment.isComposite);
+    EXPECT_TRUE(w.current().shown().processing.isComposite);
     const auto whole = core::peakOpacificationImage(stored->frames, stored->polarity);
     EXPECT_EQ(shownPicture().pixels, whole.pixels);
     w.press(Qt::Key_Home);
@@ -163,7 +163,7 @@ TEST_F(WindowSubtraction, SurvivesSavingAndReopening)
     ASSERT_TRUE(w.saveCase(QString::fromStdString(path)));
     const auto picture = shownPicture().pixels;
     w.drop({QString::fromStdString(path)});
-    EXPECT_TRUE(w.current().shown().treatment.isSubtracted);
+    EXPECT_TRUE(w.current().shown().processing.isSubtracted);
     EXPECT_EQ(shownPicture().pixels, picture);
     EXPECT_TRUE(w.window.actions()[ui::Command::Subtract]->isChecked());
 }

@@ -143,7 +143,7 @@ TEST_F(WindowTree, PrunesWhatTheDialogCounts)
     ASSERT_EQ(asked.size(), 1);
     auto* length = asked.front()->findChildren<ui::NumberField*>().front();
     double limitMm = 5.0;
-    while (core::prunedTree(tree(), limitMm, 0.0).value().branches.size() == tree().branches.size()) {
+    while (core::pruneTree(tree(), limitMm, 0.0).value().branches.size() == tree().branches.size()) {
         limitMm += 5.0;
     }
     length->setFocus();
@@ -238,7 +238,7 @@ TEST_F(WindowTree, EditsSurviveSavingAndReopening)
     press(Qt::Key_H, Qt::ShiftModifier);
     const core::VesselTree edited = tree();
     const QString path = folder.filePath(QStringLiteral("edited.angiopose"));
-    w.controller.saving().saveTo(path);
+    w.controller.saveController().saveTo(path);
     ASSERT_TRUE(test::waitFor([this] { return !w.controller.document().isModified(); }));
     w.press(Qt::Key_Z, Qt::ControlModifier);
     w.history().setClean();

@@ -122,7 +122,7 @@ TEST(WindowTrial, CannotBeSavedNorReplacedUnderWay)
     const test::TemporaryFolder folder;
     w.controller.poses().blindTrial().start(setupIn(folder));
     const QString path = QString::fromStdString(folder.file("leak.angiopose"));
-    w.controller.saving().saveTo(path);
+    w.controller.saveController().saveTo(path);
     QTest::qWait(100);
     EXPECT_FALSE(QFile::exists(path));
     w.controller.poses().blindTrial().abandon();

@@ -65,7 +65,7 @@ TEST_F(WindowVesselsAlone, AreOfferedAsCenterlinesWhereACaseCannotBeSaved)
     ASSERT_TRUE(kept) << kept.error().message;
     EXPECT_EQ(kept.value().branches.size(), 2U);
     EXPECT_EQ(kept.value().pointCount(), w.current().vessels.tree->pointCount());
-    EXPECT_TRUE(test::waitFor([this] { return !w.controller.saving().hasUnsavedWork(); }));
+    EXPECT_TRUE(test::waitFor([this] { return !w.controller.saveController().hasUnsavedWork(); }));
 }
 
 TEST_F(WindowVesselsAlone, LeaveWordsWhereTheAngiogramWillBe)
@@ -107,7 +107,7 @@ TEST_F(WindowVesselsAlone, AreRecoveredAfterACrash)
 {
     deleteABranch();
     const core::VesselTree before = *w.current().vessels.tree;
-    w.controller.saving().autosaveSoon();
+    w.controller.saveController().autosaveSoon();
     const QDir copies(QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) +
                       QStringLiteral("/autosave"));
     const QString own = copies.filePath(QStringLiteral("session-%1.vtp").arg(QCoreApplication::applicationPid()));
@@ -116,7 +116,7 @@ TEST_F(WindowVesselsAlone, AreRecoveredAfterACrash)
     ASSERT_TRUE(QFile::copy(own, left));
 
     OpenWindow again;
-    again.controller.saving().offerRecovery();
+    again.controller.saveController().offerRecovery();
     ASSERT_EQ(again.dialogs("recoveryDialog").size(), 1);
     QDialog* dialog = again.dialogs("recoveryDialog").front();
     auto* list = dialog->findChild<QTreeWidget*>();
@@ -129,7 +129,7 @@ TEST_F(WindowVesselsAlone, AreRecoveredAfterACrash)
     EXPECT_EQ(again.current().vessels.tree->pointCount(), before.pointCount());
     EXPECT_FALSE(QFile::exists(left));
     EXPECT_TRUE(QFile::exists(QString::fromStdString(again.current().vessels.file.path)));
-    EXPECT_TRUE(again.controller.saving().hasUnsavedWork()) << "closing asks where they belong";
+    EXPECT_TRUE(again.controller.saveController().hasUnsavedWork()) << "closing asks where they belong";
     QFile::remove(own);
 }
 

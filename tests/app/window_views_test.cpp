@@ -191,7 +191,7 @@ TEST(WindowViews, ASavedCaseShowsThemAgain)
         OpenWindow w;
         openBothViews(w);
         otherPose = w.current().views[1].cameraFromPatient.matrix();
-        w.controller.saving().saveTo(path);
+        w.controller.saveController().saveTo(path);
         EXPECT_TRUE(test::waitFor([&] { return !w.controller.document().isModified(); }));
     }
     OpenWindow again;
@@ -217,7 +217,7 @@ TEST(WindowViews, KeepTheirNumbersWhereverTheyAreShownAndWhenReopened)
         QTest::mouseClick(strip(w).viewport(), Qt::LeftButton, {}, strip(w).visualItemRect(strip(w).item(1)).center());
         EXPECT_EQ(w.current().shownView, 1U);
         EXPECT_EQ(wordsOfLine(w, 1).section(u'\n', 0, 0), names[1]);
-        w.controller.saving().saveTo(path);
+        w.controller.saveController().saveTo(path);
         EXPECT_TRUE(test::waitFor([&] { return !w.controller.document().isModified(); }));
     }
     OpenWindow again;
@@ -272,7 +272,7 @@ TEST(WindowViews, AReopenedCaseSaysOfItsFitWhatItSaidBefore)
         words = wordsOfResult(w);
         steps = stepsOf(w);
         results = {*w.current().views[0].result, *w.current().views[1].result};
-        w.controller.saving().saveTo(path);
+        w.controller.saveController().saveTo(path);
         EXPECT_TRUE(test::waitFor([&] { return !w.controller.document().isModified(); }));
     }
     OpenWindow again;
@@ -315,7 +315,7 @@ TEST(WindowViews, AViewKeepsTheNameThatTheUserGivesIt)
     w.press(Qt::Key_Z, Qt::ControlModifier);
     EXPECT_EQ(w.current().views[1].name, "");
     w.press(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
-    w.controller.saving().saveTo(path);
+    w.controller.saveController().saveTo(path);
     EXPECT_TRUE(test::waitFor([&] { return !w.controller.document().isModified(); }));
     OpenWindow again;
     again.drop({path});
@@ -336,7 +336,7 @@ TEST(WindowViews, AViewThatHasMovedIsLookedForAndTheCaseOpensWithout)
         w.drop({phantom("cases/IM4.angiopose")});
         w.drop({image});
         answer(w, QStringLiteral("Add as a view"));
-        w.controller.saving().saveTo(path);
+        w.controller.saveController().saveTo(path);
         EXPECT_TRUE(test::waitFor([&] { return !w.controller.document().isModified(); }));
     }
     ASSERT_TRUE(QFile::rename(image, elsewhere.filePath(QStringLiteral("renamed.dat"))));

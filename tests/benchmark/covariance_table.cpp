@@ -42,7 +42,7 @@ Outcome registerOnce(const core::Phantom& phantom, std::uint64_t trial)
     input.tree = phantom.tree;
     input.camera = phantom.camera;
     input.initialCameraFromPatient =
-        core::perturbedAboutCentroid(phantom.trueCameraFromPatient, centroid, 2.0, 5.0, random);
+        core::perturbAboutCentroid(phantom.trueCameraFromPatient, centroid, 2.0, 5.0, random);
     input.target = core::addTracingErrors(phantom.exactTarget, phantom.camera, random);
     core::RegistrationOptions options;
     options.resample = false;

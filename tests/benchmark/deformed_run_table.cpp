@@ -134,8 +134,8 @@ Found foundIn(const core::VesselTree& tree, const core::RigidTransform& pose,
 void judgePeriod(const std::vector<core::TimedPose>& poses, const core::VesselTree& tree, Outcome& outcome)
 {
     const core::RunPeriods periods = core::findPeriods(poses, core::centroidInPatient(tree));
-    if (periods.breath) {
-        outcome.periodOffS = std::abs(periods.breath->periodS - framesPerBreath / framesPerSecond);
+    if (periods.breathMotion) {
+        outcome.periodOffS = std::abs(periods.breathMotion->periodS - framesPerBreath / framesPerSecond);
     }
 }
 

@@ -36,7 +36,7 @@ core::Result<PhantomView> registerView(const std::filesystem::path& path, const 
     }
     PhantomView view;
     view.traceMs = milliseconds(begin);
-    auto input = core::registrationInputOf(session, std::move(target).value());
+    auto input = core::makeRegistrationInput(session, std::move(target).value());
     if (!input) {
         return input.error();
     }

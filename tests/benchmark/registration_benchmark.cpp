@@ -113,7 +113,7 @@ void trackFrames(benchmark::State& state)
     while (state.KeepRunning()) {
         const core::TrackedFrame frame = tracker.next(run.targets[found.size()]).value();
         found.push_back(frame.cameraFromPatient);
-        searches += frame.searched ? 1 : 0;
+        searches += frame.isFromSearch ? 1 : 0;
     }
     double worstPx = 0.0;
     for (std::size_t frame = 0; frame < found.size(); ++frame) {

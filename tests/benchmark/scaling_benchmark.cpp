@@ -28,7 +28,7 @@ core::RegistrationInput makeInput(int points, int imageSizePx)
     input.tree = phantom.tree;
     input.target = phantom.exactTarget;
     input.camera = phantom.camera;
-    input.initialCameraFromPatient = core::perturbedAboutCentroid(
+    input.initialCameraFromPatient = core::perturbAboutCentroid(
         phantom.trueCameraFromPatient, core::centroidInPatient(phantom.tree), 2.0, 5.0, random);
     return input;
 }

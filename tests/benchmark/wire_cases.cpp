@@ -25,7 +25,7 @@ struct Way {
     std::vector<int> branchIds;   ///< branch id of each point
 };
 
-Way wayTo(const RootedTree& tree, std::size_t leaf)
+Way segmentTo(const RootedTree& tree, std::size_t leaf)
 {
     std::vector<std::size_t> branches;
     for (int at = static_cast<int>(leaf); at >= 0; at = tree.parent[static_cast<std::size_t>(at)]) {
@@ -73,7 +73,7 @@ Way drawnWay(const RootedTree& tree, ForeignRandom& random)
     Way best;
     for (int attempt = 0; attempt < 50 && lengthMm(best.points) < minWireMm; ++attempt) {
         const std::size_t leaf = random.index(tree.parent.size());
-        Way way = wayTo(tree, leaf);
+        Way way = segmentTo(tree, leaf);
         if (lengthMm(way.points) > lengthMm(best.points)) {
             best = std::move(way);
         }

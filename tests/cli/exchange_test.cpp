@@ -103,14 +103,14 @@ TEST_F(ExchangeOnSimulatedCase, ProjectsByTheCameraThatThePoseBrings)
     EXPECT_EQ(same.messages.find("camera"), std::string::npos) << same.messages;
     core::ProjectionCamera other = camera_;
     other.fx *= 1.1;
-    ASSERT_TRUE(io::writeSight({other, view_.cameraFromPatient}, folder_.file("other.yml")));
+    ASSERT_TRUE(io::writePosedCamera({other, view_.cameraFromPatient}, folder_.file("other.yml")));
     const auto reported =
         runCli({"project", casePath_, "--pose", folder_.file("other.yml"), "--output", folder_.file("b.png")});
     EXPECT_EQ(reported.exitCode, 0);
     EXPECT_NE(reported.messages.find("differs from the camera of the case"), std::string::npos) << reported.messages;
     EXPECT_NE(test::readText(folder_.file("a.png")), test::readText(folder_.file("b.png")));
     other.width *= 2;
-    ASSERT_TRUE(io::writeSight({other, view_.cameraFromPatient}, folder_.file("size.yml")));
+    ASSERT_TRUE(io::writePosedCamera({other, view_.cameraFromPatient}, folder_.file("size.yml")));
     EXPECT_EQ(
         runCli({"project", casePath_, "--pose", folder_.file("size.yml"), "--output", folder_.file("c.png")}).exitCode,
         3);

@@ -42,7 +42,7 @@ void readSight(const std::string& name, std::string_view content)
     }
     for (const char* written : {"again.json", "again.yml", "again.xml", "again.txt"}) {
         const std::string again = (fuzz::folder() / written).string();
-        if (io::writeSight({*pose.value().camera, pose.value().cameraFromPatient}, again) &&
+        if (io::writePosedCamera({*pose.value().camera, pose.value().cameraFromPatient}, again) &&
             !io::readPoseWithCamera(again)) {
             std::abort();
         }
@@ -95,7 +95,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
             break;
         case 10:
             if (const auto parts = io::readDiffDrr(fuzz::inputFile("view.json", content))) {
-                (void)io::sightOf(parts.value());
+                (void)io::posedCameraFrom(parts.value());
             }
             break;
         default:

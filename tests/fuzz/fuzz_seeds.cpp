@@ -87,7 +87,7 @@ void keepExchanged(const fs::path& root, const test::TemporaryFolder& scratch)
     const core::PosedCamera sight{{-2000, 2000, 7.5, 5.5, 16, 12}, {}};
     char kind = 0;
     for (const char* name : {"sight.json", "sight.yml", "sight.xml", "sight.txt"}) {
-        (void)io::writeSight(sight, scratch.file(name));
+        (void)io::writePosedCamera(sight, scratch.file(name));
         keepFile(kind++, scratch.file(name));
     }
     for (const char* name : {"points.fcsv", "points.mrk.json"}) {

@@ -41,7 +41,7 @@ TEST(BranchTable, TellsEveryBranchAndWhatIsNotKnown)
 
 TEST(BranchTable, AProfileHasARowEveryHalfMillimeter)
 {
-    const auto profile = core::profileOf(threeBranches().branches[0]);
+    const auto profile = core::measureProfile(threeBranches().branches[0]);
     ASSERT_TRUE(profile);
     const std::string text = io::profileTable(profile.value());
     const auto table = io::parseCsv(text, "profile.csv");

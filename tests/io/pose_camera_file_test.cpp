@@ -125,20 +125,21 @@ TEST(WriteSight, RestoresCameraAndPose)
 {
     const test::TemporaryFolder folder;
     for (const char* name : {"sight.json", "sight.yml", "sight.yaml", "sight.xml"}) {
-        ASSERT_TRUE(io::writeSight(oddSight, folder.file(name)));
+        ASSERT_TRUE(io::writePosedCamera(oddSight, folder.file(name)));
         const auto read = io::readPoseWithCamera(folder.file(name));
         ASSERT_TRUE(read) << name << ": " << read.error().message.text();
         EXPECT_EQ(read.value().cameraFromPatient.matrix(), oddSight.cameraFromPatient.matrix()) << name;
         EXPECT_EQ(*read.value().camera, oddSight.camera) << name;
     }
-    ASSERT_TRUE(io::writeSight(oddSight, folder.file("sight.txt")));
+    ASSERT_TRUE(io::writePosedCamera(oddSight, folder.file("sight.txt")));
     const auto projection = io::readPoseWithCamera(folder.file("sight.txt"));
     ASSERT_TRUE(projection);
     EXPECT_LT(
         (projection.value().cameraFromPatient.matrix() - oddSight.cameraFromPatient.matrix()).cwiseAbs().maxCoeff(),
         1e-9);
     EXPECT_TRUE(io::isSameCamera(*projection.value().camera, oddSight.camera));   // P does not contain the image size
-    EXPECT_TRUE(io::writeSight(oddSight, folder.file("sight.doc")).error().message.is(io::messages::exchangeExtension));
+    EXPECT_TRUE(
+        io::writePosedCamera(oddSight, folder.file("sight.doc")).error().message.is(io::messages::exchangeExtension));
 }
 
 TEST(ReadPoseWithCamera, TakesNumbersAsTextHoweverTheyAreParted)

@@ -18,7 +18,7 @@ TEST(DiffDrrFile, RestoresTheSight)
     ASSERT_TRUE(io::writeDiffDrr(core::diffDrrView(ours, 1020.0, {10, -150, 900}), folder.file("view.json")));
     const auto parts = io::readDiffDrr(folder.file("view.json"));
     ASSERT_TRUE(parts) << parts.error().message.text();
-    const auto back = io::sightOf(parts.value());
+    const auto back = io::posedCameraFrom(parts.value());
     ASSERT_TRUE(back);
     EXPECT_LT((back.value().cameraFromPatient.matrix() - ours.cameraFromPatient.matrix()).cwiseAbs().maxCoeff(), 1e-9);
     EXPECT_NEAR(back.value().camera.fx, ours.camera.fx, 1e-9);
@@ -64,7 +64,7 @@ TEST(DiffDrrFile, TakesMatrixAnglesAndTable)
         folder.write("t.csv", "r1,r2,r3,tx,ty,tz,ncc\n0,0,0,0,-700,0,0.5\n0.1,-0.2,0.3,5,-740,8,0.9\n"));
     EXPECT_LT((poseIn(ofTable) - pose.matrix()).cwiseAbs().maxCoeff(), 1e-12);
     EXPECT_FALSE(ofTable.value().detector);
-    EXPECT_TRUE(io::sightOf(ofTable.value()).error().message.is(io::messages::diffDrrKeys));
+    EXPECT_TRUE(io::posedCameraFrom(ofTable.value()).error().message.is(io::messages::diffDrrKeys));
 }
 
 TEST(DiffDrrFile, NamesTheKeyThatIsWrong)

@@ -57,13 +57,13 @@ core::Result<core::RunProcessing> treatmentOf(const std::string& elements)
     std::ofstream(path, std::ios::binary)
         << std::string(128, '\0') << "DICM"
         << element(0x00020000, "UL", littleEndian(static_cast<std::uint32_t>(meta.size()), 4)) << meta << elements;
-    return io::readTreatment(path);
+    return io::readRunProcessing(path);
 }
 
 core::Result<core::SubtractionPlan> planOf(const std::string& elements)
 {
-    const auto treatment = treatmentOf(elements);
-    return treatment ? core::Result<core::SubtractionPlan>(treatment.value().plan) : treatment.error();
+    const auto processing = treatmentOf(elements);
+    return processing ? core::Result<core::SubtractionPlan>(processing.value().plan) : processing.error();
 }
 
 TEST(ReadTreatment, SubtractsWhereTheHeaderNamesAMask)
@@ -104,8 +104,8 @@ TEST(ReadTreatment, ARunIsOpenedSubtractedWhereItNamesItsMask)
     const test::TemporaryFolder folder;
     const auto inputs = io::readInputs({runWithMask(folder, littleEndian(1, 2))}, {}, {});
     ASSERT_TRUE(inputs) << inputs.error().message;
-    const core::View view = io::withInputs({}, inputs.value()).shown();
-    EXPECT_TRUE(view.treatment.isSubtracted);
+    const core::View view = io::assembleCase({}, inputs.value()).shown();
+    EXPECT_TRUE(view.processing.isSubtracted);
     ASSERT_TRUE(view.storedRun);
     EXPECT_NEAR(view.angiogram->frames[1].at(16, 16), view.angiogram->frames[1].at(20, 20), 20.0) << "the bone is gone";
     EXPECT_LT(view.angiogram->frames[1].at(8, 8), view.angiogram->frames[1].at(20, 20) - 200.0F);
@@ -117,7 +117,7 @@ TEST(ReadTreatment, AMaskThatIsNotThereLeavesTheRunNativeAndIsSaid)
     const test::TemporaryFolder folder;
     const auto inputs = io::readInputs({runWithMask(folder, littleEndian(9, 2))}, {}, {});
     ASSERT_TRUE(inputs) << inputs.error().message;
-    EXPECT_FALSE(io::withInputs({}, inputs.value()).shown().treatment.isSubtracted);
+    EXPECT_FALSE(io::assembleCase({}, inputs.value()).shown().processing.isSubtracted);
     EXPECT_TRUE(std::ranges::any_of(inputs.value().warnings, [](const core::Message& warning) {
         return warning.text().find("Mask frame 9 does not exist") != std::string::npos;
     }));

@@ -22,8 +22,8 @@ struct CleanCase {
     /// An initial pose that is off by 2° and 5 mm on average about the centroid.
     core::RigidTransform nearbyStart(core::CounterRandom& random) const
     {
-        return core::perturbedAboutCentroid(truth, core::centroidInPatient(tree), 2.0 / std::sqrt(3.0),
-                                            5.0 / std::sqrt(3.0), random);
+        return core::perturbAboutCentroid(truth, core::centroidInPatient(tree), 2.0 / std::sqrt(3.0),
+                                          5.0 / std::sqrt(3.0), random);
     }
 
     core::RegistrationInput from(const core::RigidTransform& start) const

@@ -75,8 +75,8 @@ std::optional<double> radiusErrorInStentMm(const core::VesselTree& traced, const
 {
     const core::StentOptions stent;
     const auto count = static_cast<double>(stented.pointsInPatient.size());
-    const auto first = static_cast<std::size_t>(std::ceil((stent.startShare + stentTipShare) * count));
-    const auto last = static_cast<std::size_t>(std::floor((stent.endShare - stentTipShare) * count));
+    const auto first = static_cast<std::size_t>(std::ceil((stent.startFraction + stentTipShare) * count));
+    const auto last = static_cast<std::size_t>(std::floor((stent.endFraction - stentTipShare) * count));
     std::vector<double> errors;
     for (std::size_t n = first; n < last; ++n) {
         double nearestMm = stentReachMm;

@@ -126,7 +126,7 @@ bool isClear(const ui::ProjectedTree& tree, const ui::ProjectedBranch& branch,
 void compareLines(const ui::OverlayContent& content, const Picture& a, const Picture& b, Agreement& agreement)
 {
     const ui::DeviceFromImage device{content.viewRect, a.width, a.height};
-    const std::uint32_t ground = ui::packed(ui::palette(ui::ThemeMode::Dark).canvas);
+    const std::uint32_t ground = ui::packColor(ui::palette(ui::ThemeMode::Dark).canvas);
     const double reachPx = 1.0 + 0.8 * content.lineWidthPx;
     const bool isCenter = content.mode == ui::OverlayMode::Centerline;
     for (const ui::ProjectedBranch& branch : content.projected) {

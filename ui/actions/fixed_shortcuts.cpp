@@ -59,7 +59,7 @@ void KeyNotes::addModes(std::vector<ShortcutRow>& lines)
          {tr("Enter"), tr("accept the point shown")},
          {tr("Del"), tr("reset to the centroid")}});
     add(lines, tr("While picking landmarks"),
-        {{tr("click"), tr("in 3-D or in a slice, then in the image: sets one pair")},
+        {{tr("click"), tr("set one pair: click in 3-D or in a slice, then in the image")},
          {tr("drag"), tr("drag a vessel node to its position, or move a landmark cross")},
          {tr("Enter"), tr("register the vessels from the landmark pairs")},
          {tr("Del"), tr("remove the last pair")}});
@@ -67,12 +67,12 @@ void KeyNotes::addModes(std::vector<ShortcutRow>& lines)
         {{tr("click, drag"), tr("set a point, or move an existing one")},
          {tr("Enter, double-click"), tr("close an area")},
          {tr("Backspace"), tr("remove the last point")},
-         {tr("Del"), tr("removes the selected measurement or the last one")}});
+         {tr("Del"), tr("remove the selected measurement or the last one")}});
     add(lines, tr("While marking"),
-        {{tr("click"), tr("adds a target point or ring to the vessels, here, in 3-D or in a slice")},
-         {tr("drag"), tr("draws an arrow or moves an existing mark")},
-         {tr("Enter"), tr("finishes a text; Esc discards it")},
-         {tr("Del"), tr("removes the selected mark or the last one")}});
+        {{tr("click"), tr("add a target point or ring to the vessels, here, in 3-D or in a slice")},
+         {tr("drag"), tr("draw an arrow or move an existing mark")},
+         {tr("Enter"), tr("finish the text; Esc discards it")},
+         {tr("Del"), tr("remove the selected mark or the last one")}});
     add(lines, tr("While editing vessels"),
         {{tr("X"), tr("exclude curves that are not vessels")},
          {tr("E"), tr("erase with a brush; [ ] changes its size")},
@@ -109,7 +109,7 @@ void KeyNotes::addVolumeViews(std::vector<ShortcutRow>& lines)
          {tr("double-click"), tr("show only this view, or restore")}});
     add(lines, tr("In a slice"),
         {{tr("click, left drag, Ctrl+arrows"), tr("crosshair, linked across all views")},
-         {tr("Enter"), tr("pick the point at the crosshair, like a click")},
+         {tr("Enter"), tr("pick the point at the crosshair (same as a click)")},
          {tr("wheel, ↑ ↓, PgUp PgDn"), tr("slices (Shift 10)")},
          {tr("right drag"), tr("window and level; right-click opens the menu")},
          {tr("middle drag, Ctrl+wheel"), tr("pan and zoom")},

@@ -24,27 +24,27 @@ std::map<Command, QString> defaultShortcuts()
 
 std::map<Command, QString>& customShortcuts()
 {
-    static std::map<Command, QString> chosen;
-    return chosen;
+    static std::map<Command, QString> shortcuts;
+    return shortcuts;
 }
 
 }   // namespace
 
-void setCustomShortcuts(std::map<Command, QString> chosen)
+void setCustomShortcuts(std::map<Command, QString> shortcuts)
 {
-    customShortcuts() = std::move(chosen);
+    customShortcuts() = std::move(shortcuts);
 }
 
 QString keyOf(Command command)
 {
-    const auto chosen = customShortcuts().find(command);
-    return chosen != customShortcuts().end() ? chosen->second : defaultShortcuts()[command];
+    const auto shortcuts = customShortcuts().find(command);
+    return shortcuts != customShortcuts().end() ? shortcuts->second : defaultShortcuts()[command];
 }
 
-QString withShortcut(const QString& words, Command command)
+QString withShortcut(const QString& message, Command command)
 {
     const QString key = keyOf(command);
-    return key.isEmpty() ? words : words + QStringLiteral("  ") + key;
+    return key.isEmpty() ? message : message + QStringLiteral("  ") + key;
 }
 
 QString tooltipWithShortcut(const QString& sentence, Command command)

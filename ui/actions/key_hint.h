@@ -13,12 +13,12 @@ namespace angiopose::ui {
 
 /// Sets the user-defined shortcuts as portable text ("" for no shortcut); commands without an entry keep the shortcuts
 /// of the command table. Applies to the whole program, like theme and language; see `retranslate`.
-void setCustomShortcuts(std::map<Command, QString> chosen);
+void setCustomShortcuts(std::map<Command, QString> shortcuts);
 
 QString keyOf(Command command);   ///< "" if the command has no shortcut
 
 /// Appends the shortcut to a label, e.g. "Register  R".
-QString withShortcut(const QString& words, Command command);
+QString withShortcut(const QString& message, Command command);
 
 /// Appends the shortcut to a tooltip, e.g. "Finds the pose. (R)".
 QString tooltipWithShortcut(const QString& sentence, Command command);

@@ -81,7 +81,7 @@ void WindowActions::fillMenus(QMenuBar* menuBar)
     }
 }
 
-std::vector<ShortcutRow> WindowActions::keySheet(const MousePreset& mouse) const
+std::vector<ShortcutRow> WindowActions::shortcutRows(const MousePreset& mouse) const
 {
     std::vector<ShortcutRow> lines;
     for (const MenuRows& menu : CommandTable::menus()) {

@@ -27,7 +27,7 @@ public:
     QMenu* recentMenu() const { return recent_; }
     void fillMenus(QMenuBar* menuBar);
     /// Lists every command with its shortcut, the fixed keys and the mouse actions.
-    std::vector<ShortcutRow> keySheet(const MousePreset& mouse) const;
+    std::vector<ShortcutRow> shortcutRows(const MousePreset& mouse) const;
 
 private:
     void addCommand(const CommandRow& row, QWidget* window);

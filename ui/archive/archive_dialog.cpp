@@ -25,7 +25,7 @@ ArchiveDialog::ArchiveDialog(QWidget* parent)
       nodes_(new NodeBar),
       fields_(new SearchFields),
       list_(new MatchList),
-      line_(new TransferLine),
+      transferStatus_(new TransferLine),
       cache_(new CacheLine),
       receive_(new ReceiveLine),
       partial_(new QPushButton(tr("Open retrieved"))),
@@ -41,10 +41,10 @@ ArchiveDialog::ArchiveDialog(QWidget* parent)
     layout->addWidget(nodes_);
     layout->addWidget(fields_);
     layout->addWidget(list_, 1);
-    layout->addWidget(line_);
+    layout->addWidget(transferStatus_);
     layout->addWidget(receive_);
     layout->addLayout(makeButtons());
-    connect(line_, &TransferLine::busyChanged, this, &ArchiveDialog::showState);
+    connect(transferStatus_, &TransferLine::busyChanged, this, &ArchiveDialog::showState);
     connect(list_, &MatchList::choiceChanged, this, &ArchiveDialog::showState);
     connect(list_, &MatchList::retrieveRequested, retrieve_, &QPushButton::click);
     showState();
@@ -75,7 +75,7 @@ QLayout* ArchiveDialog::makeButtons()
 
 void ArchiveDialog::showState()
 {
-    const bool isFree = !line_->isBusy();
+    const bool isFree = !transferStatus_->isBusy();
     const bool hasNode = !nodes_->node().isEmpty();
     nodes_->setBusy(!isFree);
     cache_->setBusy(!isFree);

@@ -26,7 +26,7 @@ public:
     NodeBar& nodes() { return *nodes_; }
     SearchFields& fields() { return *fields_; }
     MatchList& list() { return *list_; }
-    TransferLine& line() { return *line_; }
+    TransferLine& line() { return *transferStatus_; }
     CacheLine& cache() { return *cache_; }
     ReceiveLine& receive() { return *receive_; }
 
@@ -43,7 +43,7 @@ private:
     NodeBar* nodes_;
     SearchFields* fields_;
     MatchList* list_;
-    TransferLine* line_;
+    TransferLine* transferStatus_;
     CacheLine* cache_;
     ReceiveLine* receive_;
     QPushButton* partial_;

@@ -144,9 +144,9 @@ void MatchList::requestSeries(QTreeWidgetItem* study)
     }
 }
 
-std::vector<MatchList::Chosen> MatchList::chosen() const
+std::vector<MatchList::Selection> MatchList::selection() const
 {
-    std::vector<Chosen> all;
+    std::vector<Selection> all;
     for (const QTreeWidgetItem* item : selectedItems()) {
         const QString key = item->data(What, matchKeyRole).toString();
         if (const QTreeWidgetItem* study = item->parent()) {
@@ -175,9 +175,9 @@ void MatchList::keyPressEvent(QKeyEvent* event)
     }
 }
 
-void MatchList::setPlaceholderText(const QString& words)
+void MatchList::setPlaceholderText(const QString& placeholder)
 {
-    placeholder_ = words;
+    placeholder_ = placeholder;
     viewport()->update();
 }
 

@@ -18,12 +18,12 @@ public:
     /// Marks the series of a study as not loaded, so expanding the study requests them again.
     void markSeriesUnloaded(const QString& studyKey);
     /// Sets the text shown in the middle of an empty list.
-    void setPlaceholderText(const QString& words);
+    void setPlaceholderText(const QString& placeholder);
 
-    struct Chosen {
+    struct Selection {
         QString study, series;   ///< keys; an empty `series` stands for the whole study
     };
-    std::vector<Chosen> chosen() const;
+    std::vector<Selection> selection() const;
 
 signals:
     void seriesRequested(const QString& studyKey);

@@ -35,7 +35,7 @@ PortDialog::PortDialog(const ScpSettings& entry, QWidget* parent)
       certificate_(new PathField(tr("Local certificate (PEM)"))),
       key_(new PathField(tr("Private key of the local certificate (PEM)"))),
       ca_(new PathField(tr("Trusted certificates (PEM)"))),
-      line_(new TransferLine)
+      transferStatus_(new TransferLine)
 {
     setObjectName(QStringLiteral("archivePortDialog"));
     setWindowTitle(tr("Security of the receiving port"));
@@ -44,11 +44,12 @@ PortDialog::PortDialog(const ScpSettings& entry, QWidget* parent)
     layout->setContentsMargins(22, 20, 22, 16);
     layout->setSpacing(10);
     layout->addLayout(makeForm());
-    layout->addWidget(line_);
+    layout->addWidget(transferStatus_);
     layout->addLayout(makeButtons());
     connect(isTls_, &QCheckBox::toggled, this, &PortDialog::showState);
     fill(entry);
-    line_->showHint(tr("With TLS, both the calling application and this program must present a valid certificate."));
+    transferStatus_->showHint(
+        tr("With TLS, both the calling application and this program must present a valid certificate."));
 }
 
 QFormLayout* PortDialog::makeForm()

@@ -21,7 +21,7 @@ public:
     PortDialog(const ScpSettings& entry, QWidget* parent);
 
     ScpSettings entry() const;
-    TransferLine& line() { return *line_; }
+    TransferLine& line() { return *transferStatus_; }
 
 signals:
     void saveRequested(const ui::ScpSettings& entry);   ///< the receiver calls `accept` or shows the problem
@@ -38,7 +38,7 @@ private:
     PathField* certificate_;
     PathField* key_;
     PathField* ca_;
-    TransferLine* line_;
+    TransferLine* transferStatus_;
 };
 
 }   // namespace angiopose::ui

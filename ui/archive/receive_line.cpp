@@ -28,8 +28,8 @@ ReceiveLine::ReceiveLine(QWidget* parent)
 {
     enabled_->setObjectName(QStringLiteral("receiveSwitch"));
     enabled_->setToolTip(
-        tr("Accepts objects that modalities and PACS send to this computer, until it is turned off or the window is "
-           "closed"));
+        tr("Accepts objects sent to this computer by modalities and PACS until receiving is turned off or the window "
+           "is closed"));
     port_->setObjectName(QStringLiteral("receivePort"));
     port_->setAccessibleName(tr("Receiving port"));
     port_->setFixedWidth(90);
@@ -76,9 +76,9 @@ void ReceiveLine::showListening(bool isListening)
     security_->setEnabled(!isListening);
 }
 
-void ReceiveLine::showReceived(const QString& words, bool canOpen)
+void ReceiveLine::showReceived(const QString& statusText, bool canOpen)
 {
-    label_->setText(words);
+    label_->setText(statusText);
     open_->setVisible(canOpen);
 }
 

@@ -20,7 +20,7 @@ public:
     void showPort(int port, const QString& title);
     void showListening(bool isListening);
     /// Shows a summary of the received objects; `canOpen` is true if any of them can be opened.
-    void showReceived(const QString& words, bool canOpen);
+    void showReceived(const QString& statusText, bool canOpen);
     int port() const;
     QString title() const;
 

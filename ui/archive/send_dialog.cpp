@@ -52,11 +52,11 @@ NodeBar::NodeBar(QWidget* parent)
     showState();
 }
 
-void NodeBar::showNodes(const QStringList& names, const QString& chosen)
+void NodeBar::showNodes(const QStringList& names, const QString& current)
 {
     nodes_->clear();
     nodes_->addItems(names);
-    nodes_->setCurrentIndex(names.isEmpty() ? -1 : std::max(0, static_cast<int>(names.indexOf(chosen))));
+    nodes_->setCurrentIndex(names.isEmpty() ? -1 : std::max(0, static_cast<int>(names.indexOf(current))));
     showState();
     if (names.isEmpty()) {
         add_->setFocus();   // without a configured archive, Add is the only available action
@@ -87,7 +87,7 @@ void NodeBar::showState()
 SendDialog::SendDialog(QWidget* parent)
     : QDialog(parent),
       nodes_(new NodeBar),
-      line_(new TransferLine),
+      transferStatus_(new TransferLine),
       close_(new QPushButton(tr("Close"))),
       send_(new QPushButton(tr("Send")))
 {
@@ -111,9 +111,9 @@ SendDialog::SendDialog(QWidget* parent)
     layout->addWidget(nodes_);
     layout->addWidget(hint);
     layout->addStretch(1);
-    layout->addWidget(line_);
+    layout->addWidget(transferStatus_);
     layout->addLayout(row);
-    connect(line_, &TransferLine::busyChanged, this, &SendDialog::showState);
+    connect(transferStatus_, &TransferLine::busyChanged, this, &SendDialog::showState);
     connect(close_, &QPushButton::clicked, this, &QDialog::reject);
     connect(send_, &QPushButton::clicked, this, &SendDialog::sendRequested);
     showState();
@@ -121,7 +121,7 @@ SendDialog::SendDialog(QWidget* parent)
 
 void SendDialog::showState()
 {
-    const bool isFree = !line_->isBusy();
+    const bool isFree = !transferStatus_->isBusy();
     const bool hasNode = !nodes_->node().isEmpty();
     nodes_->setBusy(!isFree);
     send_->setEnabled(isFree && hasNode);
@@ -129,15 +129,16 @@ void SendDialog::showState()
 
 void SendDialog::showNode()
 {
-    line_->showHint(nodes_->node().isEmpty()
-                        ? tr("No PACS configured. Add one (ask your PACS administrator for host, port and AE title).")
-                        : tr("The objects are sent to %1 when you click “Send”.").arg(nodes_->node()));
+    transferStatus_->showHint(
+        nodes_->node().isEmpty()
+            ? tr("No PACS configured. Add one (ask your PACS administrator for host, port and AE title).")
+            : tr("The objects are sent to %1 when you click “Send”.").arg(nodes_->node()));
     showState();
 }
 
 void SendDialog::showSent(const QString& text)
 {
-    line_->showDone(text);
+    transferStatus_->showDone(text);
     send_->setEnabled(false);
     close_->setFocus();
 }

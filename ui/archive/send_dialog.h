@@ -15,7 +15,7 @@ class NodeBar : public QWidget {
 public:
     explicit NodeBar(QWidget* parent = nullptr);
 
-    void showNodes(const QStringList& names, const QString& chosen);
+    void showNodes(const QStringList& names, const QString& current);
     QString node() const;   ///< empty if no archive is configured
     void setBusy(bool isBusy);
 
@@ -48,7 +48,7 @@ public:
     explicit SendDialog(QWidget* parent);
 
     NodeBar& nodes() { return *nodes_; }
-    TransferLine& line() { return *line_; }
+    TransferLine& line() { return *transferStatus_; }
 
     void showState();   ///< enables the actions that are currently possible
     void showNode();   ///< shows the selected archive, or that none is configured
@@ -59,7 +59,7 @@ signals:
 
 private:
     NodeBar* nodes_;
-    TransferLine* line_;
+    TransferLine* transferStatus_;
     QPushButton* close_;
     QPushButton* send_;
 };

@@ -23,7 +23,7 @@ TransferLine::TransferLine(QWidget* parent)
     label_->setTextFormat(Qt::PlainText);
     label_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     stop_->setAutoDefault(false);
-    stop_->setToolTip(tr("Stops; completely transferred objects are kept"));
+    stop_->setToolTip(tr("Stops the transfer; objects already transferred in full are kept"));
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(10);

@@ -56,10 +56,10 @@ void NumberField::showValue(std::optional<double> value)
     }
 }
 
-void NumberField::setHighlighted(bool asking)
+void NumberField::setHighlighted(bool isHighlighted)
 {
-    if (property("asking").toBool() != asking) {
-        setProperty("asking", asking);
+    if (property("asking").toBool() != isHighlighted) {
+        setProperty("asking", isHighlighted);
         style()->unpolish(this);
         style()->polish(this);
     }

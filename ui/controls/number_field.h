@@ -29,7 +29,7 @@ public:
     std::optional<double> value() const { return value_; }
     void setUnit(const QString& unit);
     void setDecimals(int decimals) { format_.decimals = decimals; }   ///< takes effect at the next update
-    void setHighlighted(bool asking);   ///< highlights a value that the user must enter or confirm
+    void setHighlighted(bool isHighlighted);   ///< highlights a value that the user must enter or confirm
 
 signals:
     void edited(double value);

@@ -50,7 +50,7 @@ void SimulatedView::showVessels(std::shared_ptr<const core::VesselTree> tree, in
 {
     tree_ = std::move(tree);
     branchId_ = branchId;
-    sight_ = sight;
+    posedCamera_ = sight;
     update();
 }
 
@@ -59,10 +59,10 @@ void SimulatedView::paintEvent(QPaintEvent*)
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     painter.fillRect(rect(), toQColor(activePalette().canvas));
-    if (!tree_ || !sight_) {
+    if (!tree_ || !posedCamera_) {
         return;
     }
-    const core::ProjectionCamera& camera = sight_->camera;
+    const core::ProjectionCamera& camera = posedCamera_->camera;
     const double scale =
         std::min(static_cast<double>(width()) / camera.width, static_cast<double>(height()) / camera.height);
     painter.translate((width() - scale * camera.width) / 2.0, (height() - scale * camera.height) / 2.0);
@@ -86,11 +86,11 @@ void SimulatedView::paintBranch(QPainter& painter, const core::VesselBranch& bra
     pen.setCapStyle(Qt::RoundCap);
     std::optional<Eigen::Vector2d> before;
     for (std::size_t i = 0; i < branch.pointsInPatient.size(); ++i) {
-        const Eigen::Vector3d inCamera = sight_->cameraFromPatient * branch.pointsInPatient[i];
-        const auto pixel = core::project(sight_->camera, inCamera);
+        const Eigen::Vector3d inCamera = posedCamera_->cameraFromPatient * branch.pointsInPatient[i];
+        const auto pixel = core::project(posedCamera_->camera, inCamera);
         if (pixel && before) {
             const double radiusMm = branch.radiusMm.empty() ? core::assumedRadiusMm : branch.radiusMm[i];
-            const double widthPx = 2.0 * radiusMm * std::abs(sight_->camera.fy) / inCamera.z();
+            const double widthPx = 2.0 * radiusMm * std::abs(posedCamera_->camera.fy) / inCamera.z();
             pen.setWidthF(std::max(minWidthPx, scale * widthPx));
             painter.setPen(pen);
             painter.drawLine(QPointF(before->x(), before->y()) * scale, QPointF(pixel->x(), pixel->y()) * scale);

@@ -35,7 +35,7 @@ private:
 
     std::shared_ptr<const core::VesselTree> tree_;
     int branchId_ = 0;
-    std::optional<core::PosedCamera> sight_;
+    std::optional<core::PosedCamera> posedCamera_;
 };
 
 class AngleMapPlot;

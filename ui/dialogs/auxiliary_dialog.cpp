@@ -38,7 +38,7 @@ AuxiliaryDialog::AuxiliaryDialog(QWidget* parent)
       radius_(new NumberField({0.0, 50.0, 1, tr("mm"), 0.1})),
       byGeneration_(makeButton(tr("Up to generation"), tr("Generation 0 begins at the root of the tree."))),
       byRadius_(makeButton(tr("Radius at least"), tr("Uses the median radius of each branch."))),
-      apply_(makeButton(tr("Use these"), tr("Makes the suggested branches auxiliary."))),
+      apply_(makeButton(tr("Use these"), tr("Selects the suggested branches as auxiliary branches."))),
       method_(makeButton({}, tr("This method alternates between the auxiliary branches and the whole vessel tree.")))
 {
     setObjectName(QStringLiteral("auxiliaryDialog"));
@@ -47,9 +47,9 @@ AuxiliaryDialog::AuxiliaryDialog(QWidget* parent)
     resize(auxiliaryDialogWidth, 1);   // showAdvice sets the height to fit the text
     auto* words = wrapped("hint");
     words->setText(
-        tr("The alternating methods solve for these branches first: choose opacified, stationary, clearly separated "
-           "branches. A view constrains a branch only perpendicular to its course; the table shows which branches "
-           "constrain each axis at the current pose."));
+        tr("Alternating methods solve for these branches first; choose branches that are opacified, stationary and "
+           "clearly separated. In a view, a branch constrains the pose only perpendicular to its course; the table "
+           "shows which branches constrain each axis at the current pose."));
     auto* suggested = new QHBoxLayout;
     suggested->setSpacing(8);
     suggested->addWidget(suggestion_, 1);
@@ -137,10 +137,9 @@ void AuxiliaryDialog::showAdvice(const AuxiliaryAdvice& advice)
         cells_[row][3]->setText(step.constrainedBy);
         setRole(cells_[row][2], isKnown && step.stdAuxiliary > 2.0 * step.stdAllBranches ? "attention" : "body");
     }
-    suggestion_->setText(
-        advice.suggestion.isEmpty()
-            ? tr("A suggestion requires vessels, camera and pose.")
-            : tr("Suggested: %1. They are nearly as informative as all branches.").arg(advice.suggestion));
+    suggestion_->setText(advice.suggestion.isEmpty()
+                             ? tr("A suggestion requires vessels, a camera and a pose.")
+                             : tr("Suggested: %1 (nearly as informative as the whole tree).").arg(advice.suggestion));
     apply_->setEnabled(!advice.suggestion.isEmpty());
     preview_->setText(advice.preview);
     method_->setText(tr("Use %1 instead").arg(advice.otherMethod));
@@ -151,7 +150,7 @@ void AuxiliaryDialog::showAdvice(const AuxiliaryAdvice& advice)
         field->setToolTip(isPossible ? QString() : whyNot);
     };
     enable(byGeneration_, generation_, advice.generations > 0, tr("This tree has no generation data."));
-    enable(byRadius_, radius_, advice.largestRadiusMm.has_value(), tr("This tree has no radii."));
+    enable(byRadius_, radius_, advice.maxRadiusMm.has_value(), tr("This tree has no radii."));
     layout()->activate();
     if (const int needed = layout()->totalHeightForWidth(width()); needed > height()) {
         resize(width(), needed);   // size hints omit the height of wrapped labels

@@ -30,7 +30,7 @@ struct AuxiliaryAdvice {
     QString preview;   ///< branches that the alternating method would use now
     QString otherMethod;   ///< method that uses only the auxiliary branches throughout; empty if already selected
     int generations = 0;   ///< highest known generation + 1; 0 if unknown
-    std::optional<double> largestRadiusMm;   ///< nullopt if the tree has no radii
+    std::optional<double> maxRadiusMm;   ///< nullopt if the tree has no radii
 };
 
 /// Dialog that selects the auxiliary branches and shows how well they constrain the pose. Non-modal passive view:

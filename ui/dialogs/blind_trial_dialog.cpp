@@ -56,8 +56,8 @@ QWidget* BlindTrialDialog::makeIntroduction()
 {
     auto* words = roleLabel(
         "body",
-        tr("The vessels start at a random pose around the current one. Until you choose “Done”, all numbers, residual "
-           "colors and earlier poses are hidden. Time and final pose are logged; the case is unchanged."));
+        tr("The vessels start in a random pose near the current one. Until you choose “Done”, all numbers, residual "
+           "colors and earlier poses are hidden. The time and the final pose are logged; the case is not changed."));
     words->setWordWrap(true);
     return words;
 }
@@ -124,7 +124,7 @@ void BlindTrialDialog::updateButton()
 {
     const bool isComplete = !observer_->text().trimmed().isEmpty() && !log_->text().trimmed().isEmpty();
     start_->setEnabled(isComplete);
-    start_->setToolTip(isComplete ? QString() : tr("Enter an observer and a log file."));
+    start_->setToolTip(isComplete ? QString() : tr("Enter the observer and choose a log file."));
 }
 
 }   // namespace angiopose::ui

@@ -41,10 +41,9 @@ PackDialog::PackDialog(QWidget* parent)
     auto* form = new QFormLayout;
     form->addRow(tr("Pseudonym"), pseudonym_);
     layout->addLayout(form);
-    auto* hint = roleLabel(
-        "hint",
-        tr("One archive with the case, its inputs and its results. De-identification removes names, IDs, dates, "
-           "private elements and notes, and replaces UIDs. Branch names are kept. Review every image before sharing."));
+    auto* hint = roleLabel("hint", tr("Creates one archive with the case, its inputs and its results. "
+                                      "De-identification removes names, IDs, dates, private elements and notes, and "
+                                      "replaces UIDs. Branch names are kept. Review every image before sharing."));
     hint->setWordWrap(true);
     layout->addWidget(hint);
     auto* pack = new QPushButton(tr("Pack…"));
@@ -52,10 +51,10 @@ PackDialog::PackDialog(QWidget* parent)
     for (QWidget* further : std::initializer_list<QWidget*>{shiftedDates_, maskText_, pseudonym_}) {
         connect(deidentify_, &QCheckBox::toggled, further, &QWidget::setEnabled);
     }
-    connect(this, &QDialog::accepted, this, [this] { emit chosen(this->choice()); });
+    connect(this, &QDialog::accepted, this, [this] { emit chosen(this->options()); });
 }
 
-ShareOptions PackDialog::choice() const
+ShareOptions PackDialog::options() const
 {
     const auto of = [](const QCheckBox& box) { return box.isChecked() ? Toggle::On : Toggle::Off; };
     return {deidentify_->isChecked() ? Toggle::Off : Toggle::On, of(*shiftedDates_), of(*maskText_),
@@ -76,8 +75,8 @@ DeidentifyDialog::DeidentifyDialog(QWidget* parent)
     setWindowTitle(tr("De-identify files"));
     setAttribute(Qt::WA_DeleteOnClose);
     setMinimumWidth(600);
-    auto* hint = roleLabel("hint", tr("DICOM images and objects, PNG, JPEG and TIFF files are rewritten without names, "
-                                      "IDs, dates, private elements and texts; UIDs are replaced. Other files are "
+    auto* hint = roleLabel("hint", tr("DICOM images and objects and PNG, JPEG and TIFF files are copied without names, "
+                                      "IDs, dates, private elements and free text; UIDs are replaced. Other files are "
                                       "skipped and listed. Review every image before sharing."));
     hint->setWordWrap(true);
     auto* layout = new QVBoxLayout(this);
@@ -87,7 +86,7 @@ DeidentifyDialog::DeidentifyDialog(QWidget* parent)
     layout->addWidget(makeInputs());
     layout->addWidget(makeOptions());
     layout->addLayout(dialogButtons(*this, tr("Cancel"), *accept_));
-    connect(this, &QDialog::accepted, this, [this] { emit chosen(choice()); });
+    connect(this, &QDialog::accepted, this, [this] { emit chosen(options()); });
     showState();
 }
 
@@ -170,7 +169,7 @@ void DeidentifyDialog::showState()
     accept_->setEnabled(inputs_->count() > 0 && !output_->text().trimmed().isEmpty());
 }
 
-DeidentifyOptions DeidentifyDialog::choice() const
+DeidentifyOptions DeidentifyDialog::options() const
 {
     const auto of = [](const QCheckBox& box) { return box.isChecked() ? Toggle::On : Toggle::Off; };
     QStringList paths;

@@ -26,10 +26,10 @@ class PackDialog : public QDialog {
 public:
     explicit PackDialog(QWidget* parent);
 
-    ShareOptions choice() const;
+    ShareOptions options() const;
 
 signals:
-    void chosen(const ui::ShareOptions& choice);
+    void chosen(const ui::ShareOptions& options);
 
 private:
     QCheckBox* deidentify_;
@@ -42,7 +42,7 @@ private:
 struct DeidentifyOptions {
     QStringList paths;   ///< input files and folders
     QString outputFolder;
-    ShareOptions how;   ///< `identity` is always off
+    ShareOptions sharing;   ///< `identity` is always off
 };
 
 /// Dialog that collects the files and folders to de-identify. The receiver of its signals opens the file dialogs.
@@ -58,14 +58,14 @@ signals:
     void addFilesRequested();
     void addFolderRequested();
     void outputFolderRequested();
-    void chosen(const ui::DeidentifyOptions& choice);
+    void chosen(const ui::DeidentifyOptions& options);
 
 private:
     QWidget* makeInputs();
     QWidget* makeOptions();
     void removeSelected();
     void showState();
-    DeidentifyOptions choice() const;
+    DeidentifyOptions options() const;
 
     QListWidget* inputs_;
     QPushButton* remove_;

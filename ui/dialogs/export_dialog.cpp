@@ -34,7 +34,7 @@ ExportDialog::ExportDialog(int viewWidthPx, double aspect, QWidget* parent)
       resolution_(new NumberField({10.0, 4800.0, 0, tr("dpi"), 50.0})),
       outputSize_(roleLabel("hint")),
       residuals_(new QCheckBox(tr("Residual colors with scale"))),
-      identity_(new QCheckBox(tr("Patient identity in the image"))),
+      identity_(new QCheckBox(tr("Burn in patient identity"))),
       english_(new QCheckBox(tr("English labels"))),
       cutout_(new QCheckBox(tr("Swipe or lens as in the window"))),
       withInitialPose_(new QCheckBox(tr("Side by side with initial pose")))
@@ -50,8 +50,9 @@ ExportDialog::ExportDialog(int viewWidthPx, double aspect, QWidget* parent)
     format_->setObjectName(QStringLiteral("exportFormat"));
     format_->addItems({tr("PNG (raster)"), tr("SVG (vector)"), tr("PDF (vector)")});
 
-    auto* notice = roleLabel("hint", tr("The image is labeled “Not for clinical use”; inputs, method and pose are "
-                                        "stored in its metadata (16-bit: metadata only)."));
+    auto* notice =
+        roleLabel("hint", tr("The image is labeled “Not for clinical use”; inputs, method and pose are stored in its "
+                             "metadata (16-bit images carry the label in the metadata only)."));
     notice->setWordWrap(true);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(22, 20, 22, 16);
@@ -63,10 +64,10 @@ ExportDialog::ExportDialog(int viewWidthPx, double aspect, QWidget* parent)
     connect(part_, &QComboBox::currentIndexChanged, this, &ExportDialog::showPart);
     connect(resolution_, &NumberField::edited, this, &ExportDialog::showSize);
     connect(width_, &NumberField::edited, this, &ExportDialog::showSize);
-    connect(this, &QDialog::accepted, this, [this] { emit chosen(choice()); });
+    connect(this, &QDialog::accepted, this, [this] { emit chosen(exportOptions()); });
     connect(withInitialPose_, &QCheckBox::toggled, this, &ExportDialog::showSize);
     offerCutout(false);
-    showChoice({});
+    showOptions({});
 }
 
 QFormLayout* ExportDialog::makeForm()
@@ -74,8 +75,8 @@ QFormLayout* ExportDialog::makeForm()
     auto* form = new QFormLayout;
     form->setHorizontalSpacing(14);
     form->setVerticalSpacing(10);
-    form->addRow(roleLabel("label", tr("Content")), part_);
-    form->addRow(roleLabel("label", tr("File")), format_);
+    form->addRow(roleLabel("label", tr("Contents")), part_);
+    form->addRow(roleLabel("label", tr("Format")), format_);
     form->addRow(roleLabel("label", tr("Size")), size_);
     form->addRow(widthLabel_, width_);
     form->addRow(roleLabel("label", tr("Print resolution")), resolution_);
@@ -93,23 +94,23 @@ void ExportDialog::offerCutout(bool hasCutout)
     cutout_->setVisible(hasCutout);
 }
 
-void ExportDialog::showChoice(const OverlayExportOptions& choice)
+void ExportDialog::showOptions(const OverlayExportOptions& exportOptions)
 {
-    const int entry = choice.widthPx == 1024 ? Size1024 : choice.widthPx == 2048 ? Size2048 : CustomSize;
-    size_->setCurrentIndex(choice.widthPx == viewWidthPx_ ? ViewSize : entry);
+    const int entry = exportOptions.widthPx == 1024 ? Size1024 : exportOptions.widthPx == 2048 ? Size2048 : CustomSize;
+    size_->setCurrentIndex(exportOptions.widthPx == viewWidthPx_ ? ViewSize : entry);
     if (entry == CustomSize) {
-        width_->showValue(choice.widthPx);
+        width_->showValue(exportOptions.widthPx);
     }
-    residuals_->setChecked(choice.residualColors == Toggle::On);
-    identity_->setChecked(choice.identity == Toggle::On);
-    english_->setChecked(choice.english == Toggle::On);
-    format_->setCurrentIndex(static_cast<int>(choice.format));
-    part_->setCurrentIndex(static_cast<int>(choice.part));
-    resolution_->showValue(choice.dotsPerInch);
+    residuals_->setChecked(exportOptions.residualColors == Toggle::On);
+    identity_->setChecked(exportOptions.identity == Toggle::On);
+    english_->setChecked(exportOptions.english == Toggle::On);
+    format_->setCurrentIndex(static_cast<int>(exportOptions.format));
+    part_->setCurrentIndex(static_cast<int>(exportOptions.part));
+    resolution_->showValue(exportOptions.dotsPerInch);
     showPart();
 }
 
-OverlayExportOptions ExportDialog::choice() const
+OverlayExportOptions ExportDialog::exportOptions() const
 {
     OverlayExportOptions result;
     switch (size_->currentIndex()) {
@@ -129,7 +130,7 @@ OverlayExportOptions ExportDialog::choice() const
     result.identity = identity_->isChecked() ? Toggle::On : Toggle::Off;
     result.english = english_->isChecked() ? Toggle::On : Toggle::Off;
     result.cutout = cutout_->isChecked() ? Toggle::On : Toggle::Off;
-    result.startBeside = withInitialPose_->isChecked() ? Toggle::On : Toggle::Off;
+    result.initialPose = withInitialPose_->isChecked() ? Toggle::On : Toggle::Off;
     result.part = static_cast<ImageContent>(part_->currentIndex());
     result.format = result.part == ImageContent::Frame16 ? ImageFileFormat::Png
                                                          : static_cast<ImageFileFormat>(format_->currentIndex());
@@ -155,7 +156,7 @@ void ExportDialog::showSize()
     const bool isCustom = size_->currentIndex() == CustomSize;
     width_->setVisible(isCustom);
     widthLabel_->setVisible(isCustom);
-    const OverlayExportOptions options = choice();
+    const OverlayExportOptions options = exportOptions();
     if (options.part == ImageContent::Frame16) {
         outputSize_->setText(tr("same size as the frame"));
         return;
@@ -210,7 +211,7 @@ DicomDialog::DicomDialog(const std::vector<DicomPart>& possible, DicomPurpose pu
         layout->addWidget(hint);
     }
     layout->addLayout(dialogButtons(*this, tr("Cancel"), *export_));
-    connect(this, &QDialog::accepted, this, [this] { emit chosen(this->choice()); });
+    connect(this, &QDialog::accepted, this, [this] { emit chosen(this->exportOptions()); });
     showState();
 }
 
@@ -219,16 +220,16 @@ void DicomDialog::showState()
     export_->setEnabled(std::ranges::any_of(boxes_, [](const QCheckBox* box) { return box->isChecked(); }));
 }
 
-DicomExportOptions DicomDialog::choice() const
+DicomExportOptions DicomDialog::exportOptions() const
 {
-    DicomExportOptions choice;
+    DicomExportOptions exportOptions;
     for (std::size_t i = 0; i < boxes_.size(); ++i) {
         if (boxes_[i]->isChecked()) {
-            choice.parts.push_back(static_cast<DicomPart>(i));
+            exportOptions.parts.push_back(static_cast<DicomPart>(i));
         }
     }
-    choice.identity = identity_->isChecked() ? Toggle::On : Toggle::Off;
-    return choice;
+    exportOptions.identity = identity_->isChecked() ? Toggle::On : Toggle::Off;
+    return exportOptions;
 }
 
 }   // namespace angiopose::ui

@@ -27,7 +27,7 @@ struct OverlayExportOptions {
     Toggle identity = Toggle::Off;
     Toggle english = Toggle::Off;   ///< whether to use English labels even if the UI language is another
     Toggle cutout = Toggle::Off;   ///< whether to include the swipe or lens that is active in the window
-    Toggle startBeside = Toggle::Off;   ///< whether to add a second image with the vessels at the initial pose
+    Toggle initialPose = Toggle::Off;   ///< whether to add a second image with the vessels at the initial pose
     ImageFileFormat format = ImageFileFormat::Png;
     ImageContent part = ImageContent::Overlay;   ///< Frame16 (16-bit gray values) requires PNG at native size
     int dotsPerInch = 300;
@@ -40,12 +40,12 @@ public:
     /// `viewWidthPx` is the current width of the view; `aspect` is the image height divided by its width.
     ExportDialog(int viewWidthPx, double aspect, QWidget* parent);
 
-    void showChoice(const OverlayExportOptions& choice);
+    void showOptions(const OverlayExportOptions& exportOptions);
     void offerCutout(bool hasCutout);   ///< initially checked if the window shows a swipe or lens
-    OverlayExportOptions choice() const;
+    OverlayExportOptions exportOptions() const;
 
 signals:
-    void chosen(const ui::OverlayExportOptions& choice);
+    void chosen(const ui::OverlayExportOptions& exportOptions);
 
 private:
     QFormLayout* makeForm();
@@ -86,10 +86,10 @@ public:
     /// Enables and initially checks the objects in `possible`.
     DicomDialog(const std::vector<DicomPart>& possible, DicomPurpose purpose, QWidget* parent);
 
-    DicomExportOptions choice() const;
+    DicomExportOptions exportOptions() const;
 
 signals:
-    void chosen(const ui::DicomExportOptions& choice);
+    void chosen(const ui::DicomExportOptions& exportOptions);
 
 private:
     void showState();

@@ -37,7 +37,7 @@ QString headingOf(FitExample example)
         case FitExample::Tilted:
             break;
     }
-    return GoodFit::tr("Bad: wrong view angle");
+    return GoodFit::tr("Bad: wrong gantry angle");
 }
 
 QString sentenceOf(FitExample example)
@@ -45,7 +45,7 @@ QString sentenceOf(FitExample example)
     switch (example) {
         case FitExample::Right:
             return GoodFit::tr(
-                "The lines run along the center of the vessels and are blue throughout, including the side branches.");
+                "The lines follow the vessel centers and are blue throughout, including in the side branches.");
         case FitExample::Unopacified:
             return GoodFit::tr(
                 "Amber only where there is no contrast agent in this frame; every opacified vessel is blue.");
@@ -56,7 +56,8 @@ QString sentenceOf(FitExample example)
             return GoodFit::tr("All lines are shifted to the same side. Register again, or nudge with the arrow keys.");
         case FitExample::Turned:
             return GoodFit::tr(
-                "Fits in the center but deviates increasingly toward the edges: rotated in the image plane.");
+                "The lines fit in the center but deviate increasingly toward the edges: the pose is rotated in the "
+                "image plane.");
         case FitExample::Tilted:
             break;
     }

@@ -108,13 +108,13 @@ KeySheet::KeySheet(std::vector<ShortcutRow> lines, QWidget* parent)
     connect(reset, &QPushButton::clicked, this, &KeySheet::resetRequested);
     connect(close, &QPushButton::clicked, this, &QDialog::accept);
     resizeWithinScreen(*this, {620, 700});
-    showLines(std::move(lines));
+    showRows(std::move(lines));
     search_->setFocus();
 }
 
-void KeySheet::showLines(std::vector<ShortcutRow> lines)
+void KeySheet::showRows(std::vector<ShortcutRow> lines)
 {
-    lines_ = std::move(lines);
+    rows_ = std::move(lines);
     showMatching();
 }
 
@@ -124,8 +124,8 @@ void KeySheet::showMatching()
     list_->clear();
     QList<QTreeWidgetItem*> items;
     QList<QTreeWidgetItem*> headings;
-    for (std::size_t i = 0; i < lines_.size(); ++i) {
-        const ShortcutRow& line = lines_[i];
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+        const ShortcutRow& line = rows_[i];
         if (!matches(line, search_->text())) {
             continue;
         }
@@ -145,23 +145,23 @@ void KeySheet::showMatching()
                                                   : tr("Double-click a command or press Enter to assign a shortcut."));
 }
 
-const ShortcutRow* KeySheet::lineOf(const QTreeWidgetItem* item) const
+const ShortcutRow* KeySheet::rowOf(const QTreeWidgetItem* item) const
 {
     const QVariant index = item ? item->data(0, lineRole) : QVariant();
-    return index.isValid() ? &lines_[static_cast<std::size_t>(index.toInt())] : nullptr;
+    return index.isValid() ? &rows_[static_cast<std::size_t>(index.toInt())] : nullptr;
 }
 
 const ShortcutRow* KeySheet::conflictingRow(const QKeySequence& key) const
 {
-    const auto match = std::ranges::find_if(lines_, [&](const ShortcutRow& line) {
+    const auto match = std::ranges::find_if(rows_, [&](const ShortcutRow& line) {
         return line.action && line.action != recordedAction_ && line.action->shortcuts().contains(key);
     });
-    return match == lines_.end() ? nullptr : &*match;
+    return match == rows_.end() ? nullptr : &*match;
 }
 
 void KeySheet::startRecording(QTreeWidgetItem* item)
 {
-    const ShortcutRow* line = lineOf(item);
+    const ShortcutRow* line = rowOf(item);
     if (!line || !line->action) {
         stopRecording(line ? tr("This shortcut is fixed.") : QString());
         return;
@@ -170,7 +170,7 @@ void KeySheet::startRecording(QTreeWidgetItem* item)
     warnedKey_ = {};
     setRole(status_, "attention");
     status_->setText(
-        tr("Press the new shortcut for “%1”. Esc keeps the old one, Delete removes it.").arg(line->effect));
+        tr("Press the new shortcut for “%1”. Esc keeps the old shortcut; Delete removes it.").arg(line->effect));
 }
 
 void KeySheet::stopRecording(const QString& word)

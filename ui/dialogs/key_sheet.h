@@ -22,7 +22,7 @@ class KeySheet : public QDialog {
 public:
     KeySheet(std::vector<ShortcutRow> lines, QWidget* parent);
 
-    void showLines(std::vector<ShortcutRow> lines);   ///< replaces the lines; keeps search text and selection
+    void showRows(std::vector<ShortcutRow> lines);   ///< replaces the lines; keeps search text and selection
     bool isRecording() const { return recordedAction_ != nullptr; }
 
 signals:
@@ -37,10 +37,10 @@ private:
     void startRecording(QTreeWidgetItem* item);
     void stopRecording(const QString& word);
     void take(const QKeySequence& key);
-    const ShortcutRow* lineOf(const QTreeWidgetItem* item) const;
+    const ShortcutRow* rowOf(const QTreeWidgetItem* item) const;
     const ShortcutRow* conflictingRow(const QKeySequence& key) const;
 
-    std::vector<ShortcutRow> lines_;
+    std::vector<ShortcutRow> rows_;
     QLineEdit* search_;
     QTreeWidget* list_;
     QLabel* status_;   ///< instruction, or outcome of the last assignment

@@ -24,9 +24,10 @@ MissingInputs::MissingInputs(const QString& caseName, const QStringList& missing
     setWindowTitle(tr("Inputs not found"));
     setAttribute(Qt::WA_DeleteOnClose);
     setMinimumWidth(missingInputsWidth);
-    auto* text = roleLabel("body", tr("“%1” refers to files that have been moved or deleted. They were not found next "
-                                      "to the case or in the folders of recent cases. The case itself is intact.")
-                                       .arg(caseName));
+    auto* text =
+        roleLabel("body", tr("“%1” refers to files that have been moved or deleted. The files were not found next to "
+                             "the case or in the folders of recent cases. The case file itself is intact.")
+                              .arg(caseName));
     text->setWordWrap(true);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(22, 20, 22, 16);
@@ -63,7 +64,7 @@ QLayout* MissingInputs::makeRow(const QString& missingPath)
 QLayout* MissingInputs::makeButtons()
 {
     auto* search = new QPushButton(tr("Search a folder…"));
-    search->setToolTip(tr("Searches the folder and its subfolders by name and content."));
+    search->setToolTip(tr("Searches the folder and its subfolders by file name and contents."));
     search->setAutoDefault(false);
     auto* cancel = new QPushButton(tr("Cancel"));
     cancel->setAutoDefault(false);

@@ -23,16 +23,16 @@ constexpr double minFrameRate = 0.5, fastest = 100.0;
 
 }   // namespace
 
-MovieDialog::MovieDialog(AvailableMovies offer, QWidget* parent)
+MovieDialog::MovieDialog(AvailableMovies available, QWidget* parent)
     : QDialog(parent),
-      offer_(std::move(offer)),
+      availableMovies_(std::move(available)),
       part_(new QComboBox),
       format_(new QComboBox),
       width_(new NumberField({64.0, 8192.0, 0, QStringLiteral("px"), 64.0})),
       rate_(new NumberField({minFrameRate, fastest, 1, tr("frames per second"), 1.0})),
       outcome_(roleLabel("hint")),
       residuals_(new QCheckBox(tr("Residual colors with scale"))),
-      identity_(new QCheckBox(tr("Patient identity in the frames"))),
+      identity_(new QCheckBox(tr("Burn in patient identity"))),
       english_(new QCheckBox(tr("English labels"))),
       export_(new QPushButton(tr("Export…")))
 {
@@ -60,17 +60,17 @@ MovieDialog::MovieDialog(AvailableMovies offer, QWidget* parent)
     connect(format_, &QComboBox::currentIndexChanged, this, &MovieDialog::showOutcome);
     connect(width_, &NumberField::edited, this, &MovieDialog::showOutcome);
     connect(rate_, &NumberField::edited, this, &MovieDialog::showOutcome);
-    connect(this, &QDialog::accepted, this, [this] { emit chosen(choice()); });
-    showChoice({});
+    connect(this, &QDialog::accepted, this, [this] { emit chosen(exportOptions()); });
+    showOptions({});
     showDefaultRate();
 }
 
 void MovieDialog::fillParts()
 {
-    if (offer_.hasRun) {
+    if (availableMovies_.hasRun) {
         part_->addItem(tr("Overlay through the run"), static_cast<int>(MoviePart::Run));
     }
-    if (offer_.hasConvergence) {
+    if (availableMovies_.hasConvergence) {
         part_->addItem(tr("Convergence of the registration"), static_cast<int>(MoviePart::Convergence));
     }
     part_->addItem(tr("Vessels only, one full rotation"), static_cast<int>(MoviePart::Rotation));
@@ -82,7 +82,7 @@ QFormLayout* MovieDialog::makeForm()
     form->setHorizontalSpacing(14);
     form->setVerticalSpacing(10);
     form->addRow(roleLabel("label", tr("Movie")), part_);
-    form->addRow(roleLabel("label", tr("File")), format_);
+    form->addRow(roleLabel("label", tr("Format")), format_);
     form->addRow(roleLabel("label", tr("Width")), width_);
     form->addRow(roleLabel("label", tr("Speed")), rate_);
     for (QWidget* line : std::initializer_list<QWidget*>{outcome_, residuals_, identity_, english_}) {
@@ -92,25 +92,25 @@ QFormLayout* MovieDialog::makeForm()
     return form;
 }
 
-void MovieDialog::showChoice(const MovieOptions& choice)
+void MovieDialog::showOptions(const MovieOptions& exportOptions)
 {
-    const int part = part_->findData(static_cast<int>(choice.part));
+    const int part = part_->findData(static_cast<int>(exportOptions.part));
     part_->setCurrentIndex(part < 0 ? 0 : part);
-    format_->setCurrentIndex(static_cast<int>(choice.format));
-    width_->showValue(choice.widthPx);
-    residuals_->setChecked(choice.residualColors == Toggle::On);
-    identity_->setChecked(choice.identity == Toggle::On);
-    english_->setChecked(choice.english == Toggle::On);
+    format_->setCurrentIndex(static_cast<int>(exportOptions.format));
+    width_->showValue(exportOptions.widthPx);
+    residuals_->setChecked(exportOptions.residualColors == Toggle::On);
+    identity_->setChecked(exportOptions.identity == Toggle::On);
+    english_->setChecked(exportOptions.english == Toggle::On);
     showOutcome();
 }
 
-MovieOptions MovieDialog::choice() const
+MovieOptions MovieDialog::exportOptions() const
 {
     MovieOptions result;
     result.part = static_cast<MoviePart>(part_->currentData().toInt());
     result.format = static_cast<MovieFormat>(format_->currentIndex());
     result.widthPx = static_cast<int>(width_->value().value_or(1024.0));
-    result.framesPerSecond = rate_->value().value_or(offer_.defaultFrameRate(result.part));
+    result.framesPerSecond = rate_->value().value_or(availableMovies_.defaultFrameRate(result.part));
     result.identity = identity_->isChecked() ? Toggle::On : Toggle::Off;
     result.english = english_->isChecked() ? Toggle::On : Toggle::Off;
     result.residualColors = residuals_->isChecked() ? Toggle::On : Toggle::Off;
@@ -119,21 +119,21 @@ MovieOptions MovieDialog::choice() const
 
 void MovieDialog::showDefaultRate()
 {
-    rate_->showValue(std::clamp(offer_.defaultFrameRate(choice().part), minFrameRate, fastest));
+    rate_->showValue(std::clamp(availableMovies_.defaultFrameRate(exportOptions().part), minFrameRate, fastest));
     showOutcome();
 }
 
 void MovieDialog::showOutcome()
 {
-    const MovieOptions options = choice();
+    const MovieOptions options = exportOptions();
     residuals_->setVisible(options.part == MoviePart::Convergence);
-    const AvailableMovies::Outcome outcome = offer_.outcomeOf(options);
+    const AvailableMovies::Outcome outcome = availableMovies_.outcomeOf(options);
     const QString length = tr("%1 frames, %2 s, %3 × %4 px")
                                .arg(outcome.imageCount)
                                .arg(numberText(outcome.seconds, 1))
                                .arg(outcome.size.width())
                                .arg(outcome.size.height());
-    const QString reported = outcome.words.isEmpty() ? length : length + QLatin1Char('\n') + outcome.words;
+    const QString reported = outcome.description.isEmpty() ? length : length + QLatin1Char('\n') + outcome.description;
     outcome_->setText(outcome.problem.isEmpty() ? reported : outcome.problem);
     export_->setEnabled(outcome.problem.isEmpty());
 }

@@ -31,7 +31,7 @@ struct AvailableMovies {
         std::size_t imageCount = 0;
         double seconds = 0.0;
         QSize size;
-        QString words;   ///< description of the frame range and of the poses used
+        QString description;   ///< description of the frame range and of the poses used
         QString problem;   ///< reason why the movie cannot be written; empty if it can
     };
     std::function<Outcome(const MovieOptions&)> outcomeOf;
@@ -41,13 +41,13 @@ struct AvailableMovies {
 class MovieDialog : public QDialog {
     Q_OBJECT
 public:
-    MovieDialog(AvailableMovies offer, QWidget* parent);
+    MovieDialog(AvailableMovies available, QWidget* parent);
 
-    void showChoice(const MovieOptions& choice);   ///< shows the options; replaces those that are unavailable
-    MovieOptions choice() const;
+    void showOptions(const MovieOptions& exportOptions);   ///< shows the options; replaces those that are unavailable
+    MovieOptions exportOptions() const;
 
 signals:
-    void chosen(const ui::MovieOptions& choice);
+    void chosen(const ui::MovieOptions& exportOptions);
 
 private:
     void fillParts();
@@ -55,7 +55,7 @@ private:
     void showDefaultRate();
     void showOutcome();
 
-    AvailableMovies offer_;
+    AvailableMovies availableMovies_;
     QComboBox* part_;
     QComboBox* format_;
     NumberField* width_;

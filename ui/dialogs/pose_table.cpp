@@ -104,8 +104,8 @@ PoseTable::PoseTable(QWidget* parent)
     table_->setAlternatingRowColors(true);
     table_->setSelectionMode(QAbstractItemView::ExtendedSelection);
     table_->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::DoubleClicked);
-    table_->setHeaderLabels({tr("Pose"), tr("Method"), tr("median mm"), tr("P95 mm"), tr("coverage %"),
-                             tr("Δ in-plane mm"), tr("Δ depth mm"), tr("Δ rot. °"), tr("time ms"), tr("Author"),
+    table_->setHeaderLabels({tr("Pose"), tr("Method"), tr("Median (mm)"), tr("P95 (mm)"), tr("Coverage (%)"),
+                             tr("Δ in-plane (mm)"), tr("Δ depth (mm)"), tr("Δ rot. (°)"), tr("Time (ms)"), tr("Author"),
                              tr("Date"), tr("Note")});
     for (int column = PoseMedian; column <= PoseTime; ++column) {
         table_->headerItem()->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
@@ -141,7 +141,7 @@ PoseTable::PoseTable(QWidget* parent)
 
 QLayout* PoseTable::makeButtons()
 {
-    auto* exportTable = button(tr("Export CSV…"), tr("Writes the table with the poses as matrices."));
+    auto* exportTable = button(tr("Export CSV…"), tr("Writes the table to a CSV file, with the poses as matrices."));
     auto* row = new QHBoxLayout;
     row->setSpacing(8);
     for (QPushButton* each : {restore_, makeReference_, remove_}) {
@@ -264,10 +264,10 @@ void PoseTable::showRun(const QString& what, double progress)
     updateButtons();
 }
 
-void PoseTable::showIdle(const QString& words)
+void PoseTable::showIdle(const QString& statusText)
 {
     running_ = false;
-    status_->setText(words);
+    status_->setText(statusText);
     updateButtons();
 }
 

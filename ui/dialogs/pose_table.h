@@ -35,7 +35,7 @@ public:
     void showRows(const std::vector<PoseRow>& rows, int referenceId);   ///< emits no signal
     void showChosenMethods(const std::vector<std::string>& methodIds);
     void showRun(const QString& what, double progress);   ///< shows the progress of the running registrations
-    void showIdle(const QString& words);
+    void showIdle(const QString& statusText);
     QTreeWidget* table() const { return table_; }
 
 signals:

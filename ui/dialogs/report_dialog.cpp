@@ -12,7 +12,7 @@
 
 namespace angiopose::ui {
 
-ReportDialog::ReportDialog(const ReportOptions& choice, QWidget* parent)
+ReportDialog::ReportDialog(const ReportOptions& options, QWidget* parent)
     : QDialog(parent),
       template_(new ElidedLabel("body")),
       builtIn_(new QPushButton(tr("Use built-in"))),
@@ -23,11 +23,11 @@ ReportDialog::ReportDialog(const ReportOptions& choice, QWidget* parent)
     setAttribute(Qt::WA_DeleteOnClose);
     setMinimumWidth(460);
     template_->setObjectName(QStringLiteral("reportTemplate"));
-    identity_->setChecked(choice.identity == Toggle::On);
-    auto* passedOn = roleLabel("hint", tr("Leave this off before sharing; the report is then anonymous."));
+    identity_->setChecked(options.identity == Toggle::On);
+    auto* passedOn = roleLabel("hint", tr("Leave this off if the report will be shared: it is then anonymous."));
     passedOn->setWordWrap(true);
     auto* about = roleLabel("hint", tr("Templates are HTML pages with your letterhead and logo. Save a copy of the "
-                                       "built-in template and edit it; it contains instructions."));
+                                       "built-in template and edit the copy; it contains instructions."));
     about->setWordWrap(true);
     auto* form = new QFormLayout;
     form->setHorizontalSpacing(14);
@@ -43,8 +43,8 @@ ReportDialog::ReportDialog(const ReportOptions& choice, QWidget* parent)
     layout->addLayout(form);
     layout->addLayout(dialogButtons(*this, tr("Cancel"), *new QPushButton(tr("Export…"))));
     connect(builtIn_, &QPushButton::clicked, this, [this] { showTemplate({}); });
-    connect(this, &QDialog::accepted, this, [this] { emit chosen(this->choice()); });
-    showTemplate(choice.templatePath);
+    connect(this, &QDialog::accepted, this, [this] { emit chosen(this->options()); });
+    showTemplate(options.templatePath);
 }
 
 QHBoxLayout* ReportDialog::makeTemplateButtons()
@@ -58,8 +58,8 @@ QHBoxLayout* ReportDialog::makeTemplateButtons()
         button->setAutoDefault(false);
         buttons->addWidget(button);
     }
-    connect(choose, &QPushButton::clicked, this, &ReportDialog::templateWanted);
-    connect(copy, &QPushButton::clicked, this, &ReportDialog::copyWanted);
+    connect(choose, &QPushButton::clicked, this, &ReportDialog::templateRequested);
+    connect(copy, &QPushButton::clicked, this, &ReportDialog::templateCopyRequested);
     return buttons;
 }
 
@@ -70,7 +70,7 @@ void ReportDialog::showTemplate(const QString& path)
     builtIn_->setEnabled(!path.isEmpty());
 }
 
-ReportOptions ReportDialog::choice() const
+ReportOptions ReportDialog::options() const
 {
     return {identity_->isChecked() ? Toggle::On : Toggle::Off, templatePath_};
 }

@@ -18,15 +18,15 @@ struct ReportOptions {
 class ReportDialog : public QDialog {
     Q_OBJECT
 public:
-    explicit ReportDialog(const ReportOptions& choice, QWidget* parent);
+    explicit ReportDialog(const ReportOptions& options, QWidget* parent);
 
     void showTemplate(const QString& path);   ///< empty for the built-in template
-    ReportOptions choice() const;
+    ReportOptions options() const;
 
 signals:
-    void chosen(const ui::ReportOptions& choice);
-    void templateWanted();   ///< requests a file dialog for a template
-    void copyWanted();   ///< requests an editable copy of the built-in template
+    void chosen(const ui::ReportOptions& options);
+    void templateRequested();   ///< requests a file dialog for a template
+    void templateCopyRequested();   ///< requests an editable copy of the built-in template
 
 private:
     QHBoxLayout* makeTemplateButtons();

@@ -73,11 +73,11 @@ SeriesChooser::SeriesChooser(const QString& folder, std::vector<SeriesRow> rows,
 
 void SeriesChooser::fill()
 {
-    list_->setAccessibleName(tr("Series of the folder"));
+    list_->setAccessibleName(tr("Series in the folder"));
     list_->setRootIsDecorated(false);
     list_->setUniformRowHeights(true);
     list_->setHeaderLabels(
-        {tr("Description"), tr("Modality"), tr("Images"), tr("Size"), tr("Spacing in mm"), tr("Date")});
+        {tr("Description"), tr("Modality"), tr("Images"), tr("Size"), tr("Spacing (mm)"), tr("Date")});
     for (std::size_t i = 0; i < rows_.size(); ++i) {
         const SeriesRow& row = rows_[i];
         auto* item = new QTreeWidgetItem(
@@ -108,7 +108,7 @@ void SeriesChooser::showNotes()
 {
     const int row = currentRow();
     const bool hasRow = row >= 0 && static_cast<std::size_t>(row) < rows_.size();
-    notes_->setText(hasRow ? joinedSentences(rows_[static_cast<std::size_t>(row)].notes) : QString());
+    notes_->setText(hasRow ? joinSentences(rows_[static_cast<std::size_t>(row)].notes) : QString());
     open_->setEnabled(hasRow && rows_[static_cast<std::size_t>(row)].isOpenable);
 }
 
@@ -118,7 +118,7 @@ void SeriesChooser::choose()
     if (row < 0 || !rows_[static_cast<std::size_t>(row)].isOpenable) {
         return;
     }
-    emit chosen(rows_[static_cast<std::size_t>(row)].id);
+    emit seriesChosen(rows_[static_cast<std::size_t>(row)].id);
     accept();
 }
 

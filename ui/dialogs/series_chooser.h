@@ -31,7 +31,7 @@ public:
     SeriesChooser(const QString& folder, std::vector<SeriesRow> rows, QWidget* parent);
 
 signals:
-    void chosen(const QString& seriesId);
+    void seriesChosen(const QString& seriesId);
 
 private:
     void fill();

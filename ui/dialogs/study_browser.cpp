@@ -65,14 +65,14 @@ StudyBrowser::StudyBrowser(const QString& place, QWidget* parent)
 
     connect(search_, &QLineEdit::textChanged, list_, &StudyList::search);
     connect(list_, &StudyList::thumbnailsRequested, this, &StudyBrowser::thumbnailsRequested);
-    connect(list_, &StudyList::choiceChanged, this, &StudyBrowser::showChoice);
-    connect(list_, &StudyList::currentItemChanged, this, &StudyBrowser::showChoice);
+    connect(list_, &StudyList::choiceChanged, this, &StudyBrowser::showSelection);
+    connect(list_, &StudyList::currentItemChanged, this, &StudyBrowser::showSelection);
     connect(list_, &StudyList::openRequested, this, &StudyBrowser::acceptChoice);
     for (QWidget* each : {static_cast<QWidget*>(damaged_), static_cast<QWidget*>(offer_),
                           static_cast<QWidget*>(allFiles_), static_cast<QWidget*>(damagedFiles_)}) {
         each->hide();
     }
-    showChoice();
+    showSelection();
     list_->setFocus();
 }
 
@@ -141,12 +141,12 @@ void StudyBrowser::showProgress(qsizetype read, qsizetype total)
                               : tr("%1 files found").arg(locale.toString(total)));
 }
 
-void StudyBrowser::showEnd(const QString& words, const QStringList& damaged, const QString& offer)
+void StudyBrowser::showEnd(const QString& summary, const QStringList& damaged, const QString& offer)
 {
     isReading_ = false;
     progress_->hide();
     stop_->hide();
-    status_->setText(words);
+    status_->setText(summary);
     damaged_->setVisible(!damaged.isEmpty());
     damaged_->setText(tr("Damaged files: %1").arg(damaged.size()));
     damaged_->setChecked(false);
@@ -154,7 +154,7 @@ void StudyBrowser::showEnd(const QString& words, const QStringList& damaged, con
     offer_->setText(offer);
     offer_->setVisible(!offer.isEmpty());
     allFiles_->setVisible(!offer.isEmpty());
-    showChoice();
+    showSelection();
 }
 
 void StudyBrowser::choose(const QString& key)
@@ -163,7 +163,7 @@ void StudyBrowser::choose(const QString& key)
 }
 
 /// Shows a summary of the checked series and the notes of the current row.
-void StudyBrowser::showChoice()
+void StudyBrowser::showSelection()
 {
     const auto nameOf = [this](const QString& key) {
         const StudySeriesRow* row = list_->rowOf(key);
@@ -183,10 +183,11 @@ void StudyBrowser::showChoice()
     const bool hasChoice = !parts.isEmpty();
     setRole(choice_, hasChoice ? "strong" : "hint");
     choice_->setText(hasChoice ? parts.join(QStringLiteral("   "))
-                               : tr("Select the scan with the vessels and the runs, or double-click an entry."));
+                               : tr("Select the scan that shows the vessels and one or more angiographic runs, or "
+                                    "double-click an entry to open it."));
     const StudySeriesRow* current = list_->currentRow();
     const bool hasNotes = current && !current->notes.isEmpty();
-    notes_->setText(hasNotes ? QStringLiteral("%1: %2").arg(current->description, joinedSentences(current->notes))
+    notes_->setText(hasNotes ? QStringLiteral("%1: %2").arg(current->description, joinSentences(current->notes))
                              : QString());
     open_->setEnabled(!isReading_ && (hasChoice || (current && current->use != StudySeriesRow::Use::None)));
 }
@@ -206,7 +207,7 @@ void StudyBrowser::acceptChoice()
     if (list_->chosenVessels().isEmpty() && list_->chosenViews().isEmpty()) {
         return;
     }
-    emit chosen(list_->chosenVessels(), list_->chosenViews());
+    emit seriesChosen(list_->chosenVessels(), list_->chosenViews());
     accept();
 }
 

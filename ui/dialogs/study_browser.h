@@ -27,7 +27,7 @@ public:
     void showProgress(qsizetype read, qsizetype total);
     /// Shows that scanning has ended. `words` summarizes the result, `damaged` lists damaged files, and `offer`
     /// describes files that were not read; it is empty if there are none.
-    void showEnd(const QString& words, const QStringList& damaged, const QString& offer);
+    void showEnd(const QString& summary, const QStringList& damaged, const QString& offer);
     void choose(const QString& key);
     StudyList& list() { return *list_; }
 
@@ -36,7 +36,7 @@ signals:
     void allFilesRequested();
     void thumbnailsRequested(const QStringList& keys);
     /// Carries the keys of the selected series; `vessels` or `views` may be empty.
-    void chosen(const QString& vessels, const QStringList& views);
+    void seriesChosen(const QString& vessels, const QStringList& views);
 
 protected:
     void keyPressEvent(QKeyEvent* event) override;
@@ -44,7 +44,7 @@ protected:
 private:
     QLayout* makeStatus();
     QLayout* makeButtons();
-    void showChoice();
+    void showSelection();
     void acceptChoice();
 
     bool isReading_ = false;

@@ -152,7 +152,7 @@ void StudyList::fillSeries(QTreeWidgetItem& item, const StudySeriesRow& row)
 {
     const QStringList texts{row.description, row.number > 0 ? QString::number(row.number) : QString(),
                             row.modality,    row.imageCount > 0 ? QString::number(row.imageCount) : QString(),
-                            row.size,        row.pace,
+                            row.size,        row.frameRate,
                             row.bodyPart};
     const bool isUsable = row.use != StudySeriesRow::Use::None;
     const QBrush tone(toQColor(isUsable ? activePalette().text : activePalette().hint));

@@ -22,7 +22,7 @@ struct StudySeriesRow {
     QString description;
     int imageCount = 0;
     QString size;   ///< e.g. "512 × 512"
-    QString pace;   ///< slice spacing or frame rate, as text
+    QString frameRate;   ///< slice spacing or frame rate, as text
     double sortValue = 0.0;   ///< value by which `pace` is sorted
     QString bodyPart;
     QStringList notes;   ///< warnings, missing parts, or the reason why the series cannot be opened

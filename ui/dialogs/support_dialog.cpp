@@ -26,11 +26,11 @@ SupportDialog::SupportDialog(std::vector<SupportPart> parts, QWidget* parent)
     setWindowTitle(tr("Save support bundle"));
     setAttribute(Qt::WA_DeleteOnClose);
     resize(820, 560);
-    auto* words = roleLabel(
-        "body", tr("The archive contains only these texts; no images or vessels. Known names, numbers, dates and paths "
-                   "of this session's cases and of this computer were removed. Review the texts before sharing."));
+    auto* words = roleLabel("body", tr("The archive contains only the text shown here, no images or vessel data. "
+                                       "Names, numbers, dates and paths known from the cases of this session and from "
+                                       "this computer have been removed. Review the text before sharing it."));
     words->setWordWrap(true);
-    names_->setAccessibleName(tr("Texts in the bundle"));
+    names_->setAccessibleName(tr("Files in the bundle"));
     names_->setFixedWidth(partNamesWidth);
     names_->setSpacing(2);
     names_->setProperty("role", "well");

@@ -48,7 +48,7 @@ QString framesText(const std::vector<int>& frames)
 
 QString maskText(const RunState& state)
 {
-    const core::SubtractionPlan& plan = state.treatment.plan;
+    const core::SubtractionPlan& plan = state.processing.plan;
     if (plan.interval) {
         return AngiogramPanel::tr("%1 frames earlier").arg(plan.interval->offset);
     }
@@ -74,7 +74,7 @@ AngiogramPanel::AngiogramPanel(QWidget* parent)
       shiftRight_(new NumberField(shiftFormat())),
       shiftDown_(new NumberField(shiftFormat())),
       automaticShift_(
-          makeSmallButton([] { return tr("Automatic"); }, [] { return tr("Computes the shift of each frame"); })),
+          makeSmallButton([] { return tr("Automatic"); }, [] { return tr("Computes the mask shift for each frame"); })),
       pixelShift_(makeSmallButton([] { return tr("Manual"); },
                                   [] {
                                       return tooltipWithShortcut(tr("Shift the mask with the arrow keys or the mouse"),
@@ -97,7 +97,7 @@ AngiogramPanel::AngiogramPanel(QWidget* parent)
 template <class Change>
 void AngiogramPanel::edit(const Change& change, const LocalizedText& undoText)
 {
-    core::RunProcessing changed = state_.treatment;
+    core::RunProcessing changed = state_.processing;
     change(changed);
     emit treatmentEdited(changed, undoText);
 }
@@ -139,7 +139,8 @@ void AngiogramPanel::buildSubtraction()
 {
     withToolTip(subtract_, [] {
         return tooltipWithShortcut(
-            tr("Removes structures that also appear in the mask frames, such as bones and organs"), Command::Subtract);
+            tr("Subtracts structures that are also visible in the mask frames, such as bone and soft tissue"),
+            Command::Subtract);
     });
     withToolTip(composite_, [] {
         return tooltipWithShortcut(tr("Shows the darkest value of each pixel over the run"), Command::Composite);
@@ -206,10 +207,11 @@ void AngiogramPanel::editShift()
 void AngiogramPanel::buildPixels()
 {
     keepTranslated(relation_, [this] { setItemTexts(*relation_, {tr("linear"), tr("logarithmic")}); });
-    withToolTip(relation_, [] { return tr("Relation of stored values to X-ray intensity (0028,1040)"); });
+    withToolTip(relation_, [] { return tr("Relation of the stored pixel values to the X-ray intensity (0028,1040)"); });
     withAccessibleName(relation_, [] { return tr("Pixel values"); });
     keepTranslated(vessels_, [this] { setItemTexts(*vessels_, {tr("dark"), tr("bright")}); });
-    withToolTip(vessels_, [] { return tr("Sets whether contrast agent is darker or brighter than the background"); });
+    withToolTip(vessels_,
+                [] { return tr("Sets whether the contrast agent is darker or brighter than the background"); });
     withAccessibleName(vessels_, [] { return tr("Vessels"); });
     connect(relation_, &QComboBox::activated, this, [this](int index) {
         edit([index](core::RunProcessing& changed) { changed.plan.relation = static_cast<core::PixelRelation>(index); },
@@ -251,8 +253,9 @@ NumberField* AngiogramPanel::lengthRow(QGridLayout& grid, int row)
 {
     auto* field = new NumberField({0.0, 1000.0, 0, QStringLiteral("px"), 5.0});
     withAccessibleName(field, [] { return tr("min. length"); });
-    withToolTip(field,
-                [] { return tr("Removes isolated segments shorter than this, and spurs shorter than a third of it"); });
+    withToolTip(field, [] {
+        return tr("Removes isolated segments shorter than this length, and spurs shorter than a third of it");
+    });
     grid.addWidget(withText(roleLabel("label"), [] { return tr("min. length"); }), row, 0);
     grid.addWidget(field, row, 1);
     connect(field, &NumberField::edited, this, [this](double typed) {
@@ -272,7 +275,7 @@ void AngiogramPanel::buildTracing()
     grid->setColumnMinimumWidth(0, 84);
     grid->setColumnStretch(1, 1);
     sensitivity_ = tracingRow(
-        *grid, 0, [] { return tr("sensitivity"); }, [] { return tr("Values above 1 also trace fainter vessels"); },
+        *grid, 0, [] { return tr("sensitivity"); }, [] { return tr("Above 1, fainter vessels are also traced"); },
         {0.1, 10.0, 2, QString(), 0.1}, &core::TraceOptions::sensitivity);
     length_ = lengthRow(*grid, 1);
     maxRadius_ = tracingRow(
@@ -295,33 +298,33 @@ void AngiogramPanel::buildTracing()
 void AngiogramPanel::showRun(const RunState& state)
 {
     state_ = state;
-    const core::RunProcessing& treatment = state.treatment;
-    subtract_->setChecked(treatment.isSubtracted);
-    composite_->setChecked(treatment.isComposite);
+    const core::RunProcessing& processing = state.processing;
+    subtract_->setChecked(processing.isSubtracted);
+    composite_->setChecked(processing.isComposite);
     subtract_->setEnabled(state.hasRun);
     composite_->setEnabled(state.hasRun);
     for (QWidget* widget : std::initializer_list<QWidget*>{shiftRight_, shiftDown_, automaticShift_, pixelShift_}) {
-        widget->setEnabled(state.hasRun && treatment.isSubtracted);
+        widget->setEnabled(state.hasRun && processing.isSubtracted);
     }
-    automaticMasks_->setEnabled(state.hasRun && (!treatment.plan.maskFrames.empty() || treatment.plan.interval));
+    automaticMasks_->setEnabled(state.hasRun && (!processing.plan.maskFrames.empty() || processing.plan.interval));
     masks_->showText(state.hasRun ? maskText(state) : QString());
-    const auto& shift = treatment.plan.maskShiftPx;
+    const auto& shift = processing.plan.maskShiftPx;
     shiftRight_->showValue(shift ? std::optional(shift->x()) : std::nullopt);
     shiftDown_->showValue(shift ? std::optional(shift->y()) : std::nullopt);
-    relation_->setCurrentIndex(static_cast<int>(treatment.plan.relation));
+    relation_->setCurrentIndex(static_cast<int>(processing.plan.relation));
     vessels_->setCurrentIndex(static_cast<int>(state.polarity));
-    setHint(state.isComputing        ? tr("subtracting…")
-            : treatment.isSubtracted ? tr("subtracted")
-            : treatment.isComposite  ? tr("min-IP")
-                                     : tr("native"));
+    setHint(state.isComputing         ? tr("subtracting…")
+            : processing.isSubtracted ? tr("subtracted")
+            : processing.isComposite  ? tr("min-IP")
+                                      : tr("native"));
 }
 
-void AngiogramPanel::showTracing(const core::TraceOptions& options, double widestPx)
+void AngiogramPanel::showTracing(const core::TraceOptions& options, double maxWidthPx)
 {
     tracing_ = options;
     sensitivity_->showValue(options.sensitivity);
     length_->showValue(options.minComponentLengthPx);
-    maxRadius_->showValue(widestPx);
+    maxRadius_->showValue(maxWidthPx);
     defaults_->setEnabled(!(options == core::TraceOptions{}));
 }
 

@@ -15,7 +15,7 @@ namespace angiopose::ui {
 
 /// Properties of the run that the panel shows.
 struct RunState {
-    core::RunProcessing treatment;
+    core::RunProcessing processing;
     core::Polarity polarity = core::Polarity::VesselsDark;   ///< polarity in use
     std::vector<int> maskFrames;   ///< mask frames in use, or else the suggested ones; empty if there are none
     bool hasRun = false;   ///< true if the angiogram has more than one frame
@@ -31,11 +31,12 @@ public:
 
     void showRun(const RunState& state);   ///< emits no signal
     void showWindowLevel(double window, double level);   ///< shows window and level in gray values; emits no signal
-    void showTracing(const core::TraceOptions& options, double widestPx);   ///< `widestPx` is the maximum radius in use
+    void showTracing(const core::TraceOptions& options,
+                     double maxWidthPx);   ///< `maxWidthPx` is the maximum radius in use
 
 signals:
     void windowLevelTyped(double window, double level);
-    void treatmentEdited(const core::RunProcessing& treatment, const ui::LocalizedText& undoText);
+    void treatmentEdited(const core::RunProcessing& processing, const ui::LocalizedText& undoText);
     void pixelShiftRequested();
     void editingRequested();   ///< requests the mode for editing the traced curves
     void tracingEdited(const core::TraceOptions& options, const ui::LocalizedText& undoText);

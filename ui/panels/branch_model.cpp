@@ -138,7 +138,7 @@ QString BranchModel::description(const Row& row) const
     if (const auto it = residualMm_.find(row.id); it != residualMm_.end()) {
         parts << tr("median residual %1 mm").arg(numberText(it->second, 2));
     }
-    return joinedNames(parts);
+    return joinNames(parts);
 }
 
 }   // namespace angiopose::ui

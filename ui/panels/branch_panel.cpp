@@ -284,7 +284,7 @@ void BranchPanel::showContextMenu(const QPoint& position)
                     [this, affected] { emit excludedToggled(affected); });
     menu->addSeparator();
     menu->addAction(tr("Use only these as auxiliary"), this, [this, affected] { emit auxiliaryReplaced(affected); });
-    menu->addAction(tr("Clear auxiliary branches (use nodes)"), this, &BranchPanel::auxiliaryCleared);
+    menu->addAction(tr("Clear auxiliary branches"), this, &BranchPanel::auxiliaryCleared);
     menu->addSeparator();
     menu->addActions(editActions_);
     QMenu* generations = menu->addMenu(tr("Generation"));

@@ -22,13 +22,12 @@ struct EditRow {
 constexpr std::array editRows{
     EditRow{CurveEdit::Remove, QT_TRANSLATE_NOOP("angiopose::ui::CurveEditBar", "Not a vessel"), "X",
             QT_TRANSLATE_NOOP("angiopose::ui::CurveEditBar", "Click a curve to exclude it")},
-    EditRow{
-        CurveEdit::MarkDevice, QT_TRANSLATE_NOOP("angiopose::ui::CurveEditBar", "Catheter"), "W",
-        QT_TRANSLATE_NOOP(
-            "angiopose::ui::CurveEditBar",
-            "Click a catheter or guidewire to mark it as a device: it does not count as a vessel, but can be tracked")},
+    EditRow{CurveEdit::MarkDevice, QT_TRANSLATE_NOOP("angiopose::ui::CurveEditBar", "Catheter"), "W",
+            QT_TRANSLATE_NOOP("angiopose::ui::CurveEditBar",
+                              "Click a catheter or guidewire to mark it as a device; devices do not count as vessels, "
+                              "but can be tracked")},
     EditRow{CurveEdit::Erase, QT_TRANSLATE_NOOP("angiopose::ui::CurveEditBar", "Erase"), "E",
-            QT_TRANSLATE_NOOP("angiopose::ui::CurveEditBar", "Brush over the parts of curves to erase")},
+            QT_TRANSLATE_NOOP("angiopose::ui::CurveEditBar", "Brush over the parts of curves that you want to erase")},
     EditRow{CurveEdit::Draw, QT_TRANSLATE_NOOP("angiopose::ui::CurveEditBar", "Draw"), "D",
             QT_TRANSLATE_NOOP("angiopose::ui::CurveEditBar", "Click along a vessel: the line follows it")},
     EditRow{CurveEdit::Cut, QT_TRANSLATE_NOOP("angiopose::ui::CurveEditBar", "Cut"), "C",
@@ -77,14 +76,14 @@ CurveEditBar::CurveEditBar(QWidget* parent)
         return tr("Find the path of the catheter or guidewire through the tree (method “Guidewire or catheter”)");
     });
     followDevice_->setProperty("role", "quiet");
-    connect(followDevice_, &QPushButton::clicked, this, &CurveEditBar::followRequested);
+    connect(followDevice_, &QPushButton::clicked, this, &CurveEditBar::trackDeviceRequested);
     withToolTip(traceAgain_,
                 [] { return tr("Discard the edits of this frame and trace it automatically; can be undone"); });
     traceAgain_->setProperty("role", "quiet");
     connect(traceAgain_, &QPushButton::clicked, this, &CurveEditBar::traceAgainRequested);
     auto* done = withText(new QPushButton, [] { return withShortcut(tr("Done"), QStringLiteral("Esc")); });
     withAccessibleName(done, [] { return tr("Done"); });
-    connect(done, &QPushButton::clicked, this, &CurveEditBar::doneRequested);
+    connect(done, &QPushButton::clicked, this, &CurveEditBar::finishRequested);
     auto* actionRow = new QHBoxLayout;
     actionRow->setContentsMargins(4, 0, 0, 0);
     actionRow->addWidget(count_, 1);

@@ -32,8 +32,8 @@ public:
 signals:
     void editChosen(ui::CurveEdit edit);
     void traceAgainRequested();
-    void followRequested();   ///< requests tracking of the marked catheter or guidewire
-    void doneRequested();
+    void trackDeviceRequested();   ///< requests tracking of the marked catheter or guidewire
+    void finishRequested();
 
 private:
     void updateCounts();

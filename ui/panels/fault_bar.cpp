@@ -38,8 +38,8 @@ void FaultBar::showFault(const QString& dumpPath)
 
 void FaultBar::updateText()
 {
-    label_->setText(tr("AngioPose crashed last time. A report with the crash location in the program, but without case "
-                       "data, is in %1.")
+    label_->setText(tr("AngioPose crashed during its last session. A report of where in the program it crashed, "
+                       "without case data, was saved to %1.")
                         .arg(dumpPath_));
 }
 

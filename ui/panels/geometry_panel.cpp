@@ -60,10 +60,10 @@ GeometryPanel::GeometryPanel(QWidget* parent)
       assume_(withText(new QPushButton, [] { return tr("Use typical values"); })),
       removeOverride_(withText(new QPushButton, [] { return tr("Use distances and spacing instead"); }))
 {
-    auto* usual = makeGrid();
+    auto* typical = makeGrid();
     auto* seldom = makeGrid();
     for (const GeometryValue value : allValues()) {
-        addRow(value, value < firstAdvancedValue ? usual : seldom);
+        addRow(value, value < firstAdvancedValue ? typical : seldom);
     }
     addDisplaySide(seldom);
     for (QLabel* label : {camera_, notes_, headerText_}) {
@@ -74,7 +74,7 @@ GeometryPanel::GeometryPanel(QWidget* parent)
         button->setProperty("role", "quiet");
     }
     withToolTip(assume_, [] {
-        return tr("SID 1000 mm, SOD 750 mm, pixel spacing 0.3 mm, angles 0°: fills in missing values only.");
+        return tr("Fills in missing values only: SID 1000 mm, SOD 750 mm, pixel spacing 0.3 mm, angles 0°.");
     });
     connect(assume_, &QPushButton::clicked, this, &GeometryPanel::assumeMissing);
     connect(removeOverride_, &QPushButton::clicked, this, &GeometryPanel::cameraOverrideRemoved);
@@ -85,7 +85,7 @@ GeometryPanel::GeometryPanel(QWidget* parent)
         part->layout()->setContentsMargins(0, 4, 0, 0);
         part->setFolded(true);
     }
-    contentLayout()->addLayout(usual);
+    contentLayout()->addLayout(typical);
     contentLayout()->addWidget(camera_);
     contentLayout()->addWidget(removeOverride_);
     contentLayout()->addWidget(notes_);
@@ -133,8 +133,8 @@ void GeometryPanel::addDisplaySide(QGridLayout* grid)
     withAccessibleName(displaySide_, [] { return tr("Viewing side of the image"); });
     withToolTip(displaySide_, [] {
         return tr(
-            "Angiograms are shown as seen from the detector. A mirrored export swaps left and right: the projection is "
-            "then mirrored together with the image; the vessels are never mirrored.");
+            "Angiograms are normally shown as seen from the detector. In a mirrored export, left and right are "
+            "swapped; the projection is then mirrored together with the image, but the vessels themselves never are.");
     });
     connect(displaySide_, &QComboBox::activated, this, [this](int index) {
         core::CArm cArm = state_.cArm;
@@ -177,7 +177,7 @@ void GeometryPanel::showGeometry(const GeometryState& state)
 
 void GeometryPanel::showRow(GeometryValue value)
 {
-    const core::Sourced<double> sourced = shownValue(state_, value);
+    const core::SourcedValue<double> sourced = shownValue(state_, value);
     const core::Origin origin = sourced.value ? sourced.origin : core::Origin::Missing;
     const bool isFromHeader = value == GeometryValue::Sod && state_.cArm.sourceToObjectMm.value;   // no check needed
     const bool needsCheck = needsAttention(value, origin) && !isFromHeader;
@@ -220,8 +220,8 @@ void GeometryPanel::showNotes()
     }
     if (state_.cArm.columnSpacingMm.origin == core::Origin::Derived && !state_.cameraOverride) {
         notes << tr(
-            "The header contains no pixel spacing; this value is derived. Press Enter in the field to confirm it, or "
-            "enter another value.");
+            "The header contains no pixel spacing; this value is derived. Press Enter in the field to confirm the "
+            "value, or enter another one.");
     }
     if (state_.cArm.mirrored.value.value_or(false) && !state_.cameraOverride) {
         notes << tr("The image is assumed to be mirrored (%1). Check left and right.")
@@ -277,7 +277,7 @@ void GeometryPanel::editValue(GeometryValue value, double number)
 
 void GeometryPanel::confirmValue(GeometryValue value)
 {
-    const core::Sourced<double> sourced = shownValue(state_, value);
+    const core::SourcedValue<double> sourced = shownValue(state_, value);
     if (sourced.value && needsAttention(value, sourced.origin)) {
         emit edited(withValue(state_, value, *sourced.value, core::Origin::User, "confirmed: " + sourced.basis),
                     [value] { return tr(infoOf(value).label); });
@@ -289,7 +289,8 @@ void GeometryPanel::assumeMissing()
     GeometryState assumed = state_;
     for (const GeometryValue value : allValues()) {
         if (infoOf(value).isRequired && !shownValue(state_, value).value) {
-            assumed.cArm = withValue(assumed, value, infoOf(value).usual, core::Origin::Assumed, "typical for a C-arm");
+            assumed.cArm =
+                withValue(assumed, value, infoOf(value).typical, core::Origin::Assumed, "typical for a C-arm");
         }
     }
     emit edited(assumed.cArm, [] { return tr("missing values"); });

@@ -4,7 +4,7 @@ namespace angiopose::ui {
 namespace {
 
 using core::Origin;
-using core::Sourced;
+using core::SourcedValue;
 
 NumberFormat millimeters(double min, double max, int decimals, double step)
 {
@@ -69,13 +69,13 @@ const std::array<GeometryValueInfo, geometryValueCount>& kinds()
 
 /// Returns one coordinate of `point`, or of its substitute if the point is unknown.
 template <class Point>
-Sourced<double> coordinate(const Sourced<Point>& point, const std::optional<Point>& standIn, Eigen::Index index,
-                           const char* standInBasis)
+SourcedValue<double> coordinate(const SourcedValue<Point>& point, const std::optional<Point>& standIn,
+                                Eigen::Index index, const char* standInBasis)
 {
     if (point.value) {
         return {(*point.value)[index], point.origin, point.basis};
     }
-    return standIn ? Sourced<double>{(*standIn)[index], Origin::Assumed, standInBasis} : Sourced<double>{};
+    return standIn ? SourcedValue<double>{(*standIn)[index], Origin::Assumed, standInBasis} : SourcedValue<double>{};
 }
 
 std::optional<Eigen::Vector2d> imageCenter(const GeometryState& state)
@@ -86,8 +86,8 @@ std::optional<Eigen::Vector2d> imageCenter(const GeometryState& state)
 }
 
 template <class Point>
-void setCoordinate(Sourced<Point>& point, const std::optional<Point>& standIn, Eigen::Index index,
-                   const Sourced<double>& number)
+void setCoordinate(SourcedValue<Point>& point, const std::optional<Point>& standIn, Eigen::Index index,
+                   const SourcedValue<double>& number)
 {
     Point moved = point.value ? *point.value : standIn.value_or(Point::Zero());
     moved[index] = *number.value;
@@ -106,7 +106,7 @@ const GeometryValueInfo& infoOf(GeometryValue value)
     return kinds()[static_cast<std::size_t>(value)];
 }
 
-Sourced<double> shownValue(const GeometryState& state, GeometryValue value)
+SourcedValue<double> shownValue(const GeometryState& state, GeometryValue value)
 {
     const core::CArm& cArm = state.cArm;
     switch (value) {
@@ -117,7 +117,7 @@ Sourced<double> shownValue(const GeometryState& state, GeometryValue value)
         case GeometryValue::Spacing:
             return cArm.columnSpacingMm;
         case GeometryValue::FieldWidth: {
-            Sourced<double> width = cArm.columnSpacingMm;
+            SourcedValue<double> width = cArm.columnSpacingMm;
             if (width.value && state.imageSizePx.x() > 0) {
                 width = {*width.value * state.imageSizePx.x(), Origin::Derived, "columns × pixel spacing"};
                 return width;
@@ -129,7 +129,7 @@ Sourced<double> shownValue(const GeometryState& state, GeometryValue value)
         case GeometryValue::Secondary:
             return cArm.secondaryAngleDeg;
         case GeometryValue::Roll:
-            return cArm.rollDeg.value ? cArm.rollDeg : Sourced<double>{0.0, Origin::Assumed, "not in the header"};
+            return cArm.rollDeg.value ? cArm.rollDeg : SourcedValue<double>{0.0, Origin::Assumed, "not in the header"};
         case GeometryValue::CenterX:
         case GeometryValue::CenterY:
             return coordinate(cArm.principalPointPx, imageCenter(state), indexFrom(GeometryValue::CenterX, value),
@@ -147,7 +147,7 @@ core::CArm withValue(const GeometryState& state, GeometryValue value, double num
                      const std::string& basis)
 {
     core::CArm cArm = state.cArm;
-    const Sourced<double> typed{number, origin, basis};
+    const SourcedValue<double> typed{number, origin, basis};
     switch (value) {
         case GeometryValue::Sid:
             cArm.sourceToDetectorMm = typed;

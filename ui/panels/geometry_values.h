@@ -49,13 +49,13 @@ struct GeometryValueInfo {
     const char* label;
     const char* help;
     NumberFormat format;
-    double usual;
+    double typical;
     bool isRequired;   ///< whether the camera or the initial pose requires the value
 };
 const GeometryValueInfo& infoOf(GeometryValue value);
 
 /// Returns the value in use: that of the case, or its substitute.
-core::Sourced<double> shownValue(const GeometryState& state, GeometryValue value);
+core::SourcedValue<double> shownValue(const GeometryState& state, GeometryValue value);
 
 /// Returns the C-arm of `state` with `value` set to `number`, either entered or assumed.
 core::CArm withValue(const GeometryState& state, GeometryValue value, double number, core::Origin origin,

@@ -23,7 +23,7 @@ LandmarkPanel::LandmarkPanel(QWidget* parent)
           "landmarks", [] { return tr("Landmarks"); }, Folding::Foldable, parent),
       list_(new QListWidget),
       verdict_(roleLabel("hint")),
-      mode_(withText(new QPushButton, [] { return withShortcut(tr("Pick pairs"), Command::Landmarks); })),
+      modeButton_(withText(new QPushButton, [] { return withShortcut(tr("Pick pairs"), Command::Landmarks); })),
       place_(withText(new QPushButton, [] { return tr("Compute pose"); })),
       remove_(withText(new QPushButton, [] { return tr("Remove"); }))
 {
@@ -32,16 +32,16 @@ LandmarkPanel::LandmarkPanel(QWidget* parent)
     list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     list_->installEventFilter(this);
     verdict_->setWordWrap(true);
-    mode_->setCheckable(true);
-    withToolTip(mode_, [] {
+    modeButton_->setCheckable(true);
+    withToolTip(modeButton_, [] {
         return tooltipWithShortcut(
             tr("Click a point on the vessels in 3-D (or a slice), then the same point in the image."),
             Command::Landmarks);
     });
     withToolTip(place_, [] {
         return tr(
-            "Computes the initial pose from the pairs (or press Enter while picking). Undo restores the previous "
-            "pose.");
+            "Computes the initial pose from the pairs, as does pressing Enter while picking. Undo restores the "
+            "previous pose.");
     });
     withToolTip(remove_, [] { return tr("Removes the selected pairs (Delete)"); });
     remove_->setProperty("role", "quiet");
@@ -51,7 +51,7 @@ LandmarkPanel::LandmarkPanel(QWidget* parent)
             [this] { remove_->setEnabled(!list_->selectedItems().isEmpty()); });
     auto* buttons = new QHBoxLayout;
     buttons->setSpacing(8);
-    buttons->addWidget(mode_);
+    buttons->addWidget(modeButton_);
     buttons->addWidget(place_);
     buttons->addWidget(remove_);
     contentLayout()->addWidget(list_);
@@ -64,9 +64,9 @@ LandmarkPanel::LandmarkPanel(QWidget* parent)
 
 void LandmarkPanel::bindMode(QAction& action)
 {
-    connect(mode_, &QPushButton::clicked, &action, [&action](bool on) { action.setChecked(on); });
+    connect(modeButton_, &QPushButton::clicked, &action, [&action](bool on) { action.setChecked(on); });
     connect(&action, &QAction::toggled, this, [this](bool on) {
-        mode_->setChecked(on);
+        modeButton_->setChecked(on);
         if (on) {
             setFolded(false);
         }

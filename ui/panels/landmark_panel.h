@@ -43,7 +43,7 @@ private:
 
     QListWidget* list_;
     QLabel* verdict_;
-    QPushButton* mode_;
+    QPushButton* modeButton_;
     QPushButton* place_;
     QPushButton* remove_;
     std::size_t count_ = 0;

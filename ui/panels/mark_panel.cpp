@@ -59,7 +59,8 @@ MarkPanel::MarkPanel(QWidget* parent)
       export_(withText(new QPushButton, [] { return tr("Table…"); }))
 {
     withToolTip(remove_, [] { return tr("Removes the selected marks (Delete)"); });
-    withToolTip(export_, [] { return tr("Writes all target points and rings and their errors as a CSV table."); });
+    withToolTip(export_,
+                [] { return tr("Writes all target points and ostium rings with their errors to a CSV file."); });
     remove_->setProperty("role", "quiet");
     basis_->setWordWrap(true);
     setUpList();
@@ -102,7 +103,7 @@ void MarkPanel::setUpList()
 
 void MarkPanel::connectParts()
 {
-    connect(remove_, &QPushButton::clicked, this, &MarkPanel::removeChosen);
+    connect(remove_, &QPushButton::clicked, this, &MarkPanel::removeSelected);
     connect(export_, &QPushButton::clicked, this, &MarkPanel::exportRequested);
     connect(list_, &QTreeWidget::itemSelectionChanged, this, [this] {
         if (!isUpdating_) {
@@ -129,13 +130,13 @@ void MarkPanel::bindMode(std::size_t mode, QAction& action)
     });
 }
 
-std::set<int> MarkPanel::chosen() const
+std::set<int> MarkPanel::selectedRows() const
 {
-    std::set<int> places;
+    std::set<int> rowIndices;
     for (QTreeWidgetItem* item : list_->selectedItems()) {
-        places.insert(list_->indexOfTopLevelItem(item));
+        rowIndices.insert(list_->indexOfTopLevelItem(item));
     }
-    return places;
+    return rowIndices;
 }
 
 void MarkPanel::choose(int index)
@@ -178,18 +179,18 @@ void MarkPanel::showMarks(const std::vector<MarkRow>& rows, const QString& note)
 /// Shows how the value of the selected mark was obtained; without a selection, shows the note.
 void MarkPanel::showBasis()
 {
-    const std::set<int> places = chosen();
-    const QString basis = places.size() == 1 ? rows_[static_cast<std::size_t>(*places.begin())].basis : note_;
+    const std::set<int> rowIndices = selectedRows();
+    const QString basis = rowIndices.size() == 1 ? rows_[static_cast<std::size_t>(*rowIndices.begin())].basis : note_;
     basis_->setText(basis);
     basis_->setVisible(!basis.isEmpty());
-    remove_->setEnabled(!places.empty());
+    remove_->setEnabled(!rowIndices.empty());
     export_->setEnabled(!rows_.empty());
 }
 
-void MarkPanel::removeChosen()
+void MarkPanel::removeSelected()
 {
-    if (const std::set<int> places = chosen(); !places.empty()) {
-        emit removeRequested(places);
+    if (const std::set<int> rowIndices = selectedRows(); !rowIndices.empty()) {
+        emit removeRequested(rowIndices);
     }
 }
 
@@ -213,7 +214,7 @@ bool MarkPanel::eventFilter(QObject* watched, QEvent* event)
         return event->isAccepted();
     }
     if (key == Qt::Key_Delete) {
-        removeChosen();
+        removeSelected();
     }
     return key == Qt::Key_Delete;
 }

@@ -31,13 +31,13 @@ public:
 
     void showMarks(const std::vector<MarkRow>& rows, const QString& note);   ///< emits no signal, keeps the selection
     void bindMode(std::size_t mode, QAction& action);   ///< connects the action of a mode; `mode` is a ui::MarkMode
-    std::set<int> chosen() const;   ///< indices of the selected rows
+    std::set<int> selectedRows() const;   ///< indices of the selected rows
     void choose(int index);
 
 signals:
     void selectionChanged();   ///< emitted when the selection has changed; see `chosen`
     void renamed(int index, const QString& name);
-    void removeRequested(const std::set<int>& places);
+    void removeRequested(const std::set<int>& rowIndices);
     void exportRequested();
 
 protected:
@@ -48,7 +48,7 @@ private:
     void setUpList();
     void connectParts();
     void showBasis();
-    void removeChosen();
+    void removeSelected();
 
     QTreeWidget* list_;
     QLabel* basis_;

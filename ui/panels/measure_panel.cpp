@@ -62,13 +62,13 @@ MeasurePanel::MeasurePanel(QWidget* parent)
     withToolTip(plane_,
                 [] { return tr("Measures lengths at the depth of the vessels, at the detector, or in pixels."); });
     withAccessibleName(scale_, [] { return tr("Image scale"); });
-    withToolTip(scale_, [] { return tr("Size of a pixel in the patient, if known from another source."); });
+    withToolTip(scale_, [] { return tr("Pixel size in the patient, if known from another source."); });
     scale_->setDecimals(4);
     scale_->setRange(0.0, 100.0);
     scale_->setSingleStep(0.01);
     scale_->setKeyboardTracking(false);
     withToolTip(remove_, [] { return tr("Removes the selected measurements (Delete)"); });
-    withToolTip(export_, [] { return tr("Writes all measurements and their basis as a CSV table."); });
+    withToolTip(export_, [] { return tr("Writes all measurements and their basis to a CSV file."); });
     remove_->setProperty("role", "quiet");
     basis_->setWordWrap(true);
     setUpList();
@@ -119,7 +119,7 @@ void MeasurePanel::connectParts()
     connect(plane_, &QComboBox::activated, this,
             [this](int index) { emit planePicked(static_cast<core::MeasurementPlane>(index)); });
     connect(scale_, &QDoubleSpinBox::valueChanged, this, &MeasurePanel::scaleTyped);
-    connect(remove_, &QPushButton::clicked, this, &MeasurePanel::removeChosen);
+    connect(remove_, &QPushButton::clicked, this, &MeasurePanel::removeSelected);
     connect(export_, &QPushButton::clicked, this, &MeasurePanel::exportRequested);
     connect(list_, &QTreeWidget::itemSelectionChanged, this, [this] {
         if (!isUpdating_) {
@@ -146,13 +146,13 @@ void MeasurePanel::bindMode(core::MeasurementKind kind, QAction& action)
     });
 }
 
-std::set<int> MeasurePanel::chosen() const
+std::set<int> MeasurePanel::selectedRows() const
 {
-    std::set<int> places;
+    std::set<int> rowIndices;
     for (QTreeWidgetItem* item : list_->selectedItems()) {
-        places.insert(list_->indexOfTopLevelItem(item));
+        rowIndices.insert(list_->indexOfTopLevelItem(item));
     }
-    return places;
+    return rowIndices;
 }
 
 void MeasurePanel::showMeasurements(const MeasureState& state)
@@ -185,26 +185,26 @@ void MeasurePanel::showMeasurements(const MeasureState& state)
     const QSignalBlocker quietScale(scale_);
     scale_->setVisible(state.plane == core::MeasurementPlane::Typed);
     scale_->setValue(state.enteredMmPerPx.value_or(0.0));
-    setHint(count == 0 ? QString() : tr("%1 measured").arg(count));
+    setHint(count == 0 ? QString() : tr("measured: %1").arg(count));
     showBasis();
 }
 
 /// Shows how the selected measurement was obtained; without a selection, explains the measurement plane.
 void MeasurePanel::showBasis()
 {
-    const std::set<int> places = chosen();
-    const bool isOne = places.size() == 1;
-    const QString basis = isOne ? state_.rows[static_cast<std::size_t>(*places.begin())].basis : state_.basis;
+    const std::set<int> rowIndices = selectedRows();
+    const bool isOne = rowIndices.size() == 1;
+    const QString basis = isOne ? state_.rows[static_cast<std::size_t>(*rowIndices.begin())].basis : state_.basis;
     basis_->setText(basis);
     basis_->setVisible(!basis.isEmpty());
-    remove_->setEnabled(!places.empty());
+    remove_->setEnabled(!rowIndices.empty());
     export_->setEnabled(!state_.rows.empty());
 }
 
-void MeasurePanel::removeChosen()
+void MeasurePanel::removeSelected()
 {
-    if (const std::set<int> places = chosen(); !places.empty()) {
-        emit removeRequested(places);
+    if (const std::set<int> rowIndices = selectedRows(); !rowIndices.empty()) {
+        emit removeRequested(rowIndices);
     }
 }
 
@@ -228,7 +228,7 @@ bool MeasurePanel::eventFilter(QObject* watched, QEvent* event)
         return event->isAccepted();
     }
     if (key == Qt::Key_Delete) {
-        removeChosen();
+        removeSelected();
     }
     return key == Qt::Key_Delete;
 }

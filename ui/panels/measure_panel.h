@@ -42,14 +42,14 @@ public:
 
     void showMeasurements(const MeasureState& state);   ///< emits no signal, keeps the selection
     void bindMode(core::MeasurementKind kind, QAction& action);
-    std::set<int> chosen() const;   ///< indices of the selected rows
+    std::set<int> selectedRows() const;   ///< indices of the selected rows
 
 signals:
     void planePicked(core::MeasurementPlane plane);
     void scaleTyped(double mmPerPx);   ///< emitted with 0 if the user cleared the scale
     void selectionChanged();   ///< emitted when the selection has changed; see `chosen`
     void renamed(int place, const QString& name);
-    void removeRequested(const std::set<int>& places);
+    void removeRequested(const std::set<int>& rowIndices);
     void exportRequested();
 
 protected:
@@ -60,7 +60,7 @@ private:
     void setUpList();
     void connectParts();
     void showBasis();
-    void removeChosen();
+    void removeSelected();
 
     QComboBox* plane_;
     QDoubleSpinBox* scale_;

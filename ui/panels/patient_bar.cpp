@@ -24,7 +24,7 @@ PatientBar::PatientBar(QWidget* parent)
     hide();
 }
 
-void PatientBar::showPatient(const PatientLine& line)
+void PatientBar::showPatient(const PatientText& line)
 {
     warning_->setText(line.warning);
     warning_->setVisible(!line.warning.isEmpty());

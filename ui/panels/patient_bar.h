@@ -9,7 +9,7 @@ namespace angiopose::ui {
 class ElidedLabel;
 
 /// Parts of the patient bar, which are shown in one line.
-struct PatientLine {
+struct PatientText {
     QString warning;   ///< problem with the patient identity, shown first; empty if none
     QString name;
     QString details;   ///< ID, birth date and sex, and the inputs that state them
@@ -21,7 +21,7 @@ class PatientBar : public QWidget {
 public:
     explicit PatientBar(QWidget* parent = nullptr);
 
-    void showPatient(const PatientLine& line);
+    void showPatient(const PatientText& line);
 
 private:
     QLabel* warning_;

@@ -63,7 +63,7 @@ PlayBar::PlayBar(QWidget* parent)
 
 void PlayBar::showFrameTime(const FrameTime& time)
 {
-    time_ = time;
+    frameTime_ = time;
     updateTexts();
 }
 
@@ -98,18 +98,20 @@ void PlayBar::updateTexts()
     order_->setAccessibleName(isLoop ? tr("Loop") : tr("Back and forth"));
     order_->setToolTip(order_->accessibleName());
     speed_->setAccessibleName(tr("Speed"));
-    if (time_.ms <= 0.0) {
+    if (frameTime_.ms <= 0.0) {
         return;
     }
     for (std::size_t i = 0; i < playSpeeds.size(); ++i) {
-        const double rate = 1000.0 / time_.ms * playSpeeds.at(i);
+        const double rate = 1000.0 / frameTime_.ms * playSpeeds.at(i);
         speed_->setItemText(static_cast<int>(i),
                             tr("%1 · %2 fps").arg(speedName(playSpeeds.at(i)), briefNumber(rate, 3)));
     }
-    const QString rate = briefNumber(1000.0 / time_.ms, 3);
-    speed_->setToolTip(time_.isAssumed
-                           ? tr("The header contains no frame rate: 1× assumes %1 frames per second").arg(rate)
-                           : tr("1×: acquisition frame rate, %1 frames per second").arg(rate));
+    const QString rate = briefNumber(1000.0 / frameTime_.ms, 3);
+    speed_->setToolTip(
+        frameTime_.isAssumed
+            ? tr("The header contains no frame rate: 1× corresponds to an assumed rate of %1 frames per second")
+                  .arg(rate)
+            : tr("1×: acquisition frame rate, %1 frames per second").arg(rate));
 }
 
 }   // namespace angiopose::ui

@@ -44,7 +44,7 @@ private:
     GlyphButton* play_;
     QComboBox* speed_;
     GlyphButton* order_;
-    FrameTime time_;
+    FrameTime frameTime_;
     core::CineOrder shownOrder_ = core::CineOrder::Loop;
     bool isPlaying_ = false;
 };

@@ -28,8 +28,8 @@ QString numberOrNone(std::optional<double> value, int decimals, const QString& p
 QString stenosisText(const core::StenosisMeasure& stenosis)
 {
     return ProfilePanel::tr("%1 % at %2 mm (%3 of %4 mm, %5 mm long)")
-        .arg(numberText(stenosis.percent, 0), numberText(stenosis.atMm, 1), numberText(stenosis.diameterMm, 2),
-             numberText(stenosis.referenceMm, 2), numberText(stenosis.toMm - stenosis.fromMm, 1));
+        .arg(numberText(stenosis.percent, 0), numberText(stenosis.positionMm, 1), numberText(stenosis.diameterMm, 2),
+             numberText(stenosis.referenceDiameterMm, 2), numberText(stenosis.toMm - stenosis.fromMm, 1));
 }
 
 ProfilePanel::ProfilePanel(QWidget* parent)
@@ -42,11 +42,12 @@ ProfilePanel::ProfilePanel(QWidget* parent)
       profile_(withText(new QPushButton, [] { return tr("Profile…"); }))
 {
     warning_->setWordWrap(true);
-    withToolTip(table_,
-                [] { return tr("Writes length, diameters, stenosis and curvature of all branches as a CSV table."); });
-    withToolTip(profile_, [] { return tr("Writes diameter and curvature along this branch as a CSV table."); });
-    connect(table_, &QPushButton::clicked, this, &ProfilePanel::tableRequested);
-    connect(profile_, &QPushButton::clicked, this, &ProfilePanel::profileRequested);
+    withToolTip(table_, [] {
+        return tr("Writes the length, diameters, stenosis and curvature of every branch to a CSV file.");
+    });
+    withToolTip(profile_, [] { return tr("Writes the diameter and curvature along this branch to a CSV file."); });
+    connect(table_, &QPushButton::clicked, this, &ProfilePanel::tableExportRequested);
+    connect(profile_, &QPushButton::clicked, this, &ProfilePanel::profileExportRequested);
     auto* buttons = new QHBoxLayout;
     buttons->setSpacing(8);
     buttons->addWidget(table_);

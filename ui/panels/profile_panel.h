@@ -23,8 +23,8 @@ public:
     ProfilePlot& plot() { return *plot_; }
 
 signals:
-    void tableRequested();   ///< requests the table of all branches
-    void profileRequested();   ///< requests the profile of the displayed branch
+    void tableExportRequested();   ///< requests the table of all branches
+    void profileExportRequested();   ///< requests the profile of the displayed branch
 
 private:
     QWidget* makeNumbers();

@@ -62,9 +62,9 @@ RegistrationPanel::RegistrationPanel(QWidget* parent)
     allViews_->setChecked(true);
     withToolTip(allViews_, [] {
         return tr(
-            "Uses one pose for all views: moving the vessels manually moves them in every view, and registration fits "
-            "all views with the AngioPose method, because depth in one view is translation in another. If off, only "
-            "the displayed view is used.");
+            "Uses one pose for all views. Moving the vessels manually moves them in every view. Registration fits all "
+            "views jointly with the method AngioPose: the depth in one view is then determined by the in-plane "
+            "translation in another. If off, only the displayed view is used.");
     });
     contentLayout()->addWidget(allViews_);
     contentLayout()->addWidget(lockNote_);
@@ -97,8 +97,9 @@ QHBoxLayout* RegistrationPanel::methodRow()
     auto* about = new QToolButton;
     about->setText(QStringLiteral("?"));
     withAccessibleName(about, [] { return tr("About this method"); });
-    withToolTip(about,
-                [] { return tr("Explains the cost that this method minimizes, when it fails, and its source."); });
+    withToolTip(about, [] {
+        return tr("Explains which cost this method minimizes, when the method fails, and where it was published.");
+    });
     connect(about, &QToolButton::clicked, this, [this] {
         auto* help = new HelpPage(QStringLiteral("methods/") + method_->currentData().toString(),
                                   tr("About this method"), window());

@@ -31,7 +31,7 @@ signals:
     void optionsEdited(const core::RegistrationOptions& options, const ui::LocalizedText& fieldLabel);
     void registerRequested();
     void stopRequested();
-    void allViewsToggled(bool together);
+    void allViewsToggled(bool allViews);
 
 private:
     void showLocks(int count);

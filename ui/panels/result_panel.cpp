@@ -31,7 +31,7 @@ QLabel* makeSentenceBox(const char* role)
 
 void setSentences(QLabel* box, const QStringList& sentences)
 {
-    box->setText(joinedSentences(sentences));
+    box->setText(joinSentences(sentences));
     box->setVisible(!sentences.isEmpty());
 }
 
@@ -47,11 +47,11 @@ void reserveHeight(QLabel* box, bool isKept)
 
 QString runSummary(const core::RegistrationResult& result)
 {
-    const QString words = termText(core::toText(result.stopReason));
+    const QString sentence = termText(core::toText(result.stopReason));
     const double ms = result.time.totalMs;
     const QString time = ms >= 1000.0 ? ResultPanel::tr("%1 s").arg(numberText(ms / 1000.0, 1))
                                       : ResultPanel::tr("%1 ms").arg(numberText(ms, ms < 10.0 ? 1 : 0));
-    return ResultPanel::tr("%1 · %2").arg(words, time);
+    return ResultPanel::tr("%1 · %2").arg(sentence, time);
 }
 
 QString sourceText(const AssessedPose& assessed)
@@ -76,9 +76,10 @@ QString sourceText(const AssessedPose& assessed)
 QString medianText(const AssessedPose& assessed)
 {
     const QString median = numberText(assessed.result.metrics.medianMm, 2);
-    return assessed.assessedShare < 1.0
-               ? ResultPanel::tr("median %1 mm over the %2 % classified as opacified, whole tree %3 mm")
-                     .arg(median, numberText(100.0 * assessed.assessedShare, 0), numberText(assessed.wholeMedianMm, 2))
+    return assessed.assessedFraction < 1.0
+               ? ResultPanel::tr("median %1 mm over the %2 % classified as opacified, %3 mm over the whole tree")
+                     .arg(median, numberText(100.0 * assessed.assessedFraction, 0),
+                          numberText(assessed.wholeMedianMm, 2))
                : ResultPanel::tr("median %1 mm").arg(median);
 }
 
@@ -101,7 +102,7 @@ QString originText(PoseSource source)
 
 }   // namespace
 
-FitVerdict verdictOf(const AssessedPose& assessed)
+FitVerdict assessFit(const AssessedPose& assessed)
 {
     const QString origin = originText(assessed.source);
     if (assessed.source == PoseSource::Start) {
@@ -164,7 +165,7 @@ ResultPanel::ResultPanel(QWidget* parent)
 
     keepTranslated(this, [this] {
         residualSection_->setHint(tr("mm, points classified as opacified"));
-        motionSection_->setHint(tr("in-plane mm, by frame"));
+        motionSection_->setHint(tr("in-plane (mm), by frame"));
     });
     residualSection_->contentLayout()->addWidget(histogram_);
     convergenceSection_->contentLayout()->addWidget(convergence_);
@@ -210,7 +211,7 @@ void ResultPanel::showAssessment(const AssessedPose& assessed, const core::Vesse
     for (QLabel* number : {median_, p95_, coverage_}) {
         setRole(number, isLow ? "bigNumberDoubtful" : "bigNumber");
     }
-    setSentences(verdict_, isLow ? QStringList{verdictOf(assessed).words} : QStringList());
+    setSentences(verdict_, isLow ? QStringList{assessFit(assessed).sentence} : QStringList());
     section_->setHint(sourceText(assessed));
     showSentences(assessed, tree);
     histogram_->showValues(assessed.residualsMm, assessed.scaleMaximumMm);
@@ -227,8 +228,8 @@ void ResultPanel::showSentences(const AssessedPose& assessed, const core::Vessel
     const ResultSentences sentences = sentencesOf(assessed.result, tree, assessed.millimetersPerPixel);
     setSentences(certainLabel_, sentences.certain);
     QStringList doubtful;
-    for (const core::Message& words : assessed.basis) {
-        doubtful << messageText(words);
+    for (const core::Message& sentence : assessed.basis) {
+        doubtful << messageText(sentence);
     }
     const auto against = std::ranges::count_if(assessed.result.warnings, core::lowersConfidence);
     doubtful = sentences.doubtful.first(against) + doubtful + sentences.doubtful.sliced(against);

@@ -30,7 +30,7 @@ struct AssessedPose {
     std::vector<double> residualsMm;   ///< residuals of all tree points in use
     double scaleMaximumMm = 0.0;
     double millimetersPerPixel = 0.0;   ///< scale at the vessels
-    double assessedShare = 1.0;   ///< fraction of the tree to which the residuals refer
+    double assessedFraction = 1.0;   ///< fraction of the tree to which the residuals refer
     double wholeMedianMm = 0.0;   ///< median residual of the whole tree
     core::Messages basis;   ///< parts to which the residuals refer, if not the whole tree: excluded, auxiliary branches
 };
@@ -38,9 +38,9 @@ struct AssessedPose {
 /// One-line verdict on the confidence in a pose, shown on the image, above the key figures and in the status strip.
 struct FitVerdict {
     VerdictTone tone = VerdictTone::Doubtful;
-    QString words;
+    QString sentence;
 };
-FitVerdict verdictOf(const AssessedPose& assessed);
+FitVerdict assessFit(const AssessedPose& assessed);
 
 /// Panel with three key figures, their interpretation in sentences, and two plots. Displays the values it is given.
 class ResultPanel : public QWidget {

@@ -75,7 +75,7 @@ QString likelihood(const core::RegistrationResult& result)
     constexpr double trusted = 0.8;
     const bool agrees = result.trustworthy || result.probabilityWithin2Mm.value_or(0.0) < trusted;
     return result.probabilityWithin2Mm && agrees
-               ? ResultWords::tr("%1 % probability that the overlay is within 2 mm of the vessels.")
+               ? ResultWords::tr("The overlay is within 2 mm of the vessels with a probability of %1 %.")
                      .arg(percentText(*result.probabilityWithin2Mm))
                      .replace(QStringLiteral(" %"), QStringLiteral("\u00a0%"))   // no-break space
                : QString();
@@ -132,16 +132,16 @@ QString disagreement(const core::RegistrationResult& result, const core::VesselT
     }
     if (names.size() == 1) {
         return ResultWords::tr("%1 is %2 mm off: possibly unopacified in this frame, or displaced.")
-            .arg(names.front(), resultNumber(disagreeing.worstMm));
+            .arg(names.front(), resultNumber(disagreeing.maxDistanceMm));
     }
     if (names.size() > 3) {
         return ResultWords::tr("%1 branches are up to %2 mm off: unopacified in this frame, or the pose is wrong.")
             .arg(names.size())
-            .arg(resultNumber(disagreeing.worstMm));
+            .arg(resultNumber(disagreeing.maxDistanceMm));
     }
     const QString last = names.takeLast();
     return ResultWords::tr("%1 and %2 are up to %3 mm off: possibly unopacified in this frame, or displaced.")
-        .arg(joinedNames(names), last, resultNumber(disagreeing.worstMm));
+        .arg(joinNames(names), last, resultNumber(disagreeing.maxDistanceMm));
 }
 
 }   // namespace
@@ -156,7 +156,7 @@ ResultSentences sentencesOf(const core::RegistrationResult& result, const core::
     if (result.trustworthy) {
         QStringList parts{pose, branches, likely};
         parts.removeAll(QString());
-        sentences.certain << joinedSentences(parts);
+        sentences.certain << joinSentences(parts);
     }
     core::Messages worstFirst = result.warnings;
     std::ranges::stable_partition(worstFirst, [](const core::Message& message) {

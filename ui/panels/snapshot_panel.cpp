@@ -177,7 +177,7 @@ void SnapshotPanel::showSnapshots(const std::vector<core::PoseSnapshot>& snapsho
     }
     empty_->setVisible(snapshots.empty());
     list_->setVisible(!snapshots.empty());
-    setHint(snapshots.empty() ? QString() : tr("median mm · %1: A ⇄ B").arg(keyOf(Command::ToggleSnapshots)));
+    setHint(snapshots.empty() ? QString() : tr("median (mm) · %1: A ⇄ B").arg(keyOf(Command::ToggleSnapshots)));
     showMarks(marks_);
     fitHeight();
 }

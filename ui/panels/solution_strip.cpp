@@ -58,15 +58,15 @@ int SolutionStrip::thumbnailWidthPx() const
     return static_cast<int>(solutionThumbnailSize * devicePixelRatioF());
 }
 
-void SolutionStrip::showSolutions(const std::vector<SolutionLine>& solutions)
+void SolutionStrip::showSolutions(const std::vector<SolutionRow>& solutions)
 {
     const QScopedValueRollback quiet(isUpdating_, true);
     list_->clear();
     QPixmap empty(thumbnailWidthPx(), thumbnailWidthPx());
     empty.fill(Qt::black);
     empty.setDevicePixelRatio(devicePixelRatioF());
-    for (const SolutionLine& solution : solutions) {
-        auto* item = new QListWidgetItem(QIcon(empty), solution.words, list_);
+    for (const SolutionRow& solution : solutions) {
+        auto* item = new QListWidgetItem(QIcon(empty), solution.label, list_);
         item->setToolTip(solution.toolTip);
         item->setTextAlignment(Qt::AlignHCenter | Qt::AlignTop);
     }

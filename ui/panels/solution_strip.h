@@ -10,8 +10,8 @@ class QListWidget;
 namespace angiopose::ui {
 
 /// One candidate pose as displayed: a one-line summary, and details for the tooltip.
-struct SolutionLine {
-    QString words;
+struct SolutionRow {
+    QString label;
     QString toolTip;
 };
 
@@ -22,7 +22,7 @@ class SolutionStrip : public Section {
 public:
     explicit SolutionStrip(QWidget* parent = nullptr);
 
-    void showSolutions(const std::vector<SolutionLine>& solutions);   ///< emits no signal; thumbnails follow
+    void showSolutions(const std::vector<SolutionRow>& solutions);   ///< emits no signal; thumbnails follow
     void showThumbnail(int index, const core::ColorImage& picture);
     void showCurrent(int index);   ///< emits no signal
     int thumbnailWidthPx() const;   ///< width of a thumbnail, device px

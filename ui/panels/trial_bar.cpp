@@ -19,7 +19,7 @@ TrialBar::TrialBar(QWidget* parent) : QWidget(parent), label_(roleLabel("attenti
     done->setProperty("role", "primary");
     withAccessibleName(done, [] { return tr("Done"); });
     withToolTip(done, [] {
-        return tooltipWithShortcut(tr("Logs time and pose and shows the values again."), Command::FinishTrial);
+        return tooltipWithShortcut(tr("Logs the time and the pose, and shows the values again."), Command::FinishTrial);
     });
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(14, 6, 14, 6);
@@ -27,7 +27,7 @@ TrialBar::TrialBar(QWidget* parent) : QWidget(parent), label_(roleLabel("attenti
     layout->addWidget(label_, 1);
     layout->addWidget(abandon);
     layout->addWidget(done);
-    connect(done, &QPushButton::clicked, this, &TrialBar::doneRequested);
+    connect(done, &QPushButton::clicked, this, &TrialBar::finishRequested);
     connect(abandon, &QPushButton::clicked, this, &TrialBar::abandonRequested);
     hide();
     keepTranslated(this, [this] { updateText(); });
@@ -42,7 +42,7 @@ void TrialBar::showTrial(const QString& observer)
 
 void TrialBar::updateText()
 {
-    label_->setText(tr("Blind trial of %1: align the vessels with the image. Values are shown again when you are done.")
+    label_->setText(tr("Blind trial by %1: align the vessels with the image. Values are shown again when you are done.")
                         .arg(observer_));
 }
 

@@ -15,7 +15,7 @@ public:
     void hideTrial() { hide(); }
 
 signals:
-    void doneRequested();
+    void finishRequested();
     void abandonRequested();
 
 private:

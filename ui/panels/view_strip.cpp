@@ -142,7 +142,7 @@ int ViewStrip::count() const
     return list_->count();
 }
 
-void ViewStrip::showViews(const std::vector<ViewLine>& views, int shown)
+void ViewStrip::showViews(const std::vector<ViewRow>& views, int shown)
 {
     const QScopedValueRollback quiet(isUpdating_, true);
     const int count = static_cast<int>(views.size());
@@ -165,7 +165,7 @@ void ViewStrip::resizeEvent(QResizeEvent*)
 
 int ViewStrip::textWidthPx(int index) const
 {
-    const QStringList lines = views_[static_cast<std::size_t>(index)].words.split(QLatin1Char('\n'));
+    const QStringList lines = views_[static_cast<std::size_t>(index)].label.split(QLatin1Char('\n'));
     int widest = 0;
     for (const QString& line : lines) {
         widest = std::max(widest, list_->fontMetrics().horizontalAdvance(line));
@@ -210,13 +210,13 @@ void ViewStrip::fitSwitches(bool hasText)
 /// Sets the text and the width of an item; if `widthPx` is 0, a number replaces the text.
 void ViewStrip::fitItem(int index, int widthPx)
 {
-    const ViewLine& view = views_[static_cast<std::size_t>(index)];
+    const ViewRow& view = views_[static_cast<std::size_t>(index)];
     const bool isWhole = widthPx > 0 && textWidthPx(index) <= widthPx;
     const QString number = QString::number(index + 1);
     const int numberPx = list_->iconSize().width() + numberPadding + list_->fontMetrics().horizontalAdvance(number);
     QListWidgetItem* item = list_->item(index);
-    item->setText(widthPx > 0 ? view.words : number);
-    item->setToolTip(isWhole ? view.toolTip : view.words + QLatin1Char('\n') + view.toolTip);
+    item->setText(widthPx > 0 ? view.label : number);
+    item->setToolTip(isWhole ? view.toolTip : view.label + QLatin1Char('\n') + view.toolTip);
     item->setSizeHint({widthPx > 0 ? widthPx : numberPx, viewThumbnailSize + 6});
 }
 

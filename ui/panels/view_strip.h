@@ -13,8 +13,8 @@ class QToolButton;
 namespace angiopose::ui {
 
 /// One view as displayed in the strip.
-struct ViewLine {
-    QString words;   ///< two lines: the gantry angles, and the agreement of the view
+struct ViewRow {
+    QString label;   ///< two lines: the gantry angles, and the agreement of the view
     QString toolTip;
 };
 
@@ -25,7 +25,7 @@ class ViewStrip : public QWidget {
 public:
     explicit ViewStrip(QWidget* parent = nullptr);
 
-    void showViews(const std::vector<ViewLine>& views, int shown);   ///< keeps thumbnails if their number is unchanged
+    void showViews(const std::vector<ViewRow>& views, int shown);   ///< keeps thumbnails if their number is unchanged
     void showThumbnail(int index, const core::ColorImage& picture);
     int thumbnailWidthPx() const;   ///< width of a thumbnail, device px
     int count() const;
@@ -52,7 +52,7 @@ private:
     void fitItem(int index, int widthPx);
     int textWidthPx(int index) const;   ///< width of an item with thumbnail and full text
 
-    std::vector<ViewLine> views_;
+    std::vector<ViewRow> views_;
     QListWidget* list_;
     QToolButton* sideBySide_;
     QToolButton* crosshair_;

@@ -37,7 +37,8 @@ WelcomePage::WelcomePage(QWidget* parent)
     open->setProperty("role", "primary");
     auto* folder =
         withText(new QPushButton, [] { return withShortcut(tr("Open DICOM folder/CD…"), Command::OpenFolder); });
-    withToolTip(folder, [] { return tr("Lists the patients, studies and series of a folder, a CD or a DICOMDIR."); });
+    withToolTip(folder,
+                [] { return tr("Lists the patients, studies and series in a folder, on a CD or in a DICOMDIR."); });
     auto* sample = withText(new QPushButton, [] { return tr("Open the sample case"); });
     buttons_->addStretch(1);
     buttons_->addWidget(open);

@@ -168,10 +168,10 @@ void FoldingColumn::setFolded(bool folded)
     }
 }
 
-void FoldingColumn::setHeldOpen(bool hold)
+void FoldingColumn::setHeldOpen(bool isHeld)
 {
-    if (hold != isHeldOpen_) {
-        isHeldOpen_ = hold;
+    if (isHeld != isHeldOpen_) {
+        isHeldOpen_ = isHeld;
         place();
     }
 }
@@ -223,7 +223,7 @@ ColumnLayout defaultColumns(Activity work, int windowWidth)
     switch (work) {
         case Activity::Tracing:   // more space for the slices and the 3-D view
             columns.leftWidth = shareOf(windowWidth, 0.34, 300, 760);
-            columns.cornerShare = 0.68;
+            columns.cornerFraction = 0.68;
             columns.isRightFolded = true;
             break;
         case Activity::Registering:
@@ -242,7 +242,7 @@ QByteArray toBytes(const ActivityLayout& layout)
     QDataStream stream(&bytes, QIODevice::WriteOnly);
     const ColumnLayout& columns = layout.columns;
     stream << layoutVersion << qint32{columns.leftWidth} << qint32{columns.rightWidth} << columns.isLeftFolded
-           << columns.isRightFolded << columns.cornerShare << layout.areSlicesEnlarged << qint32{layout.cornerPlane};
+           << columns.isRightFolded << columns.cornerFraction << layout.areSlicesEnlarged << qint32{layout.cornerPlane};
     return bytes;
 }
 
@@ -255,10 +255,10 @@ std::optional<ActivityLayout> activityLayoutFromBytes(const QByteArray& bytes)
     qint32 plane = 0;
     ActivityLayout layout;
     stream >> version >> left >> right >> layout.columns.isLeftFolded >> layout.columns.isRightFolded >>
-        layout.columns.cornerShare >> layout.areSlicesEnlarged >> plane;
+        layout.columns.cornerFraction >> layout.areSlicesEnlarged >> plane;
     const bool isSound = stream.status() == QDataStream::Ok && version == layoutVersion && left > 0 && right > 0 &&
-                         plane >= 0 && plane <= 3 && layout.columns.cornerShare > 0.0 &&
-                         layout.columns.cornerShare < 1.0;
+                         plane >= 0 && plane <= 3 && layout.columns.cornerFraction > 0.0 &&
+                         layout.columns.cornerFraction < 1.0;
     if (!isSound) {
         return std::nullopt;
     }

@@ -57,7 +57,7 @@ public:
 
     bool isFolded() const { return isFolded_; }
     void setFolded(bool folded);
-    void setHeldOpen(bool hold);   ///< if true, shows the content even if the column is folded
+    void setHeldOpen(bool isHeld);   ///< if true, shows the content even if the column is folded
 
     int openWidth() const { return openWidth_; }   ///< current width, or the width before folding
     void setOpenWidth(int width) { openWidth_ = width; }
@@ -94,7 +94,7 @@ struct ColumnLayout {
     int rightWidth = 320;
     bool isLeftFolded = false;
     bool isRightFolded = false;
-    double cornerShare = 0.42;
+    double cornerFraction = 0.42;
 
     bool operator==(const ColumnLayout&) const = default;
 };

@@ -105,9 +105,9 @@ ViewPane::ViewPane(QWidget* parent)
     layout->addWidget(title_);
     layout->addWidget(image_, 1);
     layout->addWidget(frames_);
-    connect(title_, &PaneTitle::clicked, this, &ViewPane::chosen);
+    connect(title_, &PaneTitle::clicked, this, &ViewPane::viewChosen);
     connect(title_, &PaneTitle::menuRequested, this, &ViewPane::menuRequested);
-    connect(image_, &AngiogramView::enlargeRequested, this, &ViewPane::chosen);
+    connect(image_, &AngiogramView::enlargeRequested, this, &ViewPane::viewChosen);
     connect(image_, &AngiogramView::menuRequested, this, &ViewPane::menuRequested);
     connect(image_, &AngiogramView::frameStepRequested, this, &ViewPane::stepFrame);
     connect(frames_, &QScrollBar::valueChanged, this, &ViewPane::frameRequested);
@@ -132,7 +132,7 @@ void ViewPane::stepFrame(int step)
 SideBySide::SideBySide(AngiogramView& shown, QWidget* parent)
     : QWidget(parent),
       title_(new PaneTitle),
-      shown_(&shown),
+      primaryImage_(&shown),
       paneArea_(new QWidget),
       grid_(new QGridLayout(paneArea_)),
       splitter_(new QSplitter(Qt::Horizontal))
@@ -142,7 +142,7 @@ SideBySide::SideBySide(AngiogramView& shown, QWidget* parent)
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     column->addWidget(title_);
-    column->addWidget(shown_, 1);
+    column->addWidget(primaryImage_, 1);
     title_->setShown(true);
     title_->hide();
     grid_->setContentsMargins(0, 0, 0, 0);
@@ -155,7 +155,7 @@ SideBySide::SideBySide(AngiogramView& shown, QWidget* parent)
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(splitter_);
-    setFocusProxy(shown_);
+    setFocusProxy(primaryImage_);
 }
 
 void SideBySide::setPaneCount(std::size_t count)
@@ -191,7 +191,7 @@ void SideBySide::place()
 
 std::vector<AngiogramView*> SideBySide::images()
 {
-    std::vector<AngiogramView*> images{shown_};
+    std::vector<AngiogramView*> images{primaryImage_};
     std::ranges::transform(panes_.begin(), panes_.begin() + static_cast<std::ptrdiff_t>(count_),
                            std::back_inserter(images), [](ViewPane* pane) { return &pane->image(); });
     return images;

@@ -57,7 +57,7 @@ public:
     void showFrame(int frame, int count);   ///< `frame` is an index from 0; the slider is hidden if `count` < 2
 
 signals:
-    void chosen();   ///< emitted on a click on the title or a double-click in the image
+    void viewChosen();   ///< emitted on a click on the title or a double-click in the image
     void frameRequested(int frame);   ///< emitted with a frame that is always within the run
     void menuRequested(const QPoint& globalPosition);
 
@@ -84,7 +84,7 @@ public:
     std::size_t paneCount() const { return count_; }
     ViewPane& pane(std::size_t index) { return *panes_[index]; }
     PaneTitle& title() { return *title_; }   ///< title of the current image
-    AngiogramView& shown() { return *shown_; }
+    AngiogramView& shown() { return *primaryImage_; }
     std::vector<AngiogramView*> images();   ///< the current image, followed by the images of the panes
 
 signals:
@@ -94,7 +94,7 @@ private:
     void place();
 
     PaneTitle* title_;
-    AngiogramView* shown_;
+    AngiogramView* primaryImage_;
     QWidget* paneArea_;
     QGridLayout* grid_;
     QSplitter* splitter_;

@@ -28,7 +28,7 @@ HistogramPlot::HistogramPlot(QWidget* parent)
 void HistogramPlot::showValues(const std::vector<double>& valuesMm, double scaleMaximumMm)
 {
     scaleMaximumMm_ = scaleMaximumMm;
-    counts_ = valuesMm.empty() ? std::vector<int>{} : binned(valuesMm, scaleMaximumMm, binCount);
+    counts_ = valuesMm.empty() ? std::vector<int>{} : histogramCounts(valuesMm, scaleMaximumMm, binCount);
     height_->requestHeight(counts_.empty() ? emptyHistogramHeight : fullHistogramHeight);
     update();
 }
@@ -61,7 +61,7 @@ void HistogramPlot::paintEvent(QPaintEvent*)
     painter.drawText(labels, Qt::AlignRight | Qt::AlignTop, tr("above %1").arg(numberText(scaleMaximumMm_, 1)));
 }
 
-std::vector<int> binned(const std::vector<double>& values, double maximum, int binCount)
+std::vector<int> histogramCounts(const std::vector<double>& values, double maximum, int binCount)
 {
     std::vector<int> counts(static_cast<std::size_t>(binCount) + 1, 0);
     for (const double value : values) {

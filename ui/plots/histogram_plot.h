@@ -27,6 +27,6 @@ private:
 };
 
 /// Counts values in `binCount` equal bins up to `maximum`, plus one bin for larger values.
-std::vector<int> binned(const std::vector<double>& values, double maximum, int binCount);
+std::vector<int> histogramCounts(const std::vector<double>& values, double maximum, int binCount);
 
 }   // namespace angiopose::ui

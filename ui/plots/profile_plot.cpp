@@ -27,7 +27,7 @@ double diameterIn(const core::ProfileSample& sample)
 
 double referenceIn(const core::ProfileSample& sample)
 {
-    return sample.referenceMm;
+    return sample.referenceDiameterMm;
 }
 
 double deformationIn(const core::ProfileSample& sample)
@@ -72,7 +72,8 @@ QRectF ProfilePlot::area() const
 QPointF ProfilePlot::positionOf(const core::ProfileSample& sample, double fraction) const
 {
     const QRectF plot = area();
-    return {plot.left() + plot.width() * sample.arcMm / profile_.lengthMm, plot.bottom() - fraction * plot.height()};
+    return {plot.left() + plot.width() * sample.arcLengthMm / profile_.lengthMm,
+            plot.bottom() - fraction * plot.height()};
 }
 
 std::size_t ProfilePlot::indexAt(double x) const
@@ -128,7 +129,7 @@ void ProfilePlot::paintEvent(QPaintEvent*)
     }
     if (profile_.stenosis) {
         core::ProfileSample narrowest;
-        narrowest.arcMm = profile_.stenosis->atMm;
+        narrowest.arcLengthMm = profile_.stenosis->positionMm;
         painter.setPen(Qt::NoPen);
         painter.setBrush(toQColor(colors.attention));
         painter.drawEllipse(positionOf(narrowest, profile_.stenosis->diameterMm / maxMm_), 3.2, 3.2);
@@ -149,12 +150,12 @@ void ProfilePlot::paintEvent(QPaintEvent*)
 QString ProfilePlot::textAt(std::size_t index) const
 {
     const core::ProfileSample& sample = profile_.samples[index];
-    QStringList parts{tr("at %1 mm").arg(numberText(sample.arcMm, 1))};
+    QStringList parts{tr("at %1 mm").arg(numberText(sample.arcLengthMm, 1))};
     if (std::isfinite(sample.diameterMm)) {
         parts << tr("⌀ %1 mm").arg(numberText(sample.diameterMm, 2));
     }
-    if (std::isfinite(sample.referenceMm)) {
-        parts << tr("reference %1 mm").arg(numberText(sample.referenceMm, 2));
+    if (std::isfinite(sample.referenceDiameterMm)) {
+        parts << tr("reference %1 mm").arg(numberText(sample.referenceDiameterMm, 2));
     }
     if (std::isfinite(sample.curvaturePerMm)) {
         parts << tr("curvature %1/mm").arg(numberText(sample.curvaturePerMm, 3));
@@ -167,7 +168,7 @@ void ProfilePlot::point(std::size_t index)
     if (hoveredIndex_ != index) {
         hoveredIndex_ = index;
         update();
-        emit pointed(profile_.samples[index].pointInPatient);
+        emit pointerMoved(profile_.samples[index].pointInPatient);
     }
 }
 
@@ -193,7 +194,7 @@ void ProfilePlot::leaveEvent(QEvent*)
     if (hoveredIndex_) {
         hoveredIndex_.reset();
         update();
-        emit pointed(std::nullopt);
+        emit pointerMoved(std::nullopt);
     }
 }
 

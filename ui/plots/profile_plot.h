@@ -20,7 +20,8 @@ public:
     QSize sizeHint() const override { return {240, 130}; }
 
 signals:
-    void pointed(const std::optional<Eigen::Vector3d>& pointInPatient);   ///< nullopt if the pointer has left the plot
+    void pointerMoved(
+        const std::optional<Eigen::Vector3d>& pointInPatient);   ///< nullopt if the pointer has left the plot
     void positionClicked(const Eigen::Vector3d& pointInPatient);
 
 protected:

@@ -11,7 +11,7 @@ namespace {
 std::vector<StrokeLine> visibleParts(const StrokeLine& line, const BeamStyle& style)
 {
     const Eigen::Vector2d margin = Eigen::Vector2d::Constant(16.0 * style.pixelScale);
-    return clipped(line, -margin, style.sizePx + margin);
+    return clipLine(line, -margin, style.sizePx + margin);
 }
 
 /// Returns the visible dashes of `line`. The pattern starts at the beginning of the line, so that the dashes stay fixed
@@ -23,7 +23,7 @@ std::vector<StrokeLine> visibleDashes(const StrokeLine& line, const DashPattern&
         const Eigen::Vector2d offset = part.front().at - line.front().at;
         const double sinceDashPx = std::fmod(offset.norm(), pattern.dashPx + pattern.gapPx);
         part.front().at -= sinceDashPx * offset.stableNormalized();
-        std::ranges::move(dashed(part, pattern), std::back_inserter(dashes));
+        std::ranges::move(splitIntoDashes(part, pattern), std::back_inserter(dashes));
     }
     return dashes;
 }

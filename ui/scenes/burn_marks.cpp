@@ -32,7 +32,7 @@ void addMarks(StrokeMesh& mesh, const std::vector<ImageMark>& marks, const Pixel
               const BurnSizes& sizes)
 {
     for (const ImageMark& mark : marks) {
-        for (const PixelLine& line : linesOf(mark, positionOf, 0.4 * sizes.textPx)) {
+        for (const PixelLine& line : markLines(mark, positionOf, 0.4 * sizes.textPx)) {
             addMarkLine(mesh, line, heightPx, markColor(mark, palette(ThemeMode::Dark)), sizes);
         }
     }
@@ -67,7 +67,7 @@ void addLabels(auto& image, const std::vector<ImageMark>& marks, const PixelMapp
     }
     for (const ImageMark& mark : marks) {
         const double sizePx = 0.4 * sizes.textPx;
-        std::ranges::copy(pointsAlong(linesOf(mark, positionOf, sizePx), sizePx),
+        std::ranges::copy(pointsAlong(markLines(mark, positionOf, sizePx), sizePx),
                           std::back_inserter(obstacles.avoided));
     }
     std::vector<LabelRequest> labels;
@@ -88,7 +88,7 @@ void fillBand(core::ColorImage& image, const StrokeMesh& mesh, int top, std::vec
     const Canvas canvas{band.data(), image.width, std::min(markBandHeight, image.height - top)};
     std::uint8_t* rgb = image.rgb.data() + 3 * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(top);
     for (std::size_t i = 0; i < canvas.pixelCount(); ++i) {
-        band[i] = packed(rgb[3 * i], rgb[3 * i + 1], rgb[3 * i + 2]);
+        band[i] = packColor(rgb[3 * i], rgb[3 * i + 1], rgb[3 * i + 2]);
     }
     fillStrokes(mesh, image.height - top, canvas);
     for (std::size_t i = 0; i < canvas.pixelCount(); ++i) {

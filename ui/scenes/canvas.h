@@ -17,14 +17,14 @@ struct Canvas {
     std::size_t pixelCount() const { return static_cast<std::size_t>(width) * static_cast<std::size_t>(height); }
 };
 
-constexpr std::uint32_t packed(std::uint8_t red, std::uint8_t green, std::uint8_t blue)
+constexpr std::uint32_t packColor(std::uint8_t red, std::uint8_t green, std::uint8_t blue)
 {
     return 0xFF000000U | (static_cast<std::uint32_t>(red) << 16U) | (static_cast<std::uint32_t>(green) << 8U) | blue;
 }
 
-constexpr std::uint32_t packed(const Color& color)
+constexpr std::uint32_t packColor(const Color& color)
 {
-    return packed(color.red, color.green, color.blue);
+    return packColor(color.red, color.green, color.blue);
 }
 
 }   // namespace angiopose::ui

@@ -37,7 +37,7 @@ void applyCutout(const Cutout& cutout, const ViewRect& rect, const std::vector<s
     const double scale = canvas.width / rect.width();
     const Eigen::Vector2d center((cutout.at.x() - rect.left) * scale,
                                  (cutout.at.y() - rect.top) * canvas.height / rect.height());
-    const std::uint32_t edge = packed(palette(ThemeMode::Dark).label);
+    const std::uint32_t edge = packColor(palette(ThemeMode::Dark).label);
     for (int y = rows.from; y < rows.to; ++y) {
         const CutoutSpan span = spanOf(cutout, center, cutout.radiusPx * scale, y, canvas.width);
         if (span.from >= span.to) {

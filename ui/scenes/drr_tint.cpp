@@ -38,17 +38,18 @@ std::uint32_t mixed(std::uint32_t below, const Color& tone, float share)
     const auto channel = [share](std::uint32_t from, std::uint8_t to) {
         return static_cast<std::uint8_t>(std::lround((1.0F - share) * static_cast<float>(from & 0xFFU) + share * to));
     };
-    return packed(channel(below >> 16U, tone.red), channel(below >> 8U, tone.green), channel(below, tone.blue));
+    return packColor(channel(below >> 16U, tone.red), channel(below >> 8U, tone.green), channel(below, tone.blue));
 }
 
 }   // namespace
 
 void DrrTint::setDrr(const core::ImageF& drr)
 {
-    share_ = drr;
+    strength_ = drr;
     revision_ = nextRevision();
-    const float strongest = share_.pixels.empty() ? 1.0F : std::max(1e-6F, *std::ranges::max_element(share_.pixels));
-    for (float& pixel : share_.pixels) {
+    const float strongest =
+        strength_.pixels.empty() ? 1.0F : std::max(1e-6F, *std::ranges::max_element(strength_.pixels));
+    for (float& pixel : strength_.pixels) {
         pixel = std::sqrt(std::max(0.0F, pixel) / strongest);   // square root to keep thin vessels visible
     }
 }
@@ -60,15 +61,15 @@ void DrrTint::blend(const Place& place, double opacity, Canvas canvas, const Row
     }
     const Color tone = branchColors(palette(ThemeMode::Dark)).auxiliary;
     const ViewRect& part = place.part;
-    const std::vector<Tap> across = tapsOf(part.left, part.right, canvas.width, place.frameWidth, share_.width);
-    const std::vector<Tap> down = tapsOf(part.top, part.bottom, canvas.height, place.frameHeight, share_.height);
+    const std::vector<Tap> across = tapsOf(part.left, part.right, canvas.width, place.frameWidth, strength_.width);
+    const std::vector<Tap> down = tapsOf(part.top, part.bottom, canvas.height, place.frameHeight, strength_.height);
     for (int y = rows.from; y < rows.to; ++y) {
         const Tap& v = down[static_cast<std::size_t>(y)];
         if (v.first < 0) {
             continue;
         }
-        const float* upper = share_.pixels.data() + share_.index(0, v.first);
-        const float* lower = share_.pixels.data() + share_.index(0, v.second);
+        const float* upper = strength_.pixels.data() + strength_.index(0, v.first);
+        const float* lower = strength_.pixels.data() + strength_.index(0, v.second);
         std::uint32_t* row = canvas.row(y);
         for (int x = 0; x < canvas.width; ++x) {
             const Tap& u = across[static_cast<std::size_t>(x)];

@@ -17,9 +17,9 @@ class DrrTint {
 public:
     /// Sets the DRR, which covers the whole frame at any resolution, with bright vessels on 0; empty for no tint.
     void setDrr(const core::ImageF& drr);
-    const core::ImageF& share() const { return share_; }   ///< strength of the tint at each pixel, 0…1
+    const core::ImageF& share() const { return strength_; }   ///< strength of the tint at each pixel, 0…1
     std::uint64_t revision() const { return revision_; }   ///< changes with the DRR
-    bool isEmpty() const { return share_.pixels.empty(); }
+    bool isEmpty() const { return strength_.pixels.empty(); }
 
     /// Frame size and the part of the frame that a canvas shows.
     struct Place {
@@ -29,7 +29,7 @@ public:
     void blend(const Place& place, double opacity, Canvas canvas, const Rows& rows) const;
 
 private:
-    core::ImageF share_;
+    core::ImageF strength_;
     std::uint64_t revision_ = nextRevision();
 };
 

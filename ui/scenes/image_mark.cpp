@@ -86,7 +86,7 @@ std::vector<PixelLine> signsOf(const ImageMark& mark, const PixelLine& places, d
 
 }   // namespace
 
-std::vector<PixelLine> linesOf(const ImageMark& mark, const PixelMapping& positionOf, double sizePx)
+std::vector<PixelLine> markLines(const ImageMark& mark, const PixelMapping& positionOf, double sizePx)
 {
     PixelLine line;
     for (const Eigen::Vector2d& pixel : mark.pixels) {
@@ -147,7 +147,7 @@ Eigen::Vector2d labelAnchor(const ImageMark& mark, const PixelMapping& positionO
 
 Color markColor(const ImageMark& mark, const Palette& colors)
 {
-    return mark.isChosen ? colors.accent : mark.tone == MarkTone::Place ? colors.fine : colors.textStrong;
+    return mark.isSelected ? colors.accent : mark.tone == MarkTone::Place ? colors.fine : colors.textStrong;
 }
 
 }   // namespace angiopose::ui

@@ -28,7 +28,7 @@ struct ImageMark {
     MarkShape shape = MarkShape::Length;
     std::vector<Eigen::Vector2d> pixels;   ///< points in image px
     std::string label;   ///< UTF-8; may be empty
-    bool isChosen = false;   ///< true if selected and therefore highlighted
+    bool isSelected = false;   ///< true if selected and therefore highlighted
     MarkTone tone = MarkTone::Plain;
 };
 
@@ -38,7 +38,7 @@ using PixelLine = std::vector<Eigen::Vector2d>;
 using PixelMapping = std::function<Eigen::Vector2d(const Eigen::Vector2d& pixel)>;
 
 /// Returns the lines that draw a mark; `sizePx` is the size of bars, circles, crosses and arrowheads in the drawing.
-std::vector<PixelLine> linesOf(const ImageMark& mark, const PixelMapping& positionOf, double sizePx);
+std::vector<PixelLine> markLines(const ImageMark& mark, const PixelMapping& positionOf, double sizePx);
 
 /// Samples lines at intervals of `stepPx`; labels avoid the resulting points.
 std::vector<Eigen::Vector2d> pointsAlong(const std::vector<PixelLine>& lines, double stepPx);

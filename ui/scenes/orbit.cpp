@@ -49,7 +49,7 @@ std::vector<Eigen::Vector3d> landmarks(const Beam& beam, const core::VesselTree&
 
 /// Viewing direction and up vector, both of unit length.
 struct Look {
-    Eigen::Vector3d sight, up;
+    Eigen::Vector3d viewDirection, up;
 };
 
 /// Default view without an image: anterior view of the patient, head up (LPS).
@@ -60,8 +60,8 @@ Look acrossBeam(const Beam& beam)
 {
     const Eigen::Vector3d along = beam.patientFromCamera.rotation.col(2);
     const Eigen::Vector3d imageDown = std::copysign(1.0, beam.camera.fy) * beam.patientFromCamera.rotation.col(1);
-    const Eigen::Vector3d sight = (-std::cos(tiltRad) * along + std::sin(tiltRad) * imageDown).normalized();
-    return {sight, (-along + along.dot(sight) * sight).normalized()};
+    const Eigen::Vector3d viewDirection = (-std::cos(tiltRad) * along + std::sin(tiltRad) * imageDown).normalized();
+    return {viewDirection, (-along + along.dot(viewDirection) * viewDirection).normalized()};
 }
 
 }   // namespace
@@ -81,8 +81,8 @@ ScreenFromPatient screenFromPatient(vtkCamera& camera, int width, int height)
 
 void frameBeam(vtkCamera& camera, const Beam& beam, const core::VesselTree& tree, double aspect, ViewExtent extent)
 {
-    const auto [sight, up] = beam.hasDetector() ? acrossBeam(beam) : fromTheFront;
-    const Eigen::Vector3d right = sight.cross(up);
+    const auto [viewDirection, up] = beam.hasDetector() ? acrossBeam(beam) : fromTheFront;
+    const Eigen::Vector3d right = viewDirection.cross(up);
 
     const Eigen::Vector3d pivot = core::centroidInPatient(tree);
     Eigen::AlignedBox2d box;
@@ -91,7 +91,7 @@ void frameBeam(vtkCamera& camera, const Beam& beam, const core::VesselTree& tree
     }
     const Eigen::Vector3d center = pivot + box.center().x() * right + box.center().y() * up;
     const double half = 0.5 * std::max(box.sizes().y(), box.sizes().x() / aspect) * (1.0 + 2.0 * marginShare);
-    const Eigen::Vector3d position = center - 4.0 * half * sight;
+    const Eigen::Vector3d position = center - 4.0 * half * viewDirection;
     camera.ParallelProjectionOn();
     camera.SetParallelScale(std::max(half, 1e-3));
     camera.SetFocalPoint(center.x(), center.y(), center.z());

@@ -22,7 +22,7 @@ struct ScreenFromPatient {
     {
         return centerPx + pxPerMm * (rotation * (point - focalPoint)).head<2>();
     }
-    Eigen::Vector3d turned(const Eigen::Vector3d& direction) const { return rotation * direction; }
+    Eigen::Vector3d rotate(const Eigen::Vector3d& direction) const { return rotation * direction; }
 };
 
 ScreenFromPatient screenFromPatient(vtkCamera& camera, int width, int height);

@@ -34,18 +34,18 @@ Eigen::Vector2d OrientationMarker::center() const
 void addOrientationMarker(StrokeMesh& mesh, const OrientationMarker& sign, const Palette& colors)
 {
     for (const PatientAxis& axis : patientAxes) {
-        const Eigen::Vector3d onScreen = sign.toScreen.turned(axis.direction);
+        const Eigen::Vector3d onScreen = sign.toScreen.rotate(axis.direction);
         const Eigen::Vector2d tip = sign.center() + armPx * sign.pixelScale * onScreen.head<2>();
         const Color tone = mixed(colors.field, colors.label, isTowardsViewer(onScreen) ? 0.9 : 0.45);
         addLine(mesh, {{sign.center(), tone}, {tip, tone}}, {1.4 * sign.pixelScale});
     }
 }
 
-std::vector<OrientationLetter> lettersOf(const OrientationMarker& sign)
+std::vector<OrientationLetter> markerLetters(const OrientationMarker& sign)
 {
     std::vector<OrientationLetter> letters;
     for (const PatientAxis& axis : patientAxes) {
-        const Eigen::Vector3d onScreen = sign.toScreen.turned(axis.direction);
+        const Eigen::Vector3d onScreen = sign.toScreen.rotate(axis.direction);
         if (onScreen.head<2>().norm() <= 0.42) {
             continue;
         }

@@ -29,6 +29,6 @@ void addOrientationMarker(StrokeMesh& mesh, const OrientationMarker& sign, const
 
 /// Returns the letters at the tips of the arms, except where an arm points along the viewing direction or a letter
 /// would cover another.
-std::vector<OrientationLetter> lettersOf(const OrientationMarker& sign);
+std::vector<OrientationLetter> markerLetters(const OrientationMarker& sign);
 
 }   // namespace angiopose::ui

@@ -20,10 +20,10 @@ const std::vector<std::uint32_t>& OverlayPainter::backdropOf(const OverlayConten
     backdrop_.rect = part;
     backdrop_.size = size;
     backdrop_.interpolation = content.interpolation;
-    const Color& around = palette(ThemeMode::Dark).canvas;
-    backdrop_.pixels.assign(canvas.pixelCount(), packed(around));
+    const Color& background = palette(ThemeMode::Dark).canvas;
+    backdrop_.pixels.assign(canvas.pixelCount(), packColor(background));
     if (frame.width() > 0 && frame.height() > 0) {
-        resampleFrame(frame.gray(), part, content.interpolation, around,
+        resampleFrame(frame.gray(), part, content.interpolation, background,
                       {backdrop_.pixels.data(), canvas.width, canvas.height});
     }
     return backdrop_.pixels;

@@ -31,7 +31,7 @@ struct OverlayScene::Parts {
     {
         if (std::exchange(isProjectionStale, false)) {
             content.projected = !core::findProblem(content.camera)
-                                    ? projectedTree(content.tree, content.camera, content.cameraFromPatient)
+                                    ? projectTree(content.tree, content.camera, content.cameraFromPatient)
                                     : ProjectedTree{};
             content.depthRange = depthRangeOf(content.projected);
         }
@@ -115,9 +115,9 @@ OverlayMode OverlayScene::mode() const
     return parts_->content.mode;
 }
 
-void OverlayScene::setOverlayHidden(bool veiled)
+void OverlayScene::setOverlayHidden(bool hidden)
 {
-    parts_->content.isOverlayHidden = veiled;
+    parts_->content.isOverlayHidden = hidden;
     parts_->content.revision = nextRevision();
 }
 

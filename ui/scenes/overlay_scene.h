@@ -27,7 +27,7 @@ public:
     void setPose(const core::RigidTransform& cameraFromPatient);
     void setMarks(const BranchMarks& marks);
     void setMode(OverlayMode mode);
-    void setOverlayHidden(bool veiled);   ///< temporarily hides tree and traced curves
+    void setOverlayHidden(bool hidden);   ///< temporarily hides tree and traced curves
     void setDepthCue(DepthCue cue);
     void setOpacity(double opacity);
     /// Sets the DRR of the vessels, bright on 0, which covers the whole frame at any resolution and is visible in every

@@ -59,14 +59,14 @@ std::vector<StrokeLine> visibleParts(const StrokeLine& line, LinePattern pattern
 {
     const Box near = boxAround(device, clipMarginPx);
     if (pattern == LinePattern::Solid) {
-        return clipped(line, near.lower, near.upper);
+        return clipLine(line, near.lower, near.upper);
     }
     const Box far = boxAround(device, farPx);
     const DashPattern dashes{branchDashes[0] * lineWidthPx, branchDashes[1] * lineWidthPx};
     std::vector<StrokeLine> parts;
-    for (const StrokeLine& part : clipped(line, far.lower, far.upper)) {
-        for (const StrokeLine& dash : dashed(part, dashes)) {
-            append(parts, clipped(dash, near.lower, near.upper));
+    for (const StrokeLine& part : clipLine(line, far.lower, far.upper)) {
+        for (const StrokeLine& dash : splitIntoDashes(part, dashes)) {
+            append(parts, clipLine(dash, near.lower, near.upper));
         }
     }
     return parts;
@@ -109,9 +109,9 @@ void addTraced(StrokeMesh& mesh, const OverlayContent& content, const DeviceFrom
         for (const Eigen::Vector2d& point : curve.pointsPx) {
             line.push_back({device * point, tones.fine});
         }
-        for (const StrokeLine& part : clipped(line, far.lower, far.upper)) {
-            for (const StrokeLine& dot : dashed(part, {tracedDots[0] * width, tracedDots[1] * width})) {
-                for (const StrokeLine& shown : clipped(dot, near.lower, near.upper)) {
+        for (const StrokeLine& part : clipLine(line, far.lower, far.upper)) {
+            for (const StrokeLine& dot : splitIntoDashes(part, {tracedDots[0] * width, tracedDots[1] * width})) {
+                for (const StrokeLine& shown : clipLine(dot, near.lower, near.upper)) {
                     addLine(mesh, inOneColor(shown, tones.canvas),
                             {width + tracedShadePx, tracedShadeOpacity, tracedShadePx});
                     addLine(mesh, shown, {width, 1.0});

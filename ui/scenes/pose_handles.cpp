@@ -45,7 +45,7 @@ void addRing(StrokeMesh& mesh, const PoseHandleState& state)
     const bool isHot = state.hovered == PoseHandle::Roll || state.active == PoseHandle::Roll;
     const double width = (isHot ? 2.0 : 1.3) * state.pixelScale;
     const StrokeLine ring = arc(state, 0.0, 2.0 * std::numbers::pi, isHot ? colors.textStrong : colors.text);
-    for (const StrokeLine& dash : dashed(ring, {4.0 * state.pixelScale, 5.5 * state.pixelScale})) {
+    for (const StrokeLine& dash : splitIntoDashes(ring, {4.0 * state.pixelScale, 5.5 * state.pixelScale})) {
         addWithShade(mesh, dash, width);
     }
     if (state.active == PoseHandle::Roll) {

@@ -40,8 +40,8 @@ std::vector<Eigen::Vector3d> vesselDirections(const std::vector<Eigen::Vector3d>
     return core::polylineTangents<3>(points, reach);
 }
 
-ProjectedTree projectedTree(const core::VesselTree& tree, const core::ProjectionCamera& camera,
-                            const core::RigidTransform& cameraFromPatient)
+ProjectedTree projectTree(const core::VesselTree& tree, const core::ProjectionCamera& camera,
+                          const core::RigidTransform& cameraFromPatient)
 {
     ProjectedTree result;
     result.reserve(tree.branches.size());

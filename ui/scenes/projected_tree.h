@@ -31,8 +31,8 @@ using ProjectedTree = std::vector<ProjectedBranch>;
 /// Returns the unit direction of a vessel at each of its points, smoothed over neighboring points.
 std::vector<Eigen::Vector3d> vesselDirections(const std::vector<Eigen::Vector3d>& points);
 
-ProjectedTree projectedTree(const core::VesselTree& tree, const core::ProjectionCamera& camera,
-                            const core::RigidTransform& cameraFromPatient);
+ProjectedTree projectTree(const core::VesselTree& tree, const core::ProjectionCamera& camera,
+                          const core::RigidTransform& cameraFromPatient);
 
 /// Returns the branch nearest to an image point, if within `tolerancePx`.
 std::optional<int> nearestBranch(const ProjectedTree& tree, const Eigen::Vector2d& imagePoint, double tolerancePx);

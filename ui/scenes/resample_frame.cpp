@@ -69,11 +69,11 @@ void blendRows(const core::Image2d<std::uint8_t>& gray, const Taps& down, const 
     }
 }
 
-void blendColumns(const std::vector<float>& line, const Taps& across, std::uint32_t around, std::uint32_t* row)
+void blendColumns(const std::vector<float>& line, const Taps& across, std::uint32_t background, std::uint32_t* row)
 {
     for (const Taps::Target& target : across.targets) {
         if (target.count == 0) {
-            *row++ = around;
+            *row++ = background;
             continue;
         }
         const float* shares = across.weights.data() + target.weights;
@@ -89,9 +89,9 @@ void blendColumns(const std::vector<float>& line, const Taps& across, std::uint3
 }   // namespace
 
 void resampleFrame(const core::Image2d<std::uint8_t>& gray, const ViewRect& rect, Interpolation interpolation,
-                   const Color& around, Canvas canvas)
+                   const Color& background, Canvas canvas)
 {
-    const std::uint32_t outside = packed(around);
+    const std::uint32_t outside = packColor(background);
     const Taps across = tapsOf(rect.left, rect.right, canvas.width, gray.width, interpolation);
     const Taps down = tapsOf(rect.top, rect.bottom, canvas.height, gray.height, interpolation);
     forEachBand(canvas.height, [&](const Rows& rows) {

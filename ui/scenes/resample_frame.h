@@ -15,6 +15,6 @@ enum class Interpolation { Smooth, Nearest };
 /// interpolates linearly when magnifying; when minifying, every source pixel contributes (tent filter as wide as a
 /// canvas pixel), which avoids flicker.
 void resampleFrame(const core::Image2d<std::uint8_t>& gray, const ViewRect& rect, Interpolation interpolation,
-                   const Color& around, Canvas canvas);
+                   const Color& background, Canvas canvas);
 
 }   // namespace angiopose::ui

@@ -40,7 +40,7 @@ ScanQuad::ScanQuad()
 
 void ScanQuad::show(const ScanRendering& image)
 {
-    const core::ParallelProjection& sight = image.sight;
+    const core::ParallelProjection& projection = image.projection;
     if (image.pixels.isEmpty()) {
         actor_->VisibilityOff();
         return;
@@ -50,13 +50,13 @@ void ScanQuad::show(const ScanRendering& image)
     std::copy_n(image.pixels.pixels.data()->data(), 4 * image.pixels.pixels.size(),
                 static_cast<std::uint8_t*>(image_->GetScalarPointer()));
     image_->Modified();
-    const Eigen::Vector3d right = 0.5 * sight.width * sight.mmPerPx * sight.right;
-    const Eigen::Vector3d up = 0.5 * sight.height * sight.mmPerPx * sight.up;
+    const Eigen::Vector3d right = 0.5 * projection.width * projection.mmPerPx * projection.right;
+    const Eigen::Vector3d up = 0.5 * projection.height * projection.mmPerPx * projection.up;
     vtkNew<vtkPoints> points;
     points->SetDataTypeToDouble();
     for (const Eigen::Vector3d& offset : {Eigen::Vector3d(-right - up), Eigen::Vector3d(right - up),
                                           Eigen::Vector3d(right + up), Eigen::Vector3d(up - right)}) {
-        points->InsertNextPoint((sight.centerInPatient + offset).eval().data());
+        points->InsertNextPoint((projection.centerInPatient + offset).eval().data());
     }
     rectangle_->SetPoints(points);
     actor_->SetTexture(texture_);

@@ -6,7 +6,7 @@ namespace angiopose::ui {
 
 /// Volume rendering of the scan from one viewpoint; bottom row first, premultiplied alpha.
 struct ScanRendering {
-    core::ParallelProjection sight;
+    core::ParallelProjection projection;
     core::Image2d<core::Rgba> pixels;
 };
 

@@ -204,7 +204,7 @@ void addRibbon(StrokeMesh& mesh, const StrokeLine& left, const StrokeLine& right
     }
 }
 
-std::vector<StrokeLine> clipped(const StrokeLine& line, const Eigen::Vector2d& lower, const Eigen::Vector2d& upper)
+std::vector<StrokeLine> clipLine(const StrokeLine& line, const Eigen::Vector2d& lower, const Eigen::Vector2d& upper)
 {
     std::vector<StrokeLine> parts;
     bool isOpen = false;   // true if the last part continues in the next segment
@@ -223,7 +223,7 @@ std::vector<StrokeLine> clipped(const StrokeLine& line, const Eigen::Vector2d& l
     return parts;
 }
 
-std::vector<StrokeLine> dashed(const StrokeLine& line, const DashPattern& pattern)
+std::vector<StrokeLine> splitIntoDashes(const StrokeLine& line, const DashPattern& pattern)
 {
     std::vector<StrokeLine> parts;
     bool isDrawing = true;
@@ -253,7 +253,7 @@ std::vector<StrokeLine> dashed(const StrokeLine& line, const DashPattern& patter
     return parts;
 }
 
-StrokeLine thinned(const StrokeLine& line, double minimumStepPx)
+StrokeLine thinLine(const StrokeLine& line, double minimumStepPx)
 {
     StrokeLine result;
     for (std::size_t i = 0; i < line.size(); ++i) {

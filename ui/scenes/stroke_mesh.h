@@ -55,12 +55,12 @@ void addDot(StrokeMesh& mesh, const StrokePoint& center, double radiusPx, double
 void addRibbon(StrokeMesh& mesh, const StrokeLine& left, const StrokeLine& right, double opacity);
 
 /// Returns the parts of the line inside the box from `lower` to `upper`.
-std::vector<StrokeLine> clipped(const StrokeLine& line, const Eigen::Vector2d& lower, const Eigen::Vector2d& upper);
+std::vector<StrokeLine> clipLine(const StrokeLine& line, const Eigen::Vector2d& lower, const Eigen::Vector2d& upper);
 
 /// Splits a line into dashes.
-std::vector<StrokeLine> dashed(const StrokeLine& line, const DashPattern& pattern);
+std::vector<StrokeLine> splitIntoDashes(const StrokeLine& line, const DashPattern& pattern);
 
 /// Removes points closer than `minimumStepPx` to the previous point; keeps both end points.
-StrokeLine thinned(const StrokeLine& line, double minimumStepPx);
+StrokeLine thinLine(const StrokeLine& line, double minimumStepPx);
 
 }   // namespace angiopose::ui

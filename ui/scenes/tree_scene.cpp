@@ -267,7 +267,7 @@ void TreeScene::setScanRendering(const ScanRendering& image)
     parts_->scan.show(image);
 }
 
-core::ParallelProjection TreeScene::sight(int maxPx) const
+core::ParallelProjection TreeScene::projection(int maxPx) const
 {
     const ScreenFromPatient toScreen = parts_->screen();
     const int* size = parts_->ground->GetSize();
@@ -277,14 +277,14 @@ core::ParallelProjection TreeScene::sight(int maxPx) const
         const int side = std::max(3, static_cast<int>(std::lround(share * px)));
         return std::has_single_bit(static_cast<unsigned>(side)) ? side + 1 : side;
     };
-    core::ParallelProjection sight;
-    sight.centerInPatient = toScreen.focalPoint;
-    sight.right = toScreen.rotation.row(0);
-    sight.up = toScreen.rotation.row(1);
-    sight.mmPerPx = 1.0 / (share * toScreen.pxPerMm);
-    sight.width = sideOf(size[0]);
-    sight.height = sideOf(size[1]);
-    return sight;
+    core::ParallelProjection projection;
+    projection.centerInPatient = toScreen.focalPoint;
+    projection.right = toScreen.rotation.row(0);
+    projection.up = toScreen.rotation.row(1);
+    projection.mmPerPx = 1.0 / (share * toScreen.pxPerMm);
+    projection.width = sideOf(size[0]);
+    projection.height = sideOf(size[1]);
+    return projection;
 }
 
 void TreeScene::setMarks(const BranchMarks& marks)
@@ -375,7 +375,7 @@ bool TreeScene::isEmpty() const
 
 std::vector<OrientationLetter> TreeScene::orientationLetters() const
 {
-    return parts_->isEmpty() ? std::vector<OrientationLetter>() : lettersOf(parts_->sign(parts_->screen()));
+    return parts_->isEmpty() ? std::vector<OrientationLetter>() : markerLetters(parts_->sign(parts_->screen()));
 }
 
 }   // namespace angiopose::ui

@@ -44,7 +44,7 @@ public:
     void setScanRendering(
         const ScanRendering& image);   ///< sets the rendering for `sight()`; an empty image shows none
     /// Returns the current view, for rendering an image of at most `maxPx` pixels.
-    core::ParallelProjection sight(int maxPx) const;
+    core::ParallelProjection projection(int maxPx) const;
     void setMarks(const BranchMarks& marks);
     void setColors(const Palette& colors);
     void setPixelScale(double devicePxPerPx);   ///< scales the line widths and the orientation marker

@@ -122,7 +122,7 @@ std::vector<StrokeShape> lineParts(const StrokeShape& shape, const VectorImage& 
         return isVisible ? std::vector{shape} : std::vector<StrokeShape>{};
     }
     std::vector<StrokeShape> parts;
-    for (const StrokeLine& visible : clipped(shape.line, {0.0, 0.0}, {picture.width, picture.height})) {
+    for (const StrokeLine& visible : clipLine(shape.line, {0.0, 0.0}, {picture.width, picture.height})) {
         for (StrokeLine& line : outsideParts(visible, cutout)) {
             parts.push_back({shape.kind, std::move(line), {}, shape.pen});
         }

@@ -159,9 +159,9 @@ void LabelChoice::replaceRows(std::vector<LabelRow> rows, std::set<int> suggeste
     fill();
 }
 
-void LabelChoice::showChosen(const std::set<int>& labels)
+void LabelChoice::showChosenLabels(const std::set<int>& labels)
 {
-    chosen_ = labels;
+    chosenLabels_ = labels;
     applyCheckStates();
     scrollToFirstChecked();
 }
@@ -169,7 +169,8 @@ void LabelChoice::showChosen(const std::set<int>& labels)
 /// Scrolls a long list to the first checked label, unless there is a current row.
 void LabelChoice::scrollToFirstChecked()
 {
-    const auto first = std::ranges::find_if(rows_, [this](const LabelRow& row) { return chosen_.contains(row.label); });
+    const auto first =
+        std::ranges::find_if(rows_, [this](const LabelRow& row) { return chosenLabels_.contains(row.label); });
     if (first != rows_.end() && !list_->currentItem()) {
         list_->scrollToItem(list_->topLevelItem(static_cast<int>(first - rows_.begin())),
                             QAbstractItemView::PositionAtCenter);
@@ -226,7 +227,7 @@ void LabelChoice::filter(const QString& text)
 
 void LabelChoice::choose(std::optional<bool> ticked)
 {
-    std::set<int> selection = ticked ? chosen_ : suggested_;
+    std::set<int> selection = ticked ? chosenLabels_ : suggested_;
     for (int i = 0; ticked && i < list_->topLevelItemCount(); ++i) {
         const QTreeWidgetItem* item = list_->topLevelItem(i);
         const int label = item->data(LabelName, labelRole).toInt();
@@ -239,9 +240,9 @@ void LabelChoice::choose(std::optional<bool> ticked)
             selection.erase(label);
         }
     }
-    if (selection != chosen_) {
-        showChosen(selection);
-        emit selectionEdited(chosen_);
+    if (selection != chosenLabels_) {
+        showChosenLabels(selection);
+        emit selectionEdited(chosenLabels_);
     }
 }
 
@@ -254,10 +255,10 @@ void LabelChoice::readCheckStates()
             ticked.insert(item->data(LabelName, labelRole).toInt());
         }
     }
-    if (ticked != chosen_) {
-        chosen_ = std::move(ticked);
+    if (ticked != chosenLabels_) {
+        chosenLabels_ = std::move(ticked);
         updateTexts();
-        emit selectionEdited(chosen_);
+        emit selectionEdited(chosenLabels_);
     }
 }
 
@@ -266,7 +267,7 @@ void LabelChoice::applyCheckStates()
     const QSignalBlocker quiet(list_);
     for (std::size_t i = 0; i < rows_.size(); ++i) {
         list_->topLevelItem(static_cast<int>(i))
-            ->setCheckState(LabelName, chosen_.contains(rows_[i].label) ? Qt::Checked : Qt::Unchecked);
+            ->setCheckState(LabelName, chosenLabels_.contains(rows_[i].label) ? Qt::Checked : Qt::Unchecked);
     }
     list_->viewport()->update();   // repaints explicitly, since signals are blocked
     updateTexts();
@@ -283,9 +284,9 @@ void LabelChoice::updateTexts()
         item->setText(LabelName, textOf(row));
         item->setText(LabelVolume, volumeText(row.volumeMl));
         item->setToolTip(LabelName, textOf(row) + QStringLiteral(" · ") + volumeText(row.volumeMl));
-        const bool isChosen = chosen_.contains(row.label);
-        volumeMl += isChosen ? row.volumeMl : 0.0;
-        count += isChosen ? 1 : 0;
+        const bool isSelected = chosenLabels_.contains(row.label);
+        volumeMl += isSelected ? row.volumeMl : 0.0;
+        count += isSelected ? 1 : 0;
     }
     totalLabel_->setText(isReading_ ? tr("Reading the labels…")
                          : !problem_.isEmpty()

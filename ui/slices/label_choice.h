@@ -41,8 +41,8 @@ public:
     void showReading();   ///< shows that labels are still being read
     void showProblem(const QString& reason);   ///< shows the reason why reading failed
     void showNothing();   ///< hides the list for inputs without labels
-    void showChosen(const std::set<int>& labels);   ///< emits no signal
-    const std::set<int>& chosen() const { return chosen_; }
+    void showChosenLabels(const std::set<int>& labels);   ///< emits no signal
+    const std::set<int>& chosenLabels() const { return chosenLabels_; }
     void setRunning(bool running);
     void focusList();
 
@@ -64,7 +64,7 @@ private:
 
     std::vector<LabelRow> rows_;
     std::set<int> suggested_;
-    std::set<int> chosen_;
+    std::set<int> chosenLabels_;
     bool isReading_ = false;
     QString problem_;
     QPushButton* all_;

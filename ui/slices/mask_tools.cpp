@@ -25,7 +25,7 @@ const Palette& colors()
 
 }   // namespace
 
-MaskBrushTool::MaskBrushTool(BrushMode aim, SliceModel& model) : SliceTool(model), aim_(aim), strokeAim_(aim) {}
+MaskBrushTool::MaskBrushTool(BrushMode mode, SliceModel& model) : SliceTool(model), mode_(mode), strokeMode_(mode) {}
 
 void MaskBrushTool::setRadiusMm(double radiusMm)
 {
@@ -35,7 +35,7 @@ void MaskBrushTool::setRadiusMm(double radiusMm)
 
 QString MaskBrushTool::caption() const
 {
-    return (aim_ == BrushMode::Paint ? tr("Paint: drag, Ctrl erases") : tr("Erase: drag, Ctrl paints")) +
+    return (mode_ == BrushMode::Paint ? tr("Paint: drag, Ctrl erases") : tr("Erase: drag, Ctrl paints")) +
            QStringLiteral(" · ") + tr("Shift+wheel, + and − change the brush size");
 }
 
@@ -51,7 +51,7 @@ void MaskBrushTool::brushTo(const SlicePointer& pointer)
 {
     hoveredView_ = &pointer.view;
     pointer_ = pointer.position;
-    emit brushed(strokeAim_, pointer.view.grid(),
+    emit brushed(strokeMode_, pointer.view.grid(),
                  {std::exchange(last_, pointer.pointInPatient), pointer.pointInPatient});
     requestRepaint();
 }
@@ -59,7 +59,7 @@ void MaskBrushTool::brushTo(const SlicePointer& pointer)
 bool MaskBrushTool::startDrag(const SlicePointer& pressed)
 {
     const bool isOther = pressed.modifiers.testFlag(Qt::ControlModifier);
-    strokeAim_ = isOther == (aim_ == BrushMode::Paint) ? BrushMode::Erase : BrushMode::Paint;
+    strokeMode_ = isOther == (mode_ == BrushMode::Paint) ? BrushMode::Erase : BrushMode::Paint;
     isStroking_ = true;
     last_ = pressed.pointInPatient;
     brushTo(pressed);
@@ -145,7 +145,7 @@ void MaskBrushTool::paint(QPainter& painter, SliceView& view) const
     painter.setPen(QPen(toQColor(colors().canvas, 0.7), 3.0));
     painter.drawEllipse(pointer_, radiusPx, radiusPx);
     const bool erases =
-        (isStroking_ ? strokeAim_ : aim_) == BrushMode::Erase;   // dashes as well as color show erasing
+        (isStroking_ ? strokeMode_ : mode_) == BrushMode::Erase;   // dashes as well as color show erasing
     painter.setPen(
         QPen(toQColor(erases ? colors().attention : colors().accent), 1.5, erases ? Qt::DashLine : Qt::SolidLine));
     painter.drawEllipse(pointer_, radiusPx, radiusPx);

@@ -13,7 +13,7 @@ namespace angiopose::ui {
 class MaskBrushTool : public SliceTool {
     Q_OBJECT
 public:
-    MaskBrushTool(core::BrushMode aim, SliceModel& model);
+    MaskBrushTool(core::BrushMode mode, SliceModel& model);
 
     void setRadiusMm(double radiusMm);
     QString caption() const override;
@@ -33,15 +33,15 @@ public:
     void paint(QPainter& painter, SliceView& view) const override;
 
 signals:
-    void brushed(core::BrushMode aim, const core::SliceGrid& slice, const core::BrushStep& step);
+    void brushed(core::BrushMode mode, const core::SliceGrid& slice, const core::BrushStep& step);
     void strokeEnded();
     void radiusRequested(double radiusMm);
 
 private:
     void brushTo(const SlicePointer& pointer);
 
-    core::BrushMode aim_;
-    core::BrushMode strokeAim_;   ///< paints or erases; fixed during a stroke
+    core::BrushMode mode_;
+    core::BrushMode strokeMode_;   ///< paints or erases; fixed during a stroke
     double radiusMm_ = 2.0;
     bool isStroking_ = false;
     Eigen::Vector3d last_ = Eigen::Vector3d::Zero();

@@ -42,11 +42,11 @@ bool PathTool::click(const SlicePointer& pointer)
 {
     if (!from_) {
         from_ = pointer.pointInPatient;
-        emit begun();
+        emit pathReset();
     } else {
         const Eigen::Vector3d from = *from_;
         drop();
-        emit chosen(from, pointer.pointInPatient);
+        emit endsPicked(from, pointer.pointInPatient);
     }
     requestRepaint();
     return true;
@@ -76,7 +76,7 @@ void PathTool::drop()
 {
     from_.reset();
     path_.clear();
-    emit begun();
+    emit pathReset();
     requestRepaint();
 }
 

@@ -26,8 +26,8 @@ public:
 
 signals:
     void pathRequested(const Eigen::Vector3d& fromInPatient, const Eigen::Vector3d& toInPatient);   ///< for the preview
-    void chosen(const Eigen::Vector3d& fromInPatient, const Eigen::Vector3d& toInPatient);
-    void begun();   ///< emitted when the first point is set or removed, which makes earlier paths obsolete
+    void endsPicked(const Eigen::Vector3d& fromInPatient, const Eigen::Vector3d& toInPatient);
+    void pathReset();   ///< emitted when the first point is set or removed, which makes earlier paths obsolete
 
 private:
     void drop();

@@ -47,8 +47,8 @@ SeedList::SeedList(QWidget* parent)
       pickAvoid_(makeToggleButton([] { return tr("Avoid"); },
                                   [] {
                                       return tr(
-                                          "Click the heart, veins or bone in a slice. Regions reached from there "
-                                          "through wider passages are excluded.");
+                                          "Click the heart, veins or bone in a slice. Regions with a wider connection "
+                                          "to these points than to the seeds are excluded.");
                                   })),
       remove_(withText(new QPushButton, [] { return tr("Remove"); })),
       points_(new QListWidget)
@@ -75,7 +75,7 @@ QLayout* SeedList::buttonRow()
             [this](bool on) { emit pickRequested(on ? TracingPick::Seed : TracingPick::Nothing); });
     connect(pickAvoid_, &QPushButton::toggled, this,
             [this](bool on) { emit pickRequested(on ? TracingPick::Avoid : TracingPick::Nothing); });
-    connect(remove_, &QPushButton::clicked, this, &SeedList::removeChosen);
+    connect(remove_, &QPushButton::clicked, this, &SeedList::removeSelected);
     return row;
 }
 
@@ -146,7 +146,7 @@ void SeedList::choose(int row)
     }
 }
 
-void SeedList::removeChosen()
+void SeedList::removeSelected()
 {
     int row = points_->currentRow();
     if (row < 0 || running_) {
@@ -164,7 +164,7 @@ bool SeedList::eventFilter(QObject* watched, QEvent* event)
     if (watched == points_ && isKey && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Delete) {
         event->accept();   // keeps the window shortcut from deleting branches
         if (event->type() == QEvent::KeyPress) {
-            removeChosen();
+            removeSelected();
         }
         return true;
     }
@@ -199,7 +199,7 @@ QLayout* ThresholdField::valueRow()
     auto* row = new QHBoxLayout;
     withAccessibleName(slider_, [] { return tr("Threshold"); });
     withAccessibleName(value_, [] { return tr("Threshold"); });
-    withToolTip(value_, [] { return tr("Voxels above this scan intensity are treated as vessel."); });
+    withToolTip(value_, [] { return tr("Voxels above this scan intensity are treated as vessel lumen."); });
     row->addWidget(slider_, 2);
     row->addWidget(value_, 1);
     return row;
@@ -214,7 +214,7 @@ void ThresholdField::showRange(std::pair<double, double> range, bool isHounsfiel
     showValues();
 }
 
-void ThresholdField::showChosen(std::optional<double> threshold)
+void ThresholdField::showManual(std::optional<double> threshold)
 {
     manualThreshold_ = threshold;
     showValues();
@@ -245,7 +245,7 @@ void ThresholdField::choose(std::optional<double> threshold)
     manualThreshold_ = threshold;
     showValues();
     preview_->setChecked(preview_->isChecked() || threshold);   // entering a threshold turns the preview on
-    emit chosen(threshold);
+    emit thresholdChosen(threshold);
     emit previewChanged();
 }
 

@@ -42,7 +42,7 @@ private:
     QLayout* buttonRow();
     void fill();
     void choose(int row);
-    void removeChosen();
+    void removeSelected();
     Points& listOf(int& row);   ///< returns the list that contains the row, and makes `row` an index into it
 
     Points seeds_;
@@ -65,13 +65,13 @@ public:
 
     /// Sets the range of the threshold in HU, or in the intensity units of the scan.
     void showRange(std::pair<double, double> range, bool isHounsfield);
-    void showChosen(std::optional<double> threshold);   ///< manual threshold; if not set, the threshold is automatic
+    void showManual(std::optional<double> threshold);   ///< manual threshold; if not set, the threshold is automatic
     void showAutomatic(std::optional<double> threshold);   ///< shows the automatic threshold, if known
     bool isPreviewWanted() const;
     std::optional<double> shown() const;   ///< threshold in use, manual or automatic
 
 signals:
-    void chosen(std::optional<double> threshold);
+    void thresholdChosen(std::optional<double> threshold);
     void previewChanged();
 
 private:

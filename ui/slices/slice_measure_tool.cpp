@@ -55,7 +55,7 @@ QString SliceMeasureTool::caption() const
 
 std::optional<SliceMeasureTool::DraggedPoint> SliceMeasureTool::draggableAt(const SlicePointer& pointer) const
 {
-    const std::vector<LabeledMeasurement>& measurements = model().measured();
+    const std::vector<LabeledMeasurement>& measurements = model().measurementData();
     std::optional<DraggedPoint> nearest;
     double nearestPx = measureReachPx;
     for (std::size_t m = 0; m < measurements.size(); ++m) {
@@ -101,7 +101,7 @@ void SliceMeasureTool::finishDrag(const SlicePointer& pointer)
 {
     if (const auto dragged = std::exchange(dragged_, std::nullopt)) {
         const bool exists = stillExists(*dragged);
-        const bool isInPlace = exists && isInSlice(model().measured()[dragged->measurement].measurement,
+        const bool isInPlace = exists && isInSlice(model().measurementData()[dragged->measurement].measurement,
                                                    pointer.view.plane(), pointer.view.grid());
         if (!isInPlace) {   // undo removed the measurement, or it is no longer in the displayed slice
             drop();
@@ -120,7 +120,7 @@ void SliceMeasureTool::finishDrag(const SlicePointer& pointer)
 /// Returns whether the measurement being dragged still exists unchanged.
 bool SliceMeasureTool::stillExists(const DraggedPoint& dragged) const
 {
-    const auto& measurements = model().measured();
+    const auto& measurements = model().measurementData();
     return dragged.measurement < measurements.size() && measurements[dragged.measurement].measurement == dragged.whole;
 }
 
@@ -228,7 +228,7 @@ void SliceMeasureTool::drop()
 SliceMeasurement SliceMeasureTool::currentMeasurement() const
 {
     if (dragged_ && stillExists(*dragged_)) {
-        SliceMeasurement moved = model().measured()[dragged_->measurement].measurement;
+        SliceMeasurement moved = model().measurementData()[dragged_->measurement].measurement;
         moved.pointsInPatient.at(dragged_->point) = dragged_->at;
         return moved;
     }
@@ -246,9 +246,9 @@ void SliceMeasureTool::paint(QPainter& painter, SliceView& view) const
         return {at.x(), at.y()};
     };
     painter.save();
-    for (const LabeledMeasurement& measured : model().measured()) {
-        if (isInSlice(measured.measurement, view.plane(), view.grid())) {
-            for (const Eigen::Vector3d& point : measured.measurement.pointsInPatient) {
+    for (const LabeledMeasurement& measurementData : model().measurementData()) {
+        if (isInSlice(measurementData.measurement, view.plane(), view.grid())) {
+            for (const Eigen::Vector3d& point : measurementData.measurement.pointsInPatient) {
                 paintHandle(painter, positionOf(point), false);
             }
         }

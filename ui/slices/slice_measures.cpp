@@ -24,9 +24,9 @@ double offsetMm(const SliceMeasurement& measurement, const core::SliceGrid& grid
 }
 
 /// Converts a measurement to a mark in widget px.
-ImageMark markOf(const LabeledMeasurement& measured, const SliceOverlay& overlay)
+ImageMark markOf(const LabeledMeasurement& measurementData, const SliceOverlay& overlay)
 {
-    const SliceMeasurement& what = measured.measurement;
+    const SliceMeasurement& what = measurementData.measurement;
     ImageMark mark;
     mark.shape = what.kind == MeasurementKind::Length  ? MarkShape::Length
                  : what.kind == MeasurementKind::Angle ? MarkShape::Angle
@@ -35,7 +35,7 @@ ImageMark markOf(const LabeledMeasurement& measured, const SliceOverlay& overlay
         const QPointF at = overlay.widgetFromPatient(point);
         mark.pixels.emplace_back(at.x(), at.y());
     }
-    mark.isChosen = measured.isChosen;
+    mark.isSelected = measurementData.isSelected;
     return mark;
 }
 
@@ -51,14 +51,14 @@ void paintMeasurements(QPainter& painter, const SliceOverlay& overlay)
 {
     std::vector<ImageMark> marks;
     std::vector<ImageMark> near;
-    for (const LabeledMeasurement& measured : overlay.model.measured()) {
-        const SliceMeasurement& what = measured.measurement;
+    for (const LabeledMeasurement& measurementData : overlay.model.measurementData()) {
+        const SliceMeasurement& what = measurementData.measurement;
         if (isInSlice(what, overlay.plane, overlay.grid)) {
-            marks.push_back(markOf(measured, overlay));
-            marks.back().label = measured.label.toStdString();
+            marks.push_back(markOf(measurementData, overlay));
+            marks.back().label = measurementData.label.toStdString();
         } else if (what.plane == overlay.plane && !what.pointsInPatient.empty() &&
                    offsetMm(what, overlay.grid) <= visibleDistanceMm(overlay.grid)) {
-            near.push_back(markOf(measured, overlay));
+            near.push_back(markOf(measurementData, overlay));
         }
     }
     const auto identity = [](const Eigen::Vector2d& at) { return at; };

@@ -97,7 +97,7 @@ void SliceModel::setLabels(LabelLayer labels)
     if (isOtherMask) {
         emit maskChanged();
     }
-    emit lookChanged();
+    emit appearanceChanged();
 }
 
 void SliceModel::setDraft(std::shared_ptr<const core::VoxelMask> draft)
@@ -119,7 +119,7 @@ void SliceModel::setMaskOpacity(double opacity)
 {
     if (opacity != maskOpacity_) {
         maskOpacity_ = opacity;
-        emit lookChanged();
+        emit appearanceChanged();
     }
 }
 
@@ -169,10 +169,10 @@ void SliceModel::setPoints(SliceMarkKind kind, std::vector<SliceMark> points)
     }
 }
 
-void SliceModel::setMeasurements(std::vector<LabeledMeasurement> measured)
+void SliceModel::setMeasurements(std::vector<LabeledMeasurement> measurementData)
 {
-    if (measured != measurements_) {
-        measurements_ = std::move(measured);
+    if (measurementData != measurements_) {
+        measurements_ = std::move(measurementData);
         emit overlayChanged();
     }
 }
@@ -206,7 +206,7 @@ void SliceModel::setWindow(const GrayWindow& window)
     const GrayWindow valid{std::max(window.width, 1.0), window.level};
     if (valid != window_) {
         window_ = valid;
-        emit lookChanged();
+        emit appearanceChanged();
     }
 }
 
@@ -214,7 +214,7 @@ void SliceModel::setPreviewFrom(std::optional<double> threshold)
 {
     if (threshold != previewFrom_) {
         previewFrom_ = threshold;
-        emit lookChanged();
+        emit appearanceChanged();
     }
 }
 

@@ -34,7 +34,7 @@ struct SliceMark {
 struct LabeledMeasurement {
     core::SliceMeasurement measurement;
     QString label;
-    bool isChosen = false;
+    bool isSelected = false;
 
     bool operator==(const LabeledMeasurement&) const = default;
 };
@@ -65,7 +65,7 @@ public:
     void setTree(std::shared_ptr<const core::VesselTree> tree);
     void setMarks(const BranchMarks& marks);
     void setPoints(SliceMarkKind kind, std::vector<SliceMark> points);   ///< replaces all points of this kind
-    void setMeasurements(std::vector<LabeledMeasurement> measured);
+    void setMeasurements(std::vector<LabeledMeasurement> measurementData);
     void setTool(SliceTool* tool);   ///< sets the tool for the left button in all slices; null for the crosshair
     void setCrosshair(const Eigen::Vector3d& pointInPatient);   ///< clamps the point to the scan
     void setWindow(const GrayWindow& window);
@@ -84,7 +84,7 @@ public:
     const core::VesselTree* tree() const { return tree_.get(); }
     const BranchMarks& marks() const { return marks_; }
     const std::map<SliceMarkKind, std::vector<SliceMark>>& points() const { return points_; }
-    const std::vector<LabeledMeasurement>& measured() const { return measurements_; }
+    const std::vector<LabeledMeasurement>& measurementData() const { return measurements_; }
     SliceTool* tool() const { return tool_; }
     const Eigen::Vector3d& crosshair() const { return crosshair_; }
     const GrayWindow& window() const { return window_; }
@@ -96,7 +96,7 @@ signals:
     void maskChanged();   ///< emitted when lumen, labels or draft were replaced
     void maskEdited(const core::BoundingBox& box);   ///< emitted when the mask has changed in place, inside `box`
     void crosshairChanged();
-    void lookChanged();   ///< emitted when the window or the threshold preview has changed
+    void appearanceChanged();   ///< emitted when the window or the threshold preview has changed
     void overlayChanged();   ///< emitted when branches, points or measurements have changed
     void toolChanged();
     void toolAppearanceChanged();   ///< emitted when the tool draws something else

@@ -58,7 +58,7 @@ SliceView::SliceView(SliceModel& model, core::BodyPlane plane, QWidget* parent)
     connect(&model, &SliceModel::overlayChanged, this, qOverload<>(&QWidget::update));
     connect(&model, &SliceModel::toolChanged, this, &SliceView::followTool);
     connect(&model, &SliceModel::toolAppearanceChanged, this, qOverload<>(&QWidget::update));
-    connect(&model, &SliceModel::lookChanged, this, [this] {
+    connect(&model, &SliceModel::appearanceChanged, this, [this] {
         isImageStale_ = true;
         update();
     });
@@ -184,7 +184,7 @@ void SliceView::paintEvent(QPaintEvent*)
     paintPoints(painter, overlay);
     paintMeasurements(painter, overlay);
     paintCrosshair(painter, overlay);
-    const CornerAreas occupied = paintTexts(painter, rect(), topTexts(), placeTexts());
+    const CornerAreas occupied = paintTexts(painter, rect(), topTexts(), positionTexts());
     paintSides(painter, overlay, occupied);
     if (const SliceTool* tool = model_.tool()) {
         tool->paint(painter, *this);
@@ -216,7 +216,7 @@ QStringList SliceView::topTexts() const
 }
 
 /// Returns text with the value and position at the pointer or, if the pointer is elsewhere, at the crosshair.
-QStringList SliceView::placeTexts() const
+QStringList SliceView::positionTexts() const
 {
     const Eigen::Vector3d at = pointer_ ? patientFromWidget(*pointer_) : model_.crosshair();
     const QString label = model_.labelNameAt(at);

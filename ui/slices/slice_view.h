@@ -67,7 +67,7 @@ private:
     void followTool();
     QString sliceText() const;
     QStringList topTexts() const;
-    QStringList placeTexts() const;
+    QStringList positionTexts() const;
 
     SliceModel& model_;
     core::BodyPlane plane_;

@@ -151,8 +151,8 @@ QLayout* TracingPanel::shapeRows()
     withAccessibleName(components_, [] { return tr("Components"); });
     withToolTip(components_, [] {
         return tr(
-            "Applies without seeds. Default: in a mask, all components; in a scan, the component of the aorta or main "
-            "artery. All: in a scan, the components of all great vessels.");
+            "Used only if there are no seeds. Default: in a mask, all components; in a scan, the component of the "
+            "aorta or main artery. All: in a scan, the components of all great vessels.");
     });
     keepTranslated(components_, [this] { setItemTexts(*components_, {tr("Default"), tr("All"), tr("Largest")}); });
     withToolTip(keepLoops_,
@@ -184,7 +184,7 @@ QLayout* TracingPanel::buttonRow()
 
 void TracingPanel::reportThreshold()
 {
-    connect(threshold_, &ThresholdField::chosen, this, [this](std::optional<double> threshold) {
+    connect(threshold_, &ThresholdField::thresholdChosen, this, [this](std::optional<double> threshold) {
         options_.threshold = threshold;
         emit optionsEdited(options_);
     });
@@ -201,7 +201,7 @@ void TracingPanel::showOptions(const core::VesselTracingOptions& options)
     options_ = options;
     const QSignalBlocker quietTubes(tubes_);
     tubes_->setChecked(options.tubesOnly);
-    threshold_->showChosen(options.threshold);
+    threshold_->showManual(options.threshold);
     seeds_->showPoints(options.seedsInPatient, options.avoidInPatient);
     minLength_->showValue(options.minBranchLengthMm);
     minRadius_->showValue(options.minBranchRadiusMm);

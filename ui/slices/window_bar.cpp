@@ -83,7 +83,9 @@ void WindowBar::fillPresets()
     }
     add([] { return tr("Automatic"); },
         [] {
-            return tr("Set automatically from the values of this scan; right-drag in a slice to adjust it manually.");
+            return tr(
+                "Sets the window automatically from the values of this scan; right-drag in a slice to adjust it "
+                "manually.");
         },
         [this] {
             if (model_.volume()) {

@@ -48,7 +48,7 @@ struct BranchColors {
 
 /// Colors for volume rendering of a scan: contrast-enhanced vessels as in anatomical atlases, bone, and soft tissue.
 struct ScanColors {
-    Color vessels, bone, soft;
+    Color vessels, bone, softTissue;
 };
 ScanColors scanColors();
 

@@ -86,7 +86,7 @@ void paintRuler(QPainter& painter, const QSizeF& size, const QRectF& blockBelow,
         const double height = tick % 5 == 0 ? 7.0 : 4.0;
         fill(QRectF(x, bar.bottom() - height, 1.0, height));
     }
-    painter.setFont(sized(painter.font(), 11));
+    painter.setFont(withPixelSize(painter.font(), 11));
     drawShadowedText(painter, QRectF(bar.left(), bar.top() - 22.0, 220.0, 16.0),
                      Qt::AlignLeft | Qt::AlignVCenter | Qt::TextSingleLine,
                      AnnotationWords::tr("%1 mm at vessel").arg(briefNumber(lengthMm, 6)), tone);
@@ -131,7 +131,7 @@ void paintScale(QPainter& painter, const QRectF& bar, const AngiogramAnnotations
     painter.fillRect(bar, ramp);
     painter.fillRect(QRectF(bar.left(), bar.top() - 9.0, bar.width(), 7.0), colorOf(residualColorAboveScale()));
 
-    painter.setFont(sized(painter.font(), 11));
+    painter.setFont(withPixelSize(painter.font(), 11));
     const int flags = Qt::AlignRight | Qt::AlignVCenter | Qt::TextSingleLine;
     const auto label = [&](double y, const QString& text, const Color& tone) {
         drawShadowedText(painter, QRectF(bar.left() - 94.0, y - 8.0, 88.0, 16.0), flags, text, colorOf(tone));
@@ -147,7 +147,7 @@ void paintScale(QPainter& painter, const QRectF& bar, const AngiogramAnnotations
 
 QFont modeFont(const QPainter& painter)
 {
-    return sized(painter.font(), 11);
+    return withPixelSize(painter.font(), 11);
 }
 
 /// Returns the bounding box of the bars in the upper half; empty if there are none.
@@ -212,7 +212,7 @@ double besideScale(const QSizeF& size, const QRectF& scale, const std::vector<QR
 void paintSides(QPainter& painter, const QSizeF& size, const AngiogramAnnotations& annotations, const QRectF& scale,
                 const std::vector<QRectF>& occupied)
 {
-    painter.setFont(sized(painter.font(), 12));
+    painter.setFont(withPixelSize(painter.font(), 12));
     const auto letter = [&painter](const QPointF& center, const std::string& text) {
         drawShadowedText(painter, QRectF(center - QPointF(20.0, 9.0), QSizeF(40.0, 18.0)), Qt::AlignCenter,
                          QString::fromStdString(text), colorOf(annotationTones().textStrong));

@@ -94,7 +94,7 @@ public:
 
 signals:
     void frameStepRequested(int step);   ///< ±1 or ±10 frames; INT_MIN stands for the first frame, INT_MAX for the last
-    void pointed(const std::optional<Eigen::Vector2d>& imagePx);   ///< pointer position; nullopt outside the image
+    void pointerMoved(const std::optional<Eigen::Vector2d>& imagePx);   ///< pointer position; nullopt outside the image
     void branchHovered(std::optional<int> branchId);
     void branchClicked(int branchId, Qt::KeyboardModifiers modifiers);
     void backgroundClicked();
@@ -167,7 +167,7 @@ private:
     std::unique_ptr<GlOverlay> gl_;   ///< replaces the painter if VTK renders
     bool isRendererKnown_ = false;
     QImage image_;   ///< angiogram with tree and handles, in device px
-    std::optional<ImageState> drawn_;   ///< nullopt while a tool is active, since its strokes change at any time
+    std::optional<ImageState> drawnState_;   ///< nullopt while a tool is active, since its strokes change at any time
     QImage annotated_;   ///< image with annotations, as painted; null if not drawn since the view was hidden
     std::vector<QRectF> annotatedBars_;   ///< areas of the bars when `annotated_` was drawn
     QTimer drawTimer_;

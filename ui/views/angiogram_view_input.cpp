@@ -43,7 +43,7 @@ void AngiogramView::mouseMoveEvent(QMouseEvent* event)
     if (cutout_ != Cutout::Shape::None) {
         placeCutout(event->position());
     }
-    emit pointed(imageFromWidget(event->position()));
+    emit pointerMoved(imageFromWidget(event->position()));
     if (i.pressed == Qt::NoButton) {
         hoverAt(event->position());
         return;
@@ -233,7 +233,7 @@ void AngiogramView::resizeEvent(QResizeEvent* event)
 
 void AngiogramView::leaveEvent(QEvent*)
 {
-    emit pointed(std::nullopt);
+    emit pointerMoved(std::nullopt);
     if (interaction_->pressed == Qt::NoButton) {
         hover(std::nullopt);
         if (interaction_->tool) {

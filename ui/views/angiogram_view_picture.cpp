@@ -69,10 +69,10 @@ bool AngiogramView::renderImage()
         interaction_->viewport.imageRectOf({0.0, 0.0}, {device.width() / ratio, device.height() / ratio}));
     const std::optional<ImageState> requested =
         interaction_->tool ? std::nullopt : std::optional(ImageState{scene_.stamp(), isFromSource()});
-    if (requested && requested == drawn_ && !isNew) {
+    if (requested && requested == drawnState_ && !isNew) {
         return false;   // only annotations may have changed
     }
-    drawn_ = requested;
+    drawnState_ = requested;
     render(canvas, interaction_->tool ? interaction_->tool->strokes(canvas.height) : StrokeMesh{});
     return true;
 }

@@ -132,9 +132,9 @@ std::optional<std::vector<Block>> layOut(const QSizeF& size, const CornerLines& 
 std::array<QRectF, 4> paintCorners(QPainter& painter, const QSizeF& size, const CornerLines& lines,
                                    const ViewContent& content, const QRectF& mode)
 {
-    auto blocks = layOut(size, lines, sized(painter.font(), fullSizePx), content, mode, false);
+    auto blocks = layOut(size, lines, withPixelSize(painter.font(), fullSizePx), content, mode, false);
     if (!blocks) {
-        blocks = layOut(size, lines, sized(painter.font(), smallSizePx), content, mode, true);
+        blocks = layOut(size, lines, withPixelSize(painter.font(), smallSizePx), content, mode, true);
     }
     std::array<QRectF, 4> places;
     for (const Block& block : *blocks) {

@@ -48,13 +48,13 @@ void ImageViewport::zoomAt(const Eigen::Vector2d& position, double factor)
 {
     const Eigen::Vector2d anchor = imageFromWidget(position);
     zoom_ = std::clamp(zoom_ * factor, minZoom, maxZoom);
-    center_ = anchor - turned(position - 0.5 * widgetSize_) / zoom_;
+    center_ = anchor - mirrorOffset(position - 0.5 * widgetSize_) / zoom_;
     isFitted_ = false;
 }
 
 void ImageViewport::panBy(const Eigen::Vector2d& step)
 {
-    center_ -= turned(step) / zoom_;
+    center_ -= mirrorOffset(step) / zoom_;
     isFitted_ = false;
 }
 
@@ -77,12 +77,12 @@ ViewRect ImageViewport::imageRectOf(const Eigen::Vector2d& topLeft, const Eigen:
 
 Eigen::Vector2d ImageViewport::imageFromWidget(const Eigen::Vector2d& position) const
 {
-    return center_ + turned(position - 0.5 * widgetSize_) / zoom_;
+    return center_ + mirrorOffset(position - 0.5 * widgetSize_) / zoom_;
 }
 
 Eigen::Vector2d ImageViewport::widgetFromImage(const Eigen::Vector2d& imagePoint) const
 {
-    return 0.5 * widgetSize_ + turned(imagePoint - center_) * zoom_;
+    return 0.5 * widgetSize_ + mirrorOffset(imagePoint - center_) * zoom_;
 }
 
 }   // namespace angiopose::ui

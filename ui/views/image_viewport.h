@@ -33,7 +33,7 @@ private:
     bool mirrored_ = false;
 
     /// Converts a displacement in the widget to image directions, without scaling.
-    Eigen::Vector2d turned(const Eigen::Vector2d& offset) const
+    Eigen::Vector2d mirrorOffset(const Eigen::Vector2d& offset) const
     {
         return {mirrored_ ? -offset.x() : offset.x(), offset.y()};
     }

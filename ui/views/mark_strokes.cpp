@@ -33,9 +33,9 @@ StrokeMesh markStrokes(const std::vector<ImageMark>& marks, const PixelMapping& 
     const Eigen::Vector2d margin(beyondPicturePx, beyondPicturePx);
     StrokeMesh mesh;
     for (const ImageMark& mark : marks) {
-        for (const PixelLine& line : linesOf(mark, positionOf, markSizePx)) {
+        for (const PixelLine& line : markLines(mark, positionOf, markSizePx)) {
             const StrokeLine whole = inOneColor(line, image, markColor(mark, colors));
-            for (const StrokeLine& part : clipped(whole, -margin, image.sizePx + margin)) {
+            for (const StrokeLine& part : clipLine(whole, -margin, image.sizePx + margin)) {
                 addLine(mesh, recolored(part, rim), {markRimWidthPx * image.pixelRatio, markRimOpacity});
                 addLine(mesh, part, {markWidthPx * image.pixelRatio, 1.0});
             }

@@ -53,7 +53,7 @@ void paintMarks(QPainter& painter, const std::vector<ImageMark>& marks, const Pi
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setBrush(Qt::NoBrush);
-    painter.setFont(sized(painter.font(), 12));
+    painter.setFont(withPixelSize(painter.font(), 12));
     if (!(background.width > 0.0)) {
         const double ratio = painter.device()->devicePixelRatioF();
         const bool isPicture = painter.device()->devType() == QInternal::Image;   // QImage sizes are in device px
@@ -61,7 +61,7 @@ void paintMarks(QPainter& painter, const std::vector<ImageMark>& marks, const Pi
         background.height = painter.device()->height() / (isPicture ? ratio : 1.0);
     }
     for (const ImageMark& mark : marks) {
-        const std::vector<PixelLine> lines = linesOf(mark, positionOf, markSizePx);
+        const std::vector<PixelLine> lines = markLines(mark, positionOf, markSizePx);
         std::ranges::copy(pointsAlong(lines, markSizePx), std::back_inserter(background.avoided));
         for (const PixelLine& line : background.hasLines ? std::vector<PixelLine>() : lines) {
             paintMarkLine(painter, line, colorOf(markColor(mark, background.colors)), background.rim);

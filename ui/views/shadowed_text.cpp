@@ -19,7 +19,7 @@ const Palette& annotationTones()
     return palette(ThemeMode::Dark);
 }
 
-QFont sized(QFont font, int px)
+QFont withPixelSize(QFont font, int px)
 {
     font.setPixelSize(px);
     return font;

@@ -15,7 +15,7 @@ const Palette& annotationTones();
 
 QColor colorOf(const Color& color, double opacity = 1.0);
 
-QFont sized(QFont font, int px);
+QFont withPixelSize(QFont font, int px);
 
 /// Draws text that is readable on bright and dark backgrounds; `flags` as in QPainter::drawText, `rim` is the color of
 /// the outline.

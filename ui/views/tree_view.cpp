@@ -52,9 +52,9 @@ void TreeView::warmUp()
     cameraFromPatient.translation.z() = 750.0;
     rehearsal.setPose(cameraFromPatient);
     rehearsal.setFrame(core::ImageF(size, size, 1.0F));
-    core::ParallelProjection sight;
-    sight.width = sight.height = size;
-    rehearsal.setScanRendering({sight, core::Image2d<core::Rgba>(size, size)});
+    core::ParallelProjection projection;
+    projection.width = projection.height = size;
+    rehearsal.setScanRendering({projection, core::Image2d<core::Rgba>(size, size)});
     renderHidden();
 }
 
@@ -98,7 +98,7 @@ void TreeView::showLandmarks(const std::vector<Eigen::Vector3d>& pointsInPatient
     update();
 }
 
-void TreeView::showPlaces(std::vector<TreeMark> places)
+void TreeView::showVesselMarks(std::vector<TreeMark> places)
 {
     if (!places.empty() || !treeMarks_.empty()) {
         treeMarks_ = std::move(places);
@@ -107,7 +107,7 @@ void TreeView::showPlaces(std::vector<TreeMark> places)
 }
 
 /// Paints the labeled marks like image marks, in the colors of the theme.
-void TreeView::paintPlaces(QPainter& painter) const
+void TreeView::paintVesselMarks(QPainter& painter) const
 {
     const double ratio = devicePixelRatio();
     const auto positionOf = [&](const Eigen::Vector3d& point) -> Eigen::Vector2d {
@@ -145,14 +145,14 @@ void TreeView::prepareFrame()
     scene_.setPixelScale(devicePixelRatio());
 }
 
-/// Emits `sightChanged` if the view changed; called after drawing, which may frame the view.
-void TreeView::reportSight()
+/// Emits `cameraChanged` if the view changed; called after drawing, which may frame the view.
+void TreeView::reportCamera()
 {
     constexpr int anyPx = 1'000'000'000;
-    const core::ParallelProjection sight = scene_.sight(anyPx);
-    if (sight != renderedSight_) {
-        renderedSight_ = sight;
-        QMetaObject::invokeMethod(this, &TreeView::sightChanged, Qt::QueuedConnection);   // not during painting
+    const core::ParallelProjection projection = scene_.projection(anyPx);
+    if (projection != renderedProjection_) {
+        renderedProjection_ = projection;
+        QMetaObject::invokeMethod(this, &TreeView::cameraChanged, Qt::QueuedConnection);   // not during painting
     }
 }
 
@@ -167,7 +167,7 @@ void TreeView::paintPlaceholder(QPainter& painter) const
 
 void TreeView::paintAnnotations(QPainter& painter)
 {
-    reportSight();
+    reportCamera();
     if (scene_.isEmpty()) {
         paintPlaceholder(painter);
         return;
@@ -192,7 +192,7 @@ void TreeView::paintAnnotations(QPainter& painter)
         painter.setPen(colorOf(colors.textStrong));
         painter.drawText(at + QPointF(7.0, -5.0), QString::number(i + 1));
     }
-    paintPlaces(painter);
+    paintVesselMarks(painter);
     if (pickedPivot_) {
         const Eigen::Vector2d device = scene_.deviceFromPatient(*pickedPivot_);
         paintPivotMark(painter, {device.x() / ratio, height() - device.y() / ratio}, colors);
@@ -309,7 +309,7 @@ void TreeView::wheelEvent(QWheelEvent* event)
 void TreeView::showEvent(QShowEvent* event)
 {
     VtkView::showEvent(event);
-    renderedSight_ = {};   // forces `sightChanged`, since no scan rendering was requested while hidden
+    renderedProjection_ = {};   // forces `cameraChanged`, since no scan rendering was requested while hidden
 }
 
 void TreeView::leaveEvent(QEvent*)

@@ -35,11 +35,11 @@ public:
         const std::optional<Eigen::Vector3d>& pointInPatient);   ///< position pointed at in an image
     void showLandmarks(const std::vector<Eigen::Vector3d>& pointsInPatient,
                        const std::optional<Eigen::Vector3d>& pendingInPatient);   ///< landmarks are numbered from 1
-    void showPlaces(std::vector<TreeMark> places);
+    void showVesselMarks(std::vector<TreeMark> places);
     void setPickedPivot(const std::optional<Eigen::Vector3d>& pointInPatient);   ///< rotation center of the vessels
 
 signals:
-    void sightChanged();   ///< emitted when rotated, moved, zoomed, resized or shown; requires a new scan rendering
+    void cameraChanged();   ///< emitted when rotated, moved, zoomed, resized or shown; requires a new scan rendering
     void enlargeRequested();   ///< requests maximizing, or restoring the layout
     void branchHovered(std::optional<int> branchId);
     void branchClicked(int branchId, Qt::KeyboardModifiers modifiers);
@@ -64,12 +64,12 @@ protected:
 private:
     std::optional<TreePick> pickAt(const QPointF& position) const;
     void hover(std::optional<int> branchId);
-    void paintPlaces(QPainter& painter) const;
+    void paintVesselMarks(QPainter& painter) const;
     void paintPlaceholder(QPainter& painter) const;
-    void reportSight();
+    void reportCamera();
 
     TreeScene scene_;
-    core::ParallelProjection renderedSight_;   ///< view of the last rendering
+    core::ParallelProjection renderedProjection_;   ///< view of the last rendering
     ThemeMode theme_ = ThemeMode::Dark;
     QPointF pressedAt_;
     QPointF lastAt_;

@@ -84,7 +84,7 @@ QLocale languageLocale()
     return QLocale(currentCode());
 }
 
-QString joinedSentences(const QStringList& sentences)
+QString joinSentences(const QStringList& sentences)
 {
     QString text;
     for (const QString& sentence : sentences) {
@@ -95,7 +95,7 @@ QString joinedSentences(const QStringList& sentences)
     return text;
 }
 
-QString joinedNames(const QStringList& names)
+QString joinNames(const QStringList& names)
 {
     const bool isChinese = languageLocale().language() == QLocale::Chinese;
     return names.join(isChinese ? QString(QChar(0x3001)) : QStringLiteral(", "));

@@ -22,9 +22,9 @@ QString currentLanguage();
 QLocale languageLocale();
 
 /// Joins sentences, separated by spaces unless a sentence ends with a full-width full stop.
-QString joinedSentences(const QStringList& sentences);
+QString joinSentences(const QStringList& sentences);
 
 /// Joins names with the list separator of the language.
-QString joinedNames(const QStringList& names);
+QString joinNames(const QStringList& names);
 
 }   // namespace angiopose::ui

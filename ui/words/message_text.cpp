@@ -20,7 +20,7 @@ QString rowOf(const QStringList& texts)
 {
     const bool areSentences = std::ranges::any_of(
         texts, [](const QString& text) { return text.endsWith(QLatin1Char('.')) || text.endsWith(QChar(0x3002)); });
-    return areSentences ? joinedSentences(texts) : joinedNames(texts);
+    return areSentences ? joinSentences(texts) : joinNames(texts);
 }
 
 struct ArgumentWords {
@@ -40,7 +40,7 @@ struct ArgumentWords {
     {
         QStringList names;
         std::ranges::transform(texts, std::back_inserter(names), fromText);
-        return joinedNames(names);
+        return joinNames(names);
     }
 
     QString operator()(const core::Messages& messages) const
@@ -86,7 +86,7 @@ QString messagesText(const core::Messages& messages)
     for (const core::Message& message : messages) {
         sentences << messageText(message);
     }
-    return joinedSentences(sentences);
+    return joinSentences(sentences);
 }
 
 QString messageText(const std::optional<core::Message>& message)

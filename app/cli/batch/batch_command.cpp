@@ -250,9 +250,9 @@ private:
         std::size_t kept = 0;
         for (std::size_t i = plan_.shard.index; i < plan_.entries.size(); i += plan_.shard.count) {
             BatchJob job = makeJob(plan_.entries[i], plan_.settings, plan_.folder);
-            job.isResumed = arguments_.isResumed;
+            job.resumes = arguments_.resumes;
             job.skipImages = arguments_.skipImages;
-            if (arguments_.isResumed) {
+            if (arguments_.resumes) {
                 outcomes_[i] = readOutcome(job.folder);
                 if (outcomes_[i] && isUpToDate(*outcomes_[i], job.request, job.folder)) {
                     ++kept;
@@ -263,7 +263,7 @@ private:
             rows_.push_back(i);
             jobs.push_back(std::move(job));
         }
-        if (arguments_.isResumed) {
+        if (arguments_.resumes) {
             printMessage(std::to_string(kept) + " cases are already completed, " + std::to_string(jobs.size()) +
                          " remain.");
         }

@@ -94,7 +94,7 @@ std::string toJsonLine(const BatchJob& job)
                  {"vessels", job.vesselsPath}, {"angiogram", job.angiogramPath},
                  {"method", job.method},       {"settings", job.settings},
                  {"folder", job.folder},       {"asked", job.request},
-                 {"isResumed", job.isResumed}, {"isWithoutPictures", job.skipImages}};
+                 {"isResumed", job.resumes},   {"isWithoutPictures", job.skipImages}};
     if (job.frame) {
         json["frame"] = *job.frame;
     }
@@ -113,7 +113,7 @@ BatchJob parseJob(const std::string& line)
     job.settings = json.at("settings").get<std::vector<std::string>>();
     job.folder = json.at("folder");
     job.request = json.at("asked");
-    job.isResumed = json.at("isResumed");
+    job.resumes = json.at("isResumed");
     job.skipImages = json.at("isWithoutPictures");
     if (json.contains("frame")) {
         job.frame = json["frame"].get<int>();

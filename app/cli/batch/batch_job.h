@@ -21,7 +21,7 @@ struct BatchJob {
     std::vector<std::string> settings;   ///< "name=value" pairs; see io::CaseSettings
     std::string folder;   ///< output folder used by this row only
     std::string request;   ///< everything that determines the outcome, except the inputs, as JSON; see serializeRequest
-    bool isResumed = false;   ///< whether to keep an existing outcome that is up to date
+    bool resumes = false;   ///< whether to keep an existing outcome that is up to date
     bool skipImages = false;
 };
 

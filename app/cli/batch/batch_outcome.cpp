@@ -63,7 +63,7 @@ std::vector<double> figuresFrom(const OutcomeJson& json)
 OutcomeJson inputJson(const io::InputFingerprint& input)
 {
     OutcomeJson json{{"path", input.path}};
-    if (input.isThere) {
+    if (input.isPresent) {
         json.update({{"size", input.size}, {"modified", input.modificationTime}});
     }
     if (!input.sha256.empty()) {
@@ -76,7 +76,7 @@ io::InputFingerprint inputFrom(const OutcomeJson& json)
 {
     io::InputFingerprint input;
     input.path = json.at("path");
-    input.isThere = json.contains("size");
+    input.isPresent = json.contains("size");
     input.size = json.value("size", std::uint64_t{0});
     input.modificationTime = json.value("modified", std::numeric_limits<std::int64_t>::min());
     input.sha256 = json.value("sha256", "");

@@ -67,9 +67,9 @@ bool BatchPool::run(const std::function<void(std::size_t job, BatchOutcome outco
         }
         assignJobs();
         std::vector<const io::WorkerProcess*> workers;
-        for (const auto& seat : slots_) {
-            if (seat->worker) {
-                workers.push_back(seat->worker.get());
+        for (const auto& slot : slots_) {
+            if (slot->worker) {
+                workers.push_back(slot->worker.get());
             }
         }
         io::WorkerProcess::waitForAny(workers, waitMs());
@@ -82,98 +82,98 @@ bool BatchPool::run(const std::function<void(std::size_t job, BatchOutcome outco
 bool BatchPool::isDone() const
 {
     return nextJob_ == jobs_.size() &&
-           std::ranges::none_of(slots_, [](const auto& seat) { return seat->job.has_value(); });
+           std::ranges::none_of(slots_, [](const auto& slot) { return slot->job.has_value(); });
 }
 
 void BatchPool::assignJobs()
 {
-    for (const auto& seat : slots_) {
-        while (!seat->job && nextJob_ < jobs_.size()) {
-            assign(*seat, nextJob_++);
+    for (const auto& slot : slots_) {
+        while (!slot->job && nextJob_ < jobs_.size()) {
+            assign(*slot, nextJob_++);
         }
     }
 }
 
-void BatchPool::assign(WorkerSlot& seat, std::size_t job)
+void BatchPool::assign(WorkerSlot& slot, std::size_t job)
 {
-    seat.job = job;
-    if (!seat.worker) {
-        seat.worker = startWorker(options_.threadsPerWorker);
-        seat.isFresh = true;
+    slot.job = job;
+    if (!slot.worker) {
+        slot.worker = startWorker(options_.threadsPerWorker);
+        slot.isFresh = true;
     }
-    if (!seat.worker->isStarted()) {
-        seat.worker.reset();
-        const core::Message why = messages::batchNoWorker(io::currentBinaryPath().string());
-        finishJob(seat, makeAbandonedOutcome(jobs_[job], "crashed", why));
+    if (!slot.worker->isStarted()) {
+        slot.worker.reset();
+        const core::Message reason = messages::batchNoWorker(io::currentBinaryPath().string());
+        finishJob(slot, makeAbandonedOutcome(jobs_[job], "crashed", reason));
         return;
     }
     if (options_.timeLimitSeconds) {
-        seat.deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(
+        slot.deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(
                                            std::chrono::duration<double>(*options_.timeLimitSeconds));
     }
-    seat.worker->sendLine(toJsonLine(jobs_[job]));   // if the worker has died, the next read detects this
+    slot.worker->sendLine(toJsonLine(jobs_[job]));   // if the worker has died, the next read detects this
 }
 
-void BatchPool::finishJob(WorkerSlot& seat, BatchOutcome outcome)
+void BatchPool::finishJob(WorkerSlot& slot, BatchOutcome outcome)
 {
-    const std::size_t job = *seat.job;
-    seat.job.reset();
-    seat.deadline.reset();
-    seat.isFresh = false;
+    const std::size_t job = *slot.job;
+    slot.job.reset();
+    slot.deadline.reset();
+    slot.isFresh = false;
     onEnd_(job, std::move(outcome));
 }
 
 void BatchPool::readReplies()
 {
-    for (const auto& seat : slots_) {
-        if (seat->worker) {
-            receiveLine(*seat);
+    for (const auto& slot : slots_) {
+        if (slot->worker) {
+            receiveLine(*slot);
         }
     }
 }
 
-void BatchPool::receiveLine(WorkerSlot& seat)
+void BatchPool::receiveLine(WorkerSlot& slot)
 {
     std::string line;
-    switch (seat.worker->receiveLine(line)) {
+    switch (slot.worker->receiveLine(line)) {
         case io::WorkerProcess::ReadStatus::Nothing:
             return;
         case io::WorkerProcess::ReadStatus::End:
-            handleWorkerExit(seat);
+            handleWorkerExit(slot);
             return;
         case io::WorkerProcess::ReadStatus::Line:
             break;
     }
-    if (seat.job) {
-        finishJob(seat, parseOutcome(line));
+    if (slot.job) {
+        finishJob(slot, parseOutcome(line));
     }
 }
 
 /// Handles a worker that ended. The cause may lie in one of its earlier cases, so the job is repeated in a new worker
 /// unless the ended one was itself new.
-void BatchPool::handleWorkerExit(WorkerSlot& seat)
+void BatchPool::handleWorkerExit(WorkerSlot& slot)
 {
-    const std::string how = seat.worker->end();
-    const bool wasFresh = seat.isFresh;
-    seat.worker.reset();
-    if (!seat.job) {
+    const std::string how = slot.worker->end();
+    const bool wasFresh = slot.isFresh;
+    slot.worker.reset();
+    if (!slot.job) {
         return;
     }
     if (!wasFresh) {
-        assign(seat, *seat.job);
+        assign(slot, *slot.job);
         return;
     }
-    finishJob(seat,
-              makeAbandonedOutcome(jobs_[*seat.job], "crashed", messages::batchCrashed(how.empty() ? "killed" : how)));
+    finishJob(slot,
+              makeAbandonedOutcome(jobs_[*slot.job], "crashed", messages::batchCrashed(how.empty() ? "killed" : how)));
 }
 
 void BatchPool::killOverdueWorkers()
 {
-    for (const auto& seat : slots_) {
-        if (seat->job && seat->deadline && Clock::now() >= *seat->deadline) {
-            seat->worker.reset();   // kills the process, because a hung worker reads no requests
-            finishJob(*seat,
-                      makeAbandonedOutcome(jobs_[*seat->job], "out of time",
+    for (const auto& slot : slots_) {
+        if (slot->job && slot->deadline && Clock::now() >= *slot->deadline) {
+            slot->worker.reset();   // kills the process, because a hung worker reads no requests
+            finishJob(*slot,
+                      makeAbandonedOutcome(jobs_[*slot->job], "out of time",
                                            messages::batchOutOfTime(core::Quantity{
                                                *options_.timeLimitSeconds, core::Quantity::significantDigits, "s"})));
         }
@@ -183,9 +183,9 @@ void BatchPool::killOverdueWorkers()
 int BatchPool::waitMs() const
 {
     double ms = askedEveryMs;
-    for (const auto& seat : slots_) {
-        if (seat->deadline) {
-            const std::chrono::duration<double, std::milli> left = *seat->deadline - Clock::now();
+    for (const auto& slot : slots_) {
+        if (slot->deadline) {
+            const std::chrono::duration<double, std::milli> left = *slot->deadline - Clock::now();
             ms = std::min(ms, std::max(0.0, std::ceil(left.count())));
         }
     }
@@ -196,31 +196,31 @@ int BatchPool::waitMs() const
 /// are killed.
 void BatchPool::stop()
 {
-    for (const auto& seat : slots_) {
-        if (seat->worker) {
-            seat->worker->requestStop();
+    for (const auto& slot : slots_) {
+        if (slot->worker) {
+            slot->worker->requestStop();
         }
     }
     const auto end = Clock::now() + stopPatience;
-    const auto isRunning = [](const auto& seat) { return seat->worker && seat->job; };
+    const auto isRunning = [](const auto& slot) { return slot->worker && slot->job; };
     while (Clock::now() < end && std::ranges::any_of(slots_, isRunning)) {
         std::vector<const io::WorkerProcess*> workers;
-        for (const auto& seat : slots_) {
-            if (isRunning(seat)) {
-                workers.push_back(seat->worker.get());
+        for (const auto& slot : slots_) {
+            if (isRunning(slot)) {
+                workers.push_back(slot->worker.get());
             }
         }
         io::WorkerProcess::waitForAny(workers, askedEveryMs);
-        for (const auto& seat : slots_) {
+        for (const auto& slot : slots_) {
             std::string line;
-            if (!isRunning(seat)) {
+            if (!isRunning(slot)) {
                 continue;
             }
-            const auto heard = seat->worker->receiveLine(line);
+            const auto heard = slot->worker->receiveLine(line);
             if (heard == io::WorkerProcess::ReadStatus::Line) {
-                finishJob(*seat, parseOutcome(line));
+                finishJob(*slot, parseOutcome(line));
             } else if (heard == io::WorkerProcess::ReadStatus::End) {
-                seat->worker.reset();
+                slot->worker.reset();
             }
         }
     }

@@ -32,15 +32,15 @@ private:
     struct WorkerSlot;
 
     void assignJobs();
-    void assign(WorkerSlot& seat, std::size_t job);
+    void assign(WorkerSlot& slot, std::size_t job);
     void readReplies();
-    void receiveLine(WorkerSlot& seat);
-    void handleWorkerExit(WorkerSlot& seat);
+    void receiveLine(WorkerSlot& slot);
+    void handleWorkerExit(WorkerSlot& slot);
     void killOverdueWorkers();
     int waitMs() const;
     void stop();
     bool isDone() const;
-    void finishJob(WorkerSlot& seat, BatchOutcome outcome);
+    void finishJob(WorkerSlot& slot, BatchOutcome outcome);
 
     std::vector<BatchJob> jobs_;
     PoolOptions options_;

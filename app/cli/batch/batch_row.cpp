@@ -109,7 +109,7 @@ core::Status registerOpened(BatchOutcome& outcome, const BatchJob& job, core::Ca
         return status;
     }
     addResult(outcome, registered.value());
-    outcome.times.writeMs = watch.lapMs();
+    outcome.times.writeMs = watch.takeLapMs();
     return core::Done{};
 }
 
@@ -118,7 +118,7 @@ core::Status openAndRegister(BatchOutcome& outcome, const BatchJob& job)
     core::Stopwatch watch;
     core::Messages warnings;
     auto opened = openRow(job, warnings);
-    outcome.times.readMs = watch.lapMs();
+    outcome.times.readMs = watch.takeLapMs();
     for (const core::Message& warning : warnings) {
         outcome.notes.push_back(warning.text());
     }
@@ -165,7 +165,7 @@ std::optional<BatchOutcome> processRow(const BatchJob& job)
     }
     const io::LockableFile folder(job.folder, io::LockableFile::OpenMode::Folder);
     waitForTurn(folder);
-    if (job.isResumed) {
+    if (job.resumes) {
         if (auto known = readOutcome(job.folder); known && isUpToDate(*known, job.request, job.folder)) {
             return known;
         }
@@ -194,11 +194,11 @@ std::optional<BatchOutcome> processRow(const BatchJob& job)
 
 }   // namespace
 
-BatchOutcome makeAbandonedOutcome(const BatchJob& job, const std::string& status, const core::Message& why)
+BatchOutcome makeAbandonedOutcome(const BatchJob& job, const std::string& status, const core::Message& reason)
 {
     BatchOutcome outcome = makeOutcome(job);
     outcome.status = status;
-    outcome.message = why.text();
+    outcome.message = reason.text();
     outcome.inputs = inputsOf(job, nullptr);
     outcome.times.finished = core::utcNow();
     removeOutputs(job.folder);

@@ -63,7 +63,7 @@ void measurePairs(const OwnCase& own, const RigidTransform& pose, RunRecord& rec
                              static_cast<double>(distances.size()));
     record.meanMm = record.meanPx * millimetersPerPixel(own.camera, meanDepthMm(own, pose));
     const auto above = std::ranges::count_if(distances, [](double d) { return !(d <= grossPx); });
-    record.shareAbove5Px = static_cast<double>(above) / static_cast<double>(distances.size());
+    record.fractionAbove5Px = static_cast<double>(above) / static_cast<double>(distances.size());
     record.mrpdMm = meanRayDistanceMm(own, pose);
 }
 

@@ -94,8 +94,8 @@ std::optional<Repeatability> repeatabilityOf(const std::vector<ObserverMean>& me
     if (result.images == 0) {
         return std::nullopt;
     }
-    result.within = std::sqrt(squares / (result.readings - result.images));
-    result.coefficient = 1.96 * std::sqrt(2.0) * result.within;
+    result.withinStd = std::sqrt(squares / (result.readings - result.images));
+    result.coefficient = 1.96 * std::sqrt(2.0) * result.withinStd;
     return result;
 }
 
@@ -121,9 +121,9 @@ std::optional<LimitsOfAgreement> agreementOf(const std::vector<ObserverMean>& me
     for (const Eigen::Vector2d& point : result.points) {
         squares += (point.y() - result.bias) * (point.y() - result.bias);
     }
-    result.deviation = std::sqrt(squares / (count - 1.0));
-    result.biasError = result.deviation / std::sqrt(count);
-    result.limitError = result.deviation * std::sqrt(3.0 / count);
+    result.stdDeviation = std::sqrt(squares / (count - 1.0));
+    result.biasError = result.stdDeviation / std::sqrt(count);
+    result.limitError = result.stdDeviation * std::sqrt(3.0 / count);
     return result;
 }
 
@@ -147,7 +147,7 @@ std::optional<Reproducibility> reproducibilityOf(const std::vector<ObserverMean>
     if (result.images == 0) {
         return std::nullopt;
     }
-    result.between = std::sqrt(squares / freedom);
+    result.betweenStd = std::sqrt(squares / freedom);
     return result;
 }
 

@@ -45,7 +45,7 @@ std::vector<ObserverMean> observerMeans(const std::vector<ObserverReading>& read
 struct Repeatability {
     int images = 0;
     int readings = 0;
-    double within = 0.0;   ///< within-image standard deviation
+    double withinStd = 0.0;   ///< within-image standard deviation
     double coefficient = 0.0;   ///< 1.96 √2 × `within`: 95 % of all pairs of readings differ by less
 };
 std::optional<Repeatability> repeatabilityOf(const std::vector<ObserverMean>& means, const std::string& observer,
@@ -55,12 +55,12 @@ std::optional<Repeatability> repeatabilityOf(const std::vector<ObserverMean>& me
 struct LimitsOfAgreement {
     std::vector<Eigen::Vector2d> points;   ///< (mean of both, difference), one per image
     double bias = 0.0;
-    double deviation = 0.0;   ///< standard deviation of the differences
+    double stdDeviation = 0.0;   ///< standard deviation of the differences
     double biasError = 0.0;   ///< standard error of the bias
     double limitError = 0.0;   ///< standard error of a limit of agreement: √(3/n) times `deviation`
 
-    double lower() const { return bias - 1.96 * deviation; }
-    double upper() const { return bias + 1.96 * deviation; }
+    double lower() const { return bias - 1.96 * stdDeviation; }
+    double upper() const { return bias + 1.96 * stdDeviation; }
 };
 /// Returns the agreement of two observers, or nullopt if they have fewer than two images in common.
 std::optional<LimitsOfAgreement> agreementOf(const std::vector<ObserverMean>& means, const std::string& first,
@@ -70,7 +70,7 @@ std::optional<LimitsOfAgreement> agreementOf(const std::vector<ObserverMean>& me
 /// images that more than one observer read.
 struct Reproducibility {
     int images = 0;
-    double between = 0.0;
+    double betweenStd = 0.0;
 };
 std::optional<Reproducibility> reproducibilityOf(const std::vector<ObserverMean>& means, std::size_t measure);
 

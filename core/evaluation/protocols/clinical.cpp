@@ -34,7 +34,7 @@ TrialMaker prepareClinical(std::size_t condition, std::uint64_t seed)
         dsa.frameCount = 1;
         dsa.nonRigidStdMm = nonRigidStdMm;
         const std::uint64_t treeSeed = seed * clinicalSeeds + number % clinicalAnatomies;
-        return tracedTrial(simulateView(treeSeed, trialRandom(clinicalNumber, seed, number)(), {}, dsa));
+        return makeTracedTrial(simulateView(treeSeed, trialRandom(clinicalNumber, seed, number)(), {}, dsa));
     };
 }
 
@@ -166,7 +166,7 @@ Trial makeTrial(const ConfidenceSetting& setting, std::uint64_t seed, std::uint6
             cropToHalf(view, random);
             break;
     }
-    Trial trial = tracedTrial(view);
+    Trial trial = makeTracedTrial(view);
     trial.hasCorrectPose =
         setting.modification != CaseModification::OtherTree && setting.modification != CaseModification::Mirrored;
     return trial;

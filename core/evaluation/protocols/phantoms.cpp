@@ -85,12 +85,12 @@ Eigen::Vector3d randomDirection(double length, CounterRandom& random)
     return length * Eigen::Vector3d(x, y, z).normalized();
 }
 
-Trial tracedTrial(const SimulatedCase& view)
+Trial makeTracedTrial(const SimulatedCase& view)
 {
     Trial trial;
     Stopwatch stopwatch;
     const auto traced = traceAngiogram(view.angiogram.frames.front(), view.angiogram.polarity);
-    trial.traceMs = stopwatch.lapMs();
+    trial.traceMs = stopwatch.takeLapMs();
     if (traced) {
         trial.input.target = traced.value().centerline;
     }

@@ -41,6 +41,6 @@ Eigen::Vector3d randomDirection(double length, CounterRandom& random);
 
 /// Creates a trial by tracing the first frame of a simulated view with the actual tracing algorithm and taking the
 /// initial pose from its header. If tracing fails, the target stays empty and every method fails.
-Trial tracedTrial(const SimulatedCase& view);
+Trial makeTracedTrial(const SimulatedCase& view);
 
 }   // namespace angiopose::core

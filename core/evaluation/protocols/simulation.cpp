@@ -61,9 +61,9 @@ RigidTransform perturbed(const RigidTransform& truth, const SharedPhantom& phant
     const double mm = setting.translationStdMm;
     switch (setting.pivot) {
         case Pivot::Centroid:
-            return perturbedAboutCentroid(truth, phantom.centroid, deg, mm, random);
+            return perturbAboutCentroid(truth, phantom.centroid, deg, mm, random);
         case Pivot::Source:
-            return perturbedAboutSource(truth, deg, mm, random);
+            return perturbAboutSource(truth, deg, mm, random);
         case Pivot::SourceByNorm:
             break;
     }

@@ -39,7 +39,7 @@ std::string presetName(PriorPreset preset)
 std::string cellOf(const RunGroup& group)
 {
     return group.count() == 0 ? "–"
-                              : fixedText(100.0 * group.countIf(isGrossPx) / group.count(), 1) + " / " +
+                              : fixedText(100.0 * group.countIf(isGrossFailurePx) / group.count(), 1) + " / " +
                                     significantText(group.median(&RunRecord::meanPx)) + " / " +
                                     significantText(group.median(&RunRecord::angleDeg)) + " / " +
                                     fixedText(group.median(&RunRecord::seedDistanceMm), 2);
@@ -57,7 +57,7 @@ ResultTable tableOf(const RunGroups& groups, const Condition& condition, const s
         for (const AblationSetting& setting : settings) {
             if (setting.preset == preset) {
                 const std::size_t column = 1 + (setting.alternation ? 1 : 0) + (setting.rotationFirst ? 2 : 0);
-                row.cells[column] = cellOf(groups.of(condition, setting.label));
+                row.cells[column] = cellOf(groups.groupOf(condition, setting.label));
             }
         }
         table.rows.push_back(std::move(row));

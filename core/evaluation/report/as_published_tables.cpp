@@ -92,7 +92,7 @@ constexpr std::array explanations{
 
 bool hasPublishedErrors(const RunGroups& groups, const Condition& condition, std::size_t index)
 {
-    return groups.of(condition, groups.methods()[index]).count() > 0 &&
+    return groups.groupOf(condition, groups.methods()[index]).count() > 0 &&
            publishedSimulation(methodIdOf(groups.methods()[index])).has_value();
 }
 
@@ -114,8 +114,8 @@ std::string measureNote(const RunGroups& groups, const Condition& condition)
     std::string reason =
         "Here, PR is the mean distance to the nearest target point, not to the true partner as in the other table: "
         "only this definition makes the published rows consistent.";
-    const RunGroup& icp = groups.of(condition, "dt-icp");
-    const RunGroup lost = icp.where(isGrossPx);
+    const RunGroup& icp = groups.groupOf(condition, "dt-icp");
+    const RunGroup lost = icp.filter(isGrossFailurePx);
     if (lost.count() == 0) {
         return reason;
     }
@@ -127,7 +127,7 @@ std::string measureNote(const RunGroups& groups, const Condition& condition)
 
 std::string startNote(const RunGroups& groups, const Condition& condition, const std::string& method)
 {
-    return "Initial poses are " + fixedText(groups.of(condition, method).mean(&RunRecord::startMeanPx), 0) +
+    return "Initial poses are " + fixedText(groups.groupOf(condition, method).mean(&RunRecord::startMeanPx), 0) +
            " px off on average. The paper does not say whether its 2° and 5 mm are the magnitude of the whole "
            "displacement (" +
            std::string(normConditionId) +
@@ -150,7 +150,7 @@ ResultTable asPublishedTable(const RunGroups& groups, const Condition& condition
         if (table.rows.empty()) {
             table.notes = {measureNote(groups, condition), startNote(groups, condition, method)};
         }
-        table.rows.push_back({cellsOf(method, groups.of(condition, method), published), false});
+        table.rows.push_back({cellsOf(method, groups.groupOf(condition, method), published), false});
         if (isLastOfMethod(groups.methods(), k)) {
             table.rows.push_back(publishedRow(table, methodIdOf(method),
                                               {fixedText(published.grossPercent, 0), fixedText(published.meanMm, 2),

@@ -34,7 +34,7 @@ int successesOf(const RunGroups& groups, const RunGroup& group)
 bool hasRun(const RunGroups& groups, const Condition& bin)
 {
     return std::ranges::any_of(groups.methods(),
-                               [&](const std::string& method) { return groups.of(bin, method).count() > 0; });
+                               [&](const std::string& method) { return groups.groupOf(bin, method).count() > 0; });
 }
 
 /// Returns a note such as "Not run: 3-4, 60-65 mm." about the bins of a table; empty if all were run.
@@ -56,7 +56,7 @@ std::string captureRangeCell(const RunGroups& groups, const std::vector<Conditio
 {
     std::string reached = "0";
     for (const Condition& bin : bins) {
-        const RunGroup& group = groups.of(bin, method);
+        const RunGroup& group = groups.groupOf(bin, method);
         if (group.count() == 0) {
             return "≥ " + reached;
         }
@@ -87,7 +87,7 @@ ResultTable tableOf(const RunGroups& groups, const std::string& target, const st
         ResultTable::Row row{{rangeOf(bin, target)}, false};
         row.cells.front().replace(row.cells.front().find('-'), 1, "–");
         for (const std::string& method : groups.methods()) {
-            const RunGroup& group = groups.of(bin, method);
+            const RunGroup& group = groups.groupOf(bin, method);
             row.cells.push_back(
                 rateCell(group, [&](const RunRecord& run) { return isSuccess(groups.protocol().success, run); }));
         }

@@ -15,11 +15,11 @@ std::string successCell(const RunGroup& group, double limitMm)
 std::vector<std::string> clinicalCells(const std::string& method, const RunGroup& group)
 {
     const auto isFlagged = [](const RunRecord& run) { return run.trustworthy == 0.0; };
-    const RunGroup gross = group.where(isGrossMm);
-    const RunGroup failures = group.where([](const RunRecord& run) { return !(run.mrpdMm < successfulMrpdMm); });
-    const RunGroup successes = group.where([](const RunRecord& run) { return run.mrpdMm < successfulMrpdMm; });
+    const RunGroup gross = group.filter(isGrossFailureMm);
+    const RunGroup failures = group.filter([](const RunRecord& run) { return !(run.mrpdMm < successfulMrpdMm); });
+    const RunGroup successes = group.filter([](const RunRecord& run) { return run.mrpdMm < successfulMrpdMm; });
     return {method,
-            rateCell(group, isGrossMm),
+            rateCell(group, isGrossFailureMm),
             fixedText(group.median(&RunRecord::meanMm), 2),
             fixedText(group.quantile(&RunRecord::meanMm, 0.75), 2),
             fixedText(group.quantile(&RunRecord::meanMm, 0.95), 2),
@@ -40,7 +40,7 @@ std::string orderNote(const RunGroups& groups, const Condition& condition)
 {
     std::vector<std::pair<double, double>> medians;   // (ours, published)
     for (const std::string& method : groups.methods()) {
-        const RunGroup& group = groups.of(condition, method);
+        const RunGroup& group = groups.groupOf(condition, method);
         if (const auto published = publishedInVivo(method); published && group.count() > 0) {
             medians.emplace_back(group.median(&RunRecord::meanMm), published->medianMm);
         }
@@ -68,10 +68,10 @@ ResultTable clinicalTable(const RunGroups& groups, const Condition& condition)
                      "false alarms", "NEES",     "NEES, successes"};
     for (std::size_t k = 0; k < groups.methods().size(); ++k) {
         const std::string& method = groups.methods()[k];
-        if (groups.of(condition, method).count() == 0) {
+        if (groups.groupOf(condition, method).count() == 0) {
             continue;
         }
-        table.rows.push_back({clinicalCells(method, groups.of(condition, method)), false});
+        table.rows.push_back({clinicalCells(method, groups.groupOf(condition, method)), false});
         const auto published = publishedInVivo(methodIdOf(method));
         if (published && isLastOfMethod(groups.methods(), k)) {
             table.rows.push_back(publishedRow(table, methodIdOf(method) + " in vivo",
@@ -103,9 +103,9 @@ std::vector<std::string> cellsOf(const std::string& method, const RunGroup& grou
         return [limitMm](const RunRecord& run) { return run.mrpdMm < limitMm; };
     };
     const auto isFlagged = [](const RunRecord& run) { return run.trustworthy == 0.0; };
-    const RunGroup judging = group.where([](const RunRecord& run) { return !std::isnan(run.trustworthy); });
-    const RunGroup failures = judging.where([](const RunRecord& run) { return !(run.mrpdMm < successfulMrpdMm); });
-    const RunGroup successes = judging.where(isBelow(successfulMrpdMm));
+    const RunGroup judging = group.filter([](const RunRecord& run) { return !std::isnan(run.trustworthy); });
+    const RunGroup failures = judging.filter([](const RunRecord& run) { return !(run.mrpdMm < successfulMrpdMm); });
+    const RunGroup successes = judging.filter(isBelow(successfulMrpdMm));
     return {method,
             std::to_string(group.count()),
             std::to_string(group.countIf([](const RunRecord& run) { return run.hasResult == 0.0; })),
@@ -116,7 +116,7 @@ std::vector<std::string> cellsOf(const std::string& method, const RunGroup& grou
             quantilesCell(group, &RunRecord::angleDeg, 2),
             rateCell(group, isBelow(1.0)),
             rateCell(group, isBelow(successfulMrpdMm)),
-            rateCell(group, isGrossMm),
+            rateCell(group, isGrossFailureMm),
             percentCell(failures.countIf(isFlagged), failures.count()),
             percentCell(successes.countIf(isFlagged), successes.count())};
 }
@@ -130,8 +130,8 @@ ResultTable ownTable(const RunGroups& groups, const Condition& condition)
                      "mTRE mm",     "angle °", "< 1 mm %",       "< 2 mm %", "gross %", "failures flagged",
                      "false alarms"};
     for (const std::string& method : groups.methods()) {
-        if (groups.of(condition, method).count() > 0) {
-            table.rows.push_back({cellsOf(method, groups.of(condition, method)), false});
+        if (groups.groupOf(condition, method).count() > 0) {
+            table.rows.push_back({cellsOf(method, groups.groupOf(condition, method)), false});
         }
     }
     table.notes = {

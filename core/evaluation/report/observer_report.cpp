@@ -30,7 +30,7 @@ ResultTable repeatabilityTable(const Means& means)
             if (const auto found = repeatabilityOf(means, observer, measure)) {
                 table.rows.push_back(
                     {{observer, measureText(measure), std::to_string(found->images), std::to_string(found->readings),
-                      fixedText(found->within, 3), fixedText(found->coefficient, 3)},
+                      fixedText(found->withinStd, 3), fixedText(found->coefficient, 3)},
                      false});
             }
         }
@@ -51,7 +51,7 @@ ResultTable reproducibilityTable(const Means& means)
     for (std::size_t measure = 0; measure < poseMeasureCount; ++measure) {
         if (const auto found = reproducibilityOf(means, measure)) {
             table.rows.push_back(
-                {{measureText(measure), std::to_string(found->images), fixedText(found->between, 3)}, false});
+                {{measureText(measure), std::to_string(found->images), fixedText(found->betweenStd, 3)}, false});
         }
     }
     table.notes = {
@@ -89,7 +89,7 @@ ResultTable agreementTable(const Means& means)
                                 const LimitsOfAgreement& agreement) {
         table.rows.push_back(
             {{first + " − " + second, measureText(measure), std::to_string(agreement.points.size()),
-              withError(agreement.bias, agreement.biasError), fixedText(agreement.deviation, 3),
+              withError(agreement.bias, agreement.biasError), fixedText(agreement.stdDeviation, 3),
               withError(agreement.lower(), agreement.limitError), withError(agreement.upper(), agreement.limitError)},
              false});
     });

@@ -57,8 +57,8 @@ Plot cumulativePlot(const RunGroups& groups, const Condition& condition, const P
               {"registrations at or below, %", 0.0, 100.0, false},
               {}};
     for (const std::string& method : groups.methods()) {
-        if (groups.of(condition, method).count() > 0) {
-            plot.series.push_back(cumulativeSeries(method, groups.of(condition, method), error.value));
+        if (groups.groupOf(condition, method).count() > 0) {
+            plot.series.push_back(cumulativeSeries(method, groups.groupOf(condition, method), error.value));
         }
     }
     return plot;
@@ -94,7 +94,7 @@ std::vector<RunGroup> equalBins(const RunGroup& group)
     std::vector<RunGroup> bins;
     for (std::size_t k = 0; k + 1 < edges.size(); ++k) {
         const bool isLast = k + 2 == edges.size();
-        bins.push_back(group.where([&](const RunRecord& run) {
+        bins.push_back(group.filter([&](const RunRecord& run) {
             return run.startMtreMm >= edges[k] && (run.startMtreMm < edges[k + 1] || isLast);
         }));
     }
@@ -125,7 +125,7 @@ Plot successPlot(const RunGroups& groups, const Condition& condition)
 {
     Plot plot = emptySuccessPlot(groups, condition.id, condition.title);
     for (const std::string& method : groups.methods()) {
-        const RunGroup& group = groups.of(condition, method);
+        const RunGroup& group = groups.groupOf(condition, method);
         const std::vector<double> starts = group.values(&RunRecord::startMtreMm);
         const auto [lowest, highest] = std::minmax_element(starts.begin(), starts.end());
         if (starts.size() >= startBins * minRunsPerBin && *highest > 1.01 * *lowest) {
@@ -144,7 +144,7 @@ Plot capturePlot(const RunGroups& groups, const std::string& target, const std::
         std::vector<RunGroup> bins;
         for (const Condition& condition : groups.conditions()) {
             if (condition.id.starts_with(target + "-")) {
-                bins.push_back(groups.of(condition, method));
+                bins.push_back(groups.groupOf(condition, method));
             }
         }
         plot.series.push_back(successSeries(groups.protocol(), method, bins));
@@ -185,7 +185,7 @@ Plot convergencePlot(const RunGroups& groups, const Condition& condition)
               {"median projection distance, px", minErrorPx, 10.0, true},
               {}};
     for (const std::string& method : groups.methods()) {
-        PlotSeries series = convergenceSeries(method, groups.of(condition, method));
+        PlotSeries series = convergenceSeries(method, groups.groupOf(condition, method));
         for (const Eigen::Vector2d& point : series.points) {
             plot.x.max = std::max(plot.x.max, point.x());
             plot.y.max = std::max(plot.y.max, std::isfinite(point.y()) ? 1.5 * point.y() : 0.0);
@@ -199,7 +199,7 @@ Plot convergencePlot(const RunGroups& groups, const Condition& condition)
 
 }   // namespace
 
-std::vector<Plot> plotsOf(const RunSet& runs)
+std::vector<Plot> makePlots(const RunSet& runs)
 {
     const RunGroups groups(runs);
     std::vector<Plot> plots;

@@ -21,7 +21,7 @@ struct PlotSeries {
     std::string name;
     std::vector<Eigen::Vector2d> points;   ///< sorted by x
     std::vector<Interval> bands;   ///< confidence interval at each point; may be empty
-    bool areDots = false;   ///< if true, drawn as separate markers instead of a line
+    bool isScatter = false;   ///< if true, drawn as separate markers instead of a line
 };
 
 /// A line plot; io draws it as SVG.
@@ -34,6 +34,6 @@ struct Plot {
 };
 
 /// Returns the plots for which the runs have data: cumulative error, success rate over initial error, convergence.
-std::vector<Plot> plotsOf(const RunSet& runs);
+std::vector<Plot> makePlots(const RunSet& runs);
 
 }   // namespace angiopose::core

@@ -6,7 +6,7 @@
 
 namespace angiopose::core {
 
-std::vector<ResultTable> tablesOf(const RunSet& runs)
+std::vector<ResultTable> makeTables(const RunSet& runs)
 {
     using Layout = std::vector<ResultTable> (*)(const RunGroups&);
     static const std::map<std::string_view, Layout> errorLayouts{{"toy", toyTables},

@@ -21,6 +21,6 @@ struct ResultTable {
 };
 
 /// Returns every table that the runs allow: errors by condition in the paper's layout, statistics, ablation, times.
-std::vector<ResultTable> tablesOf(const RunSet& runs);
+std::vector<ResultTable> makeTables(const RunSet& runs);
 
 }   // namespace angiopose::core

@@ -30,7 +30,7 @@ std::vector<std::string> cellsOf(const std::string& method, const RunGroup& grou
     std::vector<std::string> cells{method};
     Medians mean;
     for (int anatomy = 0; anatomy < anatomyCount; ++anatomy) {
-        const RunGroup part = group.ofAnatomy(anatomy);
+        const RunGroup part = group.forAnatomy(anatomy);
         const Medians medians{part.median(&RunRecord::closestMedianPx), part.median(&RunRecord::angleDeg),
                               part.median(&RunRecord::seedDistanceMm)};
         cells.push_back(cellOf(medians));
@@ -48,7 +48,7 @@ std::vector<std::string> cellsOf(const std::string& method, const RunGroup& grou
     cells.push_back(fixedText(group.median(&RunRecord::centroidInPlaneMm), 3));
     cells.push_back(fixedText(medianDepthMm(group), 3));
     cells.push_back(fixedText(group.quantile(&RunRecord::angleDeg, 0.95), 3));
-    cells.push_back(rateCell(group, isGrossPx));
+    cells.push_back(rateCell(group, isGrossFailurePx));
     return cells;
 }
 
@@ -68,10 +68,10 @@ ResultTable robustnessTable(const RunGroups& groups, const Condition& condition)
     }
     for (std::size_t k = 0; k < groups.methods().size(); ++k) {
         const std::string& method = groups.methods()[k];
-        if (groups.of(condition, method).count() == 0) {
+        if (groups.groupOf(condition, method).count() == 0) {
             continue;
         }
-        table.rows.push_back({cellsOf(method, groups.of(condition, method), anatomyCount), false});
+        table.rows.push_back({cellsOf(method, groups.groupOf(condition, method), anatomyCount), false});
         const auto published = publishedRobustness(condition.id, methodIdOf(method));
         if (published && isLastOfMethod(groups.methods(), k)) {
             std::vector<std::string> cells(static_cast<std::size_t>(anatomyCount), "–");

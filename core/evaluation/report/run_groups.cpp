@@ -38,7 +38,7 @@ int RunGroup::countIf(const std::function<bool(const RunRecord&)>& predicate) co
         std::count_if(runs_.begin(), runs_.end(), [&](const RunRecord* run) { return predicate(*run); }));
 }
 
-RunGroup RunGroup::where(const std::function<bool(const RunRecord&)>& predicate) const
+RunGroup RunGroup::filter(const std::function<bool(const RunRecord&)>& predicate) const
 {
     RunGroup chosen;
     std::copy_if(runs_.begin(), runs_.end(), std::back_inserter(chosen.runs_),
@@ -46,9 +46,9 @@ RunGroup RunGroup::where(const std::function<bool(const RunRecord&)>& predicate)
     return chosen;
 }
 
-RunGroup RunGroup::ofAnatomy(int anatomy) const
+RunGroup RunGroup::forAnatomy(int anatomy) const
 {
-    return where([anatomy](const RunRecord& run) { return run.anatomy == anatomy; });
+    return filter([anatomy](const RunRecord& run) { return run.anatomy == anatomy; });
 }
 
 RunGroups::RunGroups(const RunSet& runs) : protocol_(findProtocol(runs.protocol))
@@ -84,28 +84,28 @@ void RunGroups::addOwnConditions()
     }
 }
 
-const RunGroup& RunGroups::of(const Condition& condition, const std::string& method) const
+const RunGroup& RunGroups::groupOf(const Condition& condition, const std::string& method) const
 {
     static const RunGroup none;
     const auto found = groups_.find({condition.id, method});
     return found == groups_.end() ? none : found->second;
 }
 
-bool isGrossPx(const RunRecord& run)
+bool isGrossFailurePx(const RunRecord& run)
 {
     return !(run.meanPx <= grossFailurePx);
 }
 
-bool isGrossMm(const RunRecord& run)
+bool isGrossFailureMm(const RunRecord& run)
 {
     return !(run.meanMm <= grossFailureMm);
 }
 
-bool isSuccess(SuccessCriterion rule, const RunRecord& run)
+bool isSuccess(SuccessCriterion criterion, const RunRecord& run)
 {
-    switch (rule) {
+    switch (criterion) {
         case SuccessCriterion::ProjectionWithin5Px:
-            return !isGrossPx(run);
+            return !isGrossFailurePx(run);
         case SuccessCriterion::RayDistanceWithin2Mm:
             return run.mrpdMm < successfulMrpdMm;
         case SuccessCriterion::ProjectionWithin1Px:
@@ -114,9 +114,9 @@ bool isSuccess(SuccessCriterion rule, const RunRecord& run)
     return false;
 }
 
-std::string_view toText(SuccessCriterion rule)
+std::string_view toText(SuccessCriterion criterion)
 {
-    switch (rule) {
+    switch (criterion) {
         case SuccessCriterion::ProjectionWithin5Px:
             return "mean projection distance at most 5 px";
         case SuccessCriterion::RayDistanceWithin2Mm:

@@ -28,8 +28,8 @@ public:
     double median(RunValue value) const { return quantile(value, 0.5); }
     double mean(RunValue value) const;
     int countIf(const std::function<bool(const RunRecord&)>& predicate) const;
-    RunGroup where(const std::function<bool(const RunRecord&)>& predicate) const;
-    RunGroup ofAnatomy(int anatomy) const;
+    RunGroup filter(const std::function<bool(const RunRecord&)>& predicate) const;
+    RunGroup forAnatomy(int anatomy) const;
 
 private:
     std::vector<const RunRecord*> runs_;
@@ -45,7 +45,7 @@ public:
     const std::vector<Condition>& conditions() const { return conditions_; }
     int anatomyCount() const { return anatomyCount_; }   ///< from the protocol, or from the runs if it has no trials
     const std::vector<std::string>& methods() const { return methods_; }   ///< in order of appearance
-    const RunGroup& of(const Condition& condition, const std::string& method) const;
+    const RunGroup& groupOf(const Condition& condition, const std::string& method) const;
 
 private:
     void addOwnConditions();
@@ -57,11 +57,11 @@ private:
     std::map<std::pair<std::string, std::string>, RunGroup> groups_;
 };
 
-bool isGrossPx(const RunRecord& run);
-bool isGrossMm(const RunRecord& run);
+bool isGrossFailurePx(const RunRecord& run);
+bool isGrossFailureMm(const RunRecord& run);
 
 /// Whether a run is successful by the protocol's criterion.
-bool isSuccess(SuccessCriterion rule, const RunRecord& run);
-std::string_view toText(SuccessCriterion rule);   ///< "mean projection distance at most 5 px", …
+bool isSuccess(SuccessCriterion criterion, const RunRecord& run);
+std::string_view toText(SuccessCriterion criterion);   ///< "mean projection distance at most 5 px", …
 
 }   // namespace angiopose::core

@@ -14,7 +14,7 @@ std::string boundRatioCell(const RunGroup& group)
     double squares = 0.0;
     double boundSquares = 0.0;
     for (const RunRecord* run : group.runs()) {
-        if (!isGrossPx(*run) && !std::isnan(run->boundRmsPx)) {
+        if (!isGrossFailurePx(*run) && !std::isnan(run->boundRmsPx)) {
             squares += run->rmsPx * run->rmsPx;
             boundSquares += run->boundRmsPx * run->boundRmsPx;
         }
@@ -24,19 +24,19 @@ std::string boundRatioCell(const RunGroup& group)
 
 std::vector<std::string> simulationCells(const std::string& method, const RunGroup& group)
 {
-    const RunGroup good = group.where([](const RunRecord& run) { return !isGrossPx(run); });
-    const RunGroup gross = group.where(isGrossPx);
+    const RunGroup good = group.filter([](const RunRecord& run) { return !isGrossFailurePx(run); });
+    const RunGroup gross = group.filter(isGrossFailurePx);
     const auto flagged = [](const RunRecord& run) { return run.trustworthy == 0.0; };
     return {method,
-            rateCell(group, isGrossPx),
+            rateCell(group, isGrossFailurePx),
             significantText(group.mean(&RunRecord::meanMm)),
             significantText(group.quantile(&RunRecord::meanMm, 0.75)),
             significantText(group.quantile(&RunRecord::meanMm, 0.95)),
             significantText(good.mean(&RunRecord::meanMm)),
             significantText(group.median(&RunRecord::meanPx)),
             significantText(group.quantile(&RunRecord::meanPx, 0.95)),
-            fixedText(100.0 * group.countIf(isGrossMm) / group.count(), 1),
-            fixedText(100.0 * group.mean(&RunRecord::shareAbove5Px), 1),
+            fixedText(100.0 * group.countIf(isGrossFailureMm) / group.count(), 1),
+            fixedText(100.0 * group.mean(&RunRecord::fractionAbove5Px), 1),
             significantText(group.median(&RunRecord::angleDeg)),
             significantText(group.median(&RunRecord::centroidInPlaneMm)),
             significantText(medianDepthMm(group)),
@@ -50,12 +50,13 @@ std::vector<std::string> simulationCells(const std::string& method, const RunGro
 /// Returns a note with the mean error of the initial poses.
 std::string startNote(const RunGroups& groups, const Condition& condition)
 {
-    const auto ran = std::find_if(groups.methods().begin(), groups.methods().end(),
-                                  [&](const std::string& method) { return groups.of(condition, method).count() > 0; });
+    const auto ran = std::find_if(groups.methods().begin(), groups.methods().end(), [&](const std::string& method) {
+        return groups.groupOf(condition, method).count() > 0;
+    });
     if (ran == groups.methods().end()) {
         return {};
     }
-    return "Initial poses are " + fixedText(groups.of(condition, *ran).mean(&RunRecord::startMeanPx), 0) +
+    return "Initial poses are " + fixedText(groups.groupOf(condition, *ran).mean(&RunRecord::startMeanPx), 0) +
            " px off on average.";
 }
 
@@ -69,10 +70,10 @@ ResultTable simulationTable(const RunGroups& groups, const Condition& condition)
         "p95 px",       "GFR 5 mm %", "points > 5 px %", "angle °", "in plane mm", "depth mm",           "flagged",
         "false alarms", "NEES",       "NEES, not gross", "PR / CRB"};
     for (const std::string& method : groups.methods()) {
-        if (groups.of(condition, method).count() == 0) {
+        if (groups.groupOf(condition, method).count() == 0) {
             continue;
         }
-        table.rows.push_back({simulationCells(method, groups.of(condition, method)), false});
+        table.rows.push_back({simulationCells(method, groups.groupOf(condition, method)), false});
     }
     table.notes = {
         "Distances are means over the tree's points to their true partners (PR), summarized over registrations; mm at "
@@ -103,7 +104,7 @@ std::optional<double> publishedMs(const Condition& condition, const std::string&
 
 std::string referenceTimeRatio(const RunGroups& groups, const Condition& condition, double ms)
 {
-    const double referenceMs = groups.of(condition, referenceMethod).median(&RunRecord::processorMs);
+    const double referenceMs = groups.groupOf(condition, referenceMethod).median(&RunRecord::processorMs);
     return std::isnan(referenceMs) ? "–" : fixedText(ms / referenceMs, 2);
 }
 
@@ -131,7 +132,7 @@ std::vector<ResultTable> timeTables(const RunGroups& groups)
     for (const Condition& condition : groups.conditions()) {
         for (std::size_t k = 0; k < groups.methods().size(); ++k) {
             const std::string& method = groups.methods()[k];
-            const RunGroup& group = groups.of(condition, method);
+            const RunGroup& group = groups.groupOf(condition, method);
             if (group.count() == 0) {
                 continue;
             }

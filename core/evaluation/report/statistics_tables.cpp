@@ -38,8 +38,8 @@ std::vector<double> differences(const RunGroups& groups, const RunGroup& ours, c
     std::vector<double> result;
     if (comparesByAnatomy(groups)) {
         for (int anatomy = 0; anatomy < groups.anatomyCount(); ++anatomy) {
-            result.push_back(ours.ofAnatomy(anatomy).quantile(value, fraction) -
-                             theirs.ofAnatomy(anatomy).quantile(value, fraction));
+            result.push_back(ours.forAnatomy(anatomy).quantile(value, fraction) -
+                             theirs.forAnatomy(anatomy).quantile(value, fraction));
         }
     } else {
         std::map<std::uint64_t, double> byTrial;
@@ -64,8 +64,9 @@ std::vector<ResultTable::Row> rowsOf(const RunGroups& groups, const Condition& c
     std::vector<ResultTable::Row> rows;
     std::vector<double> pValues;
     for (std::size_t k = 1; k < groups.methods().size(); ++k) {
-        const std::vector<double> paired = differences(groups, groups.of(condition, groups.methods().front()),
-                                                       groups.of(condition, groups.methods()[k]), compared.fraction);
+        const std::vector<double> paired =
+            differences(groups, groups.groupOf(condition, groups.methods().front()),
+                        groups.groupOf(condition, groups.methods()[k]), compared.fraction);
         if (paired.empty()) {
             continue;
         }
@@ -77,7 +78,7 @@ std::vector<ResultTable::Row> rowsOf(const RunGroups& groups, const Condition& c
                          significantText(hodgesLehmann(paired))},
                         false});
     }
-    const std::vector<double> adjusted = holmAdjusted(pValues);
+    const std::vector<double> adjusted = adjustByHolm(pValues);
     for (std::size_t k = 0; k < rows.size(); ++k) {
         rows[k].cells[7] = significantText(adjusted[k]);
     }
@@ -90,11 +91,11 @@ bool isFlagged(const RunRecord& run)
 }
 
 ResultTable::Row rowOf(const std::string& method, const std::string& condition, const RunGroup& group,
-                       SuccessCriterion rule)
+                       SuccessCriterion criterion)
 {
-    const RunGroup gross = group.where(isGrossMm);
-    const RunGroup failures = group.where([rule](const RunRecord& run) { return !isSuccess(rule, run); });
-    const RunGroup successes = group.where([rule](const RunRecord& run) { return isSuccess(rule, run); });
+    const RunGroup gross = group.filter(isGrossFailureMm);
+    const RunGroup failures = group.filter([criterion](const RunRecord& run) { return !isSuccess(criterion, run); });
+    const RunGroup successes = group.filter([criterion](const RunRecord& run) { return isSuccess(criterion, run); });
     return {
         {method, condition, std::to_string(gross.count()), rateCell(gross, isFlagged), std::to_string(failures.count()),
          rateCell(failures, isFlagged), std::to_string(successes.count()), rateCell(successes, isFlagged)},
@@ -148,7 +149,7 @@ std::vector<ResultTable> confidenceTables(const RunGroups& groups)
     for (const std::string& method : groups.methods()) {
         RunGroup all;
         for (const Condition& condition : groups.conditions()) {
-            const RunGroup& group = groups.of(condition, method);
+            const RunGroup& group = groups.groupOf(condition, method);
             table.rows.push_back(rowOf(method, condition.title, group, groups.protocol().success));
             for (const RunRecord* run : group.runs()) {
                 all.add(*run);

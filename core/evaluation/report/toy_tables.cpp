@@ -45,7 +45,7 @@ ResultTable errorTable(const RunGroups& groups, const std::string& variant, cons
         ResultTable::Row row{{method}, false};
         std::vector<std::string> published;
         for (const Condition& condition : conditions) {
-            const RunGroup& group = groups.of(condition, method);
+            const RunGroup& group = groups.groupOf(condition, method);
             row.cells.push_back(cellOf(group.mean(&RunRecord::closestMedianPx), group.mean(&RunRecord::angleDeg),
                                        group.mean(&RunRecord::seedDistanceMm)));
             if (const auto values = publishedToy(pointsOf(condition), methodIdOf(method))) {
@@ -75,7 +75,7 @@ ResultTable countTable(const RunGroups& groups, const std::string& variant, Resu
     for (const std::string& method : groups.methods()) {
         ResultTable::Row row{{method}, false};
         for (const Condition& condition : conditions) {
-            const RunGroup& group = groups.of(condition, method);
+            const RunGroup& group = groups.groupOf(condition, method);
             row.cells.push_back(std::to_string(group.countIf(predicate)) + " of " + std::to_string(group.count()));
         }
         table.rows.push_back(std::move(row));

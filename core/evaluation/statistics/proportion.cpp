@@ -46,7 +46,7 @@ Interval wilsonInterval(int successes, int count, double z)
     return {successes == 0 ? 0.0 : (center - spread) / scale, successes == count ? 1.0 : (center + spread) / scale};
 }
 
-std::vector<double> holmAdjusted(const std::vector<double>& pValues)
+std::vector<double> adjustByHolm(const std::vector<double>& pValues)
 {
     std::vector<std::size_t> order(pValues.size());
     std::iota(order.begin(), order.end(), std::size_t{0});

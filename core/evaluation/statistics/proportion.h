@@ -13,7 +13,7 @@ struct Interval {
 Interval wilsonInterval(int successes, int count, double z = 1.959963984540054);
 
 /// Returns the p values adjusted for multiple comparisons by Holm's method (Holm 1979), in input order.
-std::vector<double> holmAdjusted(const std::vector<double>& pValues);
+std::vector<double> adjustByHolm(const std::vector<double>& pValues);
 
 /// Number of successes and of trials for one tree.
 struct ClusterCount {

@@ -97,7 +97,7 @@ Result<EvaluatedMethod> parseMethod(const std::string& request)
         if (const auto status = setOption(evaluatedMethod.options, assignment); !status) {
             return status.error();
         }
-        evaluatedMethod.setsResampling |= assignment.starts_with("resample=");
+        evaluatedMethod.hasExplicitResampling |= assignment.starts_with("resample=");
     }
     if (const auto problem = findProblem(evaluatedMethod.options)) {
         return Error(*problem);
@@ -129,7 +129,7 @@ Result<std::vector<EvaluatedMethod>> parseMethods(const std::string& requests)
 RegistrationOptions optionsFor(const EvaluatedMethod& evaluatedMethod, bool targetIsExact)
 {
     RegistrationOptions options = evaluatedMethod.options;
-    if (targetIsExact && !evaluatedMethod.setsResampling && options.method != ownMethod) {
+    if (targetIsExact && !evaluatedMethod.hasExplicitResampling && options.method != ownMethod) {
         options.resample = false;
     }
     return options;

@@ -15,7 +15,8 @@ namespace angiopose::core {
 struct EvaluatedMethod {
     std::string label;   ///< label as requested: "angiopose", "dynaweight:seed_noprior", …
     RegistrationOptions options;
-    bool setsResampling = false;   ///< whether the request sets the resampling; otherwise the trial determines it
+    bool hasExplicitResampling =
+        false;   ///< whether the request sets the resampling; otherwise the trial determines it
 };
 
 /// Parses a method id followed by settings, separated by colons. A setting is "key=value", or only the name of a choice

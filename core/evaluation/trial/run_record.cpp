@@ -36,7 +36,7 @@ void recordProjectionErrors(const GroundTruth& truth, const CorrespondingPoints&
     record.meanMm = error.meanMm;
     const std::vector<double> distances = projectionDistancesPx(truth.camera, points);
     const auto above = std::count_if(distances.begin(), distances.end(), [](double d) { return !(d <= grossPx); });
-    record.shareAbove5Px = static_cast<double>(above) / static_cast<double>(distances.size());
+    record.fractionAbove5Px = static_cast<double>(above) / static_cast<double>(distances.size());
 }
 
 void recordPoseErrors(const PoseError& pose, RunRecord& record)
@@ -71,7 +71,7 @@ std::span<const RunField> runFields()
         RunField{"p75_px", &R::p75Px},
         RunField{"p95_px", &R::p95Px},
         RunField{"mean_mm", &R::meanMm},
-        RunField{"share_above_5_px", &R::shareAbove5Px},
+        RunField{"share_above_5_px", &R::fractionAbove5Px},
         RunField{"mtre_mm", &R::mtreMm},
         RunField{"mtre_in_plane_mm", &R::mtreInPlaneMm},
         RunField{"mrpd_mm", &R::mrpdMm},

@@ -40,7 +40,7 @@ struct RunRecord {
     double meanPx = unknownMeasure, rmsPx = unknownMeasure, medianPx = unknownMeasure, p75Px = unknownMeasure,
            p95Px = unknownMeasure;   ///< projection distances between corresponding points
     double meanMm = unknownMeasure;
-    double shareAbove5Px = unknownMeasure;   ///< fraction of the tree points
+    double fractionAbove5Px = unknownMeasure;   ///< fraction of the tree points
     double mtreMm = unknownMeasure, mtreInPlaneMm = unknownMeasure, mrpdMm = unknownMeasure;
     double angleDeg = unknownMeasure, outOfPlaneDeg = unknownMeasure, inPlaneDeg = unknownMeasure;
     double seedDistanceMm = unknownMeasure;

@@ -43,23 +43,23 @@ AgreementScore::AgreementScore(const RegistrationProblem& problem, const TargetL
       camera_(problem.camera),
       target_(&target),
       lineStride_(strideFor(target.lines().size(), maxPoints)),
-      all_(points_, camera_, target),
+      fullAlignment_(points_, camera_, target),
       columns_(camera_.width / agreementCellPx + 1),
       rows_(camera_.height / agreementCellPx + 1)
 {
     if (problem.hasUserAuxiliary) {
-        auxiliary_.emplace(alignmentPoints(problem.tree, problem.auxiliary), camera_, target);
+        auxiliaryAlignment_.emplace(alignmentPoints(problem.tree, problem.auxiliary), camera_, target);
     }
     covered_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
 }
 
-double AgreementScore::of(const CentroidPose& pose)
+double AgreementScore::scoreAt(const CentroidPose& pose)
 {
     resetCoverage();
     for (const AlignmentPoint& point : points_) {
         markCovered(point, pose);
     }
-    return harmonicMean(treeShare(pose), coveredTargetShare());
+    return harmonicMean(treeFraction(pose), coveredTargetFraction());
 }
 
 const OpacificationModel& AgreementScore::opacification()
@@ -76,7 +76,7 @@ const OpacificationModel& AgreementScore::opacification()
 OpacifiedAgreement AgreementScore::scoreOpacified(const CentroidPose& pose)
 {
     const OpacificationModel& opacification = this->opacification();
-    all_.collectAgreement(pose, toleranceScalePx, pointAgreement_);
+    fullAlignment_.collectAgreement(pose, toleranceScalePx, pointAgreement_);
     std::vector<double> gain(opacification.pieces().size(), 0.0);
     std::vector<double> count(opacification.pieces().size(), 0.0);
     for (std::size_t k = 0; k < points_.size(); ++k) {
@@ -100,19 +100,19 @@ OpacifiedAgreement AgreementScore::scoreOpacified(const CentroidPose& pose)
         }
     }
     const int territories = opacification.countUnopacifiedTerritories(result.isOpacified, minTerritoryMm);
-    double treeShare = agreeing / std::max(1.0, tested);
-    if (auxiliary_) {
-        treeShare =
-            std::min(treeShare, shareOn(*auxiliary_, pose));   // the user has marked these branches as opacified
+    double treeFraction = agreeing / std::max(1.0, tested);
+    if (auxiliaryAlignment_) {
+        treeFraction = std::min(
+            treeFraction, shareOn(*auxiliaryAlignment_, pose));   // the user has marked these branches as opacified
     }
-    result.agreement = harmonicMean(treeShare, coveredTargetShare()) / (1.0 + costOfTerritory * territories);
+    result.agreement = harmonicMean(treeFraction, coveredTargetFraction()) / (1.0 + costOfTerritory * territories);
     return result;
 }
 
-double AgreementScore::treeShare(const CentroidPose& pose)
+double AgreementScore::treeFraction(const CentroidPose& pose)
 {
-    const double all = shareOn(all_, pose);
-    return auxiliary_ ? 0.5 * (all + shareOn(*auxiliary_, pose)) : all;
+    const double all = shareOn(fullAlignment_, pose);
+    return auxiliaryAlignment_ ? 0.5 * (all + shareOn(*auxiliaryAlignment_, pose)) : all;
 }
 
 void AgreementScore::resetCoverage()
@@ -136,7 +136,7 @@ void AgreementScore::markCovered(const AlignmentPoint& point, const CentroidPose
     }
 }
 
-double AgreementScore::coveredTargetShare() const
+double AgreementScore::coveredTargetFraction() const
 {
     std::size_t hits = 0;
     const auto& lines = target_->lines();

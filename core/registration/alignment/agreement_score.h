@@ -23,7 +23,7 @@ public:
     AgreementScore(const RegistrationProblem& problem, const TargetLines& target);
 
     /// Returns the harmonic mean of the two fractions, 0…1.
-    double of(const CentroidPose& pose);
+    double scoreAt(const CentroidPose& pose);
 
     /// Returns the same score for a tree that may be only partly opacified (ALGORITHMS §6.17): territories that match
     /// no traced vessel are excluded from both fractions.
@@ -33,10 +33,10 @@ public:
     const OpacificationModel& opacification();
 
 private:
-    double treeShare(const CentroidPose& pose);
+    double treeFraction(const CentroidPose& pose);
     void resetCoverage();
     void markCovered(const AlignmentPoint& point, const CentroidPose& pose);
-    double coveredTargetShare() const;
+    double coveredTargetFraction() const;
 
     const TreeSamples& tree_;
     std::size_t stride_;   ///< stride at which points_ samples the tree
@@ -44,8 +44,8 @@ private:
     ProjectionCamera camera_;
     const TargetLines* target_;
     std::size_t lineStride_;   ///< stride of the target lines whose coverage is tested
-    Alignment all_;
-    std::optional<Alignment> auxiliary_;
+    Alignment fullAlignment_;
+    std::optional<Alignment> auxiliaryAlignment_;
     std::optional<OpacificationModel> opacification_;   ///< created on first use
     std::vector<int> segmentOfPoint_;   ///< segment index of each point in points_
     std::vector<double> pointAgreement_;

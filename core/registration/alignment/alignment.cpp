@@ -109,7 +109,7 @@ AlignmentEvaluation Alignment::evaluate(const CentroidPose& pose, double scalePx
 
 /// Accumulates the residuals of all points, using the match that `matched` returns for each.
 template <class Matched>
-inline void Alignment::addForward(double scalePx, const Matched& matched, AlignmentEvaluation& agreement) const
+inline void Alignment::addForwardMatches(double scalePx, const Matched& matched, AlignmentEvaluation& agreement) const
 {
     agreement.equations = {};
     agreement.branchWeight.assign(visibility_.size(), 0.0);
@@ -143,7 +143,7 @@ void Alignment::evaluate(const CentroidPose& pose, double scalePx, AlignmentEval
     const auto matched = [&](std::size_t i, Match& found) {
         return match(points_[i], pose, cutOff * scalePx, projected, found) ? &projected : nullptr;
     };
-    addForward(scalePx, matched, agreement);
+    addForwardMatches(scalePx, matched, agreement);
 }
 
 void Alignment::searchBothDirections(const CentroidPose& pose, double scalePx, AlignmentEvaluation& agreement)
@@ -161,12 +161,12 @@ void Alignment::searchBothDirections(const CentroidPose& pose, double scalePx, A
         found.compare(projected[i]);
         return &projected[i];
     };
-    addForward(scalePx, matched, agreement);
+    addForwardMatches(scalePx, matched, agreement);
     buffers_.reverse.match(*target_, camera_.width, camera_.height, cutOff * scalePx);
-    addReverse(scalePx, agreement);
+    addReverseMatches(scalePx, agreement);
 }
 
-void Alignment::addReverse(double scalePx, AlignmentEvaluation& agreement) const
+void Alignment::addReverseMatches(double scalePx, AlignmentEvaluation& agreement) const
 {
     const double perSquaredScale = -0.5 / (scalePx * scalePx);
     double weights = 0.0;
@@ -176,7 +176,7 @@ void Alignment::addReverse(double scalePx, AlignmentEvaluation& agreement) const
         if (matches[k] < 0) {
             continue;
         }
-        const TargetLines::Line& line = lines[k * ReverseMatching::lineStride];
+        const TargetLines::Line& line = lines[k * ReverseMatcher::lineStride];
         const auto number = static_cast<std::size_t>(matches[k]);
         const PointInCamera& projected = buffers_.reverse.projected()[number];
         const double visibility = visibility_[static_cast<std::size_t>(points_[number].branchIndex)];
@@ -184,7 +184,7 @@ void Alignment::addReverse(double scalePx, AlignmentEvaluation& agreement) const
         const double dv = projected.v - line.y;
         const double cosine = projected.su * line.tx + projected.sv * line.ty;
         const double gate = cosine * cosine * cosine * cosine;
-        const double weight = ReverseMatching::lineStride * visibility * visibility * gate *
+        const double weight = ReverseMatcher::lineStride * visibility * visibility * gate *
                               std::exp(perSquaredScale * (du * du + dv * dv));
         weights += weight;
         addRow(weight, projected.su * dv - projected.sv * du,

@@ -67,7 +67,7 @@ public:
     struct Buffers {
         EvaluationPair<AlignmentEvaluation> evaluations;
         std::vector<double> residuals;
-        ReverseMatching reverse;
+        ReverseMatcher reverse;
     };
     Buffers& buffers() { return buffers_; }
 
@@ -77,8 +77,8 @@ private:
                Match& match) const;
     Eigen::Vector3d cameraGradient(const PointInCamera& projected, const Match& found) const;
     template <class Matched>
-    void addForward(double scalePx, const Matched& matched, AlignmentEvaluation& agreement) const;
-    void addReverse(double scalePx, AlignmentEvaluation& agreement) const;
+    void addForwardMatches(double scalePx, const Matched& matched, AlignmentEvaluation& agreement) const;
+    void addReverseMatches(double scalePx, AlignmentEvaluation& agreement) const;
 
     std::vector<AlignmentPoint> points_;
     ProjectionCamera camera_;

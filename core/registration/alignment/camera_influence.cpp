@@ -25,15 +25,15 @@ constexpr double minPrincipalPx = 4.0;
 }   // namespace
 
 CameraInfluence::CameraInfluence(const StackedEquations& equations, const Eigen::MatrixXd& free,
-                                 std::span<const CameraUncertainty> spreads)
+                                 std::span<const CameraUncertainty> uncertainties)
 {
-    const auto count = perCamera * static_cast<Eigen::Index>(spreads.size());
+    const auto count = perCamera * static_cast<Eigen::Index>(uncertainties.size());
     const Eigen::Index poseCount = equations.hessian.rows() - count;
-    Eigen::VectorXd std(count), taken(count);
-    for (std::size_t k = 0; k < spreads.size(); ++k) {
+    Eigen::VectorXd std(count), appliedError(count);
+    for (std::size_t k = 0; k < uncertainties.size(); ++k) {
         const auto at = perCamera * static_cast<Eigen::Index>(k);
-        std.segment<perCamera>(at) = spreads[k].std();
-        taken.segment<perCamera>(at) = spreads[k].taken;
+        std.segment<perCamera>(at) = uncertainties[k].std();
+        appliedError.segment<perCamera>(at) = uncertainties[k].appliedError;
     }
     const Eigen::MatrixXd H = equations.hessian.selfadjointView<Eigen::Lower>();
     const Eigen::MatrixXd crossed = H.topRightCorner(poseCount, count);
@@ -43,7 +43,7 @@ CameraInfluence::CameraInfluence(const StackedEquations& equations, const Eigen:
     const Eigen::VectorXd weight = std.cwiseAbs2().cwiseInverse();
     const Eigen::VectorXd pull =
         -(equations.gradient.tail(count) + shift_.transpose() * equations.gradient.head(poseCount) +
-          weight.cwiseProduct(taken));
+          weight.cwiseProduct(appliedError));
     Eigen::MatrixXd information = H.bottomRightCorner(count, count) + crossed.transpose() * shift_;
     information.diagonal() += weight;
     error_ = solveSymmetric(information, pull);

@@ -16,7 +16,7 @@ public:
     /// followed by three per camera (see CameraError) with standard deviations `spreads`. Each column of `free` is an
     /// allowed pose step.
     CameraInfluence(const StackedEquations& equations, const Eigen::MatrixXd& free,
-                    std::span<const CameraUncertainty> spreads);
+                    std::span<const CameraUncertainty> uncertainties);
 
     /// Returns the contribution of the camera errors to the covariance of the first six parameters: the spread that the
     /// images leave undetermined, plus the detected error that the pose does not compensate.

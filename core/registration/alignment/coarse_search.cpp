@@ -129,24 +129,24 @@ void CoarseSearch::keepBest(const CentroidPose& pose, std::size_t pointCount, co
 }
 
 std::vector<CoarseCandidate> CoarseSearch::find(std::span<const AlignmentPoint> points, const CentroidPose& start,
-                                                const SearchRange& reach,
-                                                const std::function<ObserverDecision(double)>& proceed) const
+                                                const SearchRange& range,
+                                                const std::function<ObserverDecision(double)>& observe) const
 {
     assert(points.size() <= maxSearchPoints);
     const double depthMm = std::max(minProjectableDepthMm, start.centroidInCamera.z());
     const double pxPerMm = 1.0 / millimetersPerPixel(camera_, depthMm);
-    const double radiusPx = std::min(reach.radiusMm * pxPerMm, recenterShare * std::max(camera_.width, camera_.height));
-    Shifts shifts(static_cast<int>(std::ceil(radiusPx / blockPx)), reach.freedom);
+    const double radiusPx = std::min(range.radiusMm * pxPerMm, recenterShare * std::max(camera_.width, camera_.height));
+    Shifts shifts(static_cast<int>(std::ceil(radiusPx / blockPx)), range.freedom);
     std::vector<CoarseCandidate> candidates;
     forEachRotation(
-        start, reach,
+        start, range,
         [&](const CentroidPose& pose) {
             scoreOrientation(points, pose, shifts);
             keepBest(pose, points.size(), shifts, candidates);
         },
-        proceed);
+        observe);
     return distinctCandidates(std::move(candidates),
-                              {basinPx / pxPerMm, basinSteps * reach.stepDeg * radiansPerDegree});
+                              {basinPx / pxPerMm, basinSteps * range.stepDeg * radiansPerDegree});
 }
 
 }   // namespace angiopose::core

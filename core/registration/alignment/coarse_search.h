@@ -30,8 +30,8 @@ public:
     /// Returns the best candidate of each basin, best first. `proceed` receives the completed fraction after each tilt;
     /// if it returns Stop, the search returns the candidates collected so far.
     std::vector<CoarseCandidate> find(std::span<const AlignmentPoint> points, const CentroidPose& start,
-                                      const SearchRange& reach,
-                                      const std::function<ObserverDecision(double)>& proceed) const;
+                                      const SearchRange& range,
+                                      const std::function<ObserverDecision(double)>& observe) const;
 
 private:
     struct Shifts;

@@ -20,27 +20,27 @@ FinalRefinement::FinalRefinement(const RegistrationProblem& problem, const Targe
       prior_(prior),
       options_(options),
       target_(target),
-      sparse_(alignmentPoints(problem.tree, strideFor(problem.tree.size(), fewPoints)), problem.camera, target)
+      sparseAlignment_(alignmentPoints(problem.tree, strideFor(problem.tree.size(), fewPoints)), problem.camera, target)
 {
 }
 
 RefinementResult FinalRefinement::refine(const CentroidPose& pose, const RefinementObserver& observe)
 {
-    sparse_.resetVisibility();
-    RefinementResult result = core::refine(sparse_, prior_, pose, fewSchedule);
-    if (!all_) {
+    sparseAlignment_.resetVisibility();
+    RefinementResult result = core::refine(sparseAlignment_, prior_, pose, fewSchedule);
+    if (!fullAlignment_) {
         const double depthMm = std::max(minProjectableDepthMm, pose.centroidInCamera.z());
         const double mmPerPx = millimetersPerPixel(problem_.camera, depthMm);
-        spaced_.emplace(informativePoints(problem_.tree, mmPerPx, spacedPx), problem_.camera, target_);
-        all_.emplace(informativePoints(problem_.tree, mmPerPx), problem_.camera, target_);
+        spacedAlignment_.emplace(informativePoints(problem_.tree, mmPerPx, spacedPx), problem_.camera, target_);
+        fullAlignment_.emplace(informativePoints(problem_.tree, mmPerPx), problem_.camera, target_);
     }
-    spaced_->resetVisibility();
+    spacedAlignment_->resetVisibility();
     const double startScalePx = std::max(result.scalePx, options_.finalScalePx);
     const RefinementSchedule schedule{startScalePx, options_.finalScalePx, 0.7, 2, 20, options_.maxIterations, true};
-    result = core::refine(*spaced_, prior_, result.pose, schedule, observe);
+    result = core::refine(*spacedAlignment_, prior_, result.pose, schedule, observe);
     if (result.stopReason != StopReason::StoppedByUser) {
-        all_->setVisibility(spaced_->evaluate(result.pose, result.scalePx));
-        result.pose = refineWithShapeErrors(*all_, prior_, result.pose, result.scalePx);
+        fullAlignment_->setVisibility(spacedAlignment_->evaluate(result.pose, result.scalePx));
+        result.pose = refineWithShapeErrors(*fullAlignment_, prior_, result.pose, result.scalePx);
     }
     return result;
 }

@@ -21,10 +21,10 @@ private:
     const InitialPosePrior& prior_;
     const RegistrationOptions& options_;
     const TargetLines& target_;
-    Alignment sparse_;
-    std::optional<Alignment>
-        spaced_;   ///< created on first use, like all_, because the point spacing depends on the depth
-    std::optional<Alignment> all_;
+    Alignment sparseAlignment_;
+    std::optional<Alignment> spacedAlignment_;   ///< created on first use, like fullAlignment_, because the point
+                                                 ///< spacing depends on the depth
+    std::optional<Alignment> fullAlignment_;
 };
 
 }   // namespace angiopose::core

@@ -193,7 +193,7 @@ double JointSolver::scoreOf(const JointPose& joint) const
 {
     double sum = 0.0;
     for (std::size_t k = 0; k < views_.size(); ++k) {
-        sum += views_[k]->score.of(inView(joint, k)) / static_cast<double>(views_.size());
+        sum += views_[k]->score.scoreAt(inView(joint, k)) / static_cast<double>(views_.size());
     }
     return sum;
 }
@@ -229,18 +229,18 @@ JointInformation JointSolver::jointInformation(const JointPose& joint) const
     jointInformation.information =
         all.hessian.topLeftCorner<6, 6>() -
         towards.transpose() * solveSymmetric(all.hessian.block(6, 6, others, others), towards);
-    std::vector<CameraUncertainty> spreads;
+    std::vector<CameraUncertainty> uncertainties;
     for (const auto& view : views_) {
-        spreads.push_back(view->problem.cameraUncertainty);
+        uncertainties.push_back(view->problem.cameraUncertainty);
     }
     NormalEquations start;
     prior_.add(joint.first, 1.0, start);
     all.hessian.topLeftCorner<6, 6>() += start.hessian;
     all.gradient.head<6>() += start.gradient;
-    const CameraInfluence influence(all, Eigen::MatrixXd::Identity(poses, poses), spreads);
+    const CameraInfluence influence(all, Eigen::MatrixXd::Identity(poses, poses), uncertainties);
     jointInformation.cameraCovariance = influence.poseCovariance();
     const bool isAnyUncertain =
-        std::ranges::any_of(spreads, [](const CameraUncertainty& each) { return !each.isExact(); });
+        std::ranges::any_of(uncertainties, [](const CameraUncertainty& each) { return !each.isExact(); });
     for (std::size_t k = 0; isAnyUncertain && k < views_.size(); ++k) {
         jointInformation.cameras.push_back(influence.evidence(k));
     }

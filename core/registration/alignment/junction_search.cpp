@@ -61,16 +61,16 @@ Eigen::Vector2d rotated(const Eigen::Vector2d& point, const Eigen::Vector2d& tur
 }
 
 /// Returns rotation vectors about the camera's x and y axes, evenly spread over the search range and including 0.
-std::vector<Eigen::Vector3d> tiltsWithin(const SearchRange& reach)
+std::vector<Eigen::Vector3d> tiltsWithin(const SearchRange& range)
 {
-    const int half = static_cast<int>(reach.tiltDeg / tiltStepDeg);
-    const int halfX = reach.freedom.isLocked(PoseAxis::CraCau) ? 0 : half;
-    const int halfY = reach.freedom.isLocked(PoseAxis::LaoRao) ? 0 : half;
+    const int half = static_cast<int>(range.tiltDeg / tiltStepDeg);
+    const int halfX = range.freedom.isLocked(PoseAxis::CraCau) ? 0 : half;
+    const int halfY = range.freedom.isLocked(PoseAxis::LaoRao) ? 0 : half;
     std::vector<Eigen::Vector3d> tilts;
     for (int x = -halfX; x <= halfX; ++x) {
         for (int y = -halfY; y <= halfY; ++y) {
             const Eigen::Vector3d tiltDeg(x * tiltStepDeg, y * tiltStepDeg, 0.0);
-            if (tiltDeg.norm() <= reach.tiltDeg) {
+            if (tiltDeg.norm() <= range.tiltDeg) {
                 tilts.emplace_back(tiltDeg * radiansPerDegree);
             }
         }
@@ -272,25 +272,25 @@ CentroidPose JunctionSearch::poseOf(const Fit& fit, const Eigen::Matrix3d& view,
     return pose;
 }
 
-std::vector<CoarseCandidate> JunctionSearch::find(const CentroidPose& start, const SearchRange& reach,
-                                                  const std::function<ObserverDecision(double)>& proceed) const
+std::vector<CoarseCandidate> JunctionSearch::find(const CentroidPose& start, const SearchRange& range,
+                                                  const std::function<ObserverDecision(double)>& observe) const
 {
     std::vector<CoarseCandidate> found;
     const double depthMm = std::max(minProjectableDepthMm, start.centroidInCamera.z());
     const Eigen::Matrix3d startView = towards(start.centroidInCamera).transpose() * start.rotation;
-    const double rollDeg = reach.freedom.isLocked(PoseAxis::Roll) ? 0.0 : reach.rollDeg;
+    const double rollDeg = range.freedom.isLocked(PoseAxis::Roll) ? 0.0 : range.rollDeg;
     const double maxRoll = std::max(rollDeg, minRollDeg) * radiansPerDegree;
-    const std::vector<Eigen::Vector3d> tilts = tiltsWithin(reach);
+    const std::vector<Eigen::Vector3d> tilts = tiltsWithin(range);
     for (std::size_t k = 0; k < tilts.size(); ++k) {
         const Eigen::Matrix3d view = expSo3(tilts[k]) * startView;
         for (const Fit& fit : findFits(projectNodes(view, depthMm), maxRoll, maxBaseTrials / tilts.size())) {
-            const CentroidPose pose = reach.freedom.restoreLocked(poseOf(fit, view, depthMm));
+            const CentroidPose pose = range.freedom.restoreLockedAxes(poseOf(fit, view, depthMm));
             const Eigen::Vector3d shift = pose.centroidInCamera - start.centroidInCamera;
-            if (shift.head<2>().norm() <= reach.radiusMm) {
+            if (shift.head<2>().norm() <= range.radiusMm) {
                 found.push_back({pose, closeness(pose)});
             }
         }
-        if (proceed(static_cast<double>(k + 1) / static_cast<double>(tilts.size())) == ObserverDecision::Stop) {
+        if (observe(static_cast<double>(k + 1) / static_cast<double>(tilts.size())) == ObserverDecision::Stop) {
             break;
         }
     }

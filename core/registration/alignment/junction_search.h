@@ -18,8 +18,8 @@ public:
     JunctionSearch(const RegistrationProblem& problem, const TargetLines& target);
 
     /// Returns the best distinct candidates, best first; scores and `proceed` are as in CoarseSearch.
-    std::vector<CoarseCandidate> find(const CentroidPose& start, const SearchRange& reach,
-                                      const std::function<ObserverDecision(double)>& proceed) const;
+    std::vector<CoarseCandidate> find(const CentroidPose& start, const SearchRange& range,
+                                      const std::function<ObserverDecision(double)>& observe) const;
 
 private:
     /// Set of image directions with one bit per sector of 1/64 turn; rotating the image rotates the bits.

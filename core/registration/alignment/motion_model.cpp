@@ -40,11 +40,11 @@ InitialPosePrior MotionModel::predict() const
 {
     CentroidPose predicted = pose_;
     Vector6d expected = Vector6d::Zero();
-    if (isMoving_ && framesMissed_ == 0) {
+    if (isMoving_ && missedFrames_ == 0) {
         expected = breathingComponent(steps_.back());
         predicted = retract(pose_, expected.cwiseQuotient(mmPerParameter_));
     }
-    const double wider = std::sqrt(1.0 + framesMissed_);
+    const double wider = std::sqrt(1.0 + missedFrames_);
     const double rotation = noise_.rotationDeg * std::numbers::pi / 180.0;
     Vector6d std;
     std << rotation, rotation, rotation, noise_.shiftMm, noise_.shiftMm, noise_.shiftMm;
@@ -56,24 +56,24 @@ InitialPosePrior MotionModel::predict() const
 void MotionModel::advance(const std::optional<CentroidPose>& pose)
 {
     if (!pose) {
-        ++framesMissed_;
+        ++missedFrames_;
         return;
     }
-    if (framesMissed_ == 0) {
+    if (missedFrames_ == 0) {
         steps_.emplace_back(stepBetween(pose_, *pose).cwiseProduct(mmPerParameter_));
         isMoving_ = true;
     }
     if (steps_.size() > maxRememberedSteps) {
         steps_.pop_front();
     }
-    framesMissed_ = 0;
+    missedFrames_ = 0;
     pose_ = *pose;
 }
 
 void MotionModel::resetTo(const CentroidPose& pose)
 {
     pose_ = pose;
-    framesMissed_ = 0;
+    missedFrames_ = 0;
     isMoving_ = false;
 }
 

@@ -36,7 +36,7 @@ private:
     Noise noise_;
     std::deque<Vector6d> steps_;   ///< frame-to-frame steps in mm, newest last
     bool isMoving_ = false;   ///< whether the last frame added a step to steps_
-    int framesMissed_ = 0;
+    int missedFrames_ = 0;
 };
 
 }   // namespace angiopose::core

@@ -14,11 +14,11 @@ std::size_t at(int number)
 }   // namespace
 
 OpacificationModel::OpacificationModel(const TreeSamples& tree)
-    : parts_(splitAtBifurcations(tree)), segmentOfPoint_(tree.size(), 0)
+    : segments_(splitAtBifurcations(tree)), segmentOfPoint_(tree.size(), 0)
 {
-    const std::size_t pieceCount = parts_.pieces.size();
+    const std::size_t pieceCount = segments_.pieces.size();
     for (std::size_t p = 0; p < pieceCount; ++p) {
-        const BranchSegment& piece = parts_.pieces[p];
+        const BranchSegment& piece = segments_.pieces[p];
         double lengthMm = 0.0;
         for (std::size_t i = piece.from; i < piece.to; ++i) {
             segmentOfPoint_[i] = static_cast<int>(p);
@@ -26,8 +26,8 @@ OpacificationModel::OpacificationModel(const TreeSamples& tree)
         }
         lengthMm_.push_back(lengthMm);
     }
-    std::vector<std::vector<int>> neighbors(pieceCount + at(parts_.junctionCount));
-    for (const SegmentIncidence& joint : parts_.incidences) {
+    std::vector<std::vector<int>> neighbors(pieceCount + at(segments_.junctionCount));
+    for (const SegmentIncidence& joint : segments_.incidences) {
         const int junction = static_cast<int>(pieceCount) + joint.junction;
         neighbors[at(joint.piece)].push_back(junction);
         neighbors[at(junction)].push_back(joint.piece);
@@ -37,15 +37,15 @@ OpacificationModel::OpacificationModel(const TreeSamples& tree)
         if (isListed[root] != 0) {
             continue;
         }
-        std::size_t next = order_.size();
-        order_.push_back({static_cast<int>(root), -1});
+        std::size_t next = nodes_.size();
+        nodes_.push_back({static_cast<int>(root), -1});
         isListed[root] = 1;
-        for (; next < order_.size(); ++next) {
-            const int here = order_[next].number;
+        for (; next < nodes_.size(); ++next) {
+            const int here = nodes_[next].number;
             for (const int neighbor : neighbors[at(here)]) {
                 if (isListed[at(neighbor)] == 0) {
                     isListed[at(neighbor)] = 1;
-                    order_.push_back({neighbor, here});
+                    nodes_.push_back({neighbor, here});
                 }
             }
         }
@@ -55,7 +55,7 @@ OpacificationModel::OpacificationModel(const TreeSamples& tree)
 std::vector<std::uint8_t> OpacificationModel::likeliestStates(std::span<const double> opacifiedGain,
                                                               double changeCost) const
 {
-    std::vector<std::array<double, 2>> gain(order_.size(),
+    std::vector<std::array<double, 2>> gain(nodes_.size(),
                                             {0.0, 0.0});   // gain of the node and its subtree: unopacified, opacified
     for (std::size_t p = 0; p < opacifiedGain.size(); ++p) {
         gain[p][1] = opacifiedGain[p];
@@ -63,15 +63,15 @@ std::vector<std::uint8_t> OpacificationModel::likeliestStates(std::span<const do
     const auto bestBelow = [&](int node, std::size_t above) {
         return std::max(gain[at(node)][above], gain[at(node)][1 - above] - changeCost);
     };
-    for (auto node = order_.rbegin(); node != order_.rend(); ++node) {
+    for (auto node = nodes_.rbegin(); node != nodes_.rend(); ++node) {
         for (const std::size_t above : {0U, 1U}) {
             if (node->above >= 0) {
                 gain[at(node->above)][above] += bestBelow(node->number, above);
             }
         }
     }
-    std::vector<std::uint8_t> state(order_.size(), 0);
-    for (const Node& node : order_) {
+    std::vector<std::uint8_t> state(nodes_.size(), 0);
+    for (const Node& node : nodes_) {
         const std::array<double, 2>& own = gain[at(node.number)];
         const double bias = node.above < 0 ? 0.0 : state[at(node.above)] != 0 ? changeCost : -changeCost;
         state[at(node.number)] = own[1] - own[0] + bias > 0.0;
@@ -82,8 +82,8 @@ std::vector<std::uint8_t> OpacificationModel::likeliestStates(std::span<const do
 
 int OpacificationModel::countOpacifiedBifurcations(std::span<const std::uint8_t> isOpacified) const
 {
-    std::vector<int> filled(at(parts_.junctionCount), 0);
-    for (const SegmentIncidence& joint : parts_.incidences) {
+    std::vector<int> filled(at(segments_.junctionCount), 0);
+    for (const SegmentIncidence& joint : segments_.incidences) {
         filled[at(joint.junction)] += isOpacified[at(joint.piece)] != 0 ? 1 : 0;
     }
     return static_cast<int>(std::ranges::count_if(filled, [](int pieces) { return pieces >= 3; }));
@@ -91,11 +91,11 @@ int OpacificationModel::countOpacifiedBifurcations(std::span<const std::uint8_t>
 
 int OpacificationModel::countUnopacifiedTerritories(std::span<const std::uint8_t> isOpacified, double minMm) const
 {
-    const std::size_t pieceCount = parts_.pieces.size();
-    std::vector<double> unopacifiedMm(order_.size(),
+    const std::size_t pieceCount = segments_.pieces.size();
+    std::vector<double> unopacifiedMm(nodes_.size(),
                                       0.0);   // length of a stretch that is not attached to an unopacified one
-    std::vector<int> top(order_.size());
-    for (const Node& node : order_) {
+    std::vector<int> top(nodes_.size());
+    for (const Node& node : nodes_) {
         const bool isPiece = at(node.number) < pieceCount;
         const bool isUnopacified = !isPiece || isOpacified[at(node.number)] == 0;
         // An opacified segment separates the unopacified parts on either side.

@@ -16,7 +16,7 @@ public:
 
     /// Returns the segment index of every tree point.
     const std::vector<int>& segmentOfPoint() const { return segmentOfPoint_; }
-    const std::vector<BranchSegment>& pieces() const { return parts_.pieces; }
+    const std::vector<BranchSegment>& pieces() const { return segments_.pieces; }
 
     /// Returns 1 for each segment that is most likely opacified. `opacifiedGain` is the evidence for opacified over
     /// unopacified, with either sign and in the unit of `changeCost`, mm of vessel. The solution is exact (dynamic
@@ -38,10 +38,10 @@ private:
         int above;   ///< parent node; −1 for a root
     };
 
-    BranchSegments parts_;
+    BranchSegments segments_;
     std::vector<int> segmentOfPoint_;
     std::vector<double> lengthMm_;
-    std::vector<Node> order_;
+    std::vector<Node> nodes_;
 };
 
 }   // namespace angiopose::core

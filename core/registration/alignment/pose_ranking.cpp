@@ -27,43 +27,44 @@ PoseRanking::PoseRanking(const RegistrationProblem& problem, const TargetLines& 
                          TreeOpacification opacification)
     : prior_(prior),
       opacification_(opacification),
-      points_(alignmentPoints(problem.tree, strideFor(problem.tree.size(), usedRankingPoints)), problem.camera, target),
-      agreement_(problem, target)
+      alignment_(alignmentPoints(problem.tree, strideFor(problem.tree.size(), usedRankingPoints)), problem.camera,
+                 target),
+      agreementScore_(problem, target)
 {
-    ranked_.reserve(maxHypotheses);
-    distances_.reserve(points_.size());
+    rankedPoses_.reserve(maxHypotheses);
+    distances_.reserve(alignment_.size());
 }
 
 void PoseRanking::add(const CentroidPose& hypothesis)
 {
-    points_.resetVisibility();
+    alignment_.resetVisibility();
     refineAndInsert(hypothesis);
 }
 
 void PoseRanking::addPartlyOpacified(const CentroidPose& hypothesis)
 {
-    points_.setVisibility(points_.evaluate(hypothesis, schedule.startScalePx));
+    alignment_.setVisibility(alignment_.evaluate(hypothesis, schedule.startScalePx));
     refineAndInsert(hypothesis);
 }
 
 void PoseRanking::refineAndInsert(const CentroidPose& hypothesis)
 {
-    const RefinementResult refined = refine(points_, prior_, hypothesis, schedule);
+    const RefinementResult refined = refine(alignment_, prior_, hypothesis, schedule);
     const ScoredPose candidate = scoredPose(refined.pose, refined.stopReason);
     const auto isBetter = [](const ScoredPose& a, const ScoredPose& b) { return a.score > b.score; };
-    ranked_.insert(std::upper_bound(ranked_.begin(), ranked_.end(), candidate, isBetter), candidate);
+    rankedPoses_.insert(std::upper_bound(rankedPoses_.begin(), rankedPoses_.end(), candidate, isBetter), candidate);
 }
 
 ScoredPose PoseRanking::scoredPose(const CentroidPose& pose, StopReason stopReason)
 {
-    ScoredPose scoredPose{pose, 0.0, agreement_.of(pose), stopReason};
+    ScoredPose scoredPose{pose, 0.0, agreementScore_.scoreAt(pose), stopReason};
     if (opacification_ == TreeOpacification::Partial && scoredPose.agreement < minWholeTreeAgreement) {
-        const OpacifiedAgreement filled = agreement_.scoreOpacified(pose);
+        const OpacifiedAgreement filled = agreementScore_.scoreOpacified(pose);
         if (filled.agreement > scoredPose.agreement + clearlyBetter) {
             scoredPose.agreement = filled.agreement;
             scoredPose.opacifiedBifurcations =
-                agreement_.opacification().countOpacifiedBifurcations(filled.isOpacified);
-            for (const int piece : agreement_.opacification().segmentOfPoint()) {
+                agreementScore_.opacification().countOpacifiedBifurcations(filled.isOpacified);
+            for (const int piece : agreementScore_.opacification().segmentOfPoint()) {
                 scoredPose.isOpacified.push_back(filled.isOpacified[static_cast<std::size_t>(piece)]);
             }
         }
@@ -72,11 +73,11 @@ ScoredPose PoseRanking::scoredPose(const CentroidPose& pose, StopReason stopReas
     return scoredPose;
 }
 
-std::vector<ScoredPose> PoseRanking::distinctPoses(double share, std::size_t count) const
+std::vector<ScoredPose> PoseRanking::distinctPoses(double fraction, std::size_t count) const
 {
     std::vector<ScoredPose> chosen;
-    for (const ScoredPose& candidate : ranked_) {
-        if (chosen.size() == count || candidate.score < share * best().score) {
+    for (const ScoredPose& candidate : rankedPoses_) {
+        if (chosen.size() == count || candidate.score < fraction * best().score) {
             break;
         }
         if (std::none_of(chosen.begin(), chosen.end(),

@@ -38,8 +38,8 @@ public:
 
     ScoredPose scoredPose(const CentroidPose& pose, StopReason stopReason);
 
-    bool isEmpty() const { return ranked_.empty(); }
-    const ScoredPose& best() const { return ranked_.front(); }
+    bool isEmpty() const { return rankedPoses_.empty(); }
+    const ScoredPose& best() const { return rankedPoses_.front(); }
 
     /// Whether tree and traced vessels explain each other well enough to skip further searches.
     bool isConclusive() const { return hasScore(0.65); }
@@ -49,20 +49,20 @@ public:
     bool isMismatch() const { return !hasScore(0.4); }
 
     /// Returns the best pose of every optimum, best first, limited to those that score at least `share` of the best.
-    std::vector<ScoredPose> distinctPoses(double share, std::size_t count) const;
+    std::vector<ScoredPose> distinctPoses(double fraction, std::size_t count) const;
 
     /// Returns the median distance to the target, px, for the progress display.
-    double medianDistancePx(const CentroidPose& pose) { return points_.medianDistancePx(pose, distances_); }
+    double medianDistancePx(const CentroidPose& pose) { return alignment_.medianDistancePx(pose, distances_); }
 
 private:
     void refineAndInsert(const CentroidPose& hypothesis);
-    bool hasScore(double score) const { return !ranked_.empty() && best().score >= score; }
+    bool hasScore(double score) const { return !rankedPoses_.empty() && best().score >= score; }
 
     InitialPosePrior prior_;
     TreeOpacification opacification_;
-    Alignment points_;
-    AgreementScore agreement_;
-    std::vector<ScoredPose> ranked_;   ///< best first
+    Alignment alignment_;
+    AgreementScore agreementScore_;
+    std::vector<ScoredPose> rankedPoses_;   ///< best first
     std::vector<double> distances_;
 };
 

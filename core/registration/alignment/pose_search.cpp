@@ -106,7 +106,7 @@ std::vector<CentroidPose> PoseSearch::searchWithAuxiliary(const CentroidPose& st
                    auxiliaryCandidates);
 }
 
-CentroidPose PoseSearch::recentered(const CentroidPose& start) const
+CentroidPose PoseSearch::recenterPose(const CentroidPose& start) const
 {
     Eigen::Vector2d middlePx = Eigen::Vector2d::Zero();
     for (const Eigen::Vector2d& point : problem_.target.points) {
@@ -116,7 +116,7 @@ CentroidPose PoseSearch::recentered(const CentroidPose& start) const
     const double depthMm = std::max(minProjectableDepthMm, start.centroidInCamera.z());
     const Eigen::Vector3d ray = rayThroughPixel(problem_.camera, middlePx);
     moved.centroidInCamera = ray * (depthMm / ray.z());
-    return problem_.freedom.restoreLocked(moved);
+    return problem_.freedom.restoreLockedAxes(moved);
 }
 
 }   // namespace angiopose::core

@@ -33,7 +33,7 @@ public:
 
     /// Returns the initial pose shifted to project the tree's centroid onto the traced vessels' center (ALGORITHMS
     /// §5.4).
-    CentroidPose recentered(const CentroidPose& start) const;
+    CentroidPose recenterPose(const CentroidPose& start) const;
 
 private:
     const RegistrationProblem& problem_;

@@ -26,7 +26,7 @@ struct PointInCamera {
 };
 
 /// Minimum projected length of a unit tangent; shorter ones carry no direction (§6.3).
-inline constexpr double minDirectionShare = 0.3;
+inline constexpr double minDirectionFraction = 0.3;
 
 /// Projects the point at the given pose; returns false if the point is not in front of the source.
 inline bool projectPoint(const ProjectionCamera& camera, const AlignmentPoint& point, const CentroidPose& pose,
@@ -51,7 +51,7 @@ inline void projectDirection(const ProjectionCamera& camera, const AlignmentPoin
     const double perLength = length > 0.0 ? 1.0 / length : 0.0;
     projected.su = su * perLength;
     projected.sv = sv * perLength;
-    projected.hasDirection = length >= minDirectionShare * camera.fy;
+    projected.hasDirection = length >= minDirectionFraction * camera.fy;
 }
 
 /// Returns d(distance along the normal) / d(rotation rad, shift mm).

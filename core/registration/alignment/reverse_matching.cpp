@@ -7,14 +7,14 @@ constexpr double maxPointMotionPx = 0.5;   // smaller than the spacing of points
 
 }   // namespace
 
-bool ReverseMatching::isUpToDate(double reachPx) const
+bool ReverseMatcher::isUpToDate(double reachPx) const
 {
-    if (reachPx != reachPx_ || matchedAt_.size() != projected_.size()) {
+    if (reachPx != reachPx_ || matchedPositions_.size() != projected_.size()) {
         return false;
     }
     for (std::size_t i = 0; i < projected_.size(); ++i) {
-        const double du = projected_[i].u - matchedAt_[i].x();
-        const double dv = projected_[i].v - matchedAt_[i].y();
+        const double du = projected_[i].u - matchedPositions_[i].x();
+        const double dv = projected_[i].v - matchedPositions_[i].y();
         if (!(du * du + dv * dv < maxPointMotionPx * maxPointMotionPx)) {
             return false;
         }
@@ -22,18 +22,18 @@ bool ReverseMatching::isUpToDate(double reachPx) const
     return true;
 }
 
-void ReverseMatching::match(const TargetLines& target, int width, int height, double reachPx)
+void ReverseMatcher::match(const TargetLines& target, int width, int height, double reachPx)
 {
     if (isUpToDate(reachPx)) {
         return;
     }
     reachPx_ = reachPx;
-    matchedAt_.clear();
-    matchedAt_.reserve(projected_.size());
+    matchedPositions_.clear();
+    matchedPositions_.reserve(projected_.size());
     grid_.reserve(projected_.size());
     grid_.reset(width, height, reachPx);
     for (std::size_t i = 0; i < projected_.size(); ++i) {
-        matchedAt_.emplace_back(projected_[i].u, projected_[i].v);
+        matchedPositions_.emplace_back(projected_[i].u, projected_[i].v);
         if (projected_[i].isInFront && projected_[i].hasDirection) {
             grid_.add({projected_[i].u, projected_[i].v, static_cast<int>(i)});
         }

@@ -8,7 +8,7 @@ namespace angiopose::core {
 
 /// Matches each target line to its nearest tree point. The matches are recomputed only after a point has moved in the
 /// image: until then, a neighboring tree point gives the same distance across the branch.
-class ReverseMatching {
+class ReverseMatcher {
 public:
     static constexpr std::size_t lineStride = 2;   ///< skips neighboring lines, whose noise is correlated
 
@@ -27,7 +27,7 @@ private:
     bool isUpToDate(double reachPx) const;
 
     std::vector<PointInCamera> projected_;
-    std::vector<Eigen::Vector2d> matchedAt_;   ///< positions of the points when the matches were computed
+    std::vector<Eigen::Vector2d> matchedPositions_;   ///< positions of the points when the matches were computed
     double reachPx_ = 0.0;
     ProjectedPoints grid_;
     std::vector<int> matches_;

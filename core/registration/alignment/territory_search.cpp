@@ -221,8 +221,8 @@ void TerritorySearch::keepBest(const CentroidPose& pose, const Shifts& shifts,
 
 std::vector<CoarseCandidate> TerritorySearch::find(std::span<const AlignmentPoint> points,
                                                    std::span<const double> radiusMm, const CentroidPose& start,
-                                                   const SearchRange& reach,
-                                                   const std::function<ObserverDecision(double)>& proceed)
+                                                   const SearchRange& range,
+                                                   const std::function<ObserverDecision(double)>& observe)
 {
     std::vector<CoarseCandidate> candidates;
     if (targetPoints_.empty()) {
@@ -230,21 +230,21 @@ std::vector<CoarseCandidate> TerritorySearch::find(std::span<const AlignmentPoin
     }
     const double depthMm = std::max(minProjectableDepthMm, start.centroidInCamera.z());
     const double pxPerMm = 1.0 / millimetersPerPixel(camera_, depthMm);
-    const double radiusPx = std::min(reach.radiusMm * pxPerMm, maxShiftShare * std::max(camera_.width, camera_.height));
+    const double radiusPx = std::min(range.radiusMm * pxPerMm, maxShiftShare * std::max(camera_.width, camera_.height));
     const int half = static_cast<int>(std::ceil(radiusPx / cellPx_));
-    Shifts shifts(half, reach.freedom);
+    Shifts shifts(half, range.freedom);
     allocateCanvas(half);
     compareWidths(radiusMm, pxPerMm, points.size());
     forEachRotation(
-        start, reach,
+        start, range,
         [&](const CentroidPose& pose) {
             drawTree(points, pose);
             sumShifts(shifts);
             keepBest(pose, shifts, candidates);
         },
-        proceed);
+        observe);
     return distinctCandidates(std::move(candidates),
-                              {basinCells * cellPx_ / pxPerMm, basinOfStep * reach.stepDeg * radiansPerDegree});
+                              {basinCells * cellPx_ / pxPerMm, basinOfStep * range.stepDeg * radiansPerDegree});
 }
 
 }   // namespace angiopose::core

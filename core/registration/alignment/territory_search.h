@@ -16,8 +16,8 @@ public:
     /// Like CoarseSearch::find; the scores are the mean closeness of the target to the tree. `radiusMm` holds the
     /// radius of each point, 0 if unknown; it may be empty.
     std::vector<CoarseCandidate> find(std::span<const AlignmentPoint> points, std::span<const double> radiusMm,
-                                      const CentroidPose& start, const SearchRange& reach,
-                                      const std::function<ObserverDecision(double)>& proceed);
+                                      const CentroidPose& start, const SearchRange& range,
+                                      const std::function<ObserverDecision(double)>& observe);
 
 private:
     static constexpr std::size_t directions = 4;   ///< vessel directions, 45° apart

@@ -152,7 +152,7 @@ Result<DeformableResult> deformVessels(std::span<const DeformableView> views, co
     }
     result.iterations = progress.iterations();
     classifyDeformation(views, result);
-    result.timeMs = stopwatch.lapMs();
+    result.timeMs = stopwatch.takeLapMs();
     return result;
 }
 

@@ -157,8 +157,8 @@ void DeformationFit::addRow(const KnotProjection& projection, const KnotChoice& 
     const ProjectionCamera& camera = problem_.views[view].camera;
     if (projection.positionPx.minCoeff() >= 0.0 && projection.positionPx.x() < camera.width &&
         projection.positionPx.y() < camera.height) {
-        visibleMm_ += projection.seenMm;
-        matchedMm_ += sum * projection.seenMm;
+        visibleMm_ += projection.visibleMm;
+        matchedMm_ += sum * projection.visibleMm;
     }
     MotionRow row = motionRowOf(projection, view);
     if (sum < minRowWeight || (step.isCoarse && projection.knot % 2 == 1)) {
@@ -167,7 +167,7 @@ void DeformationFit::addRow(const KnotProjection& projection, const KnotChoice& 
     }
     const double offset = sumOffset / sum;
     const double ambiguity = std::max(0.0, sumSquares / sum - offset * offset);
-    const double weight = sum * std::min(1.0, projection.seenMm / independentMm);
+    const double weight = sum * std::min(1.0, projection.visibleMm / independentMm);
     row.valueMm = offset + predictedMm(row);
     row.variance = (deviationMm * deviationMm + ambiguity) / weight;
     rows_.push_back(row);

@@ -42,7 +42,7 @@ Eigen::Matrix3Xd motionAtKnots(const TreeKnots& knots, const VesselTree& tree, c
 
 DeformationTracker::DeformationTracker(DeformationProblem problem, DeformableResult previous,
                                        const RigidTransform& rigid, const DeformableOptions& options)
-    : options_(options), problem_(std::move(problem)), last_(std::move(previous)), lastRigid_(rigid)
+    : options_(options), problem_(std::move(problem)), lastResult_(std::move(previous)), lastRigidPose_(rigid)
 {
 }
 
@@ -59,19 +59,20 @@ Result<DeformationTracker> DeformationTracker::after(const DeformableView& view,
 /// Returns the last frame's deformation, moved with the rigid pose.
 DeformationState DeformationTracker::shiftedInitialState(const DeformableView& view) const
 {
-    const RigidTransform carried = view.rigidCameraFromPatient * lastRigid_.inverse() * last_.cameraFromPatient;
+    const RigidTransform carried =
+        view.rigidCameraFromPatient * lastRigidPose_.inverse() * lastResult_.cameraFromPatient;
     DeformationState state = initialState(problem_, warmStrain);
     state.poseStep = stepBetween(problem_.start, aboutCentroid(carried, problem_.centroidInPatient));
-    state.motionMm = motionAtKnots(problem_.knots, view.input.tree, last_);
+    state.motionMm = motionAtKnots(problem_.knots, view.input.tree, lastResult_);
     state.deviationMm.setConstant(warmDeviationMm);
-    state.noisePx = std::max(last_.noisePx, 0.5);
+    state.noisePx = std::max(lastResult_.noisePx, 0.5);
     if (variances_) {
         state.variances = *variances_;
     }
     return state;
 }
 
-DeformableResult DeformationTracker::warmStart(const DeformableView& view)
+DeformableResult DeformationTracker::makeWarmStart(const DeformableView& view)
 {
     std::vector<DeformationFit> fits{DeformationFit(problem_, shiftedInitialState(view))};
     DeformationFit& fit = fits.front();
@@ -93,8 +94,8 @@ Result<DeformableResult> DeformationTracker::next(const DeformableView& view, co
     if (const Status status = replaceView(problem_, view, options_); !status) {
         return status.error();
     }
-    DeformableResult result = warmStart(view);
-    if (result.explainedShare < minRelativeMatched * last_.explainedShare) {
+    DeformableResult result = makeWarmStart(view);
+    if (result.explainedShare < minRelativeMatched * lastResult_.explainedShare) {
         auto cold = deformVessels(std::span(&view, 1), options_, observe);
         if (!cold) {
             return cold.error();
@@ -104,9 +105,9 @@ Result<DeformableResult> DeformationTracker::next(const DeformableView& view, co
             variances_.reset();
         }
     }
-    result.timeMs = stopwatch.lapMs();
-    last_ = result;
-    lastRigid_ = view.rigidCameraFromPatient;
+    result.timeMs = stopwatch.takeLapMs();
+    lastResult_ = result;
+    lastRigidPose_ = view.rigidCameraFromPatient;
     return result;
 }
 

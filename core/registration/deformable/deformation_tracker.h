@@ -22,13 +22,13 @@ public:
 private:
     DeformationTracker(DeformationProblem problem, DeformableResult previous, const RigidTransform& rigid,
                        const DeformableOptions& options);
-    DeformableResult warmStart(const DeformableView& view);
+    DeformableResult makeWarmStart(const DeformableView& view);
     DeformationState shiftedInitialState(const DeformableView& view) const;
 
     DeformableOptions options_;
     DeformationProblem problem_;
-    DeformableResult last_;
-    RigidTransform lastRigid_;   ///< rigid pose of the frame to which last_ belongs
+    DeformableResult lastResult_;
+    RigidTransform lastRigidPose_;   ///< rigid pose of the frame to which lastResult_ belongs
     std::optional<MotionVariances> variances_;   ///< motion variances estimated in the previous frame
 };
 

@@ -33,18 +33,18 @@ std::vector<std::size_t> everyOther(const TreeKnots& knots)
 }
 
 std::vector<Eigen::Matrix3d> covariancesOf(const DeformationProblem& problem, const DeformationFit& fit,
-                                           const KnotPositions& places)
+                                           const KnotPositions& positions)
 {
     const RigidTransform pose = fit.deformedTree().cameraFromPatient;
     const Eigen::Vector3d centroid = pose * problem.centroidInPatient;
     const std::vector<std::size_t> selectedKnots = everyOther(problem.knots);
     std::vector<Eigen::Matrix<double, 3, 6>> poseJacobian(selectedKnots.size());
     for (std::size_t k = 0; k < selectedKnots.size(); ++k) {
-        poseJacobian[k] << -skew(places[selectedKnots[k]] - centroid), Eigen::Matrix3d::Identity();
+        poseJacobian[k] << -skew(positions[selectedKnots[k]] - centroid), Eigen::Matrix3d::Identity();
     }
     const std::vector<Eigen::Matrix3d> selectedCovariances =
         fit.posterior()->positionCovariances(selectedKnots, poseJacobian, pose.rotation);
-    std::vector<Eigen::Matrix3d> covariances(places.size());
+    std::vector<Eigen::Matrix3d> covariances(positions.size());
     for (std::size_t k = 0; k < selectedKnots.size(); ++k) {
         covariances[selectedKnots[k]] = selectedCovariances[k];
         if (k > 0 && selectedKnots[k] == selectedKnots[k - 1] + 2) {
@@ -55,14 +55,14 @@ std::vector<Eigen::Matrix3d> covariancesOf(const DeformationProblem& problem, co
 }
 
 /// Returns the weighted mean over the fits of d dᵀ, where d is the displacement from the best fit.
-std::vector<Eigen::Matrix3d> spreadOfFits(const std::vector<KnotPositions>& places,
+std::vector<Eigen::Matrix3d> spreadOfFits(const std::vector<KnotPositions>& positions,
                                           const std::vector<DeformationFit>& fits, std::size_t best)
 {
-    std::vector<Eigen::Matrix3d> spread(places[best].size(), Eigen::Matrix3d::Zero());
+    std::vector<Eigen::Matrix3d> spread(positions[best].size(), Eigen::Matrix3d::Zero());
     const std::vector<double> shares = fitWeights(fits, best);
     for (std::size_t run = 0; run < fits.size(); ++run) {
         for (std::size_t k = 0; k < spread.size(); ++k) {
-            const Eigen::Vector3d apart = places[run][k] - places[best][k];
+            const Eigen::Vector3d apart = positions[run][k] - positions[best][k];
             spread[k] += shares[run] * apart * apart.transpose();
         }
     }
@@ -130,12 +130,12 @@ double seenMotionMm(const Eigen::Vector3d& motion, const RigidTransform& pose, s
 KnotPositions knotPositionsInCamera(const DeformationProblem& problem, const DeformationFit& fit)
 {
     const DeformedTree deformed = fit.deformedTree();
-    KnotPositions places;
+    KnotPositions positions;
     for (std::size_t k = 0; k < problem.knots.size(); ++k) {
-        places.push_back(deformed.cameraFromPatient *
-                         (problem.knots.places[k] + deformed.motionMm.col(static_cast<Eigen::Index>(k))));
+        positions.push_back(deformed.cameraFromPatient *
+                            (problem.knots.positions[k] + deformed.motionMm.col(static_cast<Eigen::Index>(k))));
     }
-    return places;
+    return positions;
 }
 
 std::vector<double> fitWeights(const std::vector<DeformationFit>& fits, std::size_t best)
@@ -206,12 +206,12 @@ DeformableResult deformedResult(std::span<const DeformableView> views, const Def
     if (!fit.posterior()) {
         return result;
     }
-    std::vector<KnotPositions> places;
+    std::vector<KnotPositions> positions;
     for (const DeformationFit& run : fits) {
-        places.push_back(knotPositionsInCamera(problem, run));
+        positions.push_back(knotPositionsInCamera(problem, run));
     }
     const TreeKnots& knots = problem.knots;
-    const RigidTransform pose = fitRigidTransform(knots.places, places[best], knots.lengthMm);
+    const RigidTransform pose = fitRigidTransform(knots.positions, positions[best], knots.lengthMm);
     const RigidTransform patientFromCamera = pose.inverse();
     result.cameraFromPatient = pose;
     for (std::size_t view = 0; view < views.size(); ++view) {
@@ -220,15 +220,15 @@ DeformableResult deformedResult(std::span<const DeformableView> views, const Def
     std::vector<Eigen::Vector3d> motion;
     double total = 0.0;
     for (std::size_t k = 0; k < knots.size(); ++k) {
-        motion.push_back(patientFromCamera * places[best][k] - knots.places[k]);
+        motion.push_back(patientFromCamera * positions[best][k] - knots.positions[k]);
         const double size = seenMotionMm(motion.back(), pose, views.size());
         result.largestMotionMm = std::max(result.largestMotionMm, size);
         result.meanMotionMm += knots.lengthMm[k] * size;
         total += knots.lengthMm[k];
     }
     result.meanMotionMm /= total;
-    const std::vector<Eigen::Matrix3d> spread = spreadOfFits(places, fits, best);
-    std::vector<Eigen::Matrix3d> covariances = covariancesOf(problem, fit, places[best]);
+    const std::vector<Eigen::Matrix3d> spread = spreadOfFits(positions, fits, best);
+    std::vector<Eigen::Matrix3d> covariances = covariancesOf(problem, fit, positions[best]);
     const double inflation = covarianceInflation(fit);
     for (std::size_t k = 0; k < covariances.size(); ++k) {
         covariances[k] = inflation * covariances[k] + spread[k];

@@ -5,13 +5,13 @@ namespace angiopose::core {
 FieldKernel::FieldKernel(const TreeKnots& knots)
 {
     const auto count = static_cast<Eigen::Index>(knots.size());
-    Eigen::Matrix3Xf places(3, count);
+    Eigen::Matrix3Xf positions(3, count);
     for (Eigen::Index k = 0; k < count; ++k) {
-        places.col(k) = knots.places[static_cast<std::size_t>(k)].cast<float>();
+        positions.col(k) = knots.positions[static_cast<std::size_t>(k)].cast<float>();
     }
     Eigen::MatrixXf squared(count, count);
     for (Eigen::Index k = 0; k < count; ++k) {
-        squared.col(k) = (places.colwise() - places.col(k)).colwise().squaredNorm().transpose();
+        squared.col(k) = (positions.colwise() - positions.col(k)).colwise().squaredNorm().transpose();
     }
     // Each length is half the previous one; each kernel is therefore the fourth power of the previous one.
     kernels_[0] = (static_cast<float>(-0.5 / (motionLengthsMm[0] * motionLengthsMm[0])) * squared.array()).exp();

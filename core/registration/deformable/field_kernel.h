@@ -22,7 +22,7 @@ class FieldKernel {
 public:
     explicit FieldKernel(const TreeKnots& knots);
 
-    const Eigen::MatrixXf& of(std::size_t motion) const { return kernels_[motion]; }
+    const Eigen::MatrixXf& kernelOf(std::size_t motion) const { return kernels_[motion]; }
 
     /// Returns the summed covariances between knots, mm² per axis.
     Eigen::MatrixXf combined(const MotionVariances& variances) const;

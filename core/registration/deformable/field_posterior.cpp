@@ -265,7 +265,7 @@ MotionVariances FieldPosterior::estimateVariances() const
     }
     MotionVariances learned{};
     for (std::size_t m = 0; m < motionCount; ++m) {
-        const Eigen::MatrixXf& kernel = kernel_.of(m);
+        const Eigen::MatrixXf& kernel = kernel_.kernelOf(m);
         const auto squares = static_cast<double>((pulls * kernel).cwiseProduct(pulls).sum());
         const auto traces = static_cast<double>(left.cwiseProduct(kernel).sum());
         const double variance = prior_.motion[m];

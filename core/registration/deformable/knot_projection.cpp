@@ -14,7 +14,7 @@ Eigen::Vector3d deformedTangent(const TreeKnots& knots, const DeformedTree& defo
 {
     const std::size_t before = std::max(knot, knots.firstOfBranch[branch] + 1) - 1;
     const std::size_t after = std::min(knot + 1, knots.firstOfBranch[branch + 1] - 1);
-    const double apart = (knots.places[after] - knots.places[before]).norm();
+    const double apart = (knots.positions[after] - knots.positions[before]).norm();
     if (!(apart > 0.5)) {
         return knots.tangents[knot];
     }
@@ -34,7 +34,7 @@ std::vector<std::optional<KnotProjection>> projectKnots(const TreeKnots& knots, 
     std::vector<std::optional<KnotProjection>> projections(knots.size());
     for (std::size_t branch = 0; branch + 1 < knots.firstOfBranch.size(); ++branch) {
         for (std::size_t k = knots.firstOfBranch[branch]; k < knots.firstOfBranch[branch + 1]; ++k) {
-            const Eigen::Vector3d moved = knots.places[k] + deformed.motionMm.col(static_cast<Eigen::Index>(k));
+            const Eigen::Vector3d moved = knots.positions[k] + deformed.motionMm.col(static_cast<Eigen::Index>(k));
             const Eigen::Vector3d inView = viewFromPatient * moved;
             const auto pixel = project(context.camera, inView);
             if (knots.isUsed[k] == 0 || !pixel) {
@@ -52,7 +52,7 @@ std::vector<std::optional<KnotProjection>> projectKnots(const TreeKnots& knots, 
             projection.positionPx = *pixel;
             projection.normal = Eigen::Vector2d(-seen.y(), seen.x()).normalized();
             projection.mmPerPx = mmPerPx;
-            projection.seenMm = knots.lengthMm[k] * std::min(1.0, seen.norm());
+            projection.visibleMm = knots.lengthMm[k] * std::min(1.0, seen.norm());
             const Eigen::RowVector3d positionJacobian = mmPerPx * projection.normal.transpose() * pixelByPlace;
             const Eigen::RowVector3d byPlaceInFirst = positionJacobian * context.cameraFromFirst.rotation;
             projection.motionJacobian = (positionJacobian * viewFromPatient.rotation).transpose();

@@ -17,7 +17,7 @@ struct KnotProjection {
     Eigen::Vector2d positionPx;
     Eigen::Vector2d normal;   ///< unit vector across the projected vessel
     double mmPerPx = 0.0;   ///< at the depth of the knot
-    double seenMm = 0.0;   ///< vessel length that the knot represents, measured across the ray
+    double visibleMm = 0.0;   ///< vessel length that the knot represents, measured across the ray
     Eigen::Vector3d motionJacobian;   ///< mm across the vessel per mm of motion, patient axes
     Vector6d poseJacobian;   ///< mm across the vessel per step (rad, mm) of the first view's pose about the centroid
     Vector6d geometryJacobian;   ///< mm across the vessel per correction of this view's geometry

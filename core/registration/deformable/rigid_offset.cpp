@@ -27,7 +27,7 @@ StepsOfPlace byStep(const Eigen::Vector3d& fromCentroid)
 std::vector<Eigen::Vector3d> rigidArms(const DeformationProblem& problem)
 {
     std::vector<Eigen::Vector3d> arms;
-    for (const Eigen::Vector3d& place : problem.knots.places) {
+    for (const Eigen::Vector3d& place : problem.knots.positions) {
         arms.emplace_back(problem.start.rotation * (place - problem.centroidInPatient));
     }
     return arms;
@@ -118,10 +118,10 @@ RigidOffset rigidOffset(const VesselTree& tree, const DeformationProblem& proble
     const KnotPositions bestPositions = knotPositionsInCamera(problem, fits[best]);
     const std::vector<double> shares = fitWeights(fits, best);
     for (std::size_t run = 0; run < fits.size(); ++run) {
-        const KnotPositions places = knotPositionsInCamera(problem, fits[run]);
+        const KnotPositions positions = knotPositionsInCamera(problem, fits[run]);
         Vector6d apart = Vector6d::Zero();
-        for (std::size_t k = 0; k < places.size(); ++k) {
-            apart += nearest.middleCols<3>(3 * static_cast<Eigen::Index>(k)) * (places[k] - bestPositions[k]);
+        for (std::size_t k = 0; k < positions.size(); ++k) {
+            apart += nearest.middleCols<3>(3 * static_cast<Eigen::Index>(k)) * (positions[k] - bestPositions[k]);
         }
         offset.covariance += shares[run] * apart * apart.transpose();
     }

@@ -35,7 +35,7 @@ double shareOf(const std::vector<Value>& values, const Predicate& holds)
 
 double agreementOf(const PoseInImage& seen, const RigidTransform& pose)
 {
-    return AgreementScore(seen.problem, seen.target).of(aboutCentroid(pose, seen.problem.tree.centroid));
+    return AgreementScore(seen.problem, seen.target).scoreAt(aboutCentroid(pose, seen.problem.tree.centroid));
 }
 
 constexpr int maxOfPath = 4;   // maximum number of matched branches of a single path
@@ -70,9 +70,9 @@ FitIndicators computeIndicators(const PoseInImage& seen, const RegistrationOptio
     const FollowedVessels followed = followedVessels(seen.problem, seen.target, pose, seen.projected);
     FitIndicators indicators;
     indicators.agreement = solution.agreement ? *solution.agreement : agreementOf(seen, pose);
-    indicators.treeShare =
+    indicators.treeFraction =
         shareOf(seen.projected.distancePx, [](double distance) { return distance <= matchTolerancePx; });
-    indicators.inViewShare = shareOf(seen.projected.isInView, [](std::uint8_t isInView) { return isInView != 0; });
+    indicators.inViewFraction = shareOf(seen.projected.isInView, [](std::uint8_t isInView) { return isInView != 0; });
     indicators.followedShare = followed.share();
     indicators.followedMm = followed.followedMm;
     indicators.followedBranches = followed.branchesFollowed;
@@ -103,7 +103,7 @@ RegistrationResult assessPose(const RegistrationProblem& whole, const Registrati
                               const MethodSolution& solution)
 {
     const std::optional<RegistrationProblem> filled =
-        anyIsOpacified(solution) ? std::optional(restrictedProblem(whole, solution.isOpacified)) : std::nullopt;
+        anyIsOpacified(solution) ? std::optional(restrictProblem(whole, solution.isOpacified)) : std::nullopt;
     const RegistrationProblem& problem = filled ? *filled : whole;
     const RigidTransform& pose = solution.cameraFromPatient;
     const auto lines = solution.targetLines ? solution.targetLines
@@ -131,8 +131,8 @@ RegistrationResult assessPose(const RegistrationProblem& whole, const Registrati
     result.trustworthy = confidence.isTrustworthy;
     if (filled) {
         result.unopacified = unopacifiedBranches(whole.tree, solution.isOpacified, projectedWhole.isInView);
-        const Messages reported =
-            unopacifiedMessages(result.unopacified, opacifiedShare(solution.isOpacified), whole.tree.branchIds.size());
+        const Messages reported = unopacifiedMessages(result.unopacified, opacifiedLengthFraction(solution.isOpacified),
+                                                      whole.tree.branchIds.size());
         confidence.warnings.insert(confidence.warnings.end(), reported.begin(), reported.end());
     }
     result.warnings = whole.notes;

@@ -50,13 +50,13 @@ bool followsVessels(const FitIndicators& indicators)
 
 void checkFit(const FitIndicators& indicators, double coverage, Messages& reasons)
 {
-    const bool isDoubtful = indicators.inViewShare < minInView || indicators.agreement < minAgreement;
+    const bool isDoubtful = indicators.inViewFraction < minInView || indicators.agreement < minAgreement;
     if (isDoubtful && !followsVessels(indicators)) {
-        if (indicators.inViewShare < minInView) {
-            reasons.push_back(messages::treeOutsideImage(percent(indicators.inViewShare)));
+        if (indicators.inViewFraction < minInView) {
+            reasons.push_back(messages::treeOutsideImage(percent(indicators.inViewFraction)));
         }
         if (indicators.agreement < minAgreement) {
-            reasons.push_back(littleAgreement(indicators.treeShare, coverage));
+            reasons.push_back(littleAgreement(indicators.treeFraction, coverage));
         }
     }
     const bool hasTooFewBifurcations =

@@ -43,7 +43,7 @@ MismatchedBranches mismatchedBranches(const RegistrationResult& result, double m
         if (medianMm > disagreeingMm && !isReportedUnopacified(result, id) && !isExplainedByDeformation(result, id) &&
             !isOffWirePath(result, id)) {
             found.branchIds.push_back(id);
-            found.worstMm = std::max(found.worstMm, medianMm);
+            found.maxDistanceMm = std::max(found.maxDistanceMm, medianMm);
         }
     }
     return found;

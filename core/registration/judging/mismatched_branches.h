@@ -9,7 +9,7 @@ namespace angiopose::core {
 /// Branches whose projection does not match the traced vessels at a pose.
 struct MismatchedBranches {
     std::vector<int> branchIds;   ///< in the tree's order
-    double worstMm = 0.0;   ///< largest median distance of these branches, at the depth of the vessels
+    double maxDistanceMm = 0.0;   ///< largest median distance of these branches, at the depth of the vessels
 };
 
 /// Returns the branches with a median distance above 1 mm, except those reported as unopacified, explained by

@@ -32,13 +32,13 @@ std::vector<UnopacifiedBranch> unopacifiedBranches(const TreeSamples& tree,
     return unopacified;
 }
 
-double opacifiedShare(const std::vector<std::uint8_t>& isOpacified)
+double opacifiedLengthFraction(const std::vector<std::uint8_t>& isOpacified)
 {
     const auto filled = std::ranges::count(isOpacified, std::uint8_t{1});
     return static_cast<double>(filled) / static_cast<double>(std::max<std::size_t>(1, isOpacified.size()));
 }
 
-double assessedShare(const RegistrationResult& result)
+double assessedFraction(const RegistrationResult& result)
 {
     for (const Message& said : result.warnings) {
         const bool shows = said.is(messages::treePartlyOpacified) || said.is(messages::fewBranchesOpacified) ||

@@ -132,9 +132,9 @@ void AngioPose::searchFurther()
         search(&PoseSearch::searchWide, start_, 0.1);
     }
     if (options_.angiopose.search && ranking_.isMismatch()) {
-        search(&PoseSearch::searchWide, search_.recentered(start_), 0.2);
+        search(&PoseSearch::searchWide, search_.recenterPose(start_), 0.2);
     }
-    for (const CentroidPose& middle : {start_, search_.recentered(start_)}) {
+    for (const CentroidPose& middle : {start_, search_.recenterPose(start_)}) {
         if (options_.angiopose.search && ranking_.isMismatch()) {
             search(&PoseSearch::searchByJunctions, middle, 0.25);
         }
@@ -208,7 +208,7 @@ ScoredPose AngioPose::refineFinely(const ScoredPose& candidate, FinalRefinement&
     if (candidate.isOpacified.empty()) {
         result = ofWholeTree.refine(candidate.pose, observe);
     } else {
-        const RegistrationProblem filled = restrictedProblem(problem_, candidate.isOpacified);
+        const RegistrationProblem filled = restrictProblem(problem_, candidate.isOpacified);
         result = FinalRefinement(filled, *target_, prior_, options_).refine(candidate.pose, observe);
     }
     return ranking_.scoredPose(result.pose, result.stopReason);
@@ -252,7 +252,7 @@ Messages AngioPose::fitAuxiliary()
     }
     ScoredPose& best = refined_.front();
     const std::optional<RegistrationProblem> filled =
-        best.isOpacified.empty() ? std::nullopt : std::optional(restrictedProblem(problem_, best.isOpacified));
+        best.isOpacified.empty() ? std::nullopt : std::optional(restrictProblem(problem_, best.isOpacified));
     const RegistrationProblem& problem = filled ? *filled : problem_;
     if (!problem.hasUserAuxiliary) {   // the auxiliary branches appear unopacified
         return {};
@@ -284,10 +284,9 @@ std::vector<Hypothesis> AngioPose::alternatives() const
         return result;
     }
     const ScoredPose& best = refined_.front();
-    const Matrix6d information =
-        best.isOpacified.empty()
-            ? poseInformation(problem_, *target_, best.pose, prior_)
-            : poseInformation(restrictedProblem(problem_, best.isOpacified), *target_, best.pose, prior_);
+    const Matrix6d information = best.isOpacified.empty() ? poseInformation(problem_, *target_, best.pose, prior_)
+                                                          : poseInformation(restrictProblem(problem_, best.isOpacified),
+                                                                            *target_, best.pose, prior_);
     for (std::size_t k = 1; k < refined_.size(); ++k) {
         const Vector6d step = stepBetween(best.pose, refined_[k].pose);
         if (refined_[k].score >= nearlyAsGood * best.score &&
@@ -306,13 +305,13 @@ MethodSolution solveAngioPose(const RegistrationProblem& problem, const Registra
     MethodSolution solution;
     Stopwatch stopwatch;
     AngioPose run(problem, options, progress);
-    solution.time.targetMs = stopwatch.lapMs();
+    solution.time.targetMs = stopwatch.takeLapMs();
 
     run.tryStart();
     if (!progress.isStopped()) {
         run.searchFurther();
     }
-    solution.time.searchMs = stopwatch.lapMs();
+    solution.time.searchMs = stopwatch.takeLapMs();
     if (!progress.isStopped()) {
         run.refineFinalists();
     }
@@ -327,7 +326,7 @@ MethodSolution solveAngioPose(const RegistrationProblem& problem, const Registra
     solution.opacifiedBifurcations = run.opacifiedBifurcations();
     solution.isFullyRefined = !progress.isStopped() && !run.isMovedByAuxiliary();
     solution.needsChecks = !progress.isStopped();
-    solution.time.solveMs = stopwatch.lapMs();
+    solution.time.solveMs = stopwatch.takeLapMs();
     return solution;
 }
 

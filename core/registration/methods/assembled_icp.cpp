@@ -55,7 +55,7 @@ KernelPnpResult RepeatedPnp::solve(const KernelProblem& problem, SearchStage sta
     result.pose = start;
     result.stopReason = StopReason::IterationLimit;
     std::vector<Eigen::Vector2d> before;
-    measure(problem, result.pose, distances_);
+    measureDistances(problem, result.pose, distances_);
     while (result.iterations < maxIterations(stage)) {
         before.swap(partnersPx_);
         collectPairs(problem);
@@ -69,7 +69,7 @@ KernelPnpResult RepeatedPnp::solve(const KernelProblem& problem, SearchStage sta
             break;
         }
         result.pose = *pose;
-        measure(problem, result.pose, distances_);
+        measureDistances(problem, result.pose, distances_);
         ++result.iterations;
         if (observe && observe({result.iterations, 0.0, result.pose, &distances_}) == ObserverDecision::Stop) {
             result.stopReason = StopReason::StoppedByUser;
@@ -86,7 +86,7 @@ MethodSolution solveAssembledIcp(const RegistrationProblem& problem, const Regis
 {
     Stopwatch stopwatch;
     const SeedProblem seed = makeSeedProblem(problem, options);
-    const double targetMs = stopwatch.lapMs();
+    const double targetMs = stopwatch.takeLapMs();
     RepeatedPnp solver(options.icp.iterations);
     MethodSolution solution =
         searchAlternating(problem, options, seed, solver, {false, options.icp.alternate}, progress);

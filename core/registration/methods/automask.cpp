@@ -52,7 +52,7 @@ std::vector<std::size_t> around(const ImageF& covered, double marginPx)
 class MaskedSimilarity {
 public:
     MaskedSimilarity(const RegistrationProblem& problem, const RegistrationOptions& options)
-        : options_(options), drr_(problem), picture_(halved(vesselImage(problem)))
+        : options_(options), drr_(problem), picture_(halveSize(vesselImage(problem)))
     {
     }
 
@@ -127,7 +127,7 @@ bool descend(const RegistrationProblem& problem, MaskedSimilarity& similarity, c
     int left = descent.budget;
     while (left > 0 && !search.isStopped()) {
         similarity.beginStage(descent.blurPx, {problem.start, search.rigidPose(search.best())});
-        search.changeCost("radiographs", 0.0, std::numeric_limits<double>::infinity());
+        search.startStage("radiographs", 0.0, std::numeric_limits<double>::infinity());
         const PoseParameters parameters(search.best(), clinicalUnits(4.0, 4.0, 8.0, 20.0), problem.freedom);
         double costAtFirst = std::numeric_limits<double>::infinity();
         const auto cost = [&](const Eigen::VectorXd& x, Eigen::VectorXd&) {
@@ -156,7 +156,7 @@ MethodSolution solveAutoMask(const RegistrationProblem& problem, const Registrat
 {
     Stopwatch stopwatch;
     MaskedSimilarity similarity(problem, options);
-    const double targetMs = stopwatch.lapMs();
+    const double targetMs = stopwatch.takeLapMs();
 
     PoseTrials search(problem, options.automask.evaluations, progress);
     bool isConverged = false;
@@ -168,7 +168,7 @@ MethodSolution solveAutoMask(const RegistrationProblem& problem, const Registrat
     }
     MethodSolution solution = search.solution(isConverged ? StopReason::Converged : StopReason::IterationLimit);
     solution.time.targetMs = targetMs;
-    solution.time.solveMs = stopwatch.lapMs();
+    solution.time.solveMs = stopwatch.takeLapMs();
     return solution;
 }
 

@@ -23,25 +23,25 @@ Matrix6d informationOfAll(const RegistrationProblem& problem, const TargetLines&
 }   // namespace
 
 AuxiliaryFit fitAuxiliaryBranches(const RegistrationProblem& problem, const TargetLines& target,
-                                  const InitialPosePrior& prior, const CentroidPose& fitOfAll, double weight)
+                                  const InitialPosePrior& prior, const CentroidPose& fullFit, double weight)
 {
     Alignment chosen(alignmentPoints(problem.tree, problem.auxiliary), problem.camera, target);
-    const Matrix6d information = informationOfAll(problem, target, prior, fitOfAll) / weight;
+    const Matrix6d information = informationOfAll(problem, target, prior, fullFit) / weight;
     std::vector<double> distances;
     AuxiliaryFit fit;
-    fit.medianBeforePx = chosen.medianDistancePx(fitOfAll, distances);
-    fit.pose = fitOfAll;
+    fit.medianBeforePx = chosen.medianDistancePx(fullFit, distances);
+    fit.pose = fullFit;
     for (const double scalePx : scalesPx) {
         // A refinement weights its prior with the variance that corresponds to the scale; dividing by this variance
         // cancels the weight and leaves both terms in px.
-        const InitialPosePrior known{fitOfAll, information / noiseVariance(scalePx), prior.freedom};
+        const InitialPosePrior known{fullFit, information / noiseVariance(scalePx), prior.freedom};
         chosen.resetVisibility();
         fit.pose =
             refine(chosen, known, fit.pose, {scalePx, scalePx, 0.7, 0, maxAuxiliarySteps, maxAuxiliarySteps}).pose;
     }
     fit.medianPx = chosen.medianDistancePx(fit.pose, distances);
     if (fit.medianPx >= fit.medianBeforePx) {
-        fit.pose = fitOfAll;
+        fit.pose = fullFit;
         fit.medianPx = fit.medianBeforePx;
     }
     return fit;

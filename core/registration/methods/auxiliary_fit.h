@@ -18,6 +18,6 @@ struct AuxiliaryFit {
 /// Keeps the fit of all branches if the auxiliary branches would not fit better. Requires that the user has chosen
 /// auxiliary branches.
 AuxiliaryFit fitAuxiliaryBranches(const RegistrationProblem& problem, const TargetLines& target,
-                                  const InitialPosePrior& prior, const CentroidPose& fitOfAll, double weight);
+                                  const InitialPosePrior& prior, const CentroidPose& fullFit, double weight);
 
 }   // namespace angiopose::core

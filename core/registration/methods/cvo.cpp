@@ -79,7 +79,7 @@ MethodSolution solveCvo(const RegistrationProblem& problem, const RegistrationOp
     for (int k = 0; k < options.cvo.iterations && !search.isStopped(); ++k) {
         if (!flow) {
             flow.emplace(problem, flowOptions);
-            search.changeCost("flow", flowOptions.scalePx, std::numeric_limits<double>::infinity());
+            search.startStage("flow", flowOptions.scalePx, std::numeric_limits<double>::infinity());
         }
         const KernelFlow::ValueAndGradient slope = flow->at(pose);
         search.recordTrial(pose, -slope.value);
@@ -96,7 +96,7 @@ MethodSolution solveCvo(const RegistrationProblem& problem, const RegistrationOp
         }
     }
     MethodSolution solution = search.solution(reason);
-    solution.time.solveMs = stopwatch.lapMs();
+    solution.time.solveMs = stopwatch.takeLapMs();
     return solution;
 }
 

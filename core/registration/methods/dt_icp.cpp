@@ -12,7 +12,7 @@ MethodSolution solveDtIcp(const RegistrationProblem& problem, const Registration
 {
     Stopwatch stopwatch;
     const SeedProblem seed = makeSeedProblem(problem, options);
-    const double targetMs = stopwatch.lapMs();
+    const double targetMs = stopwatch.takeLapMs();
     DistanceDescent solver(
         {options.icp.solver, options.icp.huberPx, options.icp.iterations, options.icp.model == IcpModel::Affine});
     const bool alternates = options.icp.alternate;

@@ -38,7 +38,7 @@ MethodSolution solveDynaWeight(const RegistrationProblem& problem, const Registr
 {
     Stopwatch stopwatch;
     const SeedProblem seed = makeSeedProblem(problem, options);
-    const double targetMs = stopwatch.lapMs();
+    const double targetMs = stopwatch.takeLapMs();
     KernelSolver solver(seed);
     const Alternation alternation{options.seed.rotationFirst, options.seed.alternation};
     MethodSolution solution = searchAlternating(problem, options, seed, solver, alternation, progress);

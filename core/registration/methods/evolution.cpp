@@ -15,14 +15,14 @@ MethodSolution solveEvolution(const RegistrationProblem& problem, const Registra
 {
     Stopwatch stopwatch;
     const VesselBrightness brightness(problem);
-    const double targetMs = stopwatch.lapMs();
+    const double targetMs = stopwatch.takeLapMs();
 
     PoseTrials search(problem, options.evolution.evaluations, progress);
-    search.changeCost("evolution", 0.0, std::numeric_limits<double>::infinity());
+    search.startStage("evolution", 0.0, std::numeric_limits<double>::infinity());
     const PoseParameters parameters(search.start(), clinicalUnits(3.0, 3.0, 10.0, 20.0), problem.freedom);
     const auto cost = [&](const Eigen::VectorXd& x) {
         const CentroidPose pose = parameters.pose(x);
-        return search.recordTrial(pose, -brightness.of(pose, 1.0));
+        return search.recordTrial(pose, -brightness.meanAt(pose, 1.0));
     };
     const EvolutionSettings evolution{options.evolution.population, options.evolution.evaluations, 1e-3,
                                       static_cast<std::uint64_t>(options.randomSeed)};
@@ -33,7 +33,7 @@ MethodSolution solveEvolution(const RegistrationProblem& problem, const Registra
 
     MethodSolution solution = search.solution(isConverged ? StopReason::Converged : StopReason::IterationLimit);
     solution.time.targetMs = targetMs;
-    solution.time.solveMs = stopwatch.lapMs();
+    solution.time.solveMs = stopwatch.takeLapMs();
     return solution;
 }
 

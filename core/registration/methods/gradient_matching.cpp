@@ -80,11 +80,11 @@ MethodSolution solveGradientMatching(const RegistrationProblem& problem, const R
 {
     Stopwatch stopwatch;
     const WallAgreement agreement(problem, options.gradient.scalePx);
-    const double targetMs = stopwatch.lapMs();
+    const double targetMs = stopwatch.takeLapMs();
 
     const int budget = evaluationsPerRound * options.gradient.powellRounds;
     PoseTrials search(problem, budget, progress);
-    search.changeCost("walls", options.gradient.scalePx, std::numeric_limits<double>::infinity());
+    search.startStage("walls", options.gradient.scalePx, std::numeric_limits<double>::infinity());
     const PoseParameters parameters(search.start(), clinicalUnits(1.0, 2.0, 2.0, 10.0), problem.freedom);
     MinimizeOptions powell;
     powell.minimizer = Minimizer::Powell;
@@ -100,7 +100,7 @@ MethodSolution solveGradientMatching(const RegistrationProblem& problem, const R
 
     MethodSolution solution = search.solution(minimum.isConverged ? StopReason::Converged : StopReason::IterationLimit);
     solution.time.targetMs = targetMs;
-    solution.time.solveMs = stopwatch.lapMs();
+    solution.time.solveMs = stopwatch.takeLapMs();
     return solution;
 }
 

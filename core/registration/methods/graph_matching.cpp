@@ -147,7 +147,7 @@ CentroidPose GraphSearch::shiftedOnto(int node, int tracedNode) const
     const Eigen::Vector3d place = pose.rotation * nodePlace(node) + pose.centroidInCamera;
     const Eigen::Vector3d ray = rayThroughPixel(problem_.camera, tracedPlace(tracedNode));
     pose.centroidInCamera += place.z() / ray.z() * ray - place;
-    return problem_.freedom.restoreLocked(pose);
+    return problem_.freedom.restoreLockedAxes(pose);
 }
 
 /// Returns the pairs of nodes of the same kind (bifurcation or end) that are close at the initial pose, limited to
@@ -175,7 +175,7 @@ std::vector<GraphSearch::Root> GraphSearch::roots()
     std::vector<Root> found;
     for (const Near& pair : near) {
         const CentroidPose pose = shiftedOnto(pair.node, pair.tracedNode);
-        found.push_back({score_.of(pose), pair.node, pair.tracedNode, pose});
+        found.push_back({score_.scoreAt(pose), pair.node, pair.tracedNode, pose});
     }
     std::ranges::stable_sort(found, std::ranges::greater{}, &Root::score);
     found.resize(std::min(found.size(), maxRoots));
@@ -238,7 +238,7 @@ std::optional<Matched> GraphSearch::extended(const Matched& rest, const OpenBran
         this->open(next, branches_.targetNode(open.branch), path.endNode);
     }
     next.pose = fitPairs(next.pairs, problem_.camera, prior_, graphPairStdMm, graphFitSteps, rest.pose);
-    next.score = score_.of(next.pose);
+    next.score = score_.scoreAt(next.pose);
     return next;
 }
 
@@ -268,7 +268,7 @@ std::vector<Matched> GraphSearch::successors(const Matched& state)
 
 void GraphSearch::run()
 {
-    search_.changeCost("graph", GraphScore::scalePx, -score_.of(search_.start()));
+    search_.startStage("graph", GraphScore::scalePx, -score_.scoreAt(search_.start()));
     search_.advanceProgress();
     std::vector<Matched> states;
     std::set<std::pair<double, std::size_t>> queue;   // best first; ties in order of creation
@@ -298,7 +298,7 @@ void GraphSearch::run()
 
 void GraphSearch::refine()
 {
-    tried_.emplace_back(score_.of(search_.start()), search_.start());
+    tried_.emplace_back(score_.scoreAt(search_.start()), search_.start());
     std::ranges::stable_sort(tried_, std::ranges::greater{}, [](const auto& tried) { return tried.first; });
     std::vector<CentroidPose> finalists;
     for (const auto& [score, pose] : tried_) {
@@ -319,14 +319,14 @@ MethodSolution solveGraphMatching(const RegistrationProblem& problem, const Regi
 {
     Stopwatch stopwatch;
     GraphSearch search(problem, options, progress);
-    const double targetMs = stopwatch.lapMs();
+    const double targetMs = stopwatch.takeLapMs();
     search.run();
-    const double searchMs = stopwatch.lapMs();
+    const double searchMs = stopwatch.takeLapMs();
     search.refine();
     MethodSolution solution = search.solution();
     solution.time.targetMs = targetMs;
     solution.time.searchMs = searchMs;
-    solution.time.solveMs = stopwatch.lapMs();
+    solution.time.solveMs = stopwatch.takeLapMs();
     return solution;
 }
 

@@ -11,7 +11,7 @@ MethodSolution solveIterativePnp(const RegistrationProblem& problem, const Regis
     MethodSolution solution;
     Stopwatch stopwatch;
     const SeedProblem seed = makeSeedProblem(problem, options);
-    solution.time.targetMs = stopwatch.lapMs();
+    solution.time.targetMs = stopwatch.takeLapMs();
 
     KernelPnp solver(seed.full(problem.camera), seed.prior, seed.schedule);
     std::vector<double> scratch;
@@ -28,7 +28,7 @@ MethodSolution solveIterativePnp(const RegistrationProblem& problem, const Regis
     solution.cameraFromPatient = result.pose * problem.start;
     solution.stopReason = result.stopReason;
     solution.iterations = result.iterations;
-    solution.time.solveMs = stopwatch.lapMs();
+    solution.time.solveMs = stopwatch.takeLapMs();
     return solution;
 }
 

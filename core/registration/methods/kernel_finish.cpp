@@ -15,8 +15,8 @@ void refineByKernel(const RegistrationProblem& problem, std::span<const Centroid
     KernelProblem full{points, problem.camera, &target, {}};
     full.freedom = {problem.freedom, RigidTransform(), Eigen::Vector3d::Zero()};
     KernelDistances distances;
-    measure(full, {search.best().rotation, search.best().centroidInCamera}, distances);
-    search.changeCost("refine", finalScalePx, kernelLoss(distances, finalScalePx));
+    measureDistances(full, {search.best().rotation, search.best().centroidInCamera}, distances);
+    search.startStage("refine", finalScalePx, kernelLoss(distances, finalScalePx));
     KernelSchedule schedule;
     schedule.maxIterations = kernelFinishIterations;
     schedule.finalScalePx = finalScalePx;

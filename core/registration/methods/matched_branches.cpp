@@ -65,7 +65,7 @@ void fitToPairs(const RegistrationProblem& problem, const std::vector<BranchPair
 
 Message displacementMessage(const PairDeformation& deformation)
 {
-    return messages::matchedBranchesMoved(inMm(deformation.rmsMm, 2), inMm(deformation.largestMm, 2),
+    return messages::matchedBranchesMoved(inMm(deformation.rmsMm, 2), inMm(deformation.maxMotionMm, 2),
                                           Quantity{deformation.medianPx, 2, "px"},
                                           Quantity{deformation.medianBeforePx, 2, "px"})
         .as(Severity::Note);
@@ -73,7 +73,7 @@ Message displacementMessage(const PairDeformation& deformation)
 
 /// Deforms the tree to fit the matched curves, starting from the rigid pose, and returns messages that describe the
 /// motion; none if stopped or if nothing moves.
-Messages deformOntoCurves(const RegistrationProblem& problem, const BranchMatching& matching, double reachPx,
+Messages deformOntoCurves(const RegistrationProblem& problem, const BranchMatcher& matching, double reachPx,
                           PoseTrials& search)
 {
     const auto isStopped = [&] {
@@ -82,7 +82,8 @@ Messages deformOntoCurves(const RegistrationProblem& problem, const BranchMatchi
     };
     const PairDeformation deformation =
         deformOntoPairs(problem, matching.tree(), search.best(), matching.pairs(search.best(), reachPx), isStopped);
-    return deformation.largestMm > 0.0 && !search.isStopped() ? Messages{displacementMessage(deformation)} : Messages();
+    return deformation.maxMotionMm > 0.0 && !search.isStopped() ? Messages{displacementMessage(deformation)}
+                                                                : Messages();
 }
 
 }   // namespace
@@ -91,8 +92,8 @@ MethodSolution solveMatchedBranches(const RegistrationProblem& problem, const Re
                                     ProgressLog& progress)
 {
     Stopwatch stopwatch;
-    const BranchMatching matching(problem);
-    const double targetMs = stopwatch.lapMs();
+    const BranchMatcher matching(problem);
+    const double targetMs = stopwatch.takeLapMs();
     PoseTrials search(problem, typicalEvaluations * options.branches.rounds + deformationEvaluations, progress);
     StopReason reason = StopReason::IterationLimit;
     double reachPx = std::max(options.branches.reachPx, shortestBranchReachPx);
@@ -104,7 +105,7 @@ MethodSolution solveMatchedBranches(const RegistrationProblem& problem, const Re
             reason = StopReason::NoImprovement;
             break;
         }
-        search.changeCost("branches", reachPx, std::numeric_limits<double>::infinity());
+        search.startStage("branches", reachPx, std::numeric_limits<double>::infinity());
         fitToPairs(problem, pairs, search);
         const double motionMm = stepLengthMm(stepBetween(before, search.best()), problem.tree.spreadMm);
         if (reachPx <= shortestBranchReachPx && motionMm < settledBranchesMm) {
@@ -120,7 +121,7 @@ MethodSolution solveMatchedBranches(const RegistrationProblem& problem, const Re
     MethodSolution solution = search.solution(reason);
     solution.warnings = std::move(notes);
     solution.time.targetMs = targetMs;
-    solution.time.solveMs = stopwatch.lapMs();
+    solution.time.solveMs = stopwatch.takeLapMs();
     return solution;
 }
 

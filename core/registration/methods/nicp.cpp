@@ -29,7 +29,7 @@ MethodSolution climb(const RegistrationProblem& problem, const RegistrationOptio
 {
     Stopwatch stopwatch;
     const SeedProblem seed = makeSeedProblem(problem, options);
-    const double targetMs = stopwatch.lapMs();
+    const double targetMs = stopwatch.takeLapMs();
     KernelAscent solver(ascentOptions(options, seed), (problem.start * problem.tree.centroid).z());
     MethodSolution solution = searchAlternating(problem, options, seed, solver, alternation, progress);
     solution.time.targetMs = targetMs;
@@ -64,7 +64,7 @@ bool settle(const RegistrationProblem& problem, const VesselBrightness& brightne
         do {
             motionPx *= 0.5;
             const CentroidPose next = problem.freedom.retract(pose, motionPx / unitPx * direction);
-            search.recordTrial(next, -brightness.of(next, widthScale));
+            search.recordTrial(next, -brightness.meanAt(next, widthScale));
         } while (!(search.bestCost() < before) && motionPx > settledBrightnessPx && !search.isStopped());
         if (!(search.bestCost() < before)) {
             return true;
@@ -79,16 +79,16 @@ MethodSolution climbBrightness(const RegistrationProblem& problem, const Registr
 {
     Stopwatch stopwatch;
     const VesselBrightness brightness(problem);
-    const double targetMs = stopwatch.lapMs();
+    const double targetMs = stopwatch.takeLapMs();
     PoseTrials search(problem, 2 * options.nicp.iterations, progress);
     bool isSettled = true;
     for (const double widthScale : widthScales) {
-        search.changeCost("brightness", 0.0, -brightness.of(search.best(), widthScale));
+        search.startStage("brightness", 0.0, -brightness.meanAt(search.best(), widthScale));
         isSettled = settle(problem, brightness, widthScale, options.nicp.iterations, search);
     }
     MethodSolution solution = search.solution(isSettled ? StopReason::Converged : StopReason::IterationLimit);
     solution.time.targetMs = targetMs;
-    solution.time.solveMs = stopwatch.lapMs();
+    solution.time.solveMs = stopwatch.takeLapMs();
     return solution;
 }
 

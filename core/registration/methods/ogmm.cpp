@@ -34,8 +34,8 @@ MethodSolution solveOgmm(const RegistrationProblem& problem, const RegistrationO
     lbfgs.maxEvaluations = evaluationsPerLevel;
     bool isConverged = true;
     for (int level = 0; level < levels && !search.isStopped(); ++level) {
-        OrientedMixture mixture(problem, mixtureOptions);
-        search.changeCost("mixtures", mixtureOptions.scalePx, std::numeric_limits<double>::infinity());
+        OrientedMixtureMetric mixture(problem, mixtureOptions);
+        search.startStage("mixtures", mixtureOptions.scalePx, std::numeric_limits<double>::infinity());
         const PoseParameters parameters(search.best(), metricUnits(problem.tree.spreadMm), problem.freedom);
         const auto cost = [&](const Eigen::VectorXd& x, Eigen::VectorXd& gradient) {
             const CentroidPose pose = parameters.pose(x);
@@ -48,7 +48,7 @@ MethodSolution solveOgmm(const RegistrationProblem& problem, const RegistrationO
         mixtureOptions.scalePx *= ratio;
     }
     MethodSolution solution = search.solution(isConverged ? StopReason::Converged : StopReason::IterationLimit);
-    solution.time.solveMs = stopwatch.lapMs();
+    solution.time.solveMs = stopwatch.takeLapMs();
     return solution;
 }
 

@@ -197,12 +197,12 @@ MethodSolution solveParticle(const RegistrationProblem& problem, const Registrat
 {
     Stopwatch stopwatch;
     ParticleSearch search(problem, options, progress);
-    const double targetMs = stopwatch.lapMs();
+    const double targetMs = stopwatch.takeLapMs();
     search.refine(options.particle.search == ParticleSearchKind::OutOfPlane ? search.sweepOutOfPlane()
                                                                             : search.filterParticles());
     MethodSolution solution = search.solution();
     solution.time.targetMs = targetMs;
-    solution.time.solveMs = stopwatch.lapMs();
+    solution.time.solveMs = stopwatch.takeLapMs();
     return solution;
 }
 

@@ -52,7 +52,7 @@ void PoseTrials::advanceProgress()
     }
 }
 
-void PoseTrials::changeCost(std::string_view stage, double scalePx, double costOfBest)
+void PoseTrials::startStage(std::string_view stage, double scalePx, double costOfBest)
 {
     stage_ = stage;
     scalePx_ = scalePx;

@@ -23,7 +23,7 @@ public:
     void advanceProgress();
 
     /// Switches to a new cost: the best pose is kept until a pose with a lower new cost is found.
-    void changeCost(std::string_view stage, double scalePx, double costOfBest);
+    void startStage(std::string_view stage, double scalePx, double costOfBest);
 
     bool isStopped() const { return progress_.isStopped(); }
     const CentroidPose& best() const { return best_; }

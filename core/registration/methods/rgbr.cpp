@@ -65,7 +65,7 @@ MethodSolution Rgbr::run()
 {
     StopReason reason = StopReason::IterationLimit;
     CentroidPose pose = search_.start();
-    search_.changeCost("walls", 0.0, -gradients_.score(sites_, pose));
+    search_.startStage("walls", 0.0, -gradients_.score(sites_, pose));
     double reachMm = options_.rgbr.reachMm;
     for (int round = 0; round < options_.rgbr.rounds && !search_.isStopped(); ++round) {
         const std::vector<Correspondence> pairs = findEdges(pose, reachMm);
@@ -173,10 +173,10 @@ MethodSolution solveRgbr(const RegistrationProblem& problem, const RegistrationO
 {
     Stopwatch stopwatch;
     Rgbr rgbr(problem, options, progress);
-    const double targetMs = stopwatch.lapMs();
+    const double targetMs = stopwatch.takeLapMs();
     MethodSolution solution = rgbr.run();
     solution.time.targetMs = targetMs;
-    solution.time.solveMs = stopwatch.lapMs();
+    solution.time.solveMs = stopwatch.takeLapMs();
     return solution;
 }
 

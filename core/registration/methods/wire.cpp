@@ -27,7 +27,7 @@ MethodSolution solveWire(const RegistrationProblem& problem, const RegistrationO
                                                    : StopReason::Converged;
     solution.iterations = progress.iterations();
     solution.isFullyRefined = true;
-    solution.time.solveMs = stopwatch.lapMs();
+    solution.time.solveMs = stopwatch.takeLapMs();
     return solution;
 }
 

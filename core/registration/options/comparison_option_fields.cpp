@@ -24,23 +24,25 @@ std::vector<OptionField> seedFields()
                              {"seed_sum", "seed_mean", "seed_metric", "seed_noprior"})),
         onlyFor(kernels, number<&Options::seed, &SeedOptions::priorWeight>(
                              {"priorWeight", "Prior weight", "Weight of the initial-pose prior."}, {"", 0.0, 1e6, 2})),
-        onlyFor(turning, toggle<&Options::seed, &SeedOptions::rotationFirst>(
-                             {"rotationFirst", "Rotation first", "Rotates about the source before all other steps."})),
+        onlyFor(turning,
+                toggle<&Options::seed, &SeedOptions::rotationFirst>(
+                    {"rotationFirst", "Rotation first", "Rotates about the X-ray source before all other steps."})),
         onlyFor({"dynaweight"},
                 toggle<&Options::seed, &SeedOptions::alternation>(
                     {"alternation", "Alternation", "Alternates between the auxiliary and the full problem."})),
-        onlyFor(pointBased,
-                choice<&Options::seed, &SeedOptions::index>({"index", "Nearest points",
-                                                             "Nearest-neighbor search: k-d tree and grid are exact; "
-                                                             "the distance map is accurate to within three pixels."},
-                                                            {"kd-tree", "grid", "map"})),
-        onlyFor(seeds, choice<&Options::seed, &SeedOptions::startScale>(
-                           {"startScale", "Initial scale",
-                            "Initial kernel width: the largest distance, or its square, as printed in the paper."},
-                           {"largest", "largest_squared"})),
+        onlyFor(pointBased, choice<&Options::seed, &SeedOptions::index>(
+                                {"index", "Nearest-point search",
+                                 "Nearest-neighbor search: the k-d tree and the grid are exact; the distance map is "
+                                 "accurate to within three pixels."},
+                                {"kd-tree", "grid", "map"})),
+        onlyFor(seeds,
+                choice<&Options::seed, &SeedOptions::startScale>(
+                    {"startScale", "Initial scale",
+                     "Initial kernel width: the largest distance, or its square as printed in the original paper."},
+                    {"largest", "largest_squared"})),
         onlyFor(seeds, choice<&Options::seed, &SeedOptions::decay>(
                            {"decay", "Kernel decay",
-                            "Narrows the kernel after five steps, or when no new point comes within its range."},
+                            "Narrows the kernel after every five steps, or when no new point comes within its range."},
                            {"halving", "stagnation"})),
     };
 }
@@ -63,7 +65,8 @@ std::vector<OptionField> alternatingFields()
                                  {"chosen", "nodes", "main_branches", "random"})),
         onlyFor(alternating,
                 count<&Options::seed, &SeedOptions::auxiliaryCount>(
-                    {"auxiliaryCount", "Random points", "Number of auxiliary points if they are random."}, 4, 2000)),
+                    {"auxiliaryCount", "Random points", "Number of auxiliary points if these are chosen at random."}, 4,
+                    2000)),
     };
 }
 
@@ -83,10 +86,10 @@ std::vector<OptionField> icpFields()
                                                             "correspondences, or L-BFGS on the squared distances."},
                                                            {"lm", "lbfgs"})),
         onlyFor({"dt-icp"},
-                choice<&Options::icp, &IcpOptions::model>(
-                    {"icpModel", "Transformation",
-                     "Rigid only, or followed by an affine stage whose rigid component is kept if it fits better."},
-                    {"rigid", "affine"})),
+                choice<&Options::icp, &IcpOptions::model>({"icpModel", "Transformation",
+                                                           "Rigid only, or rigid followed by an affine stage whose "
+                                                           "rigid component is adopted if it fits better."},
+                                                          {"rigid", "affine"})),
     };
 }
 
@@ -99,8 +102,8 @@ std::vector<OptionField> nicpFields()
                               {"traced_vessels", "image"})),
         onlyFor(nicps, choice<&Options::nicp, &NicpOptions::step>(
                            {"nicpStep", "Step",
-                            "Balances rotation and translation, or uses unscaled radians and millimeters, which yields "
-                            "hardly any translation."},
+                            "Scaling of the gradient step: balanced between rotation and translation, or unscaled in "
+                            "radians and millimeters, which yields hardly any translation."},
                            {"metric", "literal"})),
         onlyFor(nicps,
                 toggle<&Options::nicp, &NicpOptions::prior>(
@@ -127,15 +130,16 @@ std::vector<OptionField> imageFields()
                               {"mm", 1.0, 50.0, 1})),
         onlyFor({"rgbr"}, count<&Options::rgbr, &RgbrOptions::hypotheses>(
                               {"rgbrHypotheses", "Hypotheses",
-                               "Number of poses per round, each from three random correspondences."},
+                               "Number of poses per round, each computed from three random correspondences."},
                               10, 5000)),
         onlyFor({"rgbr"},
                 count<&Options::rgbr, &RgbrOptions::rounds>(
                     {"rgbrRounds", "Max. rounds", "Maximum number of rounds of matching and pose selection."}, 1, 200)),
-        onlyFor({"automask"}, number<&Options::automask, &AutoMaskOptions::sample>(
-                                  {"automaskSample", "Compared pixels",
-                                   "Fraction of the mask used for the rank correlation; at least 2000 pixels."},
-                                  {"%", 0.5, 100.0, 1})),
+        onlyFor({"automask"},
+                number<&Options::automask, &AutoMaskOptions::sample>(
+                    {"automaskSample", "Compared pixels",
+                     "Fraction of the mask used for the rank correlation; at least 2000 pixels are used."},
+                    {"%", 0.5, 100.0, 1})),
         onlyFor({"automask"},
                 number<&Options::automask, &AutoMaskOptions::marginPx>(
                     {"automaskMarginPx", "Mask margin", "Margin of the mask around the projected vessels."},
@@ -146,9 +150,10 @@ std::vector<OptionField> imageFields()
         onlyFor({"gradient-matching"}, number<&Options::gradient, &GradientOptions::scalePx>(
                                            {"gradientScalePx", "Edge scale", "Smoothing scale of the image gradients."},
                                            {"px", 0.5, 20.0, 1})),
-        onlyFor({"gradient-matching"},
-                count<&Options::gradient, &GradientOptions::powellRounds>(
-                    {"powellRounds", "Max. rounds", "Number of line-search rounds along all six directions."}, 1, 200)),
+        onlyFor({"gradient-matching"}, count<&Options::gradient, &GradientOptions::powellRounds>(
+                                           {"powellRounds", "Max. rounds",
+                                            "Maximum number of rounds of line searches along all six directions."},
+                                           1, 200)),
     };
 }
 
@@ -167,12 +172,11 @@ std::vector<OptionField> globalFields()
                               {"ogmmOrientation", "Direction kernel",
                                "Required similarity of directions; smaller values are stricter."},
                               {"", 0.05, 10.0, 2})),
-        onlyFor(
-            {"ogmm"},
-            number<&Options::ogmm, &OgmmOptions::selfWeight>(
-                {"ogmmSelfWeight", "Self term",
-                 "Prevents the projected tree from shrinking; lower it if many branches are missing from the image."},
-                {"", 0.0, 10.0, 2})),
+        onlyFor({"ogmm"}, number<&Options::ogmm, &OgmmOptions::selfWeight>(
+                              {"ogmmSelfWeight", "Self term",
+                               "Prevents the projected tree from shrinking; lower the weight if many branches are "
+                               "missing from the image."},
+                              {"", 0.0, 10.0, 2})),
         onlyFor({"evolution"}, choice<&Options::evolution, &EvolutionOptions::strategy>(
                                    {"evolutionStrategy", "Strategy",
                                     "Covariance matrix adaptation (CMA-ES), or a (1+1) evolution strategy."},
@@ -182,7 +186,7 @@ std::vector<OptionField> globalFields()
                     {"evolutionPopulation", "Population", "Number of poses tested per generation."}, 4, 500)),
         onlyFor({"evolution"},
                 count<&Options::evolution, &EvolutionOptions::evaluations>(
-                    {"evolutionEvaluations", "Max. evaluations", "Total number of poses tested."}, 10, 100000)),
+                    {"evolutionEvaluations", "Max. evaluations", "Maximum total number of poses tested."}, 10, 100000)),
         onlyFor({"particle"},
                 choice<&Options::particle, &ParticleOptions::search>(
                     {"particleSearch", "Search",
@@ -192,7 +196,9 @@ std::vector<OptionField> globalFields()
                                   {"particles", "Particles", "Number of poses retained per round."}, 10, 10000)),
         onlyFor({"particle"},
                 count<&Options::particle, &ParticleOptions::rounds>(
-                    {"particleRounds", "Rounds", "The spread decreases by one quarter in each round."}, 1, 50)),
+                    {"particleRounds", "Rounds",
+                     "Number of rounds; the spread of the particles decreases by one quarter in each round."},
+                    1, 50)),
     };
 }
 
@@ -207,7 +213,7 @@ std::vector<OptionField> flowFields()
                     {"cvoFinalScalePx", "Final kernel width", "Final range of the attraction."}, {"px", 0.1, 50.0, 1})),
         onlyFor({"cvo"}, number<&Options::cvo, &CvoOptions::decay>(
                              {"cvoDecay", "Kernel decay",
-                              "Factor by which the kernel width is reduced in each step after the first thirty."},
+                              "Factor by which the kernel width is multiplied in each step after the first thirty."},
                              {"", 0.5, 0.999, 3})),
         onlyFor({"cvo"}, count<&Options::cvo, &CvoOptions::iterations>(
                              {"cvoIterations", "Max. flow steps",
@@ -215,17 +221,18 @@ std::vector<OptionField> flowFields()
                              1, 5000)),
         onlyFor({"cvo"}, toggle<&Options::cvo, &CvoOptions::directions>(
                              {"cvoDirections", "Use directions",
-                              "Points attract each other more strongly where the vessels are more parallel."})),
+                              "Points attract each other more strongly where the vessels run in similar directions."})),
     };
 }
 
 std::vector<OptionField> graphFields()
 {
     return {
-        onlyFor({"matched-branches"}, number<&Options::branches, &BranchOptions::reachPx>(
-                                          {"branchReachPx", "Initial image range",
-                                           "Initial maximum distance between branches and their traced vessels."},
-                                          {"px", 5.0, 500.0, 1})),
+        onlyFor({"matched-branches"},
+                number<&Options::branches, &BranchOptions::reachPx>(
+                    {"branchReachPx", "Initial matching range",
+                     "Initial maximum distance between a branch and the traced vessel matched to it."},
+                    {"px", 5.0, 500.0, 1})),
         onlyFor({"matched-branches"},
                 count<&Options::branches, &BranchOptions::rounds>(
                     {"branchRounds", "Max. rounds", "Maximum number of rounds of branch matching and pose fitting."}, 1,
@@ -233,19 +240,19 @@ std::vector<OptionField> graphFields()
         onlyFor({"matched-branches"}, toggle<&Options::branches, &BranchOptions::motion>(
                                           {"branchMotion", "Allow vessel motion",
                                            "After the rigid fit, moves the branches to their matches while preserving "
-                                           "their lengths, and reports the displacement; the pose does not change."})),
+                                           "branch lengths, and reports the displacement; the pose does not change."})),
         onlyFor({"graph-matching"},
                 count<&Options::graph, &GraphOptions::hypotheses>(
                     {"graphHypotheses", "Hypotheses", "Maximum number of matched-branch sequences tested."}, 10, 2000)),
         onlyFor({"graph-matching"},
                 number<&Options::graph, &GraphOptions::reachPx>(
                     {"graphReachPx", "Max. node distance",
-                     "Maximum distance between a bifurcation or end of the tree and its match in the image."},
+                     "Maximum distance between a bifurcation or endpoint of the tree and its match in the image."},
                     {"px", 1.0, 2000.0, 0})),
         onlyFor({"graph-matching"}, number<&Options::graph, &GraphOptions::spreadWeight>(
                                         {"graphSpreadWeight", "Spread term",
                                          "Keeps the extent of the projected tree equal to that of the traced vessels; "
-                                         "lower it if many branches are missing from the image."},
+                                         "lower the weight if many branches are missing from the image."},
                                         {"", 0.0, 10.0, 2})),
     };
 }

@@ -67,7 +67,7 @@ Eigen::Vector2d VesselBrightness::gradientAt(const Eigen::Vector2d& pixel, const
     return finer + level.share * (coarser - finer);
 }
 
-double VesselBrightness::of(const CentroidPose& pose, double widthScale) const
+double VesselBrightness::meanAt(const CentroidPose& pose, double widthScale) const
 {
     double sum = 0.0;
     for (const Point& point : points_) {

@@ -16,7 +16,7 @@ public:
 
     /// Returns the weighted mean ridge intensity along the projected tree, with vessel widths scaled by `widthScale`;
     /// points outside the image count as 0.
-    double of(const CentroidPose& pose, double widthScale) const;
+    double meanAt(const CentroidPose& pose, double widthScale) const;
 
     /// Returns half the negative gradient of `of` for steps (rad, mm) about the pose, using only the brightness change
     /// across each vessel; the matrix is the bias matrix that compensates for the frequency of directions.

@@ -34,8 +34,8 @@ std::vector<WallSite> wallSites(const TreeSamples& tree, std::size_t maxSites)
     return sites;
 }
 
-BackprojectedGradients::BackprojectedGradients(const ImageF& picture, const ProjectionCamera& camera, double blurPx)
-    : picture_(gaussianBlur(picture, blurPx)), camera_(camera)
+BackprojectedGradients::BackprojectedGradients(const ImageF& image, const ProjectionCamera& camera, double blurPx)
+    : image_(gaussianBlur(image, blurPx)), camera_(camera)
 {
 }
 
@@ -45,7 +45,7 @@ double BackprojectedGradients::agreement(const Eigen::Vector3d& position, const 
     if (!pixel) {
         return 0.0;
     }
-    const Eigen::Vector2d gradient = gradientAt(picture_, *pixel);
+    const Eigen::Vector2d gradient = gradientAt(image_, *pixel);
     // Converts the gradient from image to camera axes; a mirrored image flips the first axis.
     const Eigen::Vector3d inDetector(std::copysign(gradient.x(), gradient.x() * camera_.fx),
                                      std::copysign(gradient.y(), gradient.y() * camera_.fy), 0.0);

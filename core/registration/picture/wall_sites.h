@@ -18,7 +18,7 @@ std::vector<WallSite> wallSites(const TreeSamples& tree, std::size_t maxSites);
 /// Measures how well vessel walls agree with image gradients that are backprojected along the rays (Markelj 2008).
 class BackprojectedGradients {
 public:
-    BackprojectedGradients(const ImageF& picture, const ProjectionCamera& camera, double blurPx);
+    BackprojectedGradients(const ImageF& image, const ProjectionCamera& camera, double blurPx);
 
     /// Returns |v_B| f(β) at a position in the camera frame (mm) for a wall with this normal; 0 outside the image.
     double agreement(const Eigen::Vector3d& position, const Eigen::Vector3d& normal) const;
@@ -29,7 +29,7 @@ public:
     const ProjectionCamera& camera() const { return camera_; }
 
 private:
-    ImageF picture_;
+    ImageF image_;
     ProjectionCamera camera_;
 };
 

@@ -77,7 +77,7 @@ KernelPnpResult rigidPartOfAffineIcp(const KernelProblem& problem, const RigidTr
     KernelPnpResult result;
     result.pose = start;
     KernelDistances atStart;
-    measure(problem, start, atStart);
+    measureDistances(problem, start, atStart);
     std::vector<Eigen::Vector3d> points;
     for (const Eigen::Vector3d& point : atStart.inCamera) {
         if (point.z() > minProjectableDepthMm) {

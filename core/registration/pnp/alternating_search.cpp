@@ -143,7 +143,7 @@ StopReason AlternatingSearch::solveFull(const Stage& stage)
 /// loop, because the next one would repeat it.
 std::optional<StopReason> AlternatingSearch::checkTermination()
 {
-    measure(full_, pose_, distances_);
+    measureDistances(full_, pose_, distances_);
     keepIfBest({0, 0.0, pose_, &distances_});
     bestLoss_ = bestLoss_.value_or(kernelLoss(distances_, finalScalePx_));
     const double medianPx = medianDistancePx(distances_, scratch_);
@@ -190,7 +190,7 @@ MethodSolution searchAlternating(const RegistrationProblem& problem, const Regis
 {
     Stopwatch stopwatch;
     MethodSolution solution = AlternatingSearch(problem, seed, solver, options.finalScalePx, progress).run(alternation);
-    solution.time.solveMs = stopwatch.lapMs();
+    solution.time.solveMs = stopwatch.takeLapMs();
     return solution;
 }
 

@@ -50,7 +50,7 @@ std::set<std::pair<int, int>> connectionsIn(const BranchGraph& graph)
 
 }   // namespace
 
-BranchMatching::BranchMatching(const RegistrationProblem& problem)
+BranchMatcher::BranchMatcher(const RegistrationProblem& problem)
     : problem_(problem),
       tree_(graphOf(problem.tree)),
       neighbors_(neighborsIn(tree_)),
@@ -62,8 +62,8 @@ BranchMatching::BranchMatching(const RegistrationProblem& problem)
     }
 }
 
-std::optional<BranchMatching::ProjectedSample> BranchMatching::projectSample(std::size_t point,
-                                                                             const CentroidPose& pose) const
+std::optional<BranchMatcher::ProjectedSample> BranchMatcher::projectSample(std::size_t point,
+                                                                           const CentroidPose& pose) const
 {
     const TreeSamples& tree = problem_.tree;
     const Eigen::Vector3d place = pose.rotation * (tree.points[point] - tree.centroid) + pose.centroidInCamera;
@@ -79,22 +79,22 @@ std::optional<BranchMatching::ProjectedSample> BranchMatching::projectSample(std
 }
 
 /// Returns, for each curve, the closeness to the edge, averaged over the points of the edge.
-BranchMatching::Candidates BranchMatching::closenessOf(const BranchEdge& edge, const CentroidPose& pose, double reachPx,
-                                                       const BinGrid& near) const
+BranchMatcher::Candidates BranchMatcher::closenessOf(const BranchEdge& edge, const CentroidPose& pose, double reachPx,
+                                                     const BinGrid& grid) const
 {
     const TargetSamples& target = problem_.target;
     const std::size_t stride = std::max<std::size_t>(1, edge.size() / samplesPerEdge);
     Candidates means;
     const auto count = static_cast<double>((edge.size() + stride - 1) / stride);
     for (std::size_t i = edge.from; i < edge.to; i += stride) {
-        const auto seen = projectSample(i, pose);
-        if (!seen) {
+        const auto sample = projectSample(i, pose);
+        if (!sample) {
             continue;
         }
         Candidates best;
-        near.visitNear(seen->pixel, [&](std::size_t j) {
-            const double squared = (target.points[j] - seen->pixel).squaredNorm();
-            const double cosine = target.tangents[j].dot(seen->direction);
+        grid.visitNear(sample->pixel, [&](std::size_t j) {
+            const double squared = (target.points[j] - sample->pixel).squaredNorm();
+            const double cosine = target.tangents[j].dot(sample->direction);
             const double closeness = std::exp(-0.5 * squared / (reachPx * reachPx)) * cosine * cosine;
             double& known = best[target.curveIndex[j]];
             known = std::max(known, closeness);
@@ -106,7 +106,7 @@ BranchMatching::Candidates BranchMatching::closenessOf(const BranchEdge& edge, c
     return means;
 }
 
-BranchMatching::Candidates BranchMatching::candidatesOf(const Candidates& closeness)
+BranchMatcher::Candidates BranchMatcher::candidatesOf(const Candidates& closeness)
 {
     std::vector<std::pair<double, int>> ranked;   // in descending order of closeness
     for (const auto& [curve, mean] : closeness) {
@@ -129,8 +129,8 @@ BranchMatching::Candidates BranchMatching::candidatesOf(const Candidates& closen
 
 /// Returns the mean probability, over the neighboring edges, that the neighbor is matched to a curve that meets this
 /// one; the probability that a neighbor is unmatched contributes supportOfNone.
-double BranchMatching::supportOf(int curve, const std::vector<int>& neighbors,
-                                 const std::vector<Candidates>& candidates) const
+double BranchMatcher::supportOf(int curve, const std::vector<int>& neighbors,
+                                const std::vector<Candidates>& candidates) const
 {
     if (neighbors.empty()) {
         return supportOfNone;
@@ -147,7 +147,7 @@ double BranchMatching::supportOf(int curve, const std::vector<int>& neighbors,
     return support / static_cast<double>(neighbors.size());
 }
 
-void BranchMatching::relax(std::vector<Candidates>& candidates) const
+void BranchMatcher::relaxCandidates(std::vector<Candidates>& candidates) const
 {
     for (int round = 0; round < relaxations; ++round) {
         const std::vector<Candidates> before = candidates;
@@ -167,16 +167,16 @@ void BranchMatching::relax(std::vector<Candidates>& candidates) const
     }
 }
 
-std::vector<int> BranchMatching::match(const CentroidPose& pose, double reachPx) const
+std::vector<int> BranchMatcher::match(const CentroidPose& pose, double reachPx) const
 {
-    BinGrid near;
-    near.fill(problem_.target.points, visitedReaches * reachPx);
+    BinGrid grid;
+    grid.fill(problem_.target.points, visitedReaches * reachPx);
     std::vector<Candidates> candidates;
     candidates.reserve(tree_.edges.size());
     for (const BranchEdge& edge : tree_.edges) {
-        candidates.push_back(candidatesOf(closenessOf(edge, pose, reachPx, near)));
+        candidates.push_back(candidatesOf(closenessOf(edge, pose, reachPx, grid)));
     }
-    relax(candidates);
+    relaxCandidates(candidates);
     std::vector<int> matched;
     for (const Candidates& ofEdge : candidates) {
         double none = 1.0;
@@ -195,34 +195,34 @@ std::vector<int> BranchMatching::match(const CentroidPose& pose, double reachPx)
 }
 
 /// Returns the matched point on the curve; nullopt beyond the ends of the curve, which does not show the vessel there.
-std::optional<Eigen::Vector2d> BranchMatching::matchOnCurve(const ProjectedSample& seen, const CurveRange& curve,
-                                                            double reachPx) const
+std::optional<Eigen::Vector2d> BranchMatcher::matchOnCurve(const ProjectedSample& sample, const CurveRange& curve,
+                                                           double reachPx) const
 {
     const TargetSamples& target = problem_.target;
-    const auto distance = [&](std::size_t j) { return (target.points[j] - seen.pixel).squaredNorm(); };
+    const auto distance = [&](std::size_t j) { return (target.points[j] - sample.pixel).squaredNorm(); };
     std::size_t nearest = curve.from;
     for (std::size_t j = curve.from + 1; j < curve.to; ++j) {
         nearest = distance(j) < distance(nearest) ? j : nearest;
     }
-    const Eigen::Vector2d gap = target.points[nearest] - seen.pixel;
+    const Eigen::Vector2d gap = target.points[nearest] - sample.pixel;
     const double along = std::abs(gap.dot(target.tangents[nearest]));
     const bool isEnd = nearest == curve.from || nearest + 1 == curve.to;
     if (gap.norm() > pairedReaches * reachPx ||
-        std::abs(target.tangents[nearest].dot(seen.direction)) < minPairCosine ||
+        std::abs(target.tangents[nearest].dot(sample.direction)) < minPairCosine ||
         (isEnd && along > std::max(1.0, 0.5 * gap.norm()))) {
         return {};
     }
     return target.points[nearest];
 }
 
-std::vector<BranchPair> BranchMatching::pairs(const CentroidPose& pose, double reachPx) const
+std::vector<BranchPair> BranchMatcher::pairs(const CentroidPose& pose, double reachPx) const
 {
     const std::vector<int> matched = match(pose, reachPx);
     std::vector<BranchPair> pairs;
     for (std::size_t e = 0; e < matched.size(); ++e) {
         for (std::size_t i = tree_.edges[e].from; i < tree_.edges[e].to && matched[e] != noCurve; ++i) {
-            const auto seen = projectSample(i, pose);
-            const auto partner = seen ? matchOnCurve(*seen, curves_.at(matched[e]), reachPx) : std::nullopt;
+            const auto sample = projectSample(i, pose);
+            const auto partner = sample ? matchOnCurve(*sample, curves_.at(matched[e]), reachPx) : std::nullopt;
             if (partner) {
                 pairs.push_back({i, *partner});
             }

@@ -19,12 +19,12 @@ struct BranchPair {
 
 /// Assigns traced curves to tree segments by graph matching: relaxes the closeness of segment and curve together with
 /// the consistency of the junctions in tree and image (Rosenfeld, Hummel, Zucker 1976; ALGORITHMS §3.9).
-class BranchMatching {
+class BranchMatcher {
 public:
     static constexpr int noCurve = -1;
 
     /// `problem` must outlive the matching.
-    explicit BranchMatching(const RegistrationProblem& problem);
+    explicit BranchMatcher(const RegistrationProblem& problem);
 
     const BranchGraph& tree() const { return tree_; }
 
@@ -46,12 +46,12 @@ private:
         std::size_t from, to;   ///< range of the target points of one curve
     };
     std::optional<ProjectedSample> projectSample(std::size_t point, const CentroidPose& pose) const;
-    Candidates closenessOf(const BranchEdge& edge, const CentroidPose& pose, double reachPx, const BinGrid& near) const;
+    Candidates closenessOf(const BranchEdge& edge, const CentroidPose& pose, double reachPx, const BinGrid& grid) const;
     static Candidates candidatesOf(const Candidates& closeness);
     double supportOf(int curve, const std::vector<int>& neighbors, const std::vector<Candidates>& candidates) const;
-    void relax(std::vector<Candidates>& candidates) const;
+    void relaxCandidates(std::vector<Candidates>& candidates) const;
     bool areConnected(int a, int b) const { return a == b || connectedCurves_.contains({a, b}); }
-    std::optional<Eigen::Vector2d> matchOnCurve(const ProjectedSample& seen, const CurveRange& curve,
+    std::optional<Eigen::Vector2d> matchOnCurve(const ProjectedSample& sample, const CurveRange& curve,
                                                 double reachPx) const;
 
     const RegistrationProblem& problem_;

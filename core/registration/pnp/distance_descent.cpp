@@ -35,7 +35,7 @@ public:
 
     bool evaluate(const RigidTransform& pose, HuberEvaluation& evaluation) const
     {
-        measure(problem(), pose, evaluation.distances);
+        measureDistances(problem(), pose, evaluation.distances);
         evaluation.loss = huberLoss(problem(), evaluation.distances, huberPx_);
         return true;
     }
@@ -138,7 +138,7 @@ KernelPnpResult DistanceDescent::descendSmoothly(const KernelProblem& problem, c
     const auto cost = [&](const Eigen::VectorXd& x, Eigen::VectorXd& gradient) {
         const CentroidPose pose = parameters.pose(x);
         const RigidTransform transform = cameraFromPatient(pose, centroid);
-        measure(problem, transform, distances);
+        measureDistances(problem, transform, distances);
         const NormalEquations equations = huberEquations(problem, distances, wholeSquares);
         gradient = 2.0 * parameters.gradient(x, aboutPivot(equations.gradient, pose.centroidInCamera));
         const double loss = huberLoss(problem, distances, wholeSquares);
@@ -181,7 +181,7 @@ void DistanceDescent::tryAffine(const KernelProblem& problem, const KernelObserv
     }
     const auto lossAt = [&](const RigidTransform& pose) {
         KernelDistances distances;
-        measure(problem, pose, distances);
+        measureDistances(problem, pose, distances);
         return huberLoss(problem, distances, options_.huberPx);
     };
     if (lossAt(affine.pose) < lossAt(result.pose)) {

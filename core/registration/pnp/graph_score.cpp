@@ -41,7 +41,7 @@ GraphScore::GraphScore(const RegistrationProblem& problem, double spreadWeight)
 }
 
 /// Returns the mean of exp(−d/σ) over the tree minus λ (P/Q + Q/P) of the spreads of tree and image.
-double GraphScore::of(const CentroidPose& pose) const
+double GraphScore::scoreAt(const CentroidPose& pose) const
 {
     double near = 0.0;
     Eigen::Vector2d sum = Eigen::Vector2d::Zero();

@@ -19,7 +19,7 @@ public:
     GraphScore(const RegistrationProblem& problem, double spreadWeight);
 
     /// Returns the score of a pose, at most 1; minus infinity if no point projects.
-    double of(const CentroidPose& pose) const;
+    double scoreAt(const CentroidPose& pose) const;
 
 private:
     ProjectionCamera camera_;

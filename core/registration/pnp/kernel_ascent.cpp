@@ -21,7 +21,7 @@ public:
     void begin(const RigidTransform& pose)
     {
         pose_ = pose;
-        measure(problem_, pose_, current_, scalePx_);
+        measureDistances(problem_, pose_, current_, scalePx_);
         cost_ = costOf(pose_, current_);
         motionPx_ = 0.5 * scalePx_;
     }
@@ -62,7 +62,7 @@ bool OneScale::step(const Vector6d& metric, Freedom freedom)
     const double slope = 2.0 * equations.gradient.dot(direction) / unitPx;   // slope of the cost per px of motion
     for (double motionPx = motionPx_; motionPx >= settledAscentPx; motionPx *= 0.5) {
         const RigidTransform candidate = problem_.freedom.retract(pose_, motionPx / unitPx * direction);
-        measure(problem_, candidate, trial_, scalePx_);
+        measureDistances(problem_, candidate, trial_, scalePx_);
         const double cost = costOf(candidate, trial_);
         if (cost <= cost_ + armijo * slope * motionPx) {
             pose_ = candidate;

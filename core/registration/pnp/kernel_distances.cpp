@@ -52,7 +52,7 @@ public:
         }
     }
 
-    void add(std::size_t point, const Eigen::Vector2d& pixel, std::vector<FurtherMatch>& further)
+    void add(std::size_t point, const Eigen::Vector2d& pixel, std::vector<FurtherMatch>& otherMatches)
     {
         if (search_ == nullptr) {
             return;
@@ -60,7 +60,7 @@ public:
         search_->find(pixel, count_, radiusPx_, foundPx_);
         for (std::size_t i = 1; i < foundPx_.size(); ++i) {   // skips the nearest, which is already included
             const Eigen::Vector2d residualPx = pixel - foundPx_[i];
-            further.push_back({point, residualPx, residualPx.squaredNorm()});
+            otherMatches.push_back({point, residualPx, residualPx.squaredNorm()});
         }
     }
 
@@ -73,15 +73,16 @@ private:
 
 }   // namespace
 
-void measure(const KernelProblem& problem, const RigidTransform& pose, KernelDistances& distances, double scalePx)
+void measureDistances(const KernelProblem& problem, const RigidTransform& pose, KernelDistances& distances,
+                      double scalePx)
 {
     const std::size_t count = problem.points.size();
     assert(problem.fixedMatchesPx.empty() || problem.fixedMatchesPx.size() == count);
     distances.inCamera.resize(count);
     distances.residualPx.resize(count);
     distances.squaredPx.resize(count);
-    distances.further.clear();
-    FurtherMatchSearch further(problem, scalePx);
+    distances.otherMatches.clear();
+    FurtherMatchSearch otherMatches(problem, scalePx);
     for (std::size_t i = 0; i < count; ++i) {
         distances.inCamera[i] = pose * problem.points[i];
         const auto pixel = project(problem.camera, distances.inCamera[i]);
@@ -94,7 +95,7 @@ void measure(const KernelProblem& problem, const RigidTransform& pose, KernelDis
             problem.fixedMatchesPx.empty() ? problem.target->nearest(*pixel) : problem.fixedMatchesPx[i];
         distances.residualPx[i] = *pixel - partner;
         distances.squaredPx[i] = distances.residualPx[i].squaredNorm();
-        further.add(i, *pixel, distances.further);
+        otherMatches.add(i, *pixel, distances.otherMatches);
     }
 }
 
@@ -105,7 +106,7 @@ double kernelLoss(const KernelDistances& distances, double scalePx)
     for (const double squared : distances.squaredPx) {
         loss -= std::expm1(factor * squared);
     }
-    for (const FurtherMatch& partner : distances.further) {
+    for (const FurtherMatch& partner : distances.otherMatches) {
         loss -= std::exp(factor * partner.squaredPx);
     }
     return loss;
@@ -122,7 +123,7 @@ NormalEquations kernelEquations(const KernelProblem& problem, const KernelDistan
         }
         addPair(problem.camera, distances.inCamera[i], distances.residualPx[i], weight, equations);
     }
-    for (const FurtherMatch& partner : distances.further) {
+    for (const FurtherMatch& partner : distances.otherMatches) {
         const double weight = std::exp(factor * partner.squaredPx);
         if (weight >= 1e-12) {
             addPair(problem.camera, distances.inCamera[partner.point], partner.residualPx, weight, equations);
@@ -154,7 +155,7 @@ double huberLoss(const KernelProblem& problem, const KernelDistances& distances,
     return loss;
 }
 
-double largestDistancePx(const KernelDistances& distances)
+double maxDistancePx(const KernelDistances& distances)
 {
     double largest = 0.0;
     for (const double squared : distances.squaredPx) {
@@ -168,9 +169,10 @@ int countWithin(const KernelDistances& distances, double radiusPx)
     const double limit = radiusPx * radiusPx;
     const auto near = std::count_if(distances.squaredPx.begin(), distances.squaredPx.end(),
                                     [limit](double squared) { return squared <= limit; });
-    const auto further = std::count_if(distances.further.begin(), distances.further.end(),
-                                       [limit](const FurtherMatch& partner) { return partner.squaredPx <= limit; });
-    return static_cast<int>(near + further);
+    const auto otherMatches =
+        std::count_if(distances.otherMatches.begin(), distances.otherMatches.end(),
+                      [limit](const FurtherMatch& partner) { return partner.squaredPx <= limit; });
+    return static_cast<int>(near + otherMatches);
 }
 
 double medianDistancePx(const KernelDistances& distances, std::vector<double>& scratch)

@@ -35,13 +35,13 @@ struct KernelDistances {
     std::vector<Eigen::Vector3d> inCamera;
     std::vector<Eigen::Vector2d> residualPx;   ///< projection minus matched target point
     std::vector<double> squaredPx;   ///< infinite for points that do not project
-    std::vector<FurtherMatch> further;   ///< empty if only the nearest target points count
+    std::vector<FurtherMatch> otherMatches;   ///< empty if only the nearest target points count
 };
 
 /// Projects all points, matches them (point to point) and measures the distances. The matches within a radius depend on
 /// the kernel width.
-void measure(const KernelProblem& problem, const RigidTransform& pose, KernelDistances& distances,
-             double scalePx = 0.0);
+void measureDistances(const KernelProblem& problem, const RigidTransform& pose, KernelDistances& distances,
+                      double scalePx = 0.0);
 
 /// Returns N − E_data (ALGORITHMS §1), which is Σ (1 − exp(−d²/2ℓ²)) if only the nearest matches count; accurate even
 /// if all distances are tiny. A point that does not project costs the maximum, 1.
@@ -58,7 +58,7 @@ NormalEquations huberEquations(const KernelProblem& problem, const KernelDistanc
 double huberLoss(const KernelProblem& problem, const KernelDistances& distances, double huberPx);
 
 /// Returns the largest distance of the points that project, px.
-double largestDistancePx(const KernelDistances& distances);
+double maxDistancePx(const KernelDistances& distances);
 
 /// Returns the number of pairs that are at most `radiusPx` apart.
 int countWithin(const KernelDistances& distances, double radiusPx);

@@ -33,7 +33,7 @@ public:
 
     bool evaluate(const RigidTransform& pose, KernelEvaluation& evaluation) const
     {
-        measure(problem(), pose, evaluation.distances, scalePx_);
+        measureDistances(problem(), pose, evaluation.distances, scalePx_);
         evaluation.loss = kernelLoss(evaluation.distances, scalePx_);
         evaluation.priorTerm = priorCost(prior_, pose);
         evaluation.isInDepth = depthMm(pose) > schedule_.minDepthMm && depthMm(pose) < schedule_.maxDepthMm;
@@ -68,7 +68,7 @@ private:
 /// Returns the initial ℓ from the largest distance, see StartScale.
 double startScalePx(const KernelProblem& problem, const KernelSchedule& schedule, const KernelDistances& distances)
 {
-    const double largestPx = largestDistancePx(distances);
+    const double largestPx = maxDistancePx(distances);
     const double halfDiagonalPx = 0.5 * std::hypot(problem.camera.width, problem.camera.height);
     return schedule.startScale == StartScale::Largest ? std::min(largestPx, halfDiagonalPx) : largestPx * largestPx;
 }

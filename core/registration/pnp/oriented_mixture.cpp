@@ -14,7 +14,7 @@ constexpr double minDirectionLength = 1e-3;   // relative to a vessel perpendicu
 
 }   // namespace
 
-OrientedMixture::OrientedMixture(const RegistrationProblem& problem, const MixtureOptions& options)
+OrientedMixtureMetric::OrientedMixtureMetric(const RegistrationProblem& problem, const MixtureOptions& options)
     : options_(options), camera_(problem.camera), reachPx_(mixtureReachInScales * options.scalePx)
 {
     const TreeSamples& tree = problem.tree;
@@ -32,7 +32,7 @@ OrientedMixture::OrientedMixture(const RegistrationProblem& problem, const Mixtu
     targetGrid_.fill(targetPositions_, reachPx_);
 }
 
-void OrientedMixture::project(const CentroidPose& pose)
+void OrientedMixtureMetric::project(const CentroidPose& pose)
 {
     projected_.clear();
     positions_.clear();
@@ -52,9 +52,10 @@ void OrientedMixture::project(const CentroidPose& pose)
     }
 }
 
-OrientedMixture::Pair OrientedMixture::compare(const Eigen::Vector2d& position, const Eigen::Vector2d& direction,
-                                               const Eigen::Vector2d& otherPosition,
-                                               const Eigen::Vector2d& otherDirection) const
+OrientedMixtureMetric::PairTerm OrientedMixtureMetric::compare(const Eigen::Vector2d& position,
+                                                               const Eigen::Vector2d& direction,
+                                                               const Eigen::Vector2d& otherPosition,
+                                                               const Eigen::Vector2d& otherDirection) const
 {
     const Eigen::Vector2d gap = position - otherPosition;
     if (gap.squaredNorm() > reachPx_ * reachPx_) {
@@ -73,7 +74,7 @@ OrientedMixture::Pair OrientedMixture::compare(const Eigen::Vector2d& position, 
             -2.0 * perDirection * above * (alikeValue * alike + oppositeValue * opposite)};
 }
 
-double OrientedMixture::distance(const CentroidPose& pose, Vector6d& gradient)
+double OrientedMixtureMetric::distance(const CentroidPose& pose, Vector6d& gradient)
 {
     gradient.setZero();
     project(pose);
@@ -83,9 +84,9 @@ double OrientedMixture::distance(const CentroidPose& pose, Vector6d& gradient)
     const double crossFactor = -2.0 / (count * static_cast<double>(targetPositions_.size()));
     double sum = 0.0;
     for (std::size_t i = 0; i < positions_.size(); ++i) {
-        Pair self;
-        Pair cross;
-        const auto add = [](const Pair& pair, Pair& to) {
+        PairTerm self;
+        PairTerm cross;
+        const auto add = [](const PairTerm& pair, PairTerm& to) {
             to.value += pair.value;
             to.positionGradient += pair.positionGradient;
             to.directionGradient += pair.directionGradient;
@@ -105,9 +106,9 @@ double OrientedMixture::distance(const CentroidPose& pose, Vector6d& gradient)
     return sum;
 }
 
-void OrientedMixture::backpropagate(std::size_t sample, const Eigen::Vector2d& positionGradient,
-                                    const Eigen::Vector2d& directionGradient, const CentroidPose& pose,
-                                    Vector6d& gradient) const
+void OrientedMixtureMetric::backpropagate(std::size_t sample, const Eigen::Vector2d& positionGradient,
+                                          const Eigen::Vector2d& directionGradient, const CentroidPose& pose,
+                                          Vector6d& gradient) const
 {
     const auto& [p, t, length] = projected_[sample];
     const Eigen::Vector2d& unit = directions_[sample];

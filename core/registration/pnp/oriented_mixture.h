@@ -14,10 +14,10 @@ struct MixtureOptions {
 
 /// L2 distance between two Gaussian mixtures over position and direction, one for the projected tree P and one for the
 /// traced vessels Q, up to the constant ⟨Q,Q⟩ (ALGORITHMS §3.12). Opposite directions count as equal.
-class OrientedMixture {
+class OrientedMixtureMetric {
 public:
     /// Subsamples tree and target to the resolution of the scale.
-    OrientedMixture(const RegistrationProblem& problem, const MixtureOptions& options);
+    OrientedMixtureMetric(const RegistrationProblem& problem, const MixtureOptions& options);
 
     /// Returns w⟨P,P⟩ − 2⟨P,Q⟩ and its gradient for steps (rad, mm) about the pose, including the directions.
     double distance(const CentroidPose& pose, Vector6d& gradient);
@@ -34,14 +34,14 @@ private:
         double directionLength = 0.0;   ///< length of the image direction before normalization
     };
     /// Kernel between two oriented points: its value, and half its derivatives with respect to the first point.
-    struct Pair {
+    struct PairTerm {
         double value = 0.0;
         Eigen::Vector2d positionGradient = Eigen::Vector2d::Zero();
         Eigen::Vector2d directionGradient = Eigen::Vector2d::Zero();
     };
     void project(const CentroidPose& pose);
-    Pair compare(const Eigen::Vector2d& position, const Eigen::Vector2d& direction,
-                 const Eigen::Vector2d& otherPosition, const Eigen::Vector2d& otherDirection) const;
+    PairTerm compare(const Eigen::Vector2d& position, const Eigen::Vector2d& direction,
+                     const Eigen::Vector2d& otherPosition, const Eigen::Vector2d& otherDirection) const;
     void backpropagate(std::size_t sample, const Eigen::Vector2d& positionGradient,
                        const Eigen::Vector2d& directionGradient, const CentroidPose& pose, Vector6d& gradient) const;
 

@@ -151,7 +151,7 @@ PairDeformation deformOntoPairs(const RegistrationProblem& problem, const Branch
     for (std::size_t i = 0; i < deformation.motionMm.size(); ++i) {
         deformation.motionMm[i] = minimum.x.segment<3>(3 * static_cast<Eigen::Index>(i));
         squares += deformation.motionMm[i].squaredNorm();
-        deformation.largestMm = std::max(deformation.largestMm, deformation.motionMm[i].norm());
+        deformation.maxMotionMm = std::max(deformation.maxMotionMm, deformation.motionMm[i].norm());
     }
     deformation.rmsMm = std::sqrt(squares / static_cast<double>(deformation.motionMm.size()));
     deformation.medianBeforePx = energy.medianPx(still);

@@ -10,7 +10,7 @@ namespace angiopose::core {
 struct PairDeformation {
     std::vector<Eigen::Vector3d> motionMm;   ///< motion of each tree point, patient axes
     double rmsMm = 0.0;   ///< RMS of all motions
-    double largestMm = 0.0;
+    double maxMotionMm = 0.0;
     double medianBeforePx = 0.0;   ///< median distance of the pairs at the rigid pose
     double medianPx = 0.0;   ///< median distance of the pairs after the motion
 };

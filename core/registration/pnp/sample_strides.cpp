@@ -5,10 +5,10 @@
 namespace angiopose::core {
 namespace {
 
-/// Returns the stride for samples about `wantedPx` apart, given their mean spacing.
-std::size_t strideAt(double wantedPx, double spacingPx)
+/// Returns the stride for samples about `stepPx` apart, given their mean spacing.
+std::size_t strideAt(double stepPx, double spacingPx)
 {
-    return std::max<std::size_t>(1, static_cast<std::size_t>(wantedPx / std::max(spacingPx, 1e-6)));
+    return std::max<std::size_t>(1, static_cast<std::size_t>(stepPx / std::max(spacingPx, 1e-6)));
 }
 
 double meanSpacingPx(const std::vector<Eigen::Vector2d>& points, const std::vector<int>& curve)
@@ -26,18 +26,18 @@ double meanSpacingPx(const std::vector<Eigen::Vector2d>& points, const std::vect
 
 }   // namespace
 
-std::size_t treeStride(const RegistrationProblem& problem, double wantedPx)
+std::size_t treeStride(const RegistrationProblem& problem, double stepPx)
 {
     std::vector<Eigen::Vector2d> atStart;
     for (const Eigen::Vector3d& point : problem.tree.points) {
         atStart.push_back(project(problem.camera, problem.start * point).value_or(Eigen::Vector2d::Zero()));
     }
-    return strideAt(wantedPx, meanSpacingPx(atStart, problem.tree.branchIndex));
+    return strideAt(stepPx, meanSpacingPx(atStart, problem.tree.branchIndex));
 }
 
-std::size_t targetStride(const TargetSamples& target, double wantedPx)
+std::size_t targetStride(const TargetSamples& target, double stepPx)
 {
-    return strideAt(wantedPx, meanSpacingPx(target.points, target.curveIndex));
+    return strideAt(stepPx, meanSpacingPx(target.points, target.curveIndex));
 }
 
 }   // namespace angiopose::core

@@ -6,10 +6,10 @@
 
 namespace angiopose::core {
 
-/// Returns the stride at which the tree points, projected at the initial pose, are about `wantedPx` apart; at least 1.
-std::size_t treeStride(const RegistrationProblem& problem, double wantedPx);
+/// Returns the stride at which the tree points, projected at the initial pose, are about `stepPx` apart; at least 1.
+std::size_t treeStride(const RegistrationProblem& problem, double stepPx);
 
-/// Returns the stride at which the target points are about `wantedPx` apart; at least 1.
-std::size_t targetStride(const TargetSamples& target, double wantedPx);
+/// Returns the stride at which the target points are about `stepPx` apart; at least 1.
+std::size_t targetStride(const TargetSamples& target, double stepPx);
 
 }   // namespace angiopose::core

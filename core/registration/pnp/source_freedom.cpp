@@ -36,7 +36,7 @@ RigidTransform SourceFreedom::retract(const RigidTransform& pose, const Vector6d
     if (isFull()) {
         return next;
     }
-    return cameraFromPatient(freedom_.restoreLocked(core::aboutCentroid(next, centroidInStart_)), centroidInStart_);
+    return cameraFromPatient(freedom_.restoreLockedAxes(core::aboutCentroid(next, centroidInStart_)), centroidInStart_);
 }
 
 /// Returns the allowed twists. A rotation by ω about the centroid c is one about the source plus a shift by c × ω.

@@ -32,13 +32,13 @@ SparseKernel::SparseKernel(const RegistrationProblem& problem, std::size_t maxPo
 
 double SparseKernel::agreement(const CentroidPose& pose, double scalePx)
 {
-    measure(problem(), {pose.rotation, pose.centroidInCamera}, distances_);
+    measureDistances(problem(), {pose.rotation, pose.centroidInCamera}, distances_);
     return 1.0 - kernelLoss(distances_, scalePx) / static_cast<double>(points_.size());
 }
 
 CentroidPose SparseKernel::gaussNewtonStep(const CentroidPose& pose, double scalePx, bool inPlaneOnly)
 {
-    measure(problem(), {pose.rotation, pose.centroidInCamera}, distances_);
+    measureDistances(problem(), {pose.rotation, pose.centroidInCamera}, distances_);
     const NormalEquations equations =
         aboutCentroid(kernelEquations(problem(), distances_, scalePx), pose.centroidInCamera);
     const PoseFreedom freedom =

@@ -75,7 +75,7 @@ Eigen::Vector2d pointAtLength(const std::vector<Eigen::Vector2d>& points, double
     return points.back();
 }
 
-TracedPath followPath(const BranchGraph& graph, const TargetSamples& target, EdgeEnd way, double wantedPx)
+TracedPath followPath(const BranchGraph& graph, const TargetSamples& target, EdgeEnd way, double maxLengthPx)
 {
     TracedPath path;
     for (std::optional<EdgeEnd> next = way; next;) {
@@ -84,11 +84,11 @@ TracedPath followPath(const BranchGraph& graph, const TargetSamples& target, Edg
         path.edges.push_back(next->edge);
         path.endNode = graph.targetNode(*next);
         path.lengthPx = lengthOf(path.points);
-        next = path.lengthPx < muchShorter * wantedPx ? straightContinuation(graph, target, path) : std::nullopt;
+        next = path.lengthPx < muchShorter * maxLengthPx ? straightContinuation(graph, target, path) : std::nullopt;
     }
-    if (path.lengthPx > muchLonger * wantedPx) {
+    if (path.lengthPx > muchLonger * maxLengthPx) {
         path.endNode = TracedPath::noNode;
-        path.lengthPx = wantedPx;
+        path.lengthPx = maxLengthPx;
     }
     return path;
 }

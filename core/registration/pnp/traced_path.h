@@ -17,9 +17,9 @@ struct TracedPath {
     double lengthPx = 0.0;
 };
 
-/// Follows `way` and continues straight through further nodes while the path is much shorter than `wantedPx`; cuts the
-/// path at that length if it is much longer. The path contains at least one point.
-TracedPath followPath(const BranchGraph& graph, const TargetSamples& target, EdgeEnd way, double wantedPx);
+/// Follows `way` and continues straight through further nodes while the path is much shorter than `maxLengthPx`; cuts
+/// the path at that length if it is much longer. The path contains at least one point.
+TracedPath followPath(const BranchGraph& graph, const TargetSamples& target, EdgeEnd way, double maxLengthPx);
 
 /// Returns the point at arc length `alongPx` of a polyline, clamped to its ends.
 Eigen::Vector2d pointAtLength(const std::vector<Eigen::Vector2d>& points, double alongPx);

@@ -172,12 +172,12 @@ std::optional<Message> findDegeneracy(std::span<const Landmark> landmarks, bool 
     return {};
 }
 
-InitialPosePrior priorAt(const CentroidPose& before)
+InitialPosePrior priorAt(const CentroidPose& knownPose)
 {
     const double turn = priorTurnDeg / degreesPerRadian;
     Vector6d std;
     std << turn, turn, priorRollDeg / degreesPerRadian, priorShiftMm, priorShiftMm, priorDepthMm;
-    return independentPrior(before, std);
+    return independentPrior(knownPose, std);
 }
 
 /// Returns the better of two fits, or `near` if both are about equally good.
@@ -232,14 +232,14 @@ std::vector<double> landmarkErrorsPx(std::span<const Landmark> landmarks, const 
 }
 
 Result<LandmarkPose> poseFromLandmarks(std::span<const Landmark> landmarks, const ProjectionCamera& camera,
-                                       const std::optional<RigidTransform>& before)
+                                       const std::optional<RigidTransform>& knownPose)
 {
-    if (const auto degeneracy = findDegeneracy(landmarks, before.has_value())) {
+    if (const auto degeneracy = findDegeneracy(landmarks, knownPose.has_value())) {
         return Error(*degeneracy);
     }
     const bool isEnough = landmarks.size() >= minLandmarks;
     const Eigen::Vector3d centroid = LandmarkSquares(landmarks, camera, std::nullopt).centroid();
-    const auto start = before ? std::optional(aboutCentroid(*before, centroid)) : std::nullopt;
+    const auto start = knownPose ? std::optional(aboutCentroid(*knownPose, centroid)) : std::nullopt;
     LandmarkSquares squares(landmarks, camera, isEnough ? std::nullopt : std::optional(priorAt(*start)));
 
     const Fit near = start ? refined(squares, *start) : Fit{};

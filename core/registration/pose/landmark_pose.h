@@ -34,6 +34,6 @@ std::vector<double> landmarkErrorsPx(std::span<const Landmark> landmarks, const 
 /// to three pairs require `before`: they shift it, then roll and scale it, then rotate it as little as necessary. Fails
 /// with a user message if the pairs do not determine a pose: too few, all in one place or on one line.
 Result<LandmarkPose> poseFromLandmarks(std::span<const Landmark> landmarks, const ProjectionCamera& camera,
-                                       const std::optional<RigidTransform>& before);
+                                       const std::optional<RigidTransform>& knownPose);
 
 }   // namespace angiopose::core

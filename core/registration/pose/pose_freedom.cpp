@@ -114,7 +114,7 @@ StepBasis PoseFreedom::freeSteps(const CentroidPose& pose) const
     return free;
 }
 
-CentroidPose PoseFreedom::restoreLocked(const CentroidPose& pose) const
+CentroidPose PoseFreedom::restoreLockedAxes(const CentroidPose& pose) const
 {
     if (isFull()) {
         return pose;
@@ -133,7 +133,7 @@ Vector6d PoseFreedom::dampedStep(const NormalEquations& equations, double dampin
 
 CentroidPose PoseFreedom::retract(const CentroidPose& pose, const Vector6d& step) const
 {
-    return restoreLocked(core::retract(pose, step));
+    return restoreLockedAxes(core::retract(pose, step));
 }
 
 }   // namespace angiopose::core

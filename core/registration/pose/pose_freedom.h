@@ -43,7 +43,7 @@ public:
     StepBasis freeSteps(const CentroidPose& pose) const;
 
     /// Returns the pose with the locked coordinates restored.
-    CentroidPose restoreLocked(const CentroidPose& pose) const;
+    CentroidPose restoreLockedAxes(const CentroidPose& pose) const;
 
     /// Returns the damped step by core::dampedStep that changes no locked coordinate, to first order.
     Vector6d dampedStep(const NormalEquations& equations, double damping, const CentroidPose& pose) const;

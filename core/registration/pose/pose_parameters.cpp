@@ -30,7 +30,7 @@ CentroidPose PoseParameters::pose(const Eigen::VectorXd& x) const
         const Eigen::Index k = free_[static_cast<std::size_t>(i)];
         coordinates[k] += unit_[k] * x[i];
     }
-    return freedom_.restoreLocked(freedom_.poseAt(coordinates));
+    return freedom_.restoreLockedAxes(freedom_.poseAt(coordinates));
 }
 
 Eigen::VectorXd PoseParameters::gradient(const Eigen::VectorXd& x, const Vector6d& stepGradient) const

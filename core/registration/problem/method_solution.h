@@ -24,8 +24,7 @@ struct MethodSolution {
         isOpacified;   ///< 1 for each opacified tree point; empty if the whole tree is assumed to be opacified
     int opacifiedBifurcations = 0;   ///< number of bifurcations where three or more opacified segments meet
     std::shared_ptr<const WireResult> wire;   ///< result of the wire method
-    bool isFullyRefined =
-        false;   ///< whether refining it again with the residuals of its assessment would not move it
+    bool isFullyRefined = false;   ///< whether refining it again with the residuals of its assessment would not move it
     bool needsChecks = false;   ///< registerVessels may constrain a depth that the image does not determine, and check
                                 ///< the image orientation
 };

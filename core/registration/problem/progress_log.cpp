@@ -14,8 +14,8 @@ ObserverDecision ProgressLog::report(IterationReport report)
     progress_ = std::clamp(report.progress, progress_, 1.0);
     report.progress = progress_;
     report.iteration = iterations() + 1;
-    report.stepMm = shift_.rmsMm(last_, report.cameraFromPatient);
-    last_ = report.cameraFromPatient;
+    report.stepMm = shift_.rmsMm(lastPose_, report.cameraFromPatient);
+    lastPose_ = report.cameraFromPatient;
     if (history_.empty()) {
         history_.reserve(usualReports);
     }

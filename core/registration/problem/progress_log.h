@@ -10,7 +10,7 @@ class ProgressLog {
 public:
     /// Measures the first step from the problem's initial pose.
     ProgressLog(const RegistrationProblem& problem, const IterationObserver& observe)
-        : observe_(observe), shift_(problem.tree.points), last_(problem.start)
+        : observe_(observe), shift_(problem.tree.points), lastPose_(problem.start)
     {
     }
 
@@ -29,7 +29,7 @@ public:
 private:
     const IterationObserver& observe_;
     TreeShift shift_;
-    RigidTransform last_;   ///< cameraFromPatient of the previous report
+    RigidTransform lastPose_;   ///< cameraFromPatient of the previous report
     std::vector<IterationReport> history_;
     double progress_ = 0.0;
     bool isStopped_ = false;

@@ -161,14 +161,14 @@ bool TreeSamples::hasRadius() const
 Result<RegistrationProblem> makeProblem(const RegistrationInput& input, const RegistrationOptions& options)
 {
     const bool usesAll = input.excludedBranchIds.empty();
-    const VesselTree remaining = usesAll ? VesselTree() : without(input.tree, input.excludedBranchIds);
+    const VesselTree remaining = usesAll ? VesselTree() : withoutBranches(input.tree, input.excludedBranchIds);
     const VesselTree& tree = usesAll ? input.tree : remaining;
     if (const auto problem = findProblem(input, tree)) {
         return Error(*problem);
     }
     RegistrationProblem problem;
     problem.camera = input.camera;
-    problem.cameraUncertainty = cameraSpreadFor(input.cameraUncertainty, options.geometry);
+    problem.cameraUncertainty = cameraUncertaintyFor(input.cameraUncertainty, options.geometry);
     problem.start = {nearestRotation(input.initialCameraFromPatient.rotation),
                      input.initialCameraFromPatient.translation};
     const bool isEven = options.resample;
@@ -193,7 +193,7 @@ Result<RegistrationProblem> makeProblem(const RegistrationInput& input, const Re
     return problem;
 }
 
-RegistrationProblem restrictedProblem(const RegistrationProblem& whole, const std::vector<std::uint8_t>& isKept)
+RegistrationProblem restrictProblem(const RegistrationProblem& whole, const std::vector<std::uint8_t>& isKept)
 {
     RegistrationProblem part = whole;
     part.tree = TreeSamples();
@@ -221,11 +221,11 @@ RegistrationProblem restrictedProblem(const RegistrationProblem& whole, const st
     return part;
 }
 
-CameraUncertainty cameraSpreadFor(const CameraUncertainty& byOrigin, const GeometryOptions& options)
+CameraUncertainty cameraUncertaintyFor(const CameraUncertainty& byOrigin, const GeometryOptions& options)
 {
     switch (options.spread) {
         case GeometrySpread::Given:
-            return {0.01 * options.focalPercent, options.principalPx, byOrigin.taken};
+            return {0.01 * options.focalPercent, options.principalPx, byOrigin.appliedError};
         case GeometrySpread::None:
             return {};
         case GeometrySpread::ByOrigin:

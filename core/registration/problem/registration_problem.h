@@ -58,10 +58,10 @@ struct RegistrationProblem {
 Result<RegistrationProblem> makeProblem(const RegistrationInput& input, const RegistrationOptions& options);
 
 /// Returns the problem restricted to the tree points for which `isKept` is 1, with the same rotation center.
-RegistrationProblem restrictedProblem(const RegistrationProblem& whole, const std::vector<std::uint8_t>& isKept);
+RegistrationProblem restrictProblem(const RegistrationProblem& whole, const std::vector<std::uint8_t>& isKept);
 
 /// Returns the standard deviations of the camera errors selected by the options.
-CameraUncertainty cameraSpreadFor(const CameraUncertainty& byOrigin, const GeometryOptions& options);
+CameraUncertainty cameraUncertaintyFor(const CameraUncertainty& byOrigin, const GeometryOptions& options);
 
 /// Returns the samples of a valid target; used for the next frame of a cine run.
 TargetSamples sampleTarget(const Centerline2d& target, const RegistrationOptions& options);

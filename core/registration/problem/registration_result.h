@@ -127,8 +127,8 @@ struct Hypothesis {
 /// Indicators for estimating the error of a fit without ground truth (ALGORITHMS §6.21).
 struct FitIndicators {
     double agreement = 0.0;   ///< in both directions, 0…1 (§6.8); for a partly opacified tree, of the opacified parts
-    double treeShare = 0.0;   ///< fraction of the tree points along traced vessels
-    double inViewShare = 0.0;   ///< fraction of the tree points inside the image
+    double treeFraction = 0.0;   ///< fraction of the tree points along traced vessels
+    double inViewFraction = 0.0;   ///< fraction of the tree points inside the image
     double followedShare = 0.0;   ///< fraction of the tree length inside the image that follows traced vessels
     double followedMm = 0.0;   ///< tree length that follows traced vessels
     int followedBranches = 0;

@@ -77,7 +77,7 @@ public:
         if (!isStopped_) {
             report(1.0);
         }
-        return WireReport(problem_, tree_, wire_, model_, mmPerPx()).of(fits_, pathRank_);
+        return WireReport(problem_, tree_, wire_, model_, mmPerPx()).makeResult(fits_, pathRank_);
     }
 
 private:
@@ -106,7 +106,7 @@ private:
                 step[3] = column * stepMm;
                 step[4] = row * stepMm;
                 if (step.norm() <= reachMm) {
-                    starts.push_back(prior_.freedom.restoreLocked(retract(start_, step)));
+                    starts.push_back(prior_.freedom.restoreLockedAxes(retract(start_, step)));
                 }
             }
         }
@@ -120,8 +120,8 @@ private:
         reaching.reachMm = reachMm;
         std::vector<PosedPath> all;
         for (const CentroidPose& pose : poses) {
-            const auto paths = likelyPaths(knots_, wire_.seen(all_, pose), curve_, reaching, maxTestedPaths,
-                                           [&] { return report(shareDone_); });
+            const auto paths = findLikelyPaths(knots_, wire_.projected(all_, pose), curve_, reaching, maxTestedPaths,
+                                               [&] { return report(shareDone_); });
             for (const TreePath& way : paths) {
                 const double cost = way.cost + 0.5 * prior_.cost(pose);
                 const auto known =

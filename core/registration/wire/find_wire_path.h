@@ -16,7 +16,7 @@ struct WireResult {
     Vector6d initialStd = Vector6d::Zero();   ///< 1-σ of the initial pose (rad, mm)
     std::vector<std::uint8_t> isFollowed;   ///< one per tree point of the problem: 1 if it lies on the first path
     bool hasRequestedPath = true;   ///< false if the requested rank exceeds the number of paths
-    double gapShare = 0.0;   ///< fraction of the wire's length that bridges gaps between curves
+    double gapFraction = 0.0;   ///< fraction of the wire's length that bridges gaps between curves
 };
 
 /// Receives the completed fraction and the best pose so far after every path tested.

@@ -77,10 +77,10 @@ struct PathTip {
 /// Aligns a curve with all paths from one entry at once, sharing their common beginnings.
 class PathTable {
 public:
-    PathTable(const ReachableKnots& reachable, const ProjectedKnots& seen, const WireCurve& curve,
+    PathTable(const ReachableKnots& reachable, const ProjectedKnots& projected, const WireCurve& curve,
               const WireModel& model)
         : reachable_(reachable),
-          seen_(seen),
+          projected_(projected),
           curve_(curve),
           model_(model),
           cells_(reachable.knots.size() * curve.size())
@@ -105,7 +105,7 @@ public:
     }
 
 private:
-    double skipped(double lengthPx) const { return model_.skipPerMm * lengthPx * seen_.mmPerPx; }
+    double skipped(double lengthPx) const { return model_.skipPerMm * lengthPx * projected_.mmPerPx; }
 
     void fillRow(std::size_t at)
     {
@@ -114,15 +114,15 @@ private:
         std::array<Eigen::Vector2d, maxMoveKnots + 1> steps;
         const std::size_t knot = reachable_.knots[at];
         for (std::size_t back = 0; back <= maxMoveKnots && from[back] != noKnot; ++back) {
-            steps[back] = seen_.pixels[knot] - seen_.pixels[reachable_.knots[from[back]]];
+            steps[back] = projected_.pixels[knot] - projected_.pixels[reachable_.knots[from[back]]];
             if (back < maxMoveKnots) {
                 from[back + 1] = reachable_.before[from[back]];
             }
         }
-        const double scale = seen_.mmPerPx * seen_.mmPerPx;
-        const double variance = model_.varianceMm2(seen_.radiusMm[knot]);
+        const double scale = projected_.mmPerPx * projected_.mmPerPx;
+        const double variance = model_.varianceMm2(projected_.radiusMm[knot]);
         for (std::size_t k = 0; k < curve_.size(); ++k) {
-            const double squaredMm2 = scale * (seen_.pixels[knot] - curve_.pointsPx[k]).squaredNorm();
+            const double squaredMm2 = scale * (projected_.pixels[knot] - curve_.pointsPx[k]).squaredNorm();
             if (!model_.isNearAxis(squaredMm2, variance)) {
                 continue;
             }
@@ -136,7 +136,7 @@ private:
                 if (before.cost >= best.cost) {
                     continue;
                 }
-                const StepCost step = stepCost(model_, steps[move.knots], curve_, k, move.points, seen_.mmPerPx);
+                const StepCost step = stepCost(model_, steps[move.knots], curve_, k, move.points, projected_.mmPerPx);
                 const float sum = before.cost + static_cast<float>(step.cost + perMm * step.lengthMm);
                 best = sum < best.cost ? PathCell{sum, before.start} : best;
             }
@@ -147,7 +147,7 @@ private:
     const PathCell& cell(std::size_t at, std::size_t k) const { return cells_[at * curve_.size() + k]; }
 
     const ReachableKnots& reachable_;
-    const ProjectedKnots& seen_;
+    const ProjectedKnots& projected_;
     const WireCurve& curve_;
     const WireModel& model_;
     std::vector<PathCell> cells_;
@@ -181,9 +181,9 @@ EndBranches endBranchesOf(const TreeKnots& knots, const ReachableKnots& reachabl
 
 }   // namespace
 
-std::vector<TreePath> likelyPaths(const TreeKnots& knots, const ProjectedKnots& seen, const WireCurve& curve,
-                                  const WireModel& model, std::size_t maxPaths,
-                                  const std::function<bool()>& shouldContinue)
+std::vector<TreePath> findLikelyPaths(const TreeKnots& knots, const ProjectedKnots& projected, const WireCurve& curve,
+                                      const WireModel& model, std::size_t maxPaths,
+                                      const std::function<bool()>& shouldContinue)
 {
     const KnotNeighbors neighbors = neighborsOf(knots);
     const WireCurve reversedCurve = reversed(curve);
@@ -194,7 +194,7 @@ std::vector<TreePath> likelyPaths(const TreeKnots& knots, const ProjectedKnots& 
         }
         const ReachableKnots reachable = knotsReachableFrom(entry, neighbors);
         for (const bool isReversed : {false, true}) {
-            const PathTable table(reachable, seen, isReversed ? reversedCurve : curve, model);
+            const PathTable table(reachable, projected, isReversed ? reversedCurve : curve, model);
             std::map<EndBranches, PathTip> tips;
             for (std::size_t at = 0; at < reachable.knots.size(); ++at) {
                 const PathTip tip = table.tipAt(at);

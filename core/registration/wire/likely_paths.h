@@ -23,8 +23,8 @@ struct TreePath {
 /// Returns up to `maxPaths` possible paths of a wire through the tree at one pose, best first, limited to the best path
 /// for each pair of first and last branch (ALGORITHMS §6.22). Wires enter at the eight widest ends of the tree. `seen`
 /// contains all knots. `shouldContinue` is called before each entry.
-std::vector<TreePath> likelyPaths(const TreeKnots& knots, const ProjectedKnots& seen, const WireCurve& curve,
-                                  const WireModel& model, std::size_t maxPaths,
-                                  const std::function<bool()>& shouldContinue);
+std::vector<TreePath> findLikelyPaths(const TreeKnots& knots, const ProjectedKnots& projected, const WireCurve& curve,
+                                      const WireModel& model, std::size_t maxPaths,
+                                      const std::function<bool()>& shouldContinue);
 
 }   // namespace angiopose::core

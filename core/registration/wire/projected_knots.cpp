@@ -4,19 +4,19 @@
 
 namespace angiopose::core {
 
-ProjectedKnots projectWireKnots(const TreeKnots& knots, const std::vector<std::size_t>& which,
+ProjectedKnots projectWireKnots(const TreeKnots& knots, const std::vector<std::size_t>& knotIndices,
                                 const ProjectionCamera& camera, const RigidTransform& cameraFromPatient, double depthMm)
 {
     const Eigen::Vector2d farAway(-1e6, -1e6);
-    ProjectedKnots seen;
-    seen.mmPerPx = millimetersPerPixel(camera, std::max(minProjectableDepthMm, depthMm));
-    seen.pixels.reserve(which.size());
-    seen.radiusMm.reserve(which.size());
-    for (const std::size_t knot : which) {
-        seen.pixels.push_back(project(camera, cameraFromPatient * knots.places[knot]).value_or(farAway));
-        seen.radiusMm.push_back(knots.radiusMm[knot]);
+    ProjectedKnots projected;
+    projected.mmPerPx = millimetersPerPixel(camera, std::max(minProjectableDepthMm, depthMm));
+    projected.pixels.reserve(knotIndices.size());
+    projected.radiusMm.reserve(knotIndices.size());
+    for (const std::size_t knot : knotIndices) {
+        projected.pixels.push_back(project(camera, cameraFromPatient * knots.positions[knot]).value_or(farAway));
+        projected.radiusMm.push_back(knots.radiusMm[knot]);
     }
-    return seen;
+    return projected;
 }
 
 }   // namespace angiopose::core

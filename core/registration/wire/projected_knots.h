@@ -20,7 +20,7 @@ struct ProjectedKnots {
 };
 
 /// Projects the knots with the indices `which`, in that order. `depthMm` is the distance of the tree from the source.
-ProjectedKnots projectWireKnots(const TreeKnots& knots, const std::vector<std::size_t>& which,
+ProjectedKnots projectWireKnots(const TreeKnots& knots, const std::vector<std::size_t>& knotIndices,
                                 const ProjectionCamera& camera, const RigidTransform& cameraFromPatient,
                                 double depthMm);
 

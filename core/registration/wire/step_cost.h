@@ -11,16 +11,16 @@ struct StepCost {
     double cost = 0.0;   ///< cost of the shape difference
 };
 
-/// Returns the cost of a move. `ofTreePx` is the vector from its first to its last knot; the move ends at point `k`.
-inline StepCost stepCost(const WireModel& model, const Eigen::Vector2d& ofTreePx, const WireCurve& curve, std::size_t k,
-                         std::size_t points, double mmPerPx)
+/// Returns the cost of a move. `treeStepPx` is the vector from its first to its last knot; the move ends at point `k`.
+inline StepCost stepCost(const WireModel& model, const Eigen::Vector2d& treeStepPx, const WireCurve& curve,
+                         std::size_t k, std::size_t points, double mmPerPx)
 {
     const Eigen::Vector2d& along = curve.tangents[k];
-    const Eigen::Vector2d ofTree =
-        mmPerPx * Eigen::Vector2d(ofTreePx.dot(along), along.x() * ofTreePx.y() - along.y() * ofTreePx.x());
-    const double ofWireMm = mmPerPx * (curve.alongPx[k] - curve.alongPx[k - points]);
-    const double lengthMm = std::max({ofTree.norm(), ofWireMm, WireModel::minStepMm});
-    return {lengthMm, model.shapeCost(ofTree, ofWireMm, lengthMm)};
+    const Eigen::Vector2d treeStepMm =
+        mmPerPx * Eigen::Vector2d(treeStepPx.dot(along), along.x() * treeStepPx.y() - along.y() * treeStepPx.x());
+    const double wireStepMm = mmPerPx * (curve.alongPx[k] - curve.alongPx[k - points]);
+    const double lengthMm = std::max({treeStepMm.norm(), wireStepMm, WireModel::minStepMm});
+    return {lengthMm, model.shapeCost(treeStepMm, wireStepMm, lengthMm)};
 }
 
 }   // namespace angiopose::core

@@ -15,10 +15,10 @@ struct WarpCell {
 /// Dynamic programming table with all alignments of the first knots and the first curve points.
 class Warping {
 public:
-    Warping(const ProjectedKnots& seen, const WireCurve& curve, const WireModel& model)
-        : seen_(seen), curve_(curve), model_(model), cells_(seen.size() * curve.size())
+    Warping(const ProjectedKnots& projected, const WireCurve& curve, const WireModel& model)
+        : projected_(projected), curve_(curve), model_(model), cells_(projected.size() * curve.size())
     {
-        for (std::size_t j = 0; j < seen.size(); ++j) {
+        for (std::size_t j = 0; j < projected.size(); ++j) {
             for (std::size_t k = 0; k < curve.size(); ++k) {
                 fill(j, k);
             }
@@ -32,7 +32,7 @@ public:
         std::size_t lastKnot = 0;
         std::size_t lastPoint = 0;
         bool isAny = false;
-        for (std::size_t j = 0; j < seen_.size(); ++j) {
+        for (std::size_t j = 0; j < projected_.size(); ++j) {
             for (std::size_t k = 0; k < curve_.size(); ++k) {
                 const double cost = at(j, k).cost + skipped(curve_.lengthPx() - curve_.alongPx[k]);
                 if (cost < alignment.cost) {
@@ -52,12 +52,13 @@ public:
 private:
     const WarpCell& at(std::size_t j, std::size_t k) const { return cells_[j * curve_.size() + k]; }
 
-    double skipped(double lengthPx) const { return model_.skipPerMm * lengthPx * seen_.mmPerPx; }
+    double skipped(double lengthPx) const { return model_.skipPerMm * lengthPx * projected_.mmPerPx; }
 
     void fill(std::size_t j, std::size_t k)
     {
-        const double squaredMm2 = seen_.mmPerPx * seen_.mmPerPx * (seen_.pixels[j] - curve_.pointsPx[k]).squaredNorm();
-        const double variance = model_.varianceMm2(seen_.radiusMm[j]);
+        const double squaredMm2 =
+            projected_.mmPerPx * projected_.mmPerPx * (projected_.pixels[j] - curve_.pointsPx[k]).squaredNorm();
+        const double variance = model_.varianceMm2(projected_.radiusMm[j]);
         if (!model_.isNearAxis(squaredMm2, variance)) {
             return;
         }
@@ -67,8 +68,8 @@ private:
             if (j < move.knots || k < move.points) {
                 continue;
             }
-            const StepCost step =
-                stepCost(model_, seen_.pixels[j] - seen_.pixels[j - move.knots], curve_, k, move.points, seen_.mmPerPx);
+            const StepCost step = stepCost(model_, projected_.pixels[j] - projected_.pixels[j - move.knots], curve_, k,
+                                           move.points, projected_.mmPerPx);
             const double sum = at(j - move.knots, k - move.points).cost + step.cost + perMm * step.lengthMm;
             best = sum < best.cost ? WarpCell{sum, step.lengthMm, move} : best;
         }
@@ -91,7 +92,7 @@ private:
         return pairs;
     }
 
-    const ProjectedKnots& seen_;
+    const ProjectedKnots& projected_;
     const WireCurve& curve_;
     const WireModel& model_;
     std::vector<WarpCell> cells_;
@@ -104,9 +105,9 @@ double WireAlignment::followedPx(const WireCurve& curve) const
     return pairs.empty() ? 0.0 : curve.alongPx[pairs.back().point] - curve.alongPx[pairs.front().point];
 }
 
-WireAlignment alignWire(const ProjectedKnots& seen, const WireCurve& curve, const WireModel& model)
+WireAlignment alignWire(const ProjectedKnots& projected, const WireCurve& curve, const WireModel& model)
 {
-    return Warping(seen, curve, model).cheapest();
+    return Warping(projected, curve, model).cheapest();
 }
 
 }   // namespace angiopose::core

@@ -25,6 +25,6 @@ struct WireAlignment {
 };
 
 /// Returns the cheapest alignment (dynamic time warping with free ends). `seen` holds the knots of the path, in order.
-WireAlignment alignWire(const ProjectedKnots& seen, const WireCurve& curve, const WireModel& model);
+WireAlignment alignWire(const ProjectedKnots& projected, const WireCurve& curve, const WireModel& model);
 
 }   // namespace angiopose::core

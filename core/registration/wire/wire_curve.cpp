@@ -87,7 +87,7 @@ WireCurve wireCurve(const TargetSamples& target, double spacingPx, std::size_t m
     WireCurve curve;
     curve.pointsPx =
         interpolate(chain, evenStations<2>(chain, std::max(spacingPx, lengthPx / static_cast<double>(maxPoints))));
-    curve.gapShare = lengthPx > 0.0 ? gapsPx / lengthPx : 0.0;
+    curve.gapFraction = lengthPx > 0.0 ? gapsPx / lengthPx : 0.0;
     measure(curve);
     return curve;
 }

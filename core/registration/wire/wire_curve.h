@@ -13,7 +13,7 @@ struct WireCurve {
     std::vector<Eigen::Vector2d> pointsPx;   ///< evenly spaced
     std::vector<Eigen::Vector2d> tangents;   ///< unit vectors
     std::vector<double> alongPx;   ///< arc length up to each point
-    double gapShare = 0.0;   ///< fraction of the length that bridges gaps between curves
+    double gapFraction = 0.0;   ///< fraction of the length that bridges gaps between curves
 
     std::size_t size() const { return pointsPx.size(); }
     double lengthPx() const { return alongPx.empty() ? 0.0 : alongPx.back(); }

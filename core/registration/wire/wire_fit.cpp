@@ -49,8 +49,8 @@ public:
         evaluation = {problem_.prior.cost(pose), {}};
         problem_.prior.add(pose, 1.0, evaluation.equations);
         for (const WireMeasurement& measurement : measurements_) {
-            const std::optional<ProjectedKnot> here = seen(pose, measurement.position);
-            const std::optional<ProjectedKnot> before = seen(pose, measurement.before);
+            const std::optional<ProjectedKnot> here = projected(pose, measurement.position);
+            const std::optional<ProjectedKnot> before = projected(pose, measurement.before);
             if (!here || !before) {
                 return false;
             }
@@ -90,7 +90,7 @@ private:
         Eigen::Matrix<double, 2, 6> jacobian;   // derivative of the pixel with respect to the pose step
     };
 
-    std::optional<ProjectedKnot> seen(const CentroidPose& pose, const Eigen::Vector3d& position) const
+    std::optional<ProjectedKnot> projected(const CentroidPose& pose, const Eigen::Vector3d& position) const
     {
         const Eigen::Vector3d rotated = pose.rotation * position;
         const Eigen::Vector3d inCamera = rotated + pose.centroidInCamera;
@@ -99,9 +99,9 @@ private:
             return std::nullopt;
         }
         const Eigen::Matrix<double, 2, 3> byPoint = projectionJacobian(problem_.camera, inCamera);
-        ProjectedKnot seen{*pixel, {}};
-        seen.jacobian << -byPoint * skew(rotated), byPoint;
-        return seen;
+        ProjectedKnot projected{*pixel, {}};
+        projected.jacobian << -byPoint * skew(rotated), byPoint;
+        return projected;
     }
 
     static void add(const Eigen::Vector2d& residual, const Eigen::Matrix<double, 2, 6>& jacobian,
@@ -126,8 +126,9 @@ Eigen::Matrix2d shapeOf(const WireModel& model, const StepCost& step, const Eige
     return mmPerPx * perMm * Eigen::Vector2d(1.0 / model.stretch, 1.0 / model.turn).asDiagonal() * axes;
 }
 
-std::vector<WireMeasurement> measurementsOf(const WireProblem& problem, const TreePath& way, const ProjectedKnots& seen,
-                                            const WireAlignment& alignment, const WireModel& model)
+std::vector<WireMeasurement> measurementsOf(const WireProblem& problem, const TreePath& way,
+                                            const ProjectedKnots& projected, const WireAlignment& alignment,
+                                            const WireModel& model)
 {
     const WireCurve& curve = problem.curveOf(way);
     std::vector<WireMeasurement> measurements;
@@ -137,16 +138,17 @@ std::vector<WireMeasurement> measurementsOf(const WireProblem& problem, const Tr
         Eigen::Matrix2d axes;
         axes << along.transpose(), -along.y(), along.x();
         const std::size_t before = pair.knot - pair.move.knots;
-        const StepCost step = stepCost(model, seen.pixels[pair.knot] - seen.pixels[before], curve, pair.point,
-                                       pair.move.points, seen.mmPerPx);
+        const StepCost step = stepCost(model, projected.pixels[pair.knot] - projected.pixels[before], curve, pair.point,
+                                       pair.move.points, projected.mmPerPx);
         const double perSigma =
-            seen.mmPerPx *
-            std::sqrt(pair.lengthMm / (model.positionLengthMm * model.varianceMm2(seen.radiusMm[pair.knot])));
+            projected.mmPerPx *
+            std::sqrt(pair.lengthMm / (model.positionLengthMm * model.varianceMm2(projected.radiusMm[pair.knot])));
         const double stepPx = curve.alongPx[pair.point] - curve.alongPx[pair.point - pair.move.points];
-        measurements.push_back({problem.knots.places[way.knots[pair.knot]] - problem.centroid,
-                                problem.knots.places[way.knots[before]] - problem.centroid, curve.pointsPx[pair.point],
+        measurements.push_back({problem.knots.positions[way.knots[pair.knot]] - problem.centroid,
+                                problem.knots.positions[way.knots[before]] - problem.centroid,
+                                curve.pointsPx[pair.point],
                                 perSigma * Eigen::Vector2d(alongShare, 1.0).asDiagonal() * axes, stepPx * along,
-                                shapeOf(model, step, axes, seen.mmPerPx)});
+                                shapeOf(model, step, axes, projected.mmPerPx)});
     }
     return measurements;
 }
@@ -154,9 +156,9 @@ std::vector<WireMeasurement> measurementsOf(const WireProblem& problem, const Tr
 /// Aligns the curve with the path, then fits the pose (one iteration); returns false if the pose no longer changes.
 bool alignAndFit(const WireProblem& problem, const WireModel& model, WireFit& fit)
 {
-    const ProjectedKnots seen = problem.seen(fit.way.knots, fit.pose);
-    fit.alignment = alignWire(seen, problem.curveOf(fit.way), model);
-    const std::vector<WireMeasurement> measurements = measurementsOf(problem, fit.way, seen, fit.alignment, model);
+    const ProjectedKnots projected = problem.projected(fit.way.knots, fit.pose);
+    fit.alignment = alignWire(projected, problem.curveOf(fit.way), model);
+    const std::vector<WireMeasurement> measurements = measurementsOf(problem, fit.way, projected, fit.alignment, model);
     WireSquares squares(problem, measurements);
     EvaluationPair<WireSquares::EvaluationAt> evaluations;
     DampedDescent descent(squares, fit.pose, evaluations, {.minMotionMm = settledWireMm});
@@ -172,9 +174,9 @@ bool alignAndFit(const WireProblem& problem, const WireModel& model, WireFit& fi
 /// Computes the evidence of the image relative to the prior, by a Laplace approximation about the pose.
 void computeEvidence(const WireProblem& problem, const WireModel& model, WireFit& fit)
 {
-    const ProjectedKnots seen = problem.seen(fit.way.knots, fit.pose);
-    fit.alignment = alignWire(seen, problem.curveOf(fit.way), model);
-    const std::vector<WireMeasurement> measurements = measurementsOf(problem, fit.way, seen, fit.alignment, model);
+    const ProjectedKnots projected = problem.projected(fit.way.knots, fit.pose);
+    fit.alignment = alignWire(projected, problem.curveOf(fit.way), model);
+    const std::vector<WireMeasurement> measurements = measurementsOf(problem, fit.way, projected, fit.alignment, model);
     WireSquares::EvaluationAt evaluation;
     fit.logEvidence = -fit.alignment.cost - 0.5 * problem.prior.cost(fit.pose);
     if (!WireSquares(problem, measurements).evaluate(fit.pose, evaluation)) {
@@ -195,9 +197,9 @@ void computeEvidence(const WireProblem& problem, const WireModel& model, WireFit
 
 }   // namespace
 
-ProjectedKnots WireProblem::seen(const std::vector<std::size_t>& which, const CentroidPose& pose) const
+ProjectedKnots WireProblem::projected(const std::vector<std::size_t>& knotIndices, const CentroidPose& pose) const
 {
-    return projectWireKnots(knots, which, camera, cameraFromPatient(pose, centroid), pose.centroidInCamera.z());
+    return projectWireKnots(knots, knotIndices, camera, cameraFromPatient(pose, centroid), pose.centroidInCamera.z());
 }
 
 WireFit fitWire(const WireProblem& problem, const TreePath& way, const CentroidPose& start, const WireModel& model)

@@ -17,7 +17,7 @@ struct WireProblem {
     const InitialPosePrior& prior;   ///< errors of the previous registered pose
 
     const WireCurve& curveOf(const TreePath& way) const { return way.isCurveReversed ? reversedCurve : curve; }
-    ProjectedKnots seen(const std::vector<std::size_t>& which, const CentroidPose& pose) const;
+    ProjectedKnots projected(const std::vector<std::size_t>& knotIndices, const CentroidPose& pose) const;
 };
 
 /// Most likely pose for one path, assuming that the wire follows that path.

@@ -37,8 +37,8 @@ struct WireModel {
 
     double varianceMm2(double radiusMm) const
     {
-        const double ofLumenMm = offAxisOfRadius * radiusMm;
-        return offAxisMm * offAxisMm + ofLumenMm * ofLumenMm + reachMm * reachMm;
+        const double lumenToleranceMm = offAxisOfRadius * radiusMm;
+        return offAxisMm * offAxisMm + lumenToleranceMm * lumenToleranceMm + reachMm * reachMm;
     }
 
     bool isNearAxis(double squaredMm2, double varianceMm2) const
@@ -53,12 +53,12 @@ struct WireModel {
         return std::min(maxPositionCost, 0.5 * squaredMm2 / varianceMm2 + widening) / positionLengthMm;
     }
 
-    /// Returns the negative log likelihood of a step's shape: `ofTree` is the step of the tree along and across the
-    /// wire, `ofWireMm` the step of the wire, and `lengthMm` the longer of the two, all in mm.
-    double shapeCost(const Eigen::Vector2d& ofTree, double ofWireMm, double lengthMm) const
+    /// Returns the negative log likelihood of a step's shape: `treeStepMm` is the step of the tree along and across the
+    /// wire, `wireStepMm` the step of the wire, and `lengthMm` the longer of the two, all in mm.
+    double shapeCost(const Eigen::Vector2d& treeStepMm, double wireStepMm, double lengthMm) const
     {
-        const double aside = ofTree.y() / turn;
-        const double longer = (ofTree.x() - ofWireMm) / stretch;
+        const double aside = treeStepMm.y() / turn;
+        const double longer = (treeStepMm.x() - wireStepMm) / stretch;
         return std::min(maxShapeCost * lengthMm, 0.5 * (aside * aside + longer * longer) / lengthMm) / shapeMm;
     }
 

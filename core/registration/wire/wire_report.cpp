@@ -57,9 +57,9 @@ WirePath WireReport::pathOf(const WireFit& fit) const
     const std::size_t last = fit.way.knots[fit.alignment.pairs.back().knot];
     // Wires advance from wide vessels into narrow ones.
     const bool isBackwards = wire_.knots.radiusMm[last] > wire_.knots.radiusMm[first];
-    path.tipInPatient = wire_.knots.places[isBackwards ? first : last];
+    path.tipInPatient = wire_.knots.positions[isBackwards ? first : last];
     for (std::size_t j = fit.alignment.pairs.front().knot; j <= fit.alignment.pairs.back().knot; ++j) {
-        path.courseInPatient.push_back(wire_.knots.places[fit.way.knots[j]]);
+        path.courseInPatient.push_back(wire_.knots.positions[fit.way.knots[j]]);
     }
     if (isBackwards) {
         std::ranges::reverse(path.branchIds);
@@ -67,12 +67,12 @@ WirePath WireReport::pathOf(const WireFit& fit) const
     }
     path.cameraFromPatient = cameraFromPatient(fit.pose, wire_.centroid);
     path.followedShare = fit.alignment.followedPx(wire_.curve) / std::max(1e-9, wire_.curve.lengthPx());
-    const ProjectedKnots seen = wire_.seen(fit.way.knots, fit.pose);
+    const ProjectedKnots projected = wire_.projected(fit.way.knots, fit.pose);
     double squares = 0.0;
     double count = 0.0;
     for (const WirePair& pair : fit.alignment.pairs) {
-        const Eigen::Vector2d offPx = seen.pixels[pair.knot] - wire_.curveOf(fit.way).pointsPx[pair.point];
-        squares += pair.lengthMm * offPx.squaredNorm() * seen.mmPerPx * seen.mmPerPx;
+        const Eigen::Vector2d offPx = projected.pixels[pair.knot] - wire_.curveOf(fit.way).pointsPx[pair.point];
+        squares += pair.lengthMm * offPx.squaredNorm() * projected.mmPerPx * projected.mmPerPx;
         count += pair.lengthMm;
     }
     path.offAxisMm = count > 0.0 ? std::sqrt(squares / count) : 0.0;
@@ -108,10 +108,10 @@ std::vector<WireReport::ReportedPath> WireReport::reportedPaths(const std::vecto
     return reported;
 }
 
-WireResult WireReport::of(const std::vector<WireFit>& fits, std::size_t pathRank) const
+WireResult WireReport::makeResult(const std::vector<WireFit>& fits, std::size_t pathRank) const
 {
     WireResult result;
-    result.gapShare = wire_.curve.gapShare;
+    result.gapFraction = wire_.curve.gapFraction;
     result.initialStd = wire_.prior.std();
     std::vector<ReportedPath> reported = reportedPaths(fits);
     if (!reported.empty()) {
@@ -148,7 +148,7 @@ std::vector<std::uint8_t> WireReport::pointsOnPath(const WireFit& fit) const
     std::vector<std::uint8_t> isFollowed(problem_.tree.size(), 0);
     for (std::size_t i = 0; i < isFollowed.size(); ++i) {
         for (std::size_t j = fit.alignment.pairs.front().knot; j <= fit.alignment.pairs.back().knot; ++j) {
-            const double offMm = (wire_.knots.places[fit.way.knots[j]] - problem_.tree.points[i]).norm();
+            const double offMm = (wire_.knots.positions[fit.way.knots[j]] - problem_.tree.points[i]).norm();
             isFollowed[i] = offMm < wireKnotSpacingMm ? 1 : isFollowed[i];
         }
     }

@@ -21,7 +21,7 @@ public:
                const WireModel& model, double mmPerPx);
 
     /// `fits` are sorted most likely first; `pathRank` is the rank of the path to use, 1 the most likely.
-    WireResult of(const std::vector<WireFit>& fits, std::size_t pathRank) const;
+    WireResult makeResult(const std::vector<WireFit>& fits, std::size_t pathRank) const;
 
 private:
     /// Group of paths that the image cannot distinguish, represented by the most likely one.

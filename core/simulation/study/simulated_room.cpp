@@ -32,7 +32,7 @@ Eigen::Vector3d randomOffset(double std, CounterRandom& random)
 
 CArm drawRoomCArm(std::size_t view, double extentMm, const DsaOptions& dsa, CounterRandom& random)
 {
-    const auto reported = [](double value) { return Sourced<double>{value, Origin::Header, ""}; };
+    const auto reported = [](double value) { return SourcedValue<double>{value, Origin::Header, ""}; };
     const double primary = view == 0 ? random.uniform(-40.0, 0.0) : random.uniform(30.0, 90.0);
     const double sid = roundedToStep(random.uniform(1000.0, 1200.0), 1.0);
     const double fieldMm = random.uniform(1.15, 1.3) * extentMm * sid / (isocenterMm - maxOffsetMm);

@@ -113,7 +113,7 @@ CaseTree treeAt(const SimulatedStudy& study, std::size_t tree)
     return {};
 }
 
-void multiplyValue(Sourced<double>& value, double factor)
+void multiplyValue(SourcedValue<double>& value, double factor)
 {
     *value.value *= factor;
 }

@@ -146,7 +146,7 @@ std::vector<Curve2d> centeredCurves(std::vector<std::vector<Eigen::Vector2d>> pa
     std::vector<Curve2d> curves(paths.size());
     parallelFor(
         paths.size(), std::min(maxTracingThreads, threadCount(0)),
-        [&](std::size_t k) { curves[k] = centeredCurve(paths[k], static_cast<int>(k) + 1, opacity, maxRadiusPx); },
+        [&](std::size_t k) { curves[k] = centerCurve(paths[k], static_cast<int>(k) + 1, opacity, maxRadiusPx); },
         [](double) { return true; });
     return curves;
 }
@@ -201,7 +201,7 @@ void addSuspects(AngiogramTrace& trace, const std::vector<int>& ids)
 /// Removes the vessel trunk from the suspect curves: unlike a catheter, it has branches and is wider than these.
 void unmarkTrunk(AngiogramTrace& trace)
 {
-    if (const auto trunk = widestTrunk(trace.centerline)) {
+    if (const auto trunk = findWidestTrunk(trace.centerline)) {
         std::erase(trace.suspectCurves, *trunk);
     }
 }

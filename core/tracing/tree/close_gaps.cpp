@@ -185,7 +185,7 @@ ClosedGaps closeClearGaps(VesselGraph& graph, double voxelMm, TracingProgress& p
             graph.edges.push_back(bridge(ends[a], ends[b], voxelMm));
             parents[static_cast<std::size_t>(findComponent(ends[b].component))] = findComponent(ends[a].component);
             ++closed.count;
-            closed.longestMm = std::max(closed.longestMm, *gapMm);
+            closed.maxGapMm = std::max(closed.maxGapMm, *gapMm);
         }
     }
     return closed;

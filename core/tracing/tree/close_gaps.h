@@ -7,7 +7,7 @@ namespace angiopose::core {
 
 struct ClosedGaps {
     int count = 0;
-    double longestMm = 0.0;   ///< longest closed gap, wall to wall
+    double maxGapMm = 0.0;   ///< longest closed gap, wall to wall
 };
 
 /// Joins components of a graph that are clearly one vessel: two free ends that are each other's nearest, have similar

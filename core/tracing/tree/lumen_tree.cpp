@@ -222,7 +222,7 @@ void closeGapsIfRequested(VesselGraph& graph, const VolumeGeometry& grid, const 
     if (options.pieces == TracedPieces::All) {
         const ClosedGaps closed = closeClearGaps(graph, grid.spacingMm.maxCoeff(), progress);
         output.closedGaps.count += closed.count;
-        output.closedGaps.longestMm = std::max(output.closedGaps.longestMm, closed.longestMm);
+        output.closedGaps.maxGapMm = std::max(output.closedGaps.maxGapMm, closed.maxGapMm);
     }
 }
 

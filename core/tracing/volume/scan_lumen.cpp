@@ -33,7 +33,7 @@ public:
     {
         auto defaultLevels = findDefaultLevels();
         if (progress_.isStopped()) {
-            return stoppedTracing();
+            return tracingCanceled();
         }
         if (defaultLevels) {
             const LumenLevels level = defaultLevels.value();
@@ -94,13 +94,14 @@ private:
         const Volume& scan = result_.scan(volume_);
         SegmentedLumen candidates = segmentLumen(scan, order_, level, threadCount(options_.threads), progress_);
         if (!progress_.advance(0.0)) {
-            return stoppedTracing();
+            return tracingCanceled();
         }
-        const auto set = std::ranges::count_if(candidates.clear.voxels, [](std::uint8_t voxel) { return voxel != 0; });
+        const auto set =
+            std::ranges::count_if(candidates.clearLumen.voxels, [](std::uint8_t voxel) { return voxel != 0; });
         if (set == 0) {
-            return noVesselsFound(level);
+            return noVesselsError(level);
         }
-        lumenFraction_ = static_cast<double>(set) / static_cast<double>(candidates.clear.voxels.size());
+        lumenFraction_ = static_cast<double>(set) / static_cast<double>(candidates.clearLumen.voxels.size());
         isLikeCt_ = level.isHu || hasMoreBone();
         if (isLikeCt_ && !level.isHu && !options_.threshold) {
             result_.skull = findSkull(order_.geometry, voxelOpacification(scan, order_, result_.level),
@@ -110,7 +111,7 @@ private:
         result_.found =
             findGreatVessels(std::move(candidates), fill, threadCount(options_.threads), progress_, blockMm);
         if (!progress_.advance(0.0)) {
-            return stoppedTracing();
+            return tracingCanceled();
         }
         return Done();
     }
@@ -120,9 +121,10 @@ private:
     /// Returns whether the lumen level is certain, or plausible and confirmed by seeds in the vessels.
     bool isPlausible() const
     {
-        const std::vector<GreatVessel>& great = result_.found.great;
-        const bool isWide = !great.empty() && great.front().trunks.front().medianRadiusMm() >= minWideRadiusMm &&
-                            isClear(great.front());
+        const std::vector<GreatVessel>& greatVessels = result_.found.greatVessels;
+        const bool isWide = !greatVessels.empty() &&
+                            greatVessels.front().trunks.front().medianRadiusMm() >= minWideRadiusMm &&
+                            isClear(greatVessels.front());
         return isCredible() && (isWide || isLikeCt_ || !options_.seedsInPatient.empty());
     }
 
@@ -152,20 +154,20 @@ private:
     /// Without seeds, keeps only definite arteries as starting points.
     Result<ScanLumen> selectArteries()
     {
-        std::vector<GreatVessel>& great = result_.found.great;
+        std::vector<GreatVessel>& greatVessels = result_.found.greatVessels;
         if (result_.skull) {
-            result_.veins = sinusPoints(great, *result_.skull);
+            result_.veins = sinusPoints(greatVessels, *result_.skull);
         }
         if (!options_.seedsInPatient.empty() || options_.threshold) {
             return std::move(result_);
         }
         if (result_.skull) {
-            great = selectHeadArteries(std::move(great), *result_.skull, order_.geometry);
-            return great.empty() ? requestSeed(messages::headNeedsSeed()) : std::move(result_);
+            greatVessels = selectHeadArteries(std::move(greatVessels), *result_.skull, order_.geometry);
+            return greatVessels.empty() ? requestSeed(messages::headNeedsSeed()) : std::move(result_);
         }
         if (!isLikeCt_) {
-            std::erase_if(great, [this](const GreatVessel& vessel) { return !isClear(vessel); });
-            return great.empty() ? requestSeed(messages::scanNeedsSeed()) : std::move(result_);
+            std::erase_if(greatVessels, [this](const GreatVessel& vessel) { return !isClear(vessel); });
+            return greatVessels.empty() ? requestSeed(messages::scanNeedsSeed()) : std::move(result_);
         }
         return std::move(result_);
     }

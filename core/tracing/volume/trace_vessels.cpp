@@ -53,7 +53,7 @@ VoxelMask maskOf(const Grid& grid, const IsSet& isSet)
 VoxelMask toStoredOrder(const VoxelMask& part, const VoxelBox& box, const VolumeGeometry& stored)
 {
     VoxelMask whole(stored);
-    const AxisOrder order = cropped(patientAxisOrder(stored), box);
+    const AxisOrder order = crop(patientAxisOrder(stored), box);
     std::size_t voxel = 0;
     for (int k = 0; k < part.geometry.size.z(); ++k) {
         for (int j = 0; j < part.geometry.size.y(); ++j) {
@@ -96,9 +96,9 @@ VesselTracingOptions optionsForMask(VesselTracingOptions options)
 }
 
 /// Returns the options for a scan: only components of great vessels are traced.
-VesselTracingOptions optionsForScan(VesselTracingOptions options, const std::vector<GreatVessel>& great)
+VesselTracingOptions optionsForScan(VesselTracingOptions options, const std::vector<GreatVessel>& greatVessels)
 {
-    if (great.empty() || !options.seedsInPatient.empty()) {
+    if (greatVessels.empty() || !options.seedsInPatient.empty()) {
         options.pieces = TracedPieces::Usual;
     }
     return options;
@@ -118,7 +118,7 @@ Result<TreeWithSkeleton> buildTree(const SelectedLumen& chosen, const PointOpaci
     chosenOptions.seedsInPatient = chosen.startPointsInPatient;
     LumenTree found = traceLumenTree(chosen.lumen, opacification, chosenOptions, progress);
     if (progress.isStopped()) {
-        return stoppedTracing();
+        return tracingCanceled();
     }
     TracedVessels traced;
     traced.tree = std::move(found.tree);
@@ -129,7 +129,7 @@ Result<TreeWithSkeleton> buildTree(const SelectedLumen& chosen, const PointOpaci
     const Messages componentMessages = componentWarnings(traced.pieces, !options.seedsInPatient.empty());
     traced.warnings.insert(traced.warnings.end(), componentMessages.begin(), componentMessages.end());
     if (progress.isStopped()) {
-        return stoppedTracing();
+        return tracingCanceled();
     }
     if (found.closedGaps.count > 0) {
         traced.warnings.push_back(gapWarning(found.closedGaps));
@@ -198,21 +198,22 @@ bool isOpacified(const VesselTree& tree, const AxisOrder& order, const VoxelOpac
 }
 
 /// Without user seeds, adds a message about where tracing started.
-TracedVessels addStartMessage(TracedVessels vessels, const SelectedLumen& lumen, const std::vector<GreatVessel>& great)
+TracedVessels addStartMessage(TracedVessels vessels, const SelectedLumen& lumen,
+                              const std::vector<GreatVessel>& greatVessels)
 {
     if (!lumen.startPointsInPatient.empty()) {
-        vessels.foundStart = great.front().centerInPatient();
+        vessels.foundStart = greatVessels.front().centerInPatient();
     }
     vessels.warnings.insert(vessels.warnings.begin(), startWarning(vessels.foundStart));
     return vessels;
 }
 
 /// Adds the threshold, and warnings about the units of the scan and other great vessels.
-void addScanWarnings(TracedVessels& vessels, const SelectedLumen& lumen, const std::vector<GreatVessel>& great,
+void addScanWarnings(TracedVessels& vessels, const SelectedLumen& lumen, const std::vector<GreatVessel>& greatVessels,
                      const LumenLevels& level)
 {
     vessels.threshold = level.threshold;
-    if (const AdjacentLumen other = possibleFalseLumen(lumen.lumen, great); other.adjacentMm >= minAlongsideMm) {
+    if (const AdjacentLumen other = possibleFalseLumen(lumen.lumen, greatVessels); other.adjacentMm >= minAlongsideMm) {
         vessels.warnings.push_back(adjacentLumenWarning(other));
     }
     if (!level.isHu) {
@@ -253,40 +254,40 @@ Result<TracedVessels> traceScan(ScanLumen seen, const Volume& given, const AxisO
     const Volume& volume = seen.scan(given);
     const LumenLevels level = seen.level;
     const VoxelOpacification opacification = voxelOpacification(volume, order, level);
-    const std::vector<GreatVessel>& great = seen.found.great;
-    VesselTracingOptions requested = optionsForScan(options, great);
+    const std::vector<GreatVessel>& greatVessels = seen.found.greatVessels;
+    VesselTracingOptions requested = optionsForScan(options, greatVessels);
     requested.avoidInPatient.insert(requested.avoidInPatient.end(), seen.veins.begin(), seen.veins.end());
-    auto chosen = selectLumen(std::move(seen.found.lumen), requested, opacification, great, progress);
+    auto chosen = selectLumen(std::move(seen.found.lumen), requested, opacification, greatVessels, progress);
     if (!chosen) {
         return chosen.error();
     }
     SelectedLumen lumen = std::move(chosen).value();
     closeHoles(lumen.lumen, shiftOrigin(opacification, lumen.box.low), progress);
     if (progress.isStopped()) {
-        return stoppedTracing();
+        return tracingCanceled();
     }
-    const AxisOrder part = cropped(order, lumen.box);
+    const AxisOrder part = crop(order, lumen.box);
     auto traced = failIfEmpty(
         buildTree(lumen, opacificationIn(volume, part, level, lumen.lumen), volume.geometry, requested, progress),
-        options.threshold ? Error(messages::noLongBranch()) : noVesselsFound(level));
+        options.threshold ? Error(messages::noLongBranch()) : noVesselsError(level));
     if (!traced) {
         return traced.error();
     }
     TracedVessels vessels = std::move(traced).value().vessels;
-    addScanWarnings(vessels, lumen, great, level);
+    addScanWarnings(vessels, lumen, greatVessels, level);
     if (seen.corrected) {
         vessels.warnings.push_back(messages::coilBiasCorrected(Quantity{seen.corrected->sensitivityRatio, 1}));
     }
     if (!options.seedsInPatient.empty()) {
         return vessels;
     }
-    if (great.empty() && !options.threshold && !isOpacified(vessels.tree, order, opacification)) {
-        return noVesselsFound(level);
+    if (greatVessels.empty() && !options.threshold && !isOpacified(vessels.tree, order, opacification)) {
+        return noVesselsError(level);
     }
     if (seen.skull && !options.threshold && runsAlongSkull(vessels.tree, *seen.skull)) {
         return Error(messages::veinsWithArteries());
     }
-    return addStartMessage(std::move(vessels), lumen, great);
+    return addStartMessage(std::move(vessels), lumen, greatVessels);
 }
 
 }   // namespace

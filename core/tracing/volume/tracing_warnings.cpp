@@ -14,7 +14,7 @@ Message loopWarning(int loops)
 
 Message gapWarning(const ClosedGaps& gaps)
 {
-    return messages::gapsClosed(gaps.count, inMm(gaps.longestMm, 1));
+    return messages::gapsClosed(gaps.count, inMm(gaps.maxGapMm, 1));
 }
 
 Message coverageWarning(const SkeletonCoverage& cover)

@@ -216,29 +216,29 @@ ScanAppearance appearanceFor(const IntensityLevels& levels, const AppearanceOpti
 {
     const double factor = strengthFactor(request.strength);
     const double contrast = std::max(levels.blood - levels.wall, 1e-3);
-    ScanAppearance look;
-    look.soft = request.soft;
-    look.bone = request.bone;
-    look.kinds = request.kinds;
-    look.brightFrom = levels.blood + contrast;
+    ScanAppearance appearance;
+    appearance.softTissueColor = request.softTissueColor;
+    appearance.boneColor = request.boneColor;
+    appearance.kinds = request.kinds;
+    appearance.brightFrom = levels.blood + contrast;
     const double below = 0.25 * std::min(contrast, std::max(levels.wall - levels.tissue, 0.0));
-    look.vessels = {levels.wall - below, levels.wall + 0.5 * contrast, vesselPerMm * factor};
+    appearance.vessels = {levels.wall - below, levels.wall + 0.5 * contrast, vesselPerMm * factor};
     if (request.preset == ScanPreset::VesselsAndBone) {
-        look.rest = levels.isHu ? Opacity{levels.wall, levels.blood, bonePerMm * factor}
-                                : Opacity{levels.tissue, levels.wall, tissuePerMm * factor};
+        appearance.rest = levels.isHu ? Opacity{levels.wall, levels.blood, bonePerMm * factor}
+                                      : Opacity{levels.tissue, levels.wall, tissuePerMm * factor};
     } else if (!hasVesselLabels) {   // shows everything as bright as the contrast-enhanced lumen
-        look.rest = look.vessels;
-        look.soft = request.kinds.empty() ? request.soft : request.kinds.front();
+        appearance.rest = appearance.vessels;
+        appearance.softTissueColor = request.kinds.empty() ? request.softTissueColor : request.kinds.front();
     }
-    return look;
+    return appearance;
 }
 
 ScanAppearance maskAppearance(const AppearanceOptions& request)
 {
-    ScanAppearance look;
-    look.kinds = request.kinds;
-    look.vessels = {0.3 * maskValue, 0.6 * maskValue, vesselPerMm * strengthFactor(request.strength)};
-    return look;
+    ScanAppearance appearance;
+    appearance.kinds = request.kinds;
+    appearance.vessels = {0.3 * maskValue, 0.6 * maskValue, vesselPerMm * strengthFactor(request.strength)};
+    return appearance;
 }
 
 }   // namespace angiopose::core

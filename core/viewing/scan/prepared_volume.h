@@ -65,8 +65,8 @@ struct ScanAppearance {
     Opacity vessels;   ///< opacity of vessel voxels
     Opacity rest;   ///< opacity of all other voxels
     double brightFrom = 0.0;   ///< value at which other voxels reach `bone`; they start with `soft` at `rest.from`
-    Rgb soft{};
-    Rgb bone{};
+    Rgb softTissueColor{};
+    Rgb boneColor{};
     std::vector<Rgb> kinds;   ///< colors of the vessels, or of labels 1, 2, …; further labels use the last color
 
     bool operator==(const ScanAppearance&) const = default;
@@ -78,8 +78,8 @@ enum class ScanPreset { Vessels, VesselsAndBone };
 struct AppearanceOptions {
     ScanPreset preset = ScanPreset::Vessels;
     double strength = 0.5;   ///< 0…1; scales all opacities
-    Rgb soft{};
-    Rgb bone{};
+    Rgb softTissueColor{};
+    Rgb boneColor{};
     std::vector<Rgb> kinds;
 
     bool operator==(const AppearanceOptions&) const = default;

@@ -16,8 +16,8 @@ constexpr float flatGradient = 1e-3F;
 /// Lookup tables of opacity and color for every stored value and one ray step.
 class TransferFunction {
 public:
-    TransferFunction(const PreparedVolume& scan, const ScanAppearance& look, double stepMm)
-        : kinds_(look.kinds.empty() ? std::vector<Rgb>{look.soft} : look.kinds)
+    TransferFunction(const PreparedVolume& scan, const ScanAppearance& appearance, double stepMm)
+        : kinds_(appearance.kinds.empty() ? std::vector<Rgb>{appearance.softTissueColor} : appearance.kinds)
     {
         const auto [low, high] = std::ranges::minmax(scan.volume.voxels);
         low_ = low;
@@ -27,14 +27,14 @@ public:
         boneFraction_.resize(count);
         for (std::size_t i = 0; i < count; ++i) {
             const double value = scan.volume.slope * (static_cast<double>(i) + low) + scan.volume.intercept;
-            otherOpacity_[i] = static_cast<float>(1.0 - std::exp(-stepMm * look.rest.at(value)));
-            vesselOpacity_[i] = static_cast<float>(1.0 - std::exp(-stepMm * look.vessels.at(value)));
-            const double valueRange = look.brightFrom - look.rest.from;
+            otherOpacity_[i] = static_cast<float>(1.0 - std::exp(-stepMm * appearance.rest.at(value)));
+            vesselOpacity_[i] = static_cast<float>(1.0 - std::exp(-stepMm * appearance.vessels.at(value)));
+            const double valueRange = appearance.brightFrom - appearance.rest.from;
             boneFraction_[i] =
-                static_cast<float>(std::clamp((value - look.rest.from) / std::max(valueRange, 1e-9), 0.0, 1.0));
+                static_cast<float>(std::clamp((value - appearance.rest.from) / std::max(valueRange, 1e-9), 0.0, 1.0));
         }
-        soft_ = look.soft;
-        bone_ = look.bone;
+        soft_ = appearance.softTissueColor;
+        bone_ = appearance.boneColor;
     }
 
     float opacity(float value, std::uint8_t kind) const
@@ -157,18 +157,18 @@ RaySpan within(const Eigen::Array3f& start, const Eigen::Array3f& perMm, const E
 
 class ScanRenderer {
 public:
-    ScanRenderer(const PreparedVolume& scan, const ScanAppearance& look, const ParallelProjection& sight,
-                 double stepShare)
+    ScanRenderer(const PreparedVolume& scan, const ScanAppearance& appearance, const ParallelProjection& projection,
+                 double stepFraction)
         : scan_(scan),
-          sight_(sight),
-          stepMm_(static_cast<float>(stepShare * scan.volume.geometry.spacingMm.minCoeff())),
-          transferFunction_(scan, look, stepMm_),
+          projection_(projection),
+          stepMm_(static_cast<float>(stepFraction * scan.volume.geometry.spacingMm.minCoeff())),
+          transferFunction_(scan, appearance, stepMm_),
           interpolator_(scan)
     {
         const Eigen::Affine3d voxelFromPatient = scan.volume.geometry.patientFromVoxel().inverse();
         toVoxel_ = voxelFromPatient;
-        perMm_ = (voxelFromPatient.linear() * -sight.toViewer()).cast<float>().array();
-        light_ = (scan.volume.geometry.direction.transpose() * sight.toViewer()).cast<float>();
+        perMm_ = (voxelFromPatient.linear() * -projection.toViewer()).cast<float>().array();
+        light_ = (scan.volume.geometry.direction.transpose() * projection.toViewer()).cast<float>();
         lastVoxel_ = (scan.volume.geometry.size.array() - 1).cast<float>();
         for (const PreparedVolume::Block& block : scan.blocks) {
             isVisible_.push_back(transferFunction_.isVisible(block) ? 1 : 0);
@@ -177,10 +177,11 @@ public:
 
     void renderRow(int y, Image2d<Rgba>& image) const
     {
-        for (int x = 0; x < sight_.width; ++x) {
+        for (int x = 0; x < projection_.width; ++x) {
             const Eigen::Vector3d place =
-                sight_.centerInPatient + sight_.mmPerPx * ((x + 0.5 - 0.5 * sight_.width) * sight_.right +
-                                                           (y + 0.5 - 0.5 * sight_.height) * sight_.up);
+                projection_.centerInPatient +
+                projection_.mmPerPx * ((x + 0.5 - 0.5 * projection_.width) * projection_.right +
+                                       (y + 0.5 - 0.5 * projection_.height) * projection_.up);
             image.at(x, y) = cast((toVoxel_ * place).cast<float>().array());
         }
     }
@@ -241,7 +242,7 @@ private:
     }
 
     const PreparedVolume& scan_;
-    ParallelProjection sight_;
+    ParallelProjection projection_;
     float stepMm_;
     TransferFunction transferFunction_;
     VoxelInterpolator interpolator_;
@@ -254,20 +255,20 @@ private:
 
 }   // namespace
 
-std::optional<Image2d<Rgba>> renderScan(const PreparedVolume& scan, const ScanAppearance& look,
-                                        const ParallelProjection& sight, double stepShare,
+std::optional<Image2d<Rgba>> renderScan(const PreparedVolume& scan, const ScanAppearance& appearance,
+                                        const ParallelProjection& projection, double stepFraction,
                                         const std::function<bool()>& shouldContinue)
 {
     if (!shouldContinue()) {
         return std::nullopt;
     }
-    Image2d<Rgba> image(std::max(0, sight.width), std::max(0, sight.height));
-    if (!sight.isDefined()) {
+    Image2d<Rgba> image(std::max(0, projection.width), std::max(0, projection.height));
+    if (!projection.isDefined()) {
         return image;
     }
-    const ScanRenderer renderer(scan, look, sight, stepShare);
+    const ScanRenderer renderer(scan, appearance, projection, stepFraction);
     const bool isWhole = parallelFor(
-        static_cast<std::size_t>(sight.height), threadCount(0),
+        static_cast<std::size_t>(projection.height), threadCount(0),
         [&](std::size_t y) { renderer.renderRow(static_cast<int>(y), image); },
         [&](double) { return shouldContinue(); });
     return isWhole ? std::optional(std::move(image)) : std::nullopt;

@@ -31,10 +31,10 @@ struct ParallelProjection {
 using Rgba = std::array<std::uint8_t, 4>;
 
 /// Renders the scan with a headlight that shades the surfaces. The image has its bottom row first and colors
-/// premultiplied by opacity; it is empty if `isDefined` is false. `stepShare` is the sampling distance as a fraction of
-/// the shortest voxel side. Returns nullopt if `shouldContinue` returns false.
-std::optional<Image2d<Rgba>> renderScan(const PreparedVolume& scan, const ScanAppearance& look,
-                                        const ParallelProjection& sight, double stepShare,
+/// premultiplied by opacity; it is empty if `isDefined` is false. `stepFraction` is the sampling distance as a fraction
+/// of the shortest voxel side. Returns nullopt if `shouldContinue` returns false.
+std::optional<Image2d<Rgba>> renderScan(const PreparedVolume& scan, const ScanAppearance& appearance,
+                                        const ParallelProjection& projection, double stepFraction,
                                         const std::function<bool()>& shouldContinue);
 
 }   // namespace angiopose::core

@@ -68,7 +68,7 @@ private:
     void fail(const SendableFile& file, const core::Message& why)
     {
         ++report_.failed;
-        report_.note(why.about(file.path));
+        report_.addProblem(why.about(file.path));
     }
 
     core::Status sendFile(DimseLink& link, const SendableFile& file)

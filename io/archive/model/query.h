@@ -86,7 +86,7 @@ struct TransferReport {
 
     static constexpr std::size_t maxProblems = 20;
 
-    void note(const core::Message& problem)
+    void addProblem(const core::Message& problem)
     {
         if (problems.size() < maxProblems) {
             problems.push_back(problem);

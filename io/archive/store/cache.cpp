@@ -104,7 +104,7 @@ std::vector<CachedSeries> listCachedSeries(const std::string& root)
     return all;
 }
 
-std::uint64_t shrinkCache(const std::string& root, std::uint64_t maxBytes, const std::string& kept)
+std::uint64_t shrinkCache(const std::string& root, std::uint64_t maxBytes, const std::string& keptFolder)
 {
     const auto all = listCachedSeries(root);
     std::uint64_t left = 0;
@@ -115,7 +115,7 @@ std::uint64_t shrinkCache(const std::string& root, std::uint64_t maxBytes, const
         if (left <= maxBytes) {
             break;
         }
-        if (series.folder != kept) {
+        if (series.folder != keptFolder) {
             deleteSeries(series.folder);
             left -= series.bytes;
         }

@@ -26,7 +26,7 @@ std::vector<CachedSeries> listCachedSeries(const std::string& root);
 
 /// Deletes the least recently used series, except the one in the folder `kept`, until at most `maxBytes` remain.
 /// Returns the remaining size in bytes.
-std::uint64_t shrinkCache(const std::string& root, std::uint64_t maxBytes, const std::string& kept = {});
+std::uint64_t shrinkCache(const std::string& root, std::uint64_t maxBytes, const std::string& keptFolder = {});
 
 /// Deletes everything that the cache created and no other files. Returns the number of deleted objects.
 core::Result<std::size_t> clearCache(const std::string& root);

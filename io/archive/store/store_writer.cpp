@@ -106,30 +106,30 @@ core::Status StoreWriter::count(const StoredObject& stored)
     return core::Done{};
 }
 
-void StoreWriter::reportProblem(const core::Message& what) const
+void StoreWriter::reportProblem(const core::Message& problem) const
 {
     if (problemCallback_) {
-        problemCallback_(what);
+        problemCallback_(problem);
     }
 }
 
-void StoreWriter::recordMissing(const core::Message& why)
+void StoreWriter::recordMissing(const core::Message& reason)
 {
     {
         const std::lock_guard lock(reportMutex_);
         ++report_->failed;
-        report_->note(why);
+        report_->addProblem(reason);
     }
-    reportProblem(why);
+    reportProblem(reason);
 }
 
-void StoreWriter::warn(const core::Message& what)
+void StoreWriter::warn(const core::Message& problem)
 {
     {
         const std::lock_guard lock(reportMutex_);
-        report_->note(what);
+        report_->addProblem(problem);
     }
-    reportProblem(what);
+    reportProblem(problem);
 }
 
 bool StoreWriter::isStopRequested() const

@@ -31,11 +31,11 @@ public:
     const ObjectStore& store() const { return *store_; }
 
     /// Sets the callback for each object that was stored or already present.
-    void tell(StoredCallback reported) { storedCallback_ = std::move(reported); }
+    void tell(StoredCallback storedCallback) { storedCallback_ = std::move(storedCallback); }
 
     /// Called by `warn` and `recordMissing` immediately with each message.
     using ProblemCallback = std::function<void(const core::Message&)>;
-    void setProblemCallback(ProblemCallback heard) { problemCallback_ = std::move(heard); }
+    void setProblemCallback(ProblemCallback problemCallback) { problemCallback_ = std::move(problemCallback); }
 
     /// Counts expected objects that were already present before the transfer.
     void addExisting(std::size_t objects);
@@ -50,16 +50,16 @@ public:
     core::Result<StoreOutcome> take(IncomingObject object, const ExpectedObject& expected);
 
     /// Records an expected object that did not arrive.
-    void recordMissing(const core::Message& why);
+    void recordMissing(const core::Message& reason);
 
     /// Records a warning; unlike `recordMissing`, does not count a missing object.
-    void warn(const core::Message& what);
+    void warn(const core::Message& problem);
 
     bool isStopRequested() const;
     std::uint64_t receivedBytes() const { return bytes_; }
 
 private:
-    void reportProblem(const core::Message& what) const;
+    void reportProblem(const core::Message& problem) const;
     core::Status enforceLimit(const StoredObject& stored);
     core::Status count(const StoredObject& stored);
 

@@ -12,7 +12,7 @@ constexpr std::size_t maxHeaderBytes = std::size_t{16} << 10;
 constexpr std::size_t maxBoundary = 70;
 constexpr std::string_view lineEnd = "\r\n";
 
-std::string lowered(std::string text)
+std::string toLower(std::string text)
 {
     std::ranges::transform(text, text.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? char(c + 32) : c; });
     return text;
@@ -27,7 +27,7 @@ core::Error malformedResponse()
 
 std::optional<std::string> parseBoundary(const std::string& contentType)
 {
-    const std::string lower = lowered(contentType);
+    const std::string lower = toLower(contentType);
     const std::size_t at = lower.find("boundary=");
     if (!lower.starts_with("multipart/") || at == std::string::npos) {
         return std::nullopt;

@@ -139,7 +139,8 @@ core::Status recordStoreResult(const ArchiveNode& node, const SendableFile& file
         ++report.duplicates;
     } else if (answer.failure != 0 || reply.status == 409 || reply.status == 202) {
         ++report.failed;
-        report.note(messages::archiveStoreRefused(statusText(static_cast<unsigned>(answer.failure))).about(file.path));
+        report.addProblem(
+            messages::archiveStoreRefused(statusText(static_cast<unsigned>(answer.failure))).about(file.path));
     } else {
         return core::Error(messages::archiveHttpStatus("STOW-RS", std::to_string(reply.status)).about(node.name));
     }

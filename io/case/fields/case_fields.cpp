@@ -41,23 +41,24 @@ StoredField<Case> locksField()
 {
     const Json schema = about(listSchema(choiceSchema({"right", "up", "along-ray", "roll", "lao-rao", "cra-cau"})),
                               "Degrees of freedom that nudging and registration do not change.");
-    return {"locked", schema,
-            [](const Json& value, Case& session, ReadContext&) {
-                for (const Json& id : value) {
-                    if (const auto axis = core::poseAxisFrom(id.get<std::string>())) {   // the schema permits no others
-                        session.options.locks[static_cast<std::size_t>(*axis)] = true;
-                    }
+    return {
+        "locked", schema,
+        [](const Json& value, Case& session, ReadContext&) {
+            for (const Json& id : value) {
+                if (const auto axis = core::parsePoseAxis(id.get<std::string>())) {   // the schema permits no others
+                    session.options.locks[static_cast<std::size_t>(*axis)] = true;
                 }
-            },
-            [](const Case& session, const fs::path&) {
-                Json ids;
-                for (const core::PoseAxis axis : core::poseAxes) {
-                    if (core::isLocked(session.options.locks, axis)) {
-                        ids.push_back(core::idOf(axis));
-                    }
+            }
+        },
+        [](const Case& session, const fs::path&) {
+            Json ids;
+            for (const core::PoseAxis axis : core::poseAxes) {
+                if (core::isLocked(session.options.locks, axis)) {
+                    ids.push_back(core::idOf(axis));
                 }
-                return ids;
-            }};
+            }
+            return ids;
+        }};
 }
 
 void readOtherView(const Json& json, core::View& view, ReadContext& reading)

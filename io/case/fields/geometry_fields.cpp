@@ -9,7 +9,7 @@ namespace {
 
 using core::CArm;
 using core::Origin;
-using core::Sourced;
+using core::SourcedValue;
 using core::ViewGeometry;
 namespace fs = std::filesystem;
 
@@ -45,15 +45,15 @@ Json sourcedSchema(const Json& value)
 
 /// Reads a value with its origin; a value stored alone counts as entered by the user.
 template <class Value>
-Sourced<Value> sourcedFrom(const Json& json)
+SourcedValue<Value> sourcedFrom(const Json& json)
 {
-    return json.is_object() ? Sourced<Value>{json.at("value").get<Value>(), originFrom(json.value("origin", "user")),
-                                             json.value("basis", "")}
-                            : Sourced<Value>{json.get<Value>(), Origin::User, ""};
+    return json.is_object() ? SourcedValue<Value>{json.at("value").get<Value>(),
+                                                  originFrom(json.value("origin", "user")), json.value("basis", "")}
+                            : SourcedValue<Value>{json.get<Value>(), Origin::User, ""};
 }
 
 template <class Value>
-Json sourcedJson(const Sourced<Value>& sourced)
+Json sourcedJson(const SourcedValue<Value>& sourced)
 {
     if (!sourced.value) {
         return {};
@@ -66,7 +66,7 @@ Json sourcedJson(const Sourced<Value>& sourced)
 }
 
 template <class Value>
-StoredField<ViewGeometry> sourcedField(const char* key, const Json& valueSchema, Sourced<Value> CArm::*member,
+StoredField<ViewGeometry> sourcedField(const char* key, const Json& valueSchema, SourcedValue<Value> CArm::*member,
                                        std::string_view sentence = {})
 {
     const Json schema = sourcedSchema(valueSchema);
@@ -89,8 +89,8 @@ StoredField<ViewGeometry> spacingField()
             [](const ViewGeometry& geometry, const fs::path&) {
                 const auto& [rows, columns] = std::tie(geometry.cArm.rowSpacingMm, geometry.cArm.columnSpacingMm);
                 return rows.value && columns.value
-                           ? sourcedJson(Sourced<Eigen::Vector2d>{Eigen::Vector2d(*rows.value, *columns.value),
-                                                                  columns.origin, columns.basis})
+                           ? sourcedJson(SourcedValue<Eigen::Vector2d>{Eigen::Vector2d(*rows.value, *columns.value),
+                                                                       columns.origin, columns.basis})
                            : Json();
             }};
 }

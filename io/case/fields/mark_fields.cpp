@@ -73,7 +73,7 @@ StoredField<core::Vessels> marksField()
     return field;
 }
 
-StoredField<core::View> sightingsField()
+StoredField<core::View> observationsField()
 {
     return listField("sightings", manyOf("Positions of target points of the vessels in the image."),
                      &core::View::observations, objectSchema({}, {"mark", "pixel"}),

@@ -8,7 +8,7 @@ namespace angiopose::io {
 StoredField<core::Vessels> marksField();
 
 /// Returns the field of the target points marked in a view's image, and of the arrows and text annotations on it.
-StoredField<core::View> sightingsField();
+StoredField<core::View> observationsField();
 StoredField<core::View> annotationsField();
 
 }   // namespace angiopose::io

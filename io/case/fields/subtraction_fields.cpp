@@ -20,9 +20,9 @@ StoredField<RunProcessing> compositeField()
     return {
         "composite",
         about(choiceSchema({"none", "minimum"}), "minimum: every frame is the peak-opacification image of the run."),
-        [](const Json& value, RunProcessing& treatment, ReadContext&) { treatment.isComposite = value == "minimum"; },
-        [](const RunProcessing& treatment, const fs::path&) {
-            return Json(treatment.isComposite ? "minimum" : "none");
+        [](const Json& value, RunProcessing& processing, ReadContext&) { processing.isComposite = value == "minimum"; },
+        [](const RunProcessing& processing, const fs::path&) {
+            return Json(processing.isComposite ? "minimum" : "none");
         }};
 }
 
@@ -34,7 +34,7 @@ StoredField<RunProcessing> maskFramesField()
         [](const Json& value, RunProcessing&, ReadContext& reading) {
             keysOf(reading).maskFrames = value.get<std::vector<int>>();
         },
-        [](const RunProcessing& treatment, const fs::path&) { return Json(treatment.plan.maskFrames); }};
+        [](const RunProcessing& processing, const fs::path&) { return Json(processing.plan.maskFrames); }};
 }
 
 StoredField<RunProcessing> intervalField()
@@ -49,8 +49,8 @@ StoredField<RunProcessing> intervalField()
             [](const Json& value, RunProcessing&, ReadContext& reading) {
                 readFields(value, keysOf(reading).interval.emplace(), fields, reading);
             },
-            [](const RunProcessing& treatment, const fs::path& folder) {
-                return treatment.plan.interval ? writeFields(*treatment.plan.interval, fields, folder) : Json();
+            [](const RunProcessing& processing, const fs::path& folder) {
+                return processing.plan.interval ? writeFields(*processing.plan.interval, fields, folder) : Json();
             }};
 }
 
@@ -65,8 +65,8 @@ StoredField<RunProcessing> maskShiftField()
                     keysOf(reading).maskShiftPx = value.get<Eigen::Vector2d>();
                 }
             },
-            [](const RunProcessing& treatment, const fs::path&) {
-                return treatment.plan.maskShiftPx ? Json(*treatment.plan.maskShiftPx) : Json("automatic");
+            [](const RunProcessing& processing, const fs::path&) {
+                return processing.plan.maskShiftPx ? Json(*processing.plan.maskShiftPx) : Json("automatic");
             }};
 }
 
@@ -77,8 +77,8 @@ StoredField<RunProcessing> relationField()
             [](const Json& value, RunProcessing&, ReadContext& reading) {
                 keysOf(reading).relation = value == "logarithmic" ? PixelRelation::Logarithmic : PixelRelation::Linear;
             },
-            [](const RunProcessing& treatment, const fs::path&) {
-                return Json(treatment.plan.relation == PixelRelation::Linear ? "linear" : "logarithmic");
+            [](const RunProcessing& processing, const fs::path&) {
+                return Json(processing.plan.relation == PixelRelation::Linear ? "linear" : "logarithmic");
             }};
 }
 
@@ -86,12 +86,12 @@ StoredField<RunProcessing> polarityField()
 {
     using core::Polarity;
     return {"vessels", about(choiceSchema({"dark", "bright"}), "Absent: as given by the image."),
-            [](const Json& value, RunProcessing& treatment, ReadContext&) {
-                treatment.polarity = value == "bright" ? Polarity::VesselsBright : Polarity::VesselsDark;
+            [](const Json& value, RunProcessing& processing, ReadContext&) {
+                processing.polarity = value == "bright" ? Polarity::VesselsBright : Polarity::VesselsDark;
             },
-            [](const RunProcessing& treatment, const fs::path&) {
-                return treatment.polarity ? Json(treatment.polarity == Polarity::VesselsBright ? "bright" : "dark")
-                                          : Json();
+            [](const RunProcessing& processing, const fs::path&) {
+                return processing.polarity ? Json(processing.polarity == Polarity::VesselsBright ? "bright" : "dark")
+                                           : Json();
             }};
 }
 
@@ -114,13 +114,13 @@ StoredField<View> subtractionField()
     const Json schema{{"description",
                        "Processing of the stored frames into the run that is displayed and traced. Absent keys: as in "
                        "the image's header."}};
-    StoredField<View> field = objectField("subtraction", schema, &View::treatment, treatmentFields());
+    StoredField<View> field = objectField("subtraction", schema, &View::processing, treatmentFields());
     field.read = [read = field.read](const Json& value, View& view, ReadContext& reading) {
         reading.view.subtraction.emplace();
-        view.treatment.isSubtracted = true;
+        view.processing.isSubtracted = true;
         read(value, view, reading);
     };
-    return writeFieldIf([](const View& view) { return view.treatment != RunProcessing{.plan = view.headerPlan}; },
+    return writeFieldIf([](const View& view) { return view.processing != RunProcessing{.plan = view.headerPlan}; },
                         std::move(field));
 }
 

@@ -23,7 +23,7 @@ StoredFields<TrackedFrame> trackedFields()
     return {
         poseMatrixField(&TrackedFrame::cameraFromPatient), measureField("score", &TrackedFrame::score),
         optionalField("searched", about(flagSchema(), "The pose was found by a search, not from the previous frame."),
-                      &TrackedFrame::searched),
+                      &TrackedFrame::isFromSearch),
         valueField("trustworthy", flagSchema(), &TrackedFrame::isTrustworthy)};
 }
 

@@ -315,7 +315,7 @@ const StoredFields<View>& viewFields()
         objectField("geometry", Json::object(), &View::geometry, geometryFields()),
         groupField<View>("pose", Json::object(), {initialPoseField(), currentPoseField(), landmarksField()}),
         measurementsField(),
-        sightingsField(),
+        observationsField(),
         annotationsField(),
         resultField(),
         trackingField(),

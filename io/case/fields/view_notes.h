@@ -28,8 +28,7 @@ struct ViewNotes {
     std::vector<int> deviceCurveIds;   ///< IDs of the edited curves that are devices, see core::separateDevices
     std::optional<SubtractionOverrides> subtraction;
     std::string sopInstanceUid;   ///< SOP instance UID of the image, if stored
-    core::Messages
-        changedSinceResult;   ///< parts of the file that changed after the view's result was saved
+    core::Messages changedSinceResult;   ///< parts of the file that changed after the view's result was saved
     core::Messages changedSinceTracking;   ///< the same for the tracking result
 };
 

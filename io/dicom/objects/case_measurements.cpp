@@ -67,7 +67,7 @@ Points closedWhereArea(Points points, core::MeasurementKind kind)
 
 void addImageMeasurements(std::vector<ReportGroup>& groups, const core::Case& session)
 {
-    const core::MeasuredView seen(session.shown(), session.vessels.tree.get());
+    const core::MeasurementContext seen(session.shown(), session.vessels.tree.get());
     const std::vector<core::ImageMeasurement>& all = session.shown().measurements;
     for (std::size_t i = 0; i < all.size(); ++i) {
         const auto measured = core::measureImage(all[i], seen);

@@ -24,9 +24,9 @@ std::string ObjectOrigin::uidFor(const std::string& role) const
     return uidFromContent(seed + " " + role);
 }
 
-ObjectOrigin newOrigin(const std::string& author)
+ObjectOrigin makeOrigin(const std::string& author)
 {
-    return {newUid(), localTimeNow(), author};
+    return {makeUid(), localTimeNow(), author};
 }
 
 std::string studyUidOf(const SourceImage& source, const ObjectOrigin& origin)
@@ -37,12 +37,12 @@ std::string studyUidOf(const SourceImage& source, const ObjectOrigin& origin)
 void addCommonModules(DicomItem& root, const ObjectKind& kind, const SourceImage& source, const ObjectOrigin& origin)
 {
     root.text(0x00080005, "CS", "ISO_IR 192");
-    root.text(0x00080012, "DA", origin.made.date);
-    root.text(0x00080013, "TM", origin.made.time);
+    root.text(0x00080012, "DA", origin.created.date);
+    root.text(0x00080013, "TM", origin.created.time);
     root.text(0x00080016, "UI", kind.sopClassUid);
     root.text(0x00080018, "UI", origin.uidFor(std::string("instance of ") + kind.role));
-    root.text(0x00080021, "DA", origin.made.date);
-    root.text(0x00080031, "TM", origin.made.time);
+    root.text(0x00080021, "DA", origin.created.date);
+    root.text(0x00080031, "TM", origin.created.time);
     root.text(0x00080060, "CS", kind.modality);
     root.text(0x00080070, "LO", "AngioPose");
     root.text(0x0008103e, "LO", kind.description);
@@ -73,8 +73,8 @@ void addContentIdentification(DicomItem& root, const char* label, const std::str
 
 void addContentTime(DicomItem& root, const ObjectOrigin& origin)
 {
-    root.text(0x00080023, "DA", origin.made.date);
-    root.text(0x00080033, "TM", origin.made.time);
+    root.text(0x00080023, "DA", origin.created.date);
+    root.text(0x00080033, "TM", origin.created.time);
 }
 
 void addDerivedFrom(DicomItem& root, const std::string& words, const SourceImage& source)

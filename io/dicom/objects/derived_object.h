@@ -11,7 +11,7 @@ namespace angiopose::io {
 /// Properties shared by the objects that are exported from a case together.
 struct ObjectOrigin {
     std::string seed;   ///< seed of the new UIDs: newUid(), or an earlier seed to reproduce its UIDs
-    LocalTime made;
+    LocalTime created;
     std::string author;   ///< name of the author; may be empty
 
     /// Returns the UID for a role, for example "series of the image"; equal roles have equal UIDs.
@@ -19,7 +19,7 @@ struct ObjectOrigin {
 };
 
 /// Creates an origin with a new seed.
-ObjectOrigin newOrigin(const std::string& author);
+ObjectOrigin makeOrigin(const std::string& author);
 
 /// The kind of an exported object.
 struct ObjectKind {

@@ -11,8 +11,9 @@ constexpr CodedTerm reportTitle{"126000", "DCM", "Imaging Measurement Report"};
 
 }   // namespace
 
-core::Result<std::string> encapsulatedPdf(std::string_view pdf, const std::string& title, BurnedInIdentity identity,
-                                          const SourceImage& source, const ObjectOrigin& origin)
+core::Result<std::string> encodeEncapsulatedPdf(std::string_view pdf, const std::string& title,
+                                                BurnedInIdentity identity, const SourceImage& source,
+                                                const ObjectOrigin& origin)
 {
     if (!pdf.starts_with("%PDF-")) {
         return core::Error(messages::objectNoPdf());
@@ -31,7 +32,7 @@ core::Result<std::string> encapsulatedPdf(std::string_view pdf, const std::strin
     root.text(0x00420010, "ST", truncateUtf8(title, 1024));
     root.text(0x00420012, "LO", "application/pdf");
     root.bytes(0x00420011, pdf);
-    root.unsignedLongs(0x00420015, {static_cast<std::uint32_t>(pdf.size())});
+    root.setUnsignedLongs(0x00420015, {static_cast<std::uint32_t>(pdf.size())});
     return object.content();
 }
 

@@ -80,7 +80,7 @@ void addPixelLine(DicomItem& number, const ReportNumber& reported, const SourceI
     DicomItem line = number.addItem(contentSequence);
     line.text(0x0040a010, "CS", "INFERRED FROM");
     line.text(0x0040a040, "CS", "SCOORD");
-    line.floats(0x00700022, data);
+    line.setFloats(0x00700022, data);
     line.text(0x00700023, "CS", "POLYLINE");
     addImageContent(line, "SELECTED FROM", source, reported.frame);
 }
@@ -97,7 +97,7 @@ void addPatientLine(DicomItem& number, const ReportNumber& reported, const std::
     line.text(0x0040a010, "CS", "INFERRED FROM");
     line.text(0x0040a040, "CS", "SCOORD3D");
     line.text(0x30060024, "UI", frameOfReferenceUid);
-    line.floats(0x00700022, data);
+    line.setFloats(0x00700022, data);
     line.text(0x00700023, "CS", "POLYLINE");
 }
 
@@ -107,8 +107,8 @@ void addNumber(DicomItem& group, const ReportNumber& reported, const Measurement
     DicomItem item = addContent(group, "CONTAINS", "NUM", reported.meaning);
     DicomItem measured = item.addItem(0x0040a300);
     addTerm(measured, 0x004008ea, reported.unit);
-    measured.doubles(0x0040a161, {reported.value});
-    measured.decimals(0x0040a30a, {reported.value});
+    measured.setDoubles(0x0040a161, {reported.value});
+    measured.setDecimals(0x0040a30a, {reported.value});
     if (!reported.pixels.empty() && source.isReferenceable()) {
         addPixelLine(item, reported, source);
     }
@@ -159,8 +159,8 @@ void addGroups(DicomItem& root, const MeasurementReport& report, const SourceIma
 void addDocument(DicomItem& root, const SourceImage& source, const ObjectOrigin& origin)
 {
     addContentTime(root, origin);
-    root.emptySequence(0x00081111);
-    root.emptySequence(0x0040a372);
+    root.addEmptySequence(0x00081111);
+    root.addEmptySequence(0x0040a372);
     root.text(0x0040a491, "CS", "COMPLETE");
     root.text(0x0040a493, "CS", "UNVERIFIED");
     root.text(0x0040a496, "CS", "PRELIMINARY");
@@ -175,8 +175,8 @@ void addDocument(DicomItem& root, const SourceImage& source, const ObjectOrigin&
 
 }   // namespace
 
-core::Result<std::string> measurementReport(const MeasurementReport& report, const SourceImage& source,
-                                            const ObjectOrigin& origin)
+core::Result<std::string> encodeMeasurementReport(const MeasurementReport& report, const SourceImage& source,
+                                                  const ObjectOrigin& origin)
 {
     if (report.groups.empty()) {
         return core::Error(messages::objectNothingMeasured());

@@ -38,8 +38,8 @@ struct MeasurementReport {
 
 /// Returns the measurements of an image and its scan as a Comprehensive 3D SR that follows TID 1500 (PS3.16). Fails if
 /// there are no measurements.
-core::Result<std::string> measurementReport(const MeasurementReport& report, const SourceImage& source,
-                                            const ObjectOrigin& origin);
+core::Result<std::string> encodeMeasurementReport(const MeasurementReport& report, const SourceImage& source,
+                                                  const ObjectOrigin& origin);
 
 inline constexpr CodedTerm lengthTerm{"410668003", "SCT", "Length"};
 inline constexpr CodedTerm angleTerm{"1483009", "SCT", "Angle"};

@@ -32,8 +32,8 @@ void addRelationship(DicomItem& root, const SourceImage& source, int frame)
 void addDisplayedArea(DicomItem& root, const SourceImage& source)
 {
     DicomItem area = root.addItem(0x0070005a);
-    area.signedLongs(0x00700052, {1, 1});
-    area.signedLongs(0x00700053, {source.columns, source.rows});
+    area.setSignedLongs(0x00700052, {1, 1});
+    area.setSignedLongs(0x00700053, {source.columns, source.rows});
     area.text(0x00700100, "CS", "SCALE TO FIT");
     area.text(0x00700102, "IS", "1\\1");
 }
@@ -43,9 +43,9 @@ void addLayer(DicomItem& root, const GraphicLayer& layer, std::size_t order)
     DicomItem item = root.addItem(0x00700060);
     item.text(0x00700002, "CS", layer.name);
     item.text(0x00700062, "IS", std::to_string(order + 1));
-    item.unsignedShort(0x00700066, whiteGray);
+    item.setUnsignedShort(0x00700066, whiteGray);
     item.text(0x00700068, "LO", truncateUtf8(layer.description, 64));
-    item.unsignedShorts(0x00700401, labColor(layer.color));
+    item.setUnsignedShorts(0x00700401, labColor(layer.color));
 }
 
 /// Converts coordinates relative to the center of the first pixel to DICOM coordinates, which start at its corner.
@@ -65,9 +65,9 @@ void addLine(DicomItem& annotation, const std::vector<Eigen::Vector2d>& line)
         const std::size_t last = std::min(line.size(), first + maxPointsInLine);
         DicomItem object = annotation.addItem(0x00700009);
         object.text(0x00700005, "CS", "PIXEL");
-        object.unsignedShort(0x00700020, 2);
-        object.unsignedShort(0x00700021, static_cast<int>(last - first));
-        object.floats(0x00700022, cornerBased(line, first, last));
+        object.setUnsignedShort(0x00700020, 2);
+        object.setUnsignedShort(0x00700021, static_cast<int>(last - first));
+        object.setFloats(0x00700022, cornerBased(line, first, last));
         object.text(0x00700023, "CS", "POLYLINE");
         object.text(0x00700024, "CS", "N");
     }
@@ -78,7 +78,7 @@ void addText(DicomItem& annotation, const GraphicText& text)
     DicomItem object = annotation.addItem(0x00700008);
     object.text(0x00700006, "ST", truncateUtf8(text.words, 1024));
     object.text(0x00700004, "CS", "PIXEL");
-    object.floats(0x00700014, cornerBased({text.at}, 0, 1));
+    object.setFloats(0x00700014, cornerBased({text.at}, 0, 1));
     object.text(0x00700015, "CS", "N");
 }
 
@@ -106,8 +106,8 @@ void addGrays(DicomItem& root, const PresentationContent& shown, const SourceIma
     }
     if (shown.range) {   // PS3.3 C.11.2.1.2.1: black up to center - 0.5 - (width - 1) / 2
         DicomItem window = root.addItem(0x00283110);
-        window.decimals(0x00281050, {shown.range->level() + 0.5});
-        window.decimals(0x00281051, {std::max(1.0, shown.range->window() + 1.0)});
+        window.setDecimals(0x00281050, {shown.range->level() + 0.5});
+        window.setDecimals(0x00281051, {std::max(1.0, shown.range->window() + 1.0)});
     }
     root.text(0x20500020, "CS", source.isShownInverted ? "INVERSE" : "IDENTITY");
 }
@@ -119,8 +119,8 @@ bool hasLine(const GraphicLayer& layer)
 
 }   // namespace
 
-core::Result<std::string> presentationState(const PresentationContent& shown, const SourceImage& source,
-                                            const ObjectOrigin& origin)
+core::Result<std::string> encodePresentationState(const PresentationContent& shown, const SourceImage& source,
+                                                  const ObjectOrigin& origin)
 {
     if (!source.isDicom || !source.isReferenceable() || source.rows <= 0 || source.columns <= 0) {
         return core::Error(messages::objectNoReference());
@@ -132,8 +132,8 @@ core::Result<std::string> presentationState(const PresentationContent& shown, co
     DicomItem root = object.root();
     addCommonModules(root, stateKind, source, origin);
     addContentIdentification(root, "ANGIOPOSE", shown.description, origin);
-    root.text(0x00700082, "DA", origin.made.date);
-    root.text(0x00700083, "TM", origin.made.time);
+    root.text(0x00700082, "DA", origin.created.date);
+    root.text(0x00700083, "TM", origin.created.time);
     addRelationship(root, source, shown.frame);
     addDisplayedArea(root, source);
     addGrays(root, shown, source);

@@ -36,7 +36,7 @@ struct PresentationContent {
 
 /// Returns a Grayscale Softcopy Presentation State (PS3.3 A.33.1): the lines as vector graphics on the unchanged image.
 /// Fails if the image cannot be referenced or there are no lines.
-core::Result<std::string> presentationState(const PresentationContent& shown, const SourceImage& source,
-                                            const ObjectOrigin& origin);
+core::Result<std::string> encodePresentationState(const PresentationContent& shown, const SourceImage& source,
+                                                  const ObjectOrigin& origin);
 
 }   // namespace angiopose::io

@@ -38,7 +38,7 @@ void addMatrix(DicomItem& item, const core::RigidTransform& transform, const std
     registration.text(0x300600c8, "LO", truncateUtf8(comment, 64));
     addTerm(registration, 0x0070030d, imageContentAlignment);
     DicomItem matrix = registration.addItem(matrixSequenceTag);
-    matrix.decimals(matrixTag, rowByRow(transform));
+    matrix.setDecimals(matrixTag, rowByRow(transform));
     matrix.text(0x0070030c, "CS", "RIGID");
 }
 
@@ -64,10 +64,10 @@ void addCamera(DicomItem& root, const CArmRegistration& registration)
 {
     const core::ProjectionCamera& camera = registration.camera;
     root.text(0x00710010, "LO", privateCreator);
-    root.doubles(0x00711001, rowByRow(registration.cameraFromPatient));
-    root.doubles(0x00711002, {camera.fx, camera.fy, camera.cx, camera.cy});
-    root.unsignedShorts(0x00711003,
-                        {static_cast<std::uint16_t>(camera.width), static_cast<std::uint16_t>(camera.height)});
+    root.setDoubles(0x00711001, rowByRow(registration.cameraFromPatient));
+    root.setDoubles(0x00711002, {camera.fx, camera.fy, camera.cx, camera.cy});
+    root.setUnsignedShorts(0x00711003,
+                           {static_cast<std::uint16_t>(camera.width), static_cast<std::uint16_t>(camera.height)});
     root.text(0x00711004, "LO", truncateUtf8(registration.method, 64));
     root.text(0x00711005, "LT",
               "u = fx X/Z + cx, v = fy Y/Z + cy; (X, Y, Z) in mm is the camera point of a patient point (1001: matrix "
@@ -113,8 +113,8 @@ std::string cameraFrameOfReference(const SourceImage& angiogram, const ObjectOri
                                             : uidFromContent("camera of " + angiogram.sopInstanceUid);
 }
 
-core::Result<std::string> spatialRegistration(const CArmRegistration& registration, const SourceImage& angiogram,
-                                              const ObjectOrigin& origin)
+core::Result<std::string> encodeSpatialRegistration(const CArmRegistration& registration, const SourceImage& angiogram,
+                                                    const ObjectOrigin& origin)
 {
     if (!core::isRigid(registration.cameraFromPatient)) {
         return core::Error(messages::objectPoseNotRigid());

@@ -26,8 +26,8 @@ std::string cameraFrameOfReference(const SourceImage& angiogram, const ObjectOri
 /// of reference contains `cameraFromPatient`, which maps patient points of the scan to camera points (PS3.3 C.20.2:
 /// "from the Referenced to the Registered RCS"); the item for the image contains the identity. Private elements hold
 /// the camera (FORMATS §3.6). Fails if the pose is not rigid.
-core::Result<std::string> spatialRegistration(const CArmRegistration& registration, const SourceImage& angiogram,
-                                              const ObjectOrigin& origin);
+core::Result<std::string> encodeSpatialRegistration(const CArmRegistration& registration, const SourceImage& angiogram,
+                                                    const ObjectOrigin& origin);
 
 /// Reads the rigid transform of a spatial registration from another frame of reference to that of the object, with the
 /// precision of 16 characters per number. Fails unless there is exactly one such transform.

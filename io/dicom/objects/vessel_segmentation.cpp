@@ -48,14 +48,14 @@ void addSegmentPixels(DicomItem& root, const core::VolumeGeometry& grid)
 {
     root.text(0x00080008, "CS", "DERIVED\\PRIMARY");
     root.text(0x00280008, "IS", std::to_string(grid.size.z()));
-    root.unsignedShort(0x00280002, 1);
+    root.setUnsignedShort(0x00280002, 1);
     root.text(0x00280004, "CS", "MONOCHROME2");
-    root.unsignedShort(0x00280010, grid.size.y());
-    root.unsignedShort(0x00280011, grid.size.x());
-    root.unsignedShort(0x00280100, 1);
-    root.unsignedShort(0x00280101, 1);
-    root.unsignedShort(0x00280102, 0);
-    root.unsignedShort(0x00280103, 0);
+    root.setUnsignedShort(0x00280010, grid.size.y());
+    root.setUnsignedShort(0x00280011, grid.size.x());
+    root.setUnsignedShort(0x00280100, 1);
+    root.setUnsignedShort(0x00280101, 1);
+    root.setUnsignedShort(0x00280102, 0);
+    root.setUnsignedShort(0x00280103, 0);
     root.text(0x00282110, "CS", "00");
     root.text(0x00620001, "CS", "BINARY");
     root.text(0x00620013, "CS", "NO");
@@ -65,12 +65,12 @@ void addSegment(DicomItem& root, const std::string& algorithm)
 {
     DicomItem segment = root.addItem(0x00620002);
     addTerm(segment, 0x00620003, anatomicalStructure);
-    segment.unsignedShort(0x00620004, 1);
+    segment.setUnsignedShort(0x00620004, 1);
     segment.text(0x00620005, "LO", "Arteries");
     segment.text(0x00620006, "ST", truncateUtf8(algorithm, 1024));
     segment.text(0x00620008, "CS", "SEMIAUTOMATIC");
     segment.text(0x00620009, "LO", "AngioPose " ANGIOPOSE_VERSION);
-    segment.unsignedShorts(0x0062000d, labColor(arteryColor));
+    segment.setUnsignedShorts(0x0062000d, labColor(arteryColor));
     addTerm(segment, 0x0062000f, artery);
 }
 
@@ -81,8 +81,8 @@ void addDimensions(DicomItem& root, const std::string& organizationUid)
     const auto addIndex = [&](DicomTag pointer, DicomTag group) {
         DicomItem index = root.addItem(0x00209222);
         index.text(0x00209164, "UI", organizationUid);
-        index.attribute(0x00209165, pointer);
-        index.attribute(0x00209167, group);
+        index.setAttributeTag(0x00209165, pointer);
+        index.setAttributeTag(0x00209167, group);
     };
     addIndex(segmentNumberPointer, segmentGroup);
     addIndex(positionPointer, positionGroup);
@@ -92,13 +92,13 @@ void addSharedGroups(DicomItem& root, const core::VolumeGeometry& grid)
 {
     DicomItem shared = root.addItem(sharedGroupsTag);
     DicomItem measures = shared.addItem(0x00289110);
-    measures.decimals(0x00180050, {grid.spacingMm.z()});
-    measures.decimals(0x00180088, {grid.spacingMm.z()});
-    measures.decimals(0x00280030, {grid.spacingMm.y(), grid.spacingMm.x()});
+    measures.setDecimals(0x00180050, {grid.spacingMm.z()});
+    measures.setDecimals(0x00180088, {grid.spacingMm.z()});
+    measures.setDecimals(0x00280030, {grid.spacingMm.y(), grid.spacingMm.x()});
     std::vector<double> directions = listed(grid.direction.col(0));
     const std::vector<double> down = listed(grid.direction.col(1));
     directions.insert(directions.end(), down.begin(), down.end());
-    shared.addItem(0x00209116).decimals(0x00200037, directions);
+    shared.addItem(0x00209116).setDecimals(0x00200037, directions);
 }
 
 const ScanReference::Slice* sliceAt(const ScanReference& scan, const Eigen::Vector3d& corner)
@@ -129,9 +129,9 @@ std::vector<std::string> addFrames(DicomItem& root, const core::VolumeGeometry& 
     for (int plane = 0; plane < grid.size.z(); ++plane) {
         const Eigen::Vector3d corner = cornerOf(grid, plane);
         DicomItem frame = root.addItem(perFrameGroupsTag);
-        frame.addItem(0x00209111).unsignedLongs(0x00209157, {1, static_cast<std::uint32_t>(plane + 1)});
-        frame.addItem(positionGroup).decimals(positionPointer, listed(corner));
-        frame.addItem(segmentGroup).unsignedShort(segmentNumberPointer, 1);
+        frame.addItem(0x00209111).setUnsignedLongs(0x00209157, {1, static_cast<std::uint32_t>(plane + 1)});
+        frame.addItem(positionGroup).setDecimals(positionPointer, listed(corner));
+        frame.addItem(segmentGroup).setUnsignedShort(segmentNumberPointer, 1);
         const ScanReference::Slice* const slice = sliceAt(scan, corner);
         if (slice != nullptr && scan.source.isReferenceable()) {
             addDerivedFromSlice(frame, scan, *slice);
@@ -162,8 +162,8 @@ std::string scanFrameOfReference(const SourceImage& scan, const std::string& fal
     return scan.frameOfReferenceUid.empty() ? uidFromContent("scan " + fallback) : scan.frameOfReferenceUid;
 }
 
-core::Result<std::string> vesselSegmentation(const core::VoxelMask& vessels, const std::string& algorithm,
-                                             const ScanReference& scan, const ObjectOrigin& origin)
+core::Result<std::string> encodeVesselSegmentation(const core::VoxelMask& vessels, const std::string& algorithm,
+                                                   const ScanReference& scan, const ObjectOrigin& origin)
 {
     if (std::ranges::none_of(vessels.voxels, [](std::uint8_t voxel) { return voxel != 0; })) {
         return core::Error(messages::objectNoVoxels());

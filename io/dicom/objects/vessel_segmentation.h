@@ -25,8 +25,8 @@ struct ScanReference {
 /// Returns the vessels of a scan as a binary Segmentation (PS3.3 A.51) with one segment (arteries) and one frame per
 /// plane of the mask, which has the voxel grid of the scan. Each frame references the slice at its position. Fails if
 /// no voxel is set. `algorithm` describes how the mask was created.
-core::Result<std::string> vesselSegmentation(const core::VoxelMask& vessels, const std::string& algorithm,
-                                             const ScanReference& scan, const ObjectOrigin& origin);
+core::Result<std::string> encodeVesselSegmentation(const core::VoxelMask& vessels, const std::string& algorithm,
+                                                   const ScanReference& scan, const ObjectOrigin& origin);
 
 /// Returns the frame of reference UID of a scan, or one derived from `fallback` if the scan has none.
 std::string scanFrameOfReference(const SourceImage& scan, const std::string& fallback);

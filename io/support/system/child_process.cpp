@@ -49,13 +49,13 @@ ChildProcess::~ChildProcess()
     }
 }
 
-ChildProcess::Output ChildProcess::readOutput(std::span<char> place, int milliseconds) const
+ChildProcess::Output ChildProcess::readOutput(std::span<char> buffer, int milliseconds) const
 {
     pollfd ready{output_, POLLIN, 0};
     if (::poll(&ready, 1, milliseconds) <= 0) {
         return {};
     }
-    const ssize_t count = ::read(output_, place.data(), place.size());
+    const ssize_t count = ::read(output_, buffer.data(), buffer.size());
     if (count > 0) {
         return {ReadStatus::Bytes, static_cast<std::size_t>(count)};
     }

@@ -25,7 +25,7 @@ public:
     };
     /// Reads the helper's output, waiting for at most `milliseconds`; if negative, waits until data arrive. A signal to
     /// the parent ends the wait.
-    Output readOutput(std::span<char> place, int milliseconds) const;
+    Output readOutput(std::span<char> buffer, int milliseconds) const;
 
     enum class EndReason { Normal, TimedOut, Fault };   ///< `TimedOut` includes termination by another process
     EndReason waitForExit();

@@ -12,9 +12,9 @@
 namespace angiopose::io {
 namespace {
 
-int flagsFor(LockableFile::OpenMode way)
+int flagsFor(LockableFile::OpenMode mode)
 {
-    switch (way) {
+    switch (mode) {
         case LockableFile::OpenMode::Read:
             return O_RDONLY | O_NOFOLLOW;
         case LockableFile::OpenMode::Write:
@@ -35,8 +35,8 @@ LockableFile::LockState tryLock(int file, int how)
 
 }   // namespace
 
-LockableFile::LockableFile(const std::string& path, OpenMode way)
-    : descriptor_(::open(path.c_str(), flagsFor(way) | O_CLOEXEC, 0666))
+LockableFile::LockableFile(const std::string& path, OpenMode mode)
+    : descriptor_(::open(path.c_str(), flagsFor(mode) | O_CLOEXEC, 0666))
 {
 }
 

@@ -11,7 +11,7 @@ public:
 
     LockableFile() = default;
     /// Opens a path; follows symbolic links only to folders.
-    LockableFile(const std::string& path, OpenMode way);
+    LockableFile(const std::string& path, OpenMode mode);
     LockableFile(LockableFile&& other) noexcept;
     LockableFile& operator=(LockableFile&& other) noexcept;
     ~LockableFile();

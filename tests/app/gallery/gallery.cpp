@@ -135,8 +135,8 @@ void Gallery::measure(app::CaseController& controller)
         app::ChangeMarks::Values{{{1, TargetPoint, "bend", marked.pointsInPatient[middle]},
                                   {2, OstiumRing, "ostium", marked.pointsInPatient.front(), tangent, 2.0}}},
         [] { return QStringLiteral("Mark"); }));
-    controller.document().push(std::make_unique<app::ChangeSightings>(
-        controller.document(), app::ChangeSightings::Values{{{1, {250, 240}, frame}}},
+    controller.document().push(std::make_unique<app::ChangeObservations>(
+        controller.document(), app::ChangeObservations::Values{{{1, {250, 240}, frame}}},
         [] { return QStringLiteral("See"); }));
     controller.document().push(std::make_unique<app::ChangeAnnotations>(
         controller.document(),
@@ -226,7 +226,7 @@ void Gallery::showStudies(ui::MainWindow& window)
 {
     using Use = ui::StudySeriesRow::Use;
     const auto series = [](const char* key, Use use, int number, const char* modality, const char* description,
-                           int images, const char* pace, const QStringList& notes) {
+                           int images, const char* frameRate, const QStringList& notes) {
         return ui::StudySeriesRow{QString::fromLatin1(key),
                                   use,
                                   number,
@@ -234,7 +234,7 @@ void Gallery::showStudies(ui::MainWindow& window)
                                   QString::fromLatin1(description),
                                   images,
                                   QStringLiteral("512 × 512"),
-                                  QString::fromUtf8(pace),
+                                  QString::fromUtf8(frameRate),
                                   1.0,
                                   QStringLiteral("HEART"),
                                   notes};

@@ -17,7 +17,7 @@ struct HeardSeries {
                          [this](const core::RegistrationResult& result) { methods.push_back(result.method); });
         QObject::connect(&job, &MethodSeriesJob::failed,
                          [this](const QString& id, const core::Message&) { failed.push_back(id.toStdString()); });
-        QObject::connect(&job, &MethodSeriesJob::advanced, [this](const QString&, double progress) {
+        QObject::connect(&job, &MethodSeriesJob::progressed, [this](const QString&, double progress) {
             isOrdered = isOrdered && progress >= last;
             last = progress;
         });

@@ -45,7 +45,7 @@ TEST(RegistrationJob, KeepsTheBestPoseAfterAStop)
     RegistrationJob job;
     core::RegistrationResult result;
     QObject::connect(&job, &RegistrationJob::finished, [&](const core::RegisteredCase& r) { result = r.result(); });
-    QObject::connect(&job, &RegistrationJob::advanced, &job, &RegistrationJob::requestStop);
+    QObject::connect(&job, &RegistrationJob::progressed, &job, &RegistrationJob::requestStop);
     QSignalSpy finished(&job, &RegistrationJob::finished);
 
     job.start(longRun(), {});
@@ -76,7 +76,7 @@ TEST(RegistrationJob, ReportsProgressOnTheThreadOfItsOwner)
     RegistrationJob job;
     int reports = 0;
     bool sameThread = true;
-    QObject::connect(&job, &RegistrationJob::advanced, [&] {
+    QObject::connect(&job, &RegistrationJob::progressed, [&] {
         ++reports;
         sameThread = sameThread && QThread::currentThread() == QCoreApplication::instance()->thread();
     });
@@ -97,7 +97,7 @@ TEST(RegistrationJob, SaysThatItsPoseIsOfTheShownViewAndNeverFallsBack)
     int others = 0;
     double last = 0.0;
     bool hasFallen = false;
-    QObject::connect(&job, &RegistrationJob::advanced, [&](const RunReport& report) {
+    QObject::connect(&job, &RegistrationJob::progressed, [&](const RunReport& report) {
         others += report.isOfShownView ? 0 : 1;
         hasFallen = hasFallen || report.iteration.progress < last;
         last = report.iteration.progress;

@@ -79,9 +79,9 @@ QString overlayOf(app::CaseController& controller, const QString& folder)
     const QString path = folder + QStringLiteral("/overlay.png");
     QFile::remove(path);
     QString refusal;
-    const auto hearing = QObject::connect(&controller.exporting(), &app::ExportController::failed, &controller,
+    const auto hearing = QObject::connect(&controller.exportController(), &app::ExportController::failed, &controller,
                                           [&refusal](const QString& why) { refusal = why; });
-    controller.exporting().exportOverlay({600, ui::Toggle::On, ui::Toggle::Off}, path);
+    controller.exportController().exportOverlay({600, ui::Toggle::On, ui::Toggle::Off}, path);
     const bool hasEnded = test::waitFor([&] { return QFile::exists(path) || !refusal.isEmpty(); });
     QObject::disconnect(hearing);
     return hasEnded && refusal.isEmpty() ? digestOf(contentOf(path))

@@ -53,9 +53,9 @@ QString handlePoses(Desk& desk)
 
 QString saveAndExport(Desk& desk)
 {
-    desk.controller.saving().saveTo(desk.folder + QStringLiteral("/random.angiopose"));
-    desk.controller.exporting().exportOverlay({300 + desk.hand.below(500), ui::Toggle::On, ui::Toggle::Off},
-                                              desk.folder + QStringLiteral("/random.png"));
+    desk.controller.saveController().saveTo(desk.folder + QStringLiteral("/random.angiopose"));
+    desk.controller.exportController().exportOverlay({300 + desk.hand.below(500), ui::Toggle::On, ui::Toggle::Off},
+                                                     desk.folder + QStringLiteral("/random.png"));
     return QStringLiteral("save and export");
 }
 
@@ -74,7 +74,7 @@ QString recover(Desk& desk)
     if (!io::saveCase(desk.controller.document().current(), path.toStdString())) {
         return {};
     }
-    desk.controller.saving().offerRecovery();
+    desk.controller.saveController().offerRecovery();
     return QStringLiteral("recovery");
 }
 

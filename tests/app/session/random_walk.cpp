@@ -53,7 +53,7 @@ QString savedIn(app::CaseController& controller, const QString& folder)
     QDir().mkpath(folder);
     const QString path = folder + QStringLiteral("/case.angiopose");
     bool isSaved = false;
-    controller.saving().saveTo(path, [&isSaved] { isSaved = true; });
+    controller.saveController().saveTo(path, [&isSaved] { isSaved = true; });
     waitUntil("saving", [&isSaved] { return isSaved; });
     return path;
 }

@@ -11,7 +11,7 @@ namespace {
 bool save(app::CaseController& controller, const QString& path)
 {
     bool isSaved = false;
-    controller.saving().saveTo(path, [&isSaved] { isSaved = true; });
+    controller.saveController().saveTo(path, [&isSaved] { isSaved = true; });
     return test::waitFor([&isSaved] { return isSaved; });
 }
 

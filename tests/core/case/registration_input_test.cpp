@@ -56,14 +56,14 @@ const std::vector<Centerline2d> targets(2);
 TEST(RegistrationInput, KnowsHowElseAnglesOfAHeaderMayBeMeant)
 {
     View view = viewOfFeetFirst();
-    const auto reading = registrationInputOf(view, vessels, {}).value().tableAngles;
+    const auto reading = makeRegistrationInput(view, vessels, {}).value().tableAngles;
     ASSERT_TRUE(reading);
     EXPECT_NEAR(reading->angles.primaryDeg, -20.0, 1e-9);
     view.geometry.cArm.primaryAngleDeg.origin = Origin::User;
-    EXPECT_FALSE(registrationInputOf(view, vessels, {}).value().tableAngles) << "who types angles means them";
+    EXPECT_FALSE(makeRegistrationInput(view, vessels, {}).value().tableAngles) << "who types angles means them";
     view = viewOfFeetFirst();
     view.initialCameraFromPatient = view.cameraFromPatient;
-    EXPECT_FALSE(registrationInputOf(view, vessels, {}).value().tableAngles) << "the start does not rest on them";
+    EXPECT_FALSE(makeRegistrationInput(view, vessels, {}).value().tableAngles) << "the start does not rest on them";
 }
 
 TEST(JointInputs, PutTheOtherViewWhereTheGantrysTurnLeads)
@@ -71,7 +71,7 @@ TEST(JointInputs, PutTheOtherViewWhereTheGantrysTurnLeads)
     std::vector<View> views{viewAt(-30.0, 0.0), viewAt(45.0, 20.0)};
     views[0].cameraFromPatient.translation += Eigen::Vector3d(5.0, -3.0, 12.0);
     views[1].cameraFromPatient = {};   // the previous pose does not matter
-    const auto inputs = jointInputsOf(views, vessels, targets);
+    const auto inputs = makeJointInputs(views, vessels, targets);
     ASSERT_TRUE(inputs) << inputs.error().message;
     const RigidTransform between =
         inputs.value().views[1].initialCameraFromPatient * inputs.value().views[0].initialCameraFromPatient.inverse();
@@ -92,7 +92,7 @@ TEST(JointInputs, TakeTheGantryForTheGeometryEvenWhereTheVesselsHaveTheirOwnAxes
         view.initialCameraFromPatient = initialPoseOf(viewAt(3.0, 4.0), vessels).value() * ownAxes;
         view.cameraFromPatient = *view.initialCameraFromPatient;
     }
-    const auto inputs = jointInputsOf(views, vessels, targets);
+    const auto inputs = makeJointInputs(views, vessels, targets);
     ASSERT_TRUE(inputs);
     const RigidTransform found =
         inputs.value().views[1].initialCameraFromPatient * inputs.value().views[0].initialCameraFromPatient.inverse();
@@ -106,7 +106,7 @@ TEST(JointInputs, TakeTheInitialPosesWhereAnglesAreMissing)
         view.initialCameraFromPatient = initialPoseOf(view, vessels).value();
         view.geometry.cArm.primaryAngleDeg = {};
     }
-    const auto inputs = jointInputsOf(views, vessels, targets);
+    const auto inputs = makeJointInputs(views, vessels, targets);
     ASSERT_TRUE(inputs) << inputs.error().message;
     EXPECT_LT((inputs.value().views[1].initialCameraFromPatient.matrix() - views[1].initialCameraFromPatient->matrix())
                   .norm(),
@@ -117,7 +117,7 @@ TEST(JointInputs, NameTheViewThatLacksSomething)
 {
     std::vector<View> views{viewAt(0.0, 0.0), viewAt(90.0, 0.0)};
     views[1].geometry.cArm.secondaryAngleDeg = {};
-    const auto inputs = jointInputsOf(views, vessels, targets);
+    const auto inputs = makeJointInputs(views, vessels, targets);
     ASSERT_FALSE(inputs);
     EXPECT_NE(inputs.error().message.text().find("View 2"), std::string::npos);
 }

@@ -19,7 +19,7 @@ Vessels vesselsOfSteps()
 
 const Vessels someVessels = vesselsOfSteps();
 
-Sourced<double> knownFromHeader(double value)
+SourcedValue<double> knownFromHeader(double value)
 {
     return {value, Origin::Header, ""};
 }

@@ -50,7 +50,7 @@ TEST(ObserverAgreement, RepeatabilityIsThePooledDeviationWithinAnImage)
     ASSERT_TRUE(found);
     EXPECT_EQ(found->images, 2);
     EXPECT_EQ(found->readings, 4);
-    EXPECT_NEAR(found->within, std::sqrt(5.0), 1e-9);
+    EXPECT_NEAR(found->withinStd, std::sqrt(5.0), 1e-9);
     EXPECT_NEAR(found->coefficient, 1.96 * std::sqrt(10.0), 1e-9);
     EXPECT_FALSE(core::repeatabilityOf(means, "bob", alongRows));
 }
@@ -67,16 +67,16 @@ TEST(ObserverAgreement, LimitsOfAgreementAreThoseOfBlandAndAltman)
     ASSERT_EQ(found->points.size(), 3u);
     EXPECT_NEAR(found->points[2].x(), 3.5, 1e-9);
     EXPECT_NEAR(found->bias, 2.0, 1e-9);
-    EXPECT_NEAR(found->deviation, 1.0, 1e-9);
+    EXPECT_NEAR(found->stdDeviation, 1.0, 1e-9);
     EXPECT_NEAR(found->lower(), 0.04, 1e-9);
     EXPECT_NEAR(found->upper(), 3.96, 1e-9);
     EXPECT_NEAR(found->biasError, 1.0 / std::sqrt(3.0), 1e-9);
     EXPECT_NEAR(found->limitError, 1.0, 1e-9);
 
-    const auto between = core::reproducibilityOf(means, depth);
-    ASSERT_TRUE(between);
-    EXPECT_EQ(between->images, 3);
-    EXPECT_NEAR(between->between, std::sqrt((0.5 + 2.0 + 4.5) / 3.0), 1e-9);
+    const auto betweenStd = core::reproducibilityOf(means, depth);
+    ASSERT_TRUE(betweenStd);
+    EXPECT_EQ(betweenStd->images, 3);
+    EXPECT_NEAR(betweenStd->betweenStd, std::sqrt((0.5 + 2.0 + 4.5) / 3.0), 1e-9);
 }
 
 TEST(ObserverAgreement, ReportHoldsWhatTheReadingsAllowAndNothingElse)
@@ -90,7 +90,7 @@ TEST(ObserverAgreement, ReportHoldsWhatTheReadingsAllowAndNothingElse)
     EXPECT_EQ(tables[1].rows.size(), core::poseMeasureCount);
     const auto plots = core::observerPlots(both);
     ASSERT_EQ(plots.size(), core::poseMeasureCount);
-    EXPECT_TRUE(plots[0].series[0].areDots);
+    EXPECT_TRUE(plots[0].series[0].isScatter);
     EXPECT_EQ(plots[0].series[0].points.size(), 2u);
 }
 

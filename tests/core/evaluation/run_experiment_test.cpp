@@ -123,7 +123,7 @@ TEST(TablesOf, TheSquareAsPrintedIsDoubtedInEveryRun)
 {
     ExperimentPlan plan = smallPlan("toy", "a-44,a-84", 3);
     plan.evaluatedMethods = parseMethods("angiopose,iterative-pnp").value();
-    const std::vector<ResultTable> tables = tablesOf(runExperiment(plan).runs);
+    const std::vector<ResultTable> tables = makeTables(runExperiment(plan).runs);
     const auto doubted = std::ranges::find(tables, "toy-a-doubted", &ResultTable::id);
     ASSERT_NE(doubted, tables.end());
     ASSERT_EQ(doubted->rows.size(), 2u);
@@ -141,7 +141,7 @@ TEST(TablesOf, EveryRowHasACellPerColumn)
                                               {"robustness", "full-5-2"},
                                               {"capture-range", "clean-0-1,clean-1-2"}}) {
         const RunSet runs = runExperiment(smallPlan(protocol, condition, 1)).runs;
-        for (const ResultTable& table : tablesOf(runs)) {
+        for (const ResultTable& table : makeTables(runs)) {
             EXPECT_FALSE(table.rows.empty()) << table.id;
             EXPECT_FALSE(table.notes.empty()) << table.id;
             for (const ResultTable::Row& row : table.rows) {
@@ -172,7 +172,7 @@ TEST(TablesOf, CountsFailuresAndSetsThePublishedRowInATableOfItsOwn)
         runs.runs.push_back(runWith("angiopose", trial, 0.1));
         runs.runs.push_back(runWith("dynaweight:seed_mean", trial, trial < 2 ? 4.0 : 0.25));
     }
-    const std::vector<ResultTable> tables = tablesOf(runs);
+    const std::vector<ResultTable> tables = makeTables(runs);
     const ResultTable& errors = tables.front();
     ASSERT_EQ(errors.rows.size(), 2u);
     EXPECT_TRUE(errors.rows[0].cells[1].starts_with("0.0 ["));
@@ -206,7 +206,7 @@ TEST(TablesOf, SayWhichBinsOfTheCaptureRangeWereNotRun)
             runs.runs.push_back(run);
         }
     }
-    const ResultTable table = tableOf(tablesOf(runs), "capture-range-degraded");
+    const ResultTable table = tableOf(makeTables(runs), "capture-range-degraded");
     EXPECT_EQ(table.rows[0].cells[1], "≥ 2");   // 3–4 succeeds, but the range below it was not run
     EXPECT_EQ(table.rows.size(), 4u);
     EXPECT_TRUE(table.notes.back().starts_with("Not run: 2-3, 4-5")) << table.notes.back();
@@ -224,7 +224,7 @@ TEST(TablesOf, CountsWhichMethodsStandInThePublishedOrder)
         run.mrpdMm = meanMm;
         runs.runs.push_back(run);
     }
-    const ResultTable table = tableOf(tablesOf(runs), "clinical-nonrigid-1");
+    const ResultTable table = tableOf(makeTables(runs), "clinical-nonrigid-1");
     EXPECT_NE(table.notes.back().find("2 of 3 pairs"), std::string::npos) << table.notes.back();
     const auto nees = std::find(table.columns.begin(), table.columns.end(), "NEES") - table.columns.begin();
     EXPECT_EQ(table.rows[2].cells[static_cast<std::size_t>(nees)], table.rows[0].cells[static_cast<std::size_t>(nees)]);
@@ -239,7 +239,7 @@ TEST(TablesOf, LaysOutTheAblation)
         const bool isBoth = evaluatedMethod.options.seed.rotationFirst && evaluatedMethod.options.seed.alternation;
         runs.runs.push_back(runWith(evaluatedMethod.label, 0, isBoth ? 0.1 : 9.0));
     }
-    for (const ResultTable& table : tablesOf(runs)) {
+    for (const ResultTable& table : makeTables(runs)) {
         if (table.id.ends_with("-ablation")) {
             ASSERT_EQ(table.rows.size(), 4u);
             for (const ResultTable::Row& row : table.rows) {

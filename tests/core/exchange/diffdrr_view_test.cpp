@@ -83,15 +83,15 @@ class DiffDrrViewOf : public testing::TestWithParam<std::tuple<DiffDrrOrientatio
 TEST_P(DiffDrrViewOf, ProjectsAsItsOwnFormula)
 {
     const DiffDrrView view = viewOf(std::get<0>(GetParam()), std::get<1>(GetParam()));
-    const PosedCamera sight = posedCameraFromDiffDrr(view);
-    EXPECT_NEAR(sight.cameraFromPatient.rotation.determinant(), 1.0, 1e-12);
-    EXPECT_GT(sight.camera.fy, 0.0);
+    const PosedCamera posedCamera = posedCameraFromDiffDrr(view);
+    EXPECT_NEAR(posedCamera.cameraFromPatient.rotation.determinant(), 1.0, 1e-12);
+    EXPECT_GT(posedCamera.camera.fy, 0.0);
     std::mt19937 chance(11);
     std::uniform_real_distribution<double> offset(-80.0, 80.0);
     for (int i = 0; i < 200; ++i) {
         const Eigen::Vector3d point =
             view.volumeCenterInPatient + Eigen::Vector3d(offset(chance), offset(chance), offset(chance));
-        const auto pixel = project(sight.camera, sight.cameraFromPatient * point);
+        const auto pixel = project(posedCamera.camera, posedCamera.cameraFromPatient * point);
         ASSERT_TRUE(pixel);
         EXPECT_LT((*pixel - projected(view, point)).norm(), 1e-9);
     }
@@ -101,12 +101,12 @@ TEST_P(DiffDrrViewOf, ProjectsAsItsOwnFormula)
 TEST_P(DiffDrrViewOf, CastsItsRaysThroughOurPixels)
 {
     const DiffDrrView view = viewOf(std::get<0>(GetParam()), std::get<1>(GetParam()));
-    const PosedCamera sight = posedCameraFromDiffDrr(view);
+    const PosedCamera posedCamera = posedCameraFromDiffDrr(view);
     for (const auto& [row, column] : {std::pair{0, 0}, {0, 511}, {300, 0}, {150, 256}, {17, 401}}) {
         const Eigen::Vector4d world = pixelCenter(view, row, column);
         const Eigen::Vector3d& c = view.volumeCenterInPatient;
         const Eigen::Vector3d lps(c.x() - world.x(), c.y() - world.y(), c.z() + world.z());
-        const auto pixel = project(sight.camera, sight.cameraFromPatient * lps);
+        const auto pixel = project(posedCamera.camera, posedCamera.cameraFromPatient * lps);
         ASSERT_TRUE(pixel);
         EXPECT_LT((*pixel - Eigen::Vector2d(column, row)).norm(), 1e-9);
     }
@@ -124,13 +124,13 @@ TEST(DiffDrr, FrontAndBackShowThePatientAsItSays)
         DiffDrrView view;
         view.detector = {1000.0, 401, 401, 0.4, 0.4, 0.0, 0.0, true, orientation};
         view.pose = diffDrrPose("ZXY", {0, 0, 0}, {0, orientation == DiffDrrOrientation::Pa ? -750.0 : 750.0, 0});
-        const PosedCamera sight = posedCameraFromDiffDrr(view);
+        const PosedCamera posedCamera = posedCameraFromDiffDrr(view);
         const auto at = [&](const Eigen::Vector3d& lps) {
-            return *project(sight.camera, sight.cameraFromPatient * lps);
+            return *project(posedCamera.camera, posedCamera.cameraFromPatient * lps);
         };
         EXPECT_GT(at({10, 0, 0}).x(), at({0, 0, 0}).x());
         EXPECT_LT(at({0, 0, 10}).y(), at({0, 0, 0}).y());
-        EXPECT_EQ(sight.camera.fx < 0.0, orientation == DiffDrrOrientation::Pa);   // the detector is in front
+        EXPECT_EQ(posedCamera.camera.fx < 0.0, orientation == DiffDrrOrientation::Pa);   // the detector is in front
     }
 }
 

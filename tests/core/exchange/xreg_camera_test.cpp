@@ -63,16 +63,16 @@ TEST_P(XregCameraOf, ProjectsAsItsOwnFormula)
     XregCamera camera = cameraOf(GetParam());
     camera.cameraFromWorld = {expSo3({0.2, 0.9, -0.3}), {5.0, 60.0, -11.0}};
     const RigidTransform volumeFromWorld = patientIn(GetParam()).inverse() * camera.cameraFromWorld;
-    const auto sight = posedCameraFromXreg(camera, volumeFromWorld);
-    ASSERT_TRUE(sight);
-    EXPECT_GT(sight.value().camera.fy, 0.0);
-    EXPECT_EQ(sight.value().camera.fx < 0.0, GetParam() != XregFrame::DetectorAtPositiveZ);
-    EXPECT_NEAR(sight.value().cameraFromPatient.rotation.determinant(), 1.0, 1e-12);
+    const auto posedCamera = posedCameraFromXreg(camera, volumeFromWorld);
+    ASSERT_TRUE(posedCamera);
+    EXPECT_GT(posedCamera.value().camera.fy, 0.0);
+    EXPECT_EQ(posedCamera.value().camera.fx < 0.0, GetParam() != XregFrame::DetectorAtPositiveZ);
+    EXPECT_NEAR(posedCamera.value().cameraFromPatient.rotation.determinant(), 1.0, 1e-12);
     std::mt19937 chance(7);
     std::uniform_real_distribution<double> coordinate(-90.0, 90.0);
     for (int i = 0; i < 200; ++i) {
         const Eigen::Vector3d point(coordinate(chance), coordinate(chance), coordinate(chance));
-        const auto pixel = project(sight.value().camera, sight.value().cameraFromPatient * point);
+        const auto pixel = project(posedCamera.value().camera, posedCamera.value().cameraFromPatient * point);
         ASSERT_TRUE(pixel);
         EXPECT_LT((*pixel - pixelOfXreg(camera, volumeFromWorld, point)).norm(), 1e-9);
     }
@@ -83,8 +83,8 @@ TEST_P(XregCameraOf, GivesItsPoseBack)
     XregCamera camera = cameraOf(GetParam());
     camera.cameraFromWorld = {expSo3({0.2, 0.9, -0.3}), {5.0, 60.0, -11.0}};
     const RigidTransform volumeFromWorld = patientIn(GetParam()).inverse() * camera.cameraFromWorld;
-    const auto sight = posedCameraFromXreg(camera, volumeFromWorld);
-    const auto back = xregPose(sight.value().cameraFromPatient, camera);
+    const auto posedCamera = posedCameraFromXreg(camera, volumeFromWorld);
+    const auto back = xregPose(posedCamera.value().cameraFromPatient, camera);
     ASSERT_TRUE(back);
     EXPECT_LT((back.value().matrix() - volumeFromWorld.matrix()).cwiseAbs().maxCoeff(), 1e-10);
 }
@@ -117,9 +117,9 @@ TEST(XregCameraOfOurs, SinglePrecisionOfItsFilesIsNoSkew)
     XregCamera camera = cameraOf(XregFrame::DetectorAtNegativeZ);
     camera.cameraFromWorld.rotation = expSo3({0.2, 0.9, -0.3}).cast<float>().cast<double>();
     camera.intrinsic = camera.intrinsic.cast<float>().cast<double>().eval();
-    const auto sight = posedCameraFromXreg(camera, patientIn(camera.frame).inverse());
-    ASSERT_TRUE(sight);
-    EXPECT_TRUE(isRigid(sight.value().cameraFromPatient, 1e-12));
+    const auto posedCamera = posedCameraFromXreg(camera, patientIn(camera.frame).inverse());
+    ASSERT_TRUE(posedCamera);
+    EXPECT_TRUE(isRigid(posedCamera.value().cameraFromPatient, 1e-12));
 }
 
 }   // namespace

@@ -117,12 +117,12 @@ TEST(CArm, MissingValuesAreNamed)
 
 TEST(CArm, TurnsByTheIncrementsOfAFrame)
 {
-    const CArm turned = rotatedBy(cArmAt(10.0, -5.0), {20.0, 0.0});
+    const CArm turned = rotateCArm(cArmAt(10.0, -5.0), {20.0, 0.0});
     EXPECT_DOUBLE_EQ(*turned.primaryAngleDeg.value, 30.0);
     EXPECT_DOUBLE_EQ(*turned.secondaryAngleDeg.value, -5.0);
     EXPECT_NE(turned.primaryAngleDeg.basis, "");
     EXPECT_EQ(turned.secondaryAngleDeg.basis, "");
-    EXPECT_FALSE(rotatedBy({}, {20.0, 3.0}).primaryAngleDeg.value);
+    EXPECT_FALSE(rotateCArm({}, {20.0, 3.0}).primaryAngleDeg.value);
 }
 
 }   // namespace

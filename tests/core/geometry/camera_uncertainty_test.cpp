@@ -36,13 +36,13 @@ TEST(CameraUncertainty, IsWiderWhereAValueIsAssumed)
               uncertaintyByOrigin(assumed, usualCamera).relativeFocalStd);
     EXPECT_LT(uncertaintyByOrigin(reported, usualCamera).principalPx,
               uncertaintyByOrigin(assumed, usualCamera).principalPx);
-    EXPECT_FALSE(uncertaintyOfEntered(usualCamera).isExact());
+    EXPECT_FALSE(enteredCameraUncertainty(usualCamera).isExact());
     EXPECT_TRUE(CameraUncertainty().isExact());
 }
 
 TEST(CameraUncertainty, AnErrorTakesTheCameraToTheTrueOne)
 {
-    const ProjectionCamera better = corrected(usualCamera, {std::log(1.05), 20.0, -3.0});
+    const ProjectionCamera better = applyCameraError(usualCamera, {std::log(1.05), 20.0, -3.0});
     EXPECT_NEAR(better.fx, -2625.0, 1e-9);
     EXPECT_NEAR(better.fy, 2625.0, 1e-9);
     EXPECT_NEAR(better.cx, 531.5, 1e-12);
@@ -58,9 +58,9 @@ TEST(CameraUncertainty, AnErrorGoesToTheLessCertainOfDistanceAndSpacing)
         cArm.columnSpacingMm.value = cArm.rowSpacingMm.value = 0.4;
         cArm.rowSpacingMm.origin = spacing;
         const ProjectionCamera given = cameraFromCArm(cArm, 1024, 1024).value();
-        const CArm better = corrected(cArm, given, error, "images");
+        const CArm better = applyCameraError(cArm, given, error, "images");
         const ProjectionCamera camera = cameraFromCArm(better, 1024, 1024).value();
-        const ProjectionCamera wanted = corrected(given, error);
+        const ProjectionCamera wanted = applyCameraError(given, error);
         EXPECT_NEAR(camera.fx, wanted.fx, 1e-9);
         EXPECT_NEAR(camera.fy, wanted.fy, 1e-9);
         EXPECT_NEAR(camera.cx, wanted.cx, 1e-9);

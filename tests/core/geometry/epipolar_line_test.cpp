@@ -13,15 +13,15 @@ namespace {
 /// A camera at `angleDeg` about the patient's long axis, 750 mm from the origin, as with C-arms.
 PosedCamera sightAt(double angleDeg, double fx = -2200.0)
 {
-    PosedCamera sight{{fx, 2150.0, 250.0, 260.0, 512, 500}, {}};
-    sight.cameraFromPatient.rotation = expSo3({0.1, angleDeg * 0.0174532925199433, -0.05});
-    sight.cameraFromPatient.translation = {8.0, -5.0, 750.0};
-    return sight;
+    PosedCamera posedCamera{{fx, 2150.0, 250.0, 260.0, 512, 500}, {}};
+    posedCamera.cameraFromPatient.rotation = expSo3({0.1, angleDeg * 0.0174532925199433, -0.05});
+    posedCamera.cameraFromPatient.translation = {8.0, -5.0, 750.0};
+    return posedCamera;
 }
 
-Eigen::Vector2d pixelOf(const PosedCamera& sight, const Eigen::Vector3d& pointInPatient)
+Eigen::Vector2d pixelOf(const PosedCamera& posedCamera, const Eigen::Vector3d& pointInPatient)
 {
-    return project(sight.camera, sight.cameraFromPatient * pointInPatient).value();
+    return project(posedCamera.camera, posedCamera.cameraFromPatient * pointInPatient).value();
 }
 
 double distanceToSegment(const ImageSegment& segment, const Eigen::Vector2d& point)
@@ -97,8 +97,8 @@ TEST(EpipolarLine, EndsAtTheEdgesOfTheImageAndBeginsOnTheSideOfTheSource)
 
 TEST(EpipolarLine, IsAPointInTheImageItComesFrom)
 {
-    const PosedCamera sight = sightAt(20.0);
-    const auto line = epipolarLine(sight, {100.0, 400.0}, sight);
+    const PosedCamera posedCamera = sightAt(20.0);
+    const auto line = epipolarLine(posedCamera, {100.0, 400.0}, posedCamera);
     ASSERT_TRUE(line);
     EXPECT_LT((line->beginPx - Eigen::Vector2d(100.0, 400.0)).norm(), 1e-6);
     EXPECT_LT((line->endPx - Eigen::Vector2d(100.0, 400.0)).norm(), 1e-6);

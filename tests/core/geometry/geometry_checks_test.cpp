@@ -104,7 +104,7 @@ TEST(GeometryChecks, PassWhatAgrees)
     EXPECT_TRUE(findContradictions(usual(), agreeing(), size).empty());
     EXPECT_TRUE(findContradictions(usual()).empty());
     EXPECT_TRUE(findContradictions({}, agreeing(), size).empty());
-    EXPECT_TRUE(findMissing(usual()).empty());
+    EXPECT_TRUE(findMissingGeometry(usual()).empty());
 }
 
 TEST(GeometryChecks, NameWhatEachWrongValueContradicts)
@@ -138,11 +138,11 @@ TEST(GeometryChecks, PixelsThatAreMeantToBeOblongAreFine)
 
 TEST(GeometryChecks, AskForEverythingThatIsMissing)
 {
-    EXPECT_EQ(findMissing({}).size(), 5U);
+    EXPECT_EQ(findMissingGeometry({}).size(), 5U);
     CArm cArm = usual();
     cArm.rowSpacingMm = {};
-    ASSERT_EQ(findMissing(cArm).size(), 1U);
-    EXPECT_TRUE(findMissing(cArm).front().is(messages::askSpacing));
+    ASSERT_EQ(findMissingGeometry(cArm).size(), 1U);
+    EXPECT_TRUE(findMissingGeometry(cArm).front().is(messages::askSpacing));
 }
 
 }   // namespace angiopose::core

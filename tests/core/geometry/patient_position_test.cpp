@@ -34,10 +34,10 @@ CArm cArmAt(double primaryDeg, double secondaryDeg, double rollDeg, bool mirrore
 TEST(PatientPosition, IsReadAndWritten)
 {
     for (const PatientPosition position : allPositions) {
-        EXPECT_EQ(patientPositionFrom(toText(position)), position);
+        EXPECT_EQ(parsePatientPosition(toText(position)), position);
     }
-    EXPECT_FALSE(patientPositionFrom(""));
-    EXPECT_FALSE(patientPositionFrom("LFP"));
+    EXPECT_FALSE(parsePatientPosition(""));
+    EXPECT_FALSE(parsePatientPosition("LFP"));
 }
 
 TEST(PatientPosition, TellsWhatLiesOnTheTable)

@@ -62,16 +62,16 @@ TEST(MaskShift, IsFoundToAFractionOfAPixelInSpiteOfTheVessel)
     for (const Eigen::Vector2d& truth : {Eigen::Vector2d(0.0, 0.0), {1.3, -0.7}, {-4.6, 3.2}}) {
         const ImageF mask = body({0.0, 0.0}, 8.0, 1);
         const ImageF frame = withVessel(body(truth, 8.0, 2));
-        EXPECT_LT((core::maskShift(mask, frame, PixelRelation::Linear) - truth).norm(), 0.1) << truth.transpose();
+        EXPECT_LT((core::findMaskShift(mask, frame, PixelRelation::Linear) - truth).norm(), 0.1) << truth.transpose();
     }
 }
 
 TEST(MaskShift, IsZeroWhereNothingTells)
 {
     const ImageF plain(100, 100, 50.0F);
-    EXPECT_EQ(core::maskShift(plain, plain, PixelRelation::Linear), Eigen::Vector2d(0.0, 0.0));
+    EXPECT_EQ(core::findMaskShift(plain, plain, PixelRelation::Linear), Eigen::Vector2d(0.0, 0.0));
     const ImageF tiny(2, 2, 50.0F);
-    EXPECT_EQ(core::maskShift(tiny, tiny, PixelRelation::Linear), Eigen::Vector2d(0.0, 0.0));
+    EXPECT_EQ(core::findMaskShift(tiny, tiny, PixelRelation::Linear), Eigen::Vector2d(0.0, 0.0));
 }
 
 TEST(Subtracted, ShowsTheVesselAndNothingOfTheBody)

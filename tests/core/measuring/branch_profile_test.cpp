@@ -37,7 +37,7 @@ VesselBranch arc(double radiusMm, double turnDeg)
 
 TEST(BranchProfile, ASmoothTaperIsItsOwnReference)
 {
-    const auto profile = profileOf(straight([](double arc) { return 4.0 - arc / 40.0; }));
+    const auto profile = measureProfile(straight([](double arc) { return 4.0 - arc / 40.0; }));
     ASSERT_TRUE(profile);
     EXPECT_NEAR(profile.value().lengthMm, 60.0, 1e-9);
     EXPECT_NEAR(profile.value().tortuosity, 1.0, 1e-12);
@@ -45,8 +45,8 @@ TEST(BranchProfile, ASmoothTaperIsItsOwnReference)
     EXPECT_NEAR(*profile.value().meanDiameterMm, 3.25, 0.02);
     ASSERT_TRUE(profile.value().stenosis);
     EXPECT_LT(profile.value().stenosis->percent, 1.0);
-    EXPECT_NEAR(profile.value().samples[60].referenceMm, 3.25, 0.02);
-    EXPECT_TRUE(std::isnan(profile.value().samples.front().referenceMm)) << "the ends do not count";
+    EXPECT_NEAR(profile.value().samples[60].referenceDiameterMm, 3.25, 0.02);
+    EXPECT_TRUE(std::isnan(profile.value().samples.front().referenceDiameterMm)) << "the ends do not count";
 }
 
 TEST(BranchProfile, FindsAStenosisOfATaperingVessel)
@@ -56,12 +56,13 @@ TEST(BranchProfile, FindsAStenosisOfATaperingVessel)
             return std::abs(arc - 35.0) < 6.0 ? depth * 0.5 * (1.0 + std::cos((arc - 35.0) * std::numbers::pi / 6.0))
                                               : 0.0;
         };
-        const auto profile = profileOf(straight([&](double arc) { return (4.0 - arc / 40.0) * (1.0 - lesion(arc)); }));
+        const auto profile =
+            measureProfile(straight([&](double arc) { return (4.0 - arc / 40.0) * (1.0 - lesion(arc)); }));
         ASSERT_TRUE(profile && profile.value().stenosis) << depth;
         const StenosisMeasure& found = *profile.value().stenosis;
         EXPECT_NEAR(found.percent, 100.0 * depth, 4.0);
-        EXPECT_NEAR(found.atMm, 35.0, 0.6);
-        EXPECT_NEAR(found.referenceMm, 4.0 - 35.0 / 40.0, 0.08);
+        EXPECT_NEAR(found.positionMm, 35.0, 0.6);
+        EXPECT_NEAR(found.referenceDiameterMm, 4.0 - 35.0 / 40.0, 0.08);
         EXPECT_GT(found.fromMm, 29.0);
         EXPECT_LT(found.fromMm, 33.0);
         EXPECT_GT(found.toMm, 37.0);
@@ -71,10 +72,10 @@ TEST(BranchProfile, FindsAStenosisOfATaperingVessel)
 
 TEST(BranchProfile, ALongLesionAndAnAneurysmAreNoReference)
 {
-    const auto profile = profileOf(straight([](double arc) { return arc > 20 && arc < 46 ? 1.8 : 3.0; }));
+    const auto profile = measureProfile(straight([](double arc) { return arc > 20 && arc < 46 ? 1.8 : 3.0; }));
     ASSERT_TRUE(profile && profile.value().stenosis);
     EXPECT_NEAR(profile.value().stenosis->percent, 40.0, 3.0);
-    const auto wide = profileOf(straight([](double arc) { return arc > 20 && arc < 32 ? 6.0 : 3.0; }));
+    const auto wide = measureProfile(straight([](double arc) { return arc > 20 && arc < 32 ? 6.0 : 3.0; }));
     ASSERT_TRUE(wide && wide.value().stenosis);
     EXPECT_LT(wide.value().stenosis->percent, 3.0) << "nothing is narrower than a healthy vessel there";
     EXPECT_NEAR(*wide.value().maxDiameterMm, 6.0, 1e-9);
@@ -88,28 +89,28 @@ TEST(BranchProfile, AVesselThatGivesOffBranchesHasNoStenosisAtItsEnd)
         branch.pointsInPatient.emplace_back(i, 0.0, 0.0);
         branch.radiusMm.push_back(3.0 * std::pow(0.83, std::floor(i / 27.0)));
     }
-    const auto profile = profileOf(branch);
+    const auto profile = measureProfile(branch);
     ASSERT_TRUE(profile && profile.value().stenosis);
-    EXPECT_LT(profile.value().stenosis->percent, 12.0) << "at " << profile.value().stenosis->atMm;
+    EXPECT_LT(profile.value().stenosis->percent, 12.0) << "at " << profile.value().stenosis->positionMm;
 
     for (std::size_t i = 0; i < branch.radiusMm.size(); ++i) {
         branch.radiusMm[i] = i < 130 ? 1.6 : 0.9;
     }
-    EXPECT_LT(profileOf(branch).value().stenosis->percent, 5.0) << "it stays as narrow as it becomes";
+    EXPECT_LT(measureProfile(branch).value().stenosis->percent, 5.0) << "it stays as narrow as it becomes";
 }
 
 TEST(BranchProfile, EndsInTheParentOrAtTheTipAreNoStenosis)
 {
-    const auto profile = profileOf(straight([](double arc) { return arc < 2.0 ? 6.0 : arc > 58.5 ? 1.0 : 3.0; }));
+    const auto profile = measureProfile(straight([](double arc) { return arc < 2.0 ? 6.0 : arc > 58.5 ? 1.0 : 3.0; }));
     ASSERT_TRUE(profile && profile.value().stenosis);
     EXPECT_LT(profile.value().stenosis->percent, 3.0);
-    EXPECT_NEAR(profile.value().stenosis->referenceMm, 3.0, 0.1);
+    EXPECT_NEAR(profile.value().stenosis->referenceDiameterMm, 3.0, 0.1);
 }
 
 TEST(BranchProfile, CurvatureAndTortuosityOfArcs)
 {
     for (const double radiusMm : {8.0, 15.0, 40.0}) {
-        const auto profile = profileOf(arc(radiusMm, 180.0));
+        const auto profile = measureProfile(arc(radiusMm, 180.0));
         ASSERT_TRUE(profile);
         EXPECT_NEAR(profile.value().tortuosity, 0.5 * std::numbers::pi, 0.001) << radiusMm;
         EXPECT_NEAR(profile.value().maxCurvaturePerMm * radiusMm, 1.0, 0.08) << radiusMm;
@@ -122,7 +123,7 @@ TEST(BranchProfile, WithoutRadiiItSaysSoAndMeasuresTheRest)
 {
     VesselBranch branch = straight([](double) { return 3.0; });
     branch.radiusMm.clear();
-    const auto profile = profileOf(branch);
+    const auto profile = measureProfile(branch);
     ASSERT_TRUE(profile);
     EXPECT_NEAR(profile.value().lengthMm, 60.0, 1e-9);
     EXPECT_FALSE(profile.value().meanDiameterMm);
@@ -133,18 +134,18 @@ TEST(BranchProfile, WithoutRadiiItSaysSoAndMeasuresTheRest)
 
     branch = straight([](double) { return 3.0; });
     branch.radiusMm[20] = std::nan("");
-    EXPECT_FALSE(profileOf(branch).value().meanDiameterMm);
+    EXPECT_FALSE(measureProfile(branch).value().meanDiameterMm);
     branch.radiusMm[20] = -1.0;
-    EXPECT_FALSE(profileOf(branch).value().meanDiameterMm);
+    EXPECT_FALSE(measureProfile(branch).value().meanDiameterMm);
 }
 
 TEST(BranchProfile, BranchesWithoutLengthAreRefused)
 {
-    EXPECT_FALSE(profileOf({1, "", {}, {}, 0}));
-    EXPECT_FALSE(profileOf({1, "", {{1, 2, 3}}, {}, 0}));
-    EXPECT_FALSE(profileOf({1, "", {{1, 2, 3}, {1, 2, 3}}, {}, 0}));
-    EXPECT_FALSE(profileOf({1, "", {{1, 2, 3}, {1, std::nan(""), 3}}, {}, 0}));
-    const auto tiny = profileOf({1, "", {{0, 0, 0}, {0.3, 0, 0}}, {1.0, 1.0}, 0});
+    EXPECT_FALSE(measureProfile({1, "", {}, {}, 0}));
+    EXPECT_FALSE(measureProfile({1, "", {{1, 2, 3}}, {}, 0}));
+    EXPECT_FALSE(measureProfile({1, "", {{1, 2, 3}, {1, 2, 3}}, {}, 0}));
+    EXPECT_FALSE(measureProfile({1, "", {{1, 2, 3}, {1, std::nan(""), 3}}, {}, 0}));
+    const auto tiny = measureProfile({1, "", {{0, 0, 0}, {0.3, 0, 0}}, {1.0, 1.0}, 0});
     ASSERT_TRUE(tiny);
     EXPECT_TRUE(std::isnan(tiny.value().maxCurvaturePerMm));
     EXPECT_FALSE(tiny.value().stenosis) << "nothing to compare with";
@@ -166,7 +167,7 @@ std::vector<double> errorsOfTracedTubeMm(double diameterMm, double voxelMm)
     }
     const double clearMm = std::max(diameterMm, 3.0);
     for (const VesselBranch& branch : traced.value().tree.branches) {
-        const auto profile = profileOf(branch);
+        const auto profile = measureProfile(branch);
         for (const ProfileSample& sample : profile ? profile.value().samples : std::vector<ProfileSample>{}) {
             const double x = sample.pointInPatient.x();
             if (x > -18.0 + clearMm && x < 28.0 - clearMm) {

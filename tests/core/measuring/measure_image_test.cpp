@@ -160,7 +160,7 @@ TEST(MeasureImage, APoseLookedAtForAWhileHasNoRunBehindIt)
     seen.view.result.emplace();
     RigidTransform nearer = seen.view.cameraFromPatient;
     nearer.translation.z() = 400.0;
-    const MeasuredView preview{seen.view, &seen.tree, nearer};
+    const MeasurementContext preview{seen.view, &seen.tree, nearer};
     const auto measured = measureImage({Length, atVessels, {{0, 0}, {10, 0}}, 0, ""}, preview).value();
     EXPECT_NEAR(measured.value.value, 10.0 * 0.4 * 400.0 / 1200.0, 1e-12);
     EXPECT_TRUE(isAmong(basisOf(measured, Length, preview), messages::measureDepthUnchecked));

@@ -47,7 +47,7 @@ private:
         RigidTransform truth;
         truth.rotation = expSo3({0.2, 1.1 * static_cast<double>(number), random_.normal()});
         truth.translation = Eigen::Vector3d(random_.normal(), random_.normal(), 700.0) - truth.rotation * centroid;
-        RigidTransform start = perturbedAboutCentroid(truth, centroid, 1.5, 4.0, random_);
+        RigidTransform start = perturbAboutCentroid(truth, centroid, 1.5, 4.0, random_);
         Centerline2d target = projectTree(tree_, camera, truth);
         if (kind == Kind::BehindTheSource) {
             start.translation.z() -= 1500.0;

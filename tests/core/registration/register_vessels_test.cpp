@@ -259,7 +259,7 @@ TEST(RegisterVessels, StopKeepsTheBestPoseAtEveryStage)
     CounterRandom random(2);
     clean.target = traced(clean.target, random);
     const Eigen::Vector3d centroid = centroidInPatient(clean.tree);
-    const RegistrationInput input = clean.from(perturbedAboutCentroid(clean.truth, centroid, 4.0, 25.0, random));
+    const RegistrationInput input = clean.from(perturbAboutCentroid(clean.truth, centroid, 4.0, 25.0, random));
     const auto whole = registerVessels(input);
     ASSERT_TRUE(whole);
     const auto stepCount = static_cast<int>(whole.value().history.size());
@@ -421,7 +421,7 @@ TEST(RegisterVessels, FindsAPoseFromOneTerritoryAndNamesTheRest)
         ASSERT_LT(filled.size(), clean.tree.branches.size());
         const Eigen::Vector3d centroid = centroidInPatient(clean.tree);
         CounterRandom random(seed);
-        RegistrationInput input = clean.from(perturbedAboutCentroid(clean.truth, centroid, 4.0, 12.0, random));
+        RegistrationInput input = clean.from(perturbAboutCentroid(clean.truth, centroid, 4.0, 12.0, random));
         input.target = traced(clean.target, random);
         std::erase_if(input.target.curves, [&](const Curve2d& curve) { return !filled.contains(curve.id); });
         const auto result = registerVessels(input);

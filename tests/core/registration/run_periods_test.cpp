@@ -41,12 +41,12 @@ std::vector<TimedPose> run(double seconds, double framesPerSecond, const Waves& 
 TEST(RunPeriods, FindsBreathAndHeart)
 {
     const RunPeriods found = findPeriods(run(12.0, 15.0, {5.0, 1.5, 0.2, 0.3}), {0.0, 0.0, 0.0});
-    ASSERT_TRUE(found.breath);
-    ASSERT_TRUE(found.heart);
-    EXPECT_NEAR(found.breath->periodS, breathS, 0.2);
-    EXPECT_NEAR(found.breath->amplitudeMm, 5.0, 0.5);
-    EXPECT_NEAR(found.heart->periodS, heartS, 0.03);
-    EXPECT_NEAR(found.heart->amplitudeMm, 1.5 * std::hypot(0.5, 0.8), 0.2);
+    ASSERT_TRUE(found.breathMotion);
+    ASSERT_TRUE(found.heartMotion);
+    EXPECT_NEAR(found.breathMotion->periodS, breathS, 0.2);
+    EXPECT_NEAR(found.breathMotion->amplitudeMm, 5.0, 0.5);
+    EXPECT_NEAR(found.heartMotion->periodS, heartS, 0.03);
+    EXPECT_NEAR(found.heartMotion->amplitudeMm, 1.5 * std::hypot(0.5, 0.8), 0.2);
 }
 
 TEST(RunPeriods, FindsThemWhereFramesAreMissing)
@@ -54,8 +54,8 @@ TEST(RunPeriods, FindsThemWhereFramesAreMissing)
     std::vector<TimedPose> poses = run(12.0, 15.0, {5.0, 0.0, 0.2, 0.0});
     std::erase_if(poses, [](const TimedPose& pose) { return pose.seconds > 4.0 && pose.seconds < 6.0; });
     const RunPeriods found = findPeriods(poses, {0.0, 0.0, 0.0});
-    ASSERT_TRUE(found.breath);
-    EXPECT_NEAR(found.breath->periodS, breathS, 0.2);
+    ASSERT_TRUE(found.breathMotion);
+    EXPECT_NEAR(found.breathMotion->periodS, breathS, 0.2);
 }
 
 TEST(RunPeriods, FindsNoneInNoise)
@@ -63,7 +63,7 @@ TEST(RunPeriods, FindsNoneInNoise)
     int found = 0;
     for (std::uint64_t seed = 1; seed <= 200; ++seed) {
         const RunPeriods periods = findPeriods(run(10.0, 10.0, {0.0, 0.0, 1.0, 0.5}, seed), {0.0, 0.0, 0.0});
-        found += periods.breath || periods.heart ? 1 : 0;
+        found += periods.breathMotion || periods.heartMotion ? 1 : 0;
     }
     EXPECT_LE(found, 2);
 }
@@ -71,8 +71,8 @@ TEST(RunPeriods, FindsNoneInNoise)
 TEST(RunPeriods, SaysNothingOfARunTooShort)
 {
     const RunPeriods found = findPeriods(run(4.0, 15.0, {5.0, 0.0, 0.2, 0.0}), {0.0, 0.0, 0.0});
-    EXPECT_FALSE(found.breath) << "one breath and a little is no period";
-    EXPECT_FALSE(findPeriods({}, {0.0, 0.0, 0.0}).breath);
+    EXPECT_FALSE(found.breathMotion) << "one breath and a little is no period";
+    EXPECT_FALSE(findPeriods({}, {0.0, 0.0, 0.0}).breathMotion);
 }
 
 }   // namespace

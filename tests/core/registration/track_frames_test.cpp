@@ -48,7 +48,7 @@ TEST(FrameTracker, FollowsBreathingWithoutSearching)
         const auto tracked = tracker.next(run.targetAt(frame));
         ASSERT_TRUE(tracked);
         EXPECT_TRUE(tracked.value().isTrustworthy);
-        EXPECT_FALSE(tracked.value().searched) << "frame " << frame;
+        EXPECT_FALSE(tracked.value().isFromSearch) << "frame " << frame;
         EXPECT_LT(run.errorPx(tracked.value().cameraFromPatient, frame), 0.5) << "frame " << frame;
     }
 }
@@ -67,7 +67,7 @@ TEST(FrameTracker, SearchesAfterAJump)
     for (int frame = 6; frame <= 8; ++frame) {
         const auto tracked = tracker.next(run.targetAt(frame));
         ASSERT_TRUE(tracked);
-        EXPECT_EQ(tracked.value().searched, frame == 6);
+        EXPECT_EQ(tracked.value().isFromSearch, frame == 6);
         EXPECT_TRUE(tracked.value().isTrustworthy);
         EXPECT_LT(run.errorPx(tracked.value().cameraFromPatient, frame), 0.5);
     }
@@ -87,11 +87,11 @@ TEST(FrameTracker, HearsStopWhileItSearches)
     FrameTracker undisturbed = tracker;
     int heard = 0;
     const auto count = [&heard](double) { return ++heard, ObserverDecision::Continue; };
-    ASSERT_TRUE(undisturbed.next(elsewhere, count).value().searched);
+    ASSERT_TRUE(undisturbed.next(elsewhere, count).value().isFromSearch);
     const int whole = heard;
     heard = 0;
     const auto stop = [&heard](double) { return ++heard, ObserverDecision::Stop; };
-    ASSERT_TRUE(tracker.next(elsewhere, stop).value().searched);
+    ASSERT_TRUE(tracker.next(elsewhere, stop).value().isFromSearch);
     EXPECT_GT(whole, 3);
     EXPECT_LE(heard, 2);
 }

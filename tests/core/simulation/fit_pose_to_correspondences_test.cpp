@@ -25,7 +25,7 @@ TEST(FitKnownPose, RecoversThePoseFromExactPixels)
         }
     }
     CounterRandom random(9);
-    const RigidTransform start = perturbedAboutCentroid(truth, centroidInPatient(tree), 3.0, 8.0, random);
+    const RigidTransform start = perturbAboutCentroid(truth, centroidInPatient(tree), 3.0, 8.0, random);
     EXPECT_TRUE(test::nearPose(fitPoseToCorrespondences(points, pixels, camera, start), truth, 1e-7, 1e-7));
 }
 

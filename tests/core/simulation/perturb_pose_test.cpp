@@ -40,20 +40,20 @@ Spread spreadOf(Perturb perturb)
 TEST(PerturbPose, AboutCentroidKeepsRotationAndShiftApart)
 {
     const Spread both =
-        spreadOf([](CounterRandom& random) { return perturbedAboutCentroid(somePose(), centroid, 2.0, 5.0, random); });
+        spreadOf([](CounterRandom& random) { return perturbAboutCentroid(somePose(), centroid, 2.0, 5.0, random); });
     for (int axis = 0; axis < 3; ++axis) {
         EXPECT_NEAR(both.rotationDeg[axis], 2.0, 0.1);
         EXPECT_NEAR(both.centroidMm[axis], 5.0, 0.25);
     }
     const Spread turned =
-        spreadOf([](CounterRandom& random) { return perturbedAboutCentroid(somePose(), centroid, 2.0, 0.0, random); });
+        spreadOf([](CounterRandom& random) { return perturbAboutCentroid(somePose(), centroid, 2.0, 0.0, random); });
     EXPECT_LT(turned.centroidMm.maxCoeff(), 1e-9);
 }
 
 TEST(PerturbPose, AboutSourceSwingsTheCentroidSideways)
 {
     const Spread spread =
-        spreadOf([](CounterRandom& random) { return perturbedAboutSource(somePose(), 2.0, 5.0, random); });
+        spreadOf([](CounterRandom& random) { return perturbAboutSource(somePose(), 2.0, 5.0, random); });
     const double swingMm = 800.0 * 2.0 * std::numbers::pi / 180.0;
     EXPECT_NEAR(spread.rotationDeg.x(), 2.0, 0.1);
     EXPECT_NEAR(spread.centroidMm.x(), std::hypot(swingMm, 5.0), 1.5);
@@ -65,8 +65,8 @@ TEST(PerturbPose, StaysRigidAndRepeats)
 {
     CounterRandom first(4);
     CounterRandom second(4);
-    const RigidTransform a = perturbedAboutSource(somePose(), 5.0, 10.0, first);
-    const RigidTransform b = perturbedAboutSource(somePose(), 5.0, 10.0, second);
+    const RigidTransform a = perturbAboutSource(somePose(), 5.0, 10.0, first);
+    const RigidTransform b = perturbAboutSource(somePose(), 5.0, 10.0, second);
     EXPECT_TRUE(isRigid(a, 1e-12));
     EXPECT_EQ(a.matrix(), b.matrix());
 }
@@ -79,7 +79,7 @@ TEST(PerturbPose, UniformlyStaysInsideItsRangeAndFillsIt)
     Eigen::Vector3d farthest = Eigen::Vector3d::Zero();
     double largestDeg = 0.0;
     for (int i = 0; i < 500; ++i) {
-        const RigidTransform moved = uniformlyDisplaced(somePose(), centroid, rangeDeg, rangeMm, random);
+        const RigidTransform moved = displaceUniformly(somePose(), centroid, rangeDeg, rangeMm, random);
         const Eigen::Vector3d shift = moved * centroid - somePose() * centroid;
         farthest = farthest.cwiseMax(shift.cwiseAbs());
         largestDeg = std::max(largestDeg, angleBetween(moved.rotation, somePose().rotation) * 180.0 / std::numbers::pi);

@@ -59,12 +59,12 @@ TEST(EditTree, DeletesABranchWithAllThatLeavesIt)
 
 TEST(EditTree, PrunesShortAndThinEndBranches)
 {
-    EXPECT_EQ(idsInOrder(core::prunedTree(smallTree(), 10.0, 0.0).value()), (std::vector<int>{1, 4, 6}));
-    EXPECT_EQ(idsInOrder(core::prunedTree(smallTree(), 0.0, 1.8).value()), (std::vector<int>{1, 4}));
+    EXPECT_EQ(idsInOrder(core::pruneTree(smallTree(), 10.0, 0.0).value()), (std::vector<int>{1, 4, 6}));
+    EXPECT_EQ(idsInOrder(core::pruneTree(smallTree(), 0.0, 1.8).value()), (std::vector<int>{1, 4}));
     // Branch 4 is thin but supports branch 9 until that is removed.
-    EXPECT_EQ(idsInOrder(core::prunedTree(smallTree(), 0.0, 3.0).value()), (std::vector<int>{1}));
-    EXPECT_FALSE(core::prunedTree(smallTree(), 100.0, 0.0));
-    EXPECT_EQ(idsInOrder(core::prunedTree(smallTree(), 0.0, 0.0).value()), idsInOrder(smallTree()));
+    EXPECT_EQ(idsInOrder(core::pruneTree(smallTree(), 0.0, 3.0).value()), (std::vector<int>{1}));
+    EXPECT_FALSE(core::pruneTree(smallTree(), 100.0, 0.0));
+    EXPECT_EQ(idsInOrder(core::pruneTree(smallTree(), 0.0, 0.0).value()), idsInOrder(smallTree()));
 }
 
 TEST(EditTree, CutsAndJoinsBack)
@@ -76,7 +76,7 @@ TEST(EditTree, CutsAndJoinsBack)
     EXPECT_EQ(cut.value().find(10)->pointsInPatient.front(), Eigen::Vector3d(0, 0, 30));
     EXPECT_EQ(cut.value().find(10)->radiusMm.size(), 31U);
     EXPECT_EQ(cut.value().find(1)->name, "trunk");
-    const auto again = core::joined(cut.value(), 1, 10);
+    const auto again = core::joinBranches(cut.value(), 1, 10);
     ASSERT_TRUE(again);
     EXPECT_EQ(again.value().find(1)->pointsInPatient, smallTree().find(1)->pointsInPatient);
     EXPECT_EQ(again.value().find(1)->radiusMm, smallTree().find(1)->radiusMm);
@@ -90,10 +90,10 @@ TEST(EditTree, JoinsNearestEndsWhicheverWayTheyRun)
 {
     VesselTree tree;
     tree.branches = {straightBranch(1, {0, 0, 10}, {0, 0, 0}, 2.0), straightBranch(2, {0, 0, 30}, {0, 0, 16}, 3.0)};
-    const auto joined = core::joined(tree, 1, 2);
-    ASSERT_TRUE(joined);
-    ASSERT_EQ(joined.value().branches.size(), 1U);
-    const VesselBranch& branch = joined.value().branches.front();
+    const auto joinBranches = core::joinBranches(tree, 1, 2);
+    ASSERT_TRUE(joinBranches);
+    ASSERT_EQ(joinBranches.value().branches.size(), 1U);
+    const VesselBranch& branch = joinBranches.value().branches.front();
     EXPECT_EQ(branch.pointsInPatient.front(), Eigen::Vector3d(0, 0, 30));
     EXPECT_EQ(branch.pointsInPatient.back(), Eigen::Vector3d(0, 0, 0));
     EXPECT_NEAR(branch.lengthMm(), 30.0, 1e-9);
@@ -101,9 +101,9 @@ TEST(EditTree, JoinsNearestEndsWhicheverWayTheyRun)
     EXPECT_GT(branch.radiusMm[17], 2.0);
     EXPECT_LT(branch.radiusMm[17], 3.0);
     tree.branches[1].radiusMm.clear();
-    EXPECT_TRUE(core::joined(tree, 1, 2).value().branches.front().radiusMm.empty());
-    EXPECT_FALSE(core::joined(tree, 1, 1));
-    EXPECT_FALSE(core::joined(tree, 1, 7));
+    EXPECT_TRUE(core::joinBranches(tree, 1, 2).value().branches.front().radiusMm.empty());
+    EXPECT_FALSE(core::joinBranches(tree, 1, 1));
+    EXPECT_FALSE(core::joinBranches(tree, 1, 7));
 }
 
 TEST(EditTree, SmoothsNarrowDeformationAndKeepsWideOnesAndEnds)
@@ -127,11 +127,11 @@ TEST(EditTree, SmoothsNarrowDeformationAndKeepsWideOnesAndEnds)
 
 TEST(EditTree, RenamesOneBranch)
 {
-    const auto named = core::renamed(smallTree(), 6, "left renal");
+    const auto named = core::renameBranch(smallTree(), 6, "left renal");
     ASSERT_TRUE(named);
     EXPECT_EQ(named.value().find(6)->name, "left renal");
     EXPECT_EQ(named.value().find(1)->name, "trunk");
-    EXPECT_FALSE(core::renamed(smallTree(), 5, "x"));
+    EXPECT_FALSE(core::renameBranch(smallTree(), 5, "x"));
 }
 
 TEST(RootTree, KeepsATreeThatHasItsRootAlready)
@@ -247,7 +247,7 @@ TEST(EditTree, CountsABranchAsAskedAndFindsItsNearestPoint)
 
 TEST(EditTree, LeadsABranchOnFromEitherEnd)
 {
-    const auto longer = core::extendTo(smallTree(), {1, false}, {0, 0, -8});
+    const auto longer = core::extendBranchTo(smallTree(), {1, false}, {0, 0, -8});
     ASSERT_TRUE(longer);
     EXPECT_EQ(longer.value().find(1)->pointsInPatient.front(), Eigen::Vector3d(0, 0, -8));
     EXPECT_NEAR(longer.value().find(1)->lengthMm(), smallTree().find(1)->lengthMm() + 8.0, 1e-9);

@@ -26,22 +26,22 @@ TEST(PlaceOnTree, IsBetweenThePointsOfABranch)
 
 TEST(PlaceOnTree, IsFoundUnderThePixelThatShowsIt)
 {
-    const PosedCamera sight{{-2000.0, 2000.0, 256.0, 256.0, 512, 512},
-                            {Eigen::Matrix3d::Identity(), {0.0, 0.0, 700.0}}};
+    const PosedCamera posedCamera{{-2000.0, 2000.0, 256.0, 256.0, 512, 512},
+                                  {Eigen::Matrix3d::Identity(), {0.0, 0.0, 700.0}}};
     const Eigen::Vector3d shown(0.0, 12.0, 50.0);
-    const auto pixel = project(sight.camera, sight.cameraFromPatient * shown);
+    const auto pixel = project(posedCamera.camera, posedCamera.cameraFromPatient * shown);
     ASSERT_TRUE(pixel);
-    const auto place = pointUnderPixel(crossing(), sight, *pixel + Eigen::Vector2d(3.0, 0.0), 8.0);
+    const auto place = pointUnderPixel(crossing(), posedCamera, *pixel + Eigen::Vector2d(3.0, 0.0), 8.0);
     ASSERT_TRUE(place);
     EXPECT_LT((*place - shown).norm(), 1e-9);
-    EXPECT_FALSE(pointUnderPixel(crossing(), sight, {500.0, 500.0}, 8.0));
+    EXPECT_FALSE(pointUnderPixel(crossing(), posedCamera, {500.0, 500.0}, 8.0));
 }
 
 TEST(PlaceOnTree, BehindTheSourceIsNowhere)
 {
-    const PosedCamera sight{{-2000.0, 2000.0, 256.0, 256.0, 512, 512},
-                            {Eigen::Matrix3d::Identity(), {0.0, 0.0, -700.0}}};
-    EXPECT_FALSE(pointUnderPixel(crossing(), sight, {256.0, 256.0}, 1e6));
+    const PosedCamera posedCamera{{-2000.0, 2000.0, 256.0, 256.0, 512, 512},
+                                  {Eigen::Matrix3d::Identity(), {0.0, 0.0, -700.0}}};
+    EXPECT_FALSE(pointUnderPixel(crossing(), posedCamera, {256.0, 256.0}, 1e6));
 }
 
 }   // namespace

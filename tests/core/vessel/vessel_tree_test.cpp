@@ -95,7 +95,7 @@ TEST(VesselTree, ProblemsAreNamed)
 
 TEST(VesselTree, ExcludedBranchesAreGone)
 {
-    const VesselTree rest = without(forkedTree(), {2});
+    const VesselTree rest = withoutBranches(forkedTree(), {2});
     EXPECT_EQ(rest.branches.size(), 2u);
     EXPECT_EQ(rest.find(2), nullptr);
 }
@@ -112,7 +112,7 @@ core::VesselTree stretch(double length, double radius)
 
 TEST(VesselTree, DoubtsLengthsAndWidthsThatNoVesselsHave)
 {
-    EXPECT_DOUBLE_EQ(core::acrossMm(stretch(120.0, 1.5)), 120.0);
+    EXPECT_DOUBLE_EQ(core::extentMm(stretch(120.0, 1.5)), 120.0);
     EXPECT_TRUE(core::isPlausibleSize(stretch(120.0, 1.5)));
     EXPECT_FALSE(core::isPlausibleSize(stretch(0.12, 0.0015))) << "metres";
     EXPECT_FALSE(core::isPlausibleSize(stretch(12.0, 0.1))) << "centimeters, recognized by the width alone";

@@ -70,13 +70,13 @@ TEST(AngleMap, FindsWhatBruteForceFinds)
         const VesselTree tree = growTree(seed, {}).tree;
         const View view = viewAt(tree, 0.0, 0.0);
         const PoseAtAngles poseAt = poseForGantryAngles(view).value();
-        const ViewEvaluator sight = sightOfBranch(tree, tree.branches[3].id);
+        const ViewEvaluator evaluator = sightOfBranch(tree, tree.branches[3].id);
         const AngleMap map = mapOf(tree, tree.branches[3].id, view);
         double least = std::numeric_limits<double>::infinity();
         GantryAngles brute;
         for (double primary = -90.0; primary <= 90.0; primary += 1.0) {
             for (double secondary = -40.0; secondary <= 40.0; secondary += 1.0) {
-                const double cost = sight.from(poseAt({primary, secondary})).cost();
+                const double cost = evaluator.from(poseAt({primary, secondary})).cost();
                 brute = cost < least ? GantryAngles{primary, secondary} : brute;
                 least = std::min(least, cost);
             }
@@ -106,13 +106,16 @@ TEST(AngleMap, StopsAndRefuses)
     const VesselTree tree = straightTree(Eigen::Vector3d::UnitY());
     const View view = viewAt(tree, 0.0, 0.0);
     const PoseAtAngles poseAt = poseForGantryAngles(view).value();
-    const ViewEvaluator sight = sightOfBranch(tree, 1);
+    const ViewEvaluator evaluator = sightOfBranch(tree, 1);
     EXPECT_TRUE(
-        computeAngleMap(sight, poseAt, {}, [](double) { return ObserverDecision::Stop; }).error().isCancellation());
-    EXPECT_EQ(computeAngleMap(sight, poseAt, {{10, -10}, {-40, 40}, 2.5, 1}).error().message.id(), "angles.range-odd");
-    EXPECT_EQ(computeAngleMap(sight, poseAt, {{-90, 90}, {-95, 40}, 2.5, 1}).error().message.id(), "angles.range-odd");
-    EXPECT_EQ(computeAngleMap(sight, poseAt, {{-90, NAN}, {-40, 40}, 2.5, 1}).error().message.id(), "angles.range-odd");
-    EXPECT_EQ(computeAngleMap(sight, poseAt, {{-90, 90}, {-40, 40}, 0.1, 1}).error().message.id(),
+        computeAngleMap(evaluator, poseAt, {}, [](double) { return ObserverDecision::Stop; }).error().isCancellation());
+    EXPECT_EQ(computeAngleMap(evaluator, poseAt, {{10, -10}, {-40, 40}, 2.5, 1}).error().message.id(),
+              "angles.range-odd");
+    EXPECT_EQ(computeAngleMap(evaluator, poseAt, {{-90, 90}, {-95, 40}, 2.5, 1}).error().message.id(),
+              "angles.range-odd");
+    EXPECT_EQ(computeAngleMap(evaluator, poseAt, {{-90, NAN}, {-40, 40}, 2.5, 1}).error().message.id(),
+              "angles.range-odd");
+    EXPECT_EQ(computeAngleMap(evaluator, poseAt, {{-90, 90}, {-40, 40}, 0.1, 1}).error().message.id(),
               "angles.step-too-fine");
 }
 

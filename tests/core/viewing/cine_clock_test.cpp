@@ -35,7 +35,7 @@ TEST(CineClock, LeavesFramesOutRatherThanBeingLate)
     clock.start(0, 1000.0);
     EXPECT_EQ(clock.frameAt(1049.0), 0);
     EXPECT_EQ(clock.frameAt(1374.0), 7);   // after 325 ms without a request
-    EXPECT_NEAR(clock.untilNextMs(1374.0), 26.0, 1e-9);
+    EXPECT_NEAR(clock.msUntilNextFrame(1374.0), 26.0, 1e-9);
 }
 
 TEST(CineClock, BeginsAtItsFirstFrameFromOutside)
@@ -60,7 +60,7 @@ TEST(CineClock, TheNextFrameIsAlwaysAhead)
     clock.start(0, 0.1);
     double now = 0.1;
     for (int i = 0; i < 1000; ++i) {
-        const double wait = clock.untilNextMs(now);
+        const double wait = clock.msUntilNextFrame(now);
         ASSERT_GT(wait, 0.0);
         now += wait;
     }

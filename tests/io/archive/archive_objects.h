@@ -53,7 +53,7 @@ inline std::string objectText(int index, const std::string& seriesUid, int side 
                                                                               {0x00280101, 16},
                                                                               {0x00280102, 15},
                                                                               {0x00280103, 0}}) {
-        root.unsignedShort(tag, value);
+        root.setUnsignedShort(tag, value);
     }
     root.words(0x7fe00010, pixels);
     const auto text = object.content();

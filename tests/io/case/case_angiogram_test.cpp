@@ -103,18 +103,18 @@ TEST(SaveCase, RestoresTheSubtraction)
     ANGIOPOSE_NEEDS_DATA("coronary-phantom-xa/cases");
     const TemporaryFolder folder;
     core::Case original = phantomCase(4);
-    original.shown().treatment.isSubtracted = true;
-    original.shown().treatment.plan.maskFrames = {0, 1};
-    original.shown().treatment.plan.maskShiftPx = Eigen::Vector2d(0.25, -1.0 / 3.0);
-    original.shown().treatment.plan.relation = core::PixelRelation::Logarithmic;
-    const auto treated = core::processRun(*original.shown().angiogram, original.shown().treatment);
+    original.shown().processing.isSubtracted = true;
+    original.shown().processing.plan.maskFrames = {0, 1};
+    original.shown().processing.plan.maskShiftPx = Eigen::Vector2d(0.25, -1.0 / 3.0);
+    original.shown().processing.plan.relation = core::PixelRelation::Logarithmic;
+    const auto treated = core::processRun(*original.shown().angiogram, original.shown().processing);
     ASSERT_TRUE(treated) << treated.error().message;
     original.shown().storedRun = original.shown().angiogram;
     original.shown().angiogram = std::make_shared<core::Angiogram>(treated.value());
     ASSERT_TRUE(io::saveCase(original, folder.file("dsa.angiopose")));
 
     const core::Case copy = reloaded(folder.file("dsa.angiopose"));
-    EXPECT_EQ(copy.shown().treatment, original.shown().treatment);
+    EXPECT_EQ(copy.shown().processing, original.shown().processing);
     ASSERT_TRUE(copy.shown().storedRun);
     EXPECT_EQ(copy.shown().storedRun->frames[4].pixels, original.shown().storedRun->frames[4].pixels);
     EXPECT_EQ(copy.shown().angiogram->frames[4].pixels, original.shown().angiogram->frames[4].pixels);
@@ -126,8 +126,8 @@ TEST(LoadCase, SubtractionThatCannotBeIsRefused)
     ANGIOPOSE_NEEDS_DATA("coronary-phantom-xa/cases");
     const TemporaryFolder folder;
     core::Case original = phantomCase(4);
-    original.shown().treatment.isSubtracted = true;
-    original.shown().treatment.plan.maskFrames = {99};
+    original.shown().processing.isSubtracted = true;
+    original.shown().processing.plan.maskFrames = {99};
     ASSERT_TRUE(io::saveCase(original, folder.file("dsa.angiopose")));
     core::Messages warnings;
     const auto loaded = io::loadCase(folder.file("dsa.angiopose"), warnings);

@@ -64,7 +64,7 @@ TrackedRun richRun(const core::Case& session)
         frame.tracked.isTrustworthy = k == 1 || k == 2;
     }
     frames[0].problem = core::messages::trackingNeedsSeveralFrames();
-    frames[2].tracked.searched = true;
+    frames[2].tracked.isFromSearch = true;
     frames[1].deformed = deformationOf(tree, frames[1].tracked.cameraFromPatient, 3.0);
     frames[2].deformed = deformationOf(tree, frames[2].tracked.cameraFromPatient, 5.0);
     frames[3].deformed = core::transferDeformation(frames[2], frames[3].tracked.cameraFromPatient);
@@ -159,7 +159,7 @@ TEST_F(CaseFollowed, ReopensWithEveryBit)
         EXPECT_EQ(frames[k].frame, kept[k].frame);
         EXPECT_EQ(frames[k].tracked.cameraFromPatient.matrix(), kept[k].tracked.cameraFromPatient.matrix());
         EXPECT_EQ(frames[k].tracked.score, kept[k].tracked.score);
-        EXPECT_EQ(frames[k].tracked.searched, kept[k].tracked.searched);
+        EXPECT_EQ(frames[k].tracked.isFromSearch, kept[k].tracked.isFromSearch);
         EXPECT_EQ(frames[k].tracked.isTrustworthy, kept[k].tracked.isTrustworthy);
         EXPECT_EQ(frames[k].problem, kept[k].problem);
         EXPECT_EQ(frames[k].deformationSourceFrame, kept[k].deformationSourceFrame);
@@ -231,7 +231,8 @@ TEST_F(CaseFollowed, KeepsItsPosesWithoutTheFileOfDeformation)
     expectPosesWithoutDeformation(afterReplacingDeformation(others), "belong to different vessels or frames");
     expectPosesWithoutDeformation(afterReplacingDeformation("a letter"), "not a deformation file");
     small.folder().write("saved.bends.nrrd", whole);
-    expectPosesWithoutDeformation(afterEditing([](auto& json) { json["followed"].erase("bends"); }), "specifies no deformation file");
+    expectPosesWithoutDeformation(afterEditing([](auto& json) { json["followed"].erase("bends"); }),
+                                  "specifies no deformation file");
     expectPosesWithoutDeformation(
         afterEditing([](auto& json) { json["followed"]["frames"][1]["deformable"]["perBranch"][0]["branch"] = 9; }),
         "belong to different vessels or frames");

@@ -40,10 +40,10 @@ protected:
 
     core::Result<io::DeidentifiedFiles> freed(const io::DeidentificationOptions& requested = {})
     {
-        written("state", io::presentationState(plantedState(), angiogram, origin));
-        written("registration", io::spatialRegistration(registration(), angiogram, origin));
-        written("segmentation", io::vesselSegmentation(vessels(), "PLANTED algorithm", scan, origin));
-        written("measurements", io::measurementReport(plantedMeasurements(), angiogram, origin));
+        written("state", io::encodePresentationState(plantedState(), angiogram, origin));
+        written("registration", io::encodeSpatialRegistration(registration(), angiogram, origin));
+        written("segmentation", io::encodeVesselSegmentation(vessels(), "PLANTED algorithm", scan, origin));
+        written("measurements", io::encodeMeasurementReport(plantedMeasurements(), angiogram, origin));
         auto done = io::deidentifyFiles({folder.file("")}, outPath(), requested, pseudonyms);
         EXPECT_TRUE(done) << done.error().message.text();
         return done;
@@ -168,7 +168,7 @@ TEST_F(DeidentifyObjects, BitsBehindTheLastVoxelAreCleared)
     core::VoxelMask odd = vessels();
     odd.geometry.size = {7, 9, 5};
     odd.voxels.assign(315, 1);
-    const std::string path = written("odd", io::vesselSegmentation(odd, "drawn", scan, origin));
+    const std::string path = written("odd", io::encodeVesselSegmentation(odd, "drawn", scan, origin));
     std::string bytes = test::readText(path);
     bytes.back() = static_cast<char>(0xff);
     folder.write("odd-object.dcm", bytes);
@@ -275,7 +275,8 @@ TEST_F(DeidentifyObjects, OwnTermsKeepTheirMeaning)
 TEST_F(DeidentifyObjects, PagesAndUnknownKindsAreRefusedWithASentence)
 {
     const std::string path = written(
-        "report", io::encapsulatedPdf("%PDF-1.4\nodd", "Report", io::BurnedInIdentity::Possible, angiogram, origin));
+        "report",
+        io::encodeEncapsulatedPdf("%PDF-1.4\nodd", "Report", io::BurnedInIdentity::Possible, angiogram, origin));
     const auto done = io::deidentifyFile(path, folder.file("pdf-freed.dcm"), {}, pseudonyms);
     ASSERT_FALSE(done);
     EXPECT_EQ(done.error().message.id(), "deidentify.pages");

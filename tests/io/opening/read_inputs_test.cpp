@@ -73,10 +73,10 @@ TEST(ReadInputs, OffersTheSeriesOfAFolderAndOpensTheChosenOne)
             folder.write(std::string(series) + std::to_string(k), test::ctSlice(slice));
         }
     }
-    const auto offered = readInputs({folder.file(".")});
-    ASSERT_TRUE(offered) << offered.error().message;
-    EXPECT_EQ(offered.value().offered.size(), 2U);
-    EXPECT_FALSE(offered.value().tree);
+    const auto offeredSeries = readInputs({folder.file(".")});
+    ASSERT_TRUE(offeredSeries) << offeredSeries.error().message;
+    EXPECT_EQ(offeredSeries.value().offeredSeries.size(), 2U);
+    EXPECT_FALSE(offeredSeries.value().tree);
 
     const auto chosen = readInputs({folder.file(".")}, {"1.2.4", {}, {}});
 

@@ -15,9 +15,9 @@ namespace {
 namespace fs = std::filesystem;
 using test::TemporaryFolder;
 
-StudyTree read(const std::string& place, StudyScope reach = StudyScope::Listed, const StudyObserver& observe = {})
+StudyTree read(const std::string& place, StudyScope scope = StudyScope::Listed, const StudyObserver& observe = {})
 {
-    auto tree = readStudies(place, reach, observe);
+    auto tree = readStudies(place, scope, observe);
     EXPECT_TRUE(tree) << (tree ? "" : tree.error().message.text());
     return tree ? std::move(tree).value() : StudyTree{};
 }
@@ -114,9 +114,9 @@ TEST(ReadStudies, DamagedFilesAreNamedAndEndNothing)
 
     const StudyTree tree = read(folder.file(""), StudyScope::AllFiles);
 
-    ASSERT_EQ(tree.damaged.size(), 2u);
-    EXPECT_EQ(tree.damaged[0].path, folder.file("CT/EMPTY"));
-    EXPECT_EQ(tree.damaged[1].path, folder.file("CT/TORN"));
+    ASSERT_EQ(tree.damagedFiles.size(), 2u);
+    EXPECT_EQ(tree.damagedFiles[0].path, folder.file("CT/EMPTY"));
+    EXPECT_EQ(tree.damagedFiles[1].path, folder.file("CT/TORN"));
     EXPECT_TRUE(findUse(seriesOf(tree), SeriesUse::Vessels));
 }
 

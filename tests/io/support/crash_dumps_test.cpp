@@ -37,7 +37,7 @@ protected:
     static std::string lastDump()
     {
         const auto dumps = io::crashDumps("angiopose-test");
-        return dumps.empty() ? std::string() : io::demangledDump(dumps.front());
+        return dumps.empty() ? std::string() : io::demangleDump(dumps.front());
     }
 
     test::TemporaryFolder folder_;

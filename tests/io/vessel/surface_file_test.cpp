@@ -250,7 +250,7 @@ TEST(ReadSurface, PointsThatCannotBeOfTheBodyAreLeftOutAndItIsSaid)
         const auto surface = io::readSurface(path);
         ASSERT_TRUE(surface) << surface.error().message;
         EXPECT_EQ(surface.value().mesh.pointsInPatient.size(), 960U);
-        EXPECT_LT(surface.value().acrossMm, 100.0);
+        EXPECT_LT(surface.value().extentMm, 100.0);
         ASSERT_FALSE(surface.value().warnings.empty());
         EXPECT_NE(surface.value().warnings.front().text().find("to the same body: 1 "), std::string::npos)
             << surface.value().warnings.front();
@@ -263,7 +263,7 @@ TEST(ReadSurface, PointsThatCannotBeOfTheBodyAreLeftOutAndItIsSaid)
     }
     const auto near = io::readSurface(folder.write("near.obj", tubeWithCornerAt("900 0 0")));
     ASSERT_TRUE(near);
-    EXPECT_GT(near.value().acrossMm, 800.0) << "a body may be so large";
+    EXPECT_GT(near.value().extentMm, 800.0) << "a body may be so large";
 }
 
 TEST(ReadSurface, TracingOneEndsWhenStopped)

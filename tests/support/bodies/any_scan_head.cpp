@@ -51,7 +51,7 @@ ScanBox boxOf(ScanKind kind, CounterRandom& random)
 void roughenBone(ScanPainter& painter, ScanGrid& grid, const HeadValues& values, CounterRandom random)
 {
     const TurnedEllipsoid outer{{0.0, 8.0, 2.0}, Eigen::Matrix3d::Identity(), {74.0, 90.0, 78.0}};
-    painter.around(
+    painter.forEachVoxelAround(
         outer.center, Eigen::Vector3d::Constant(120.0), [&](std::size_t voxel, const Eigen::Vector3d& place) {
             float& value = grid.voxels[voxel];
             const double overBrain = value - values.brain;

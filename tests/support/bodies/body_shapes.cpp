@@ -6,19 +6,20 @@ namespace angiopose::core {
 
 void paintEllipsoid(ScanPainter& painter, const TurnedEllipsoid& shape, double hu)
 {
-    painter.around(shape.center, Eigen::Vector3d::Constant(shape.halfAxesMm.maxCoeff()),
-                   [&](std::size_t voxel, const Eigen::Vector3d& place) {
-                       painter.blend(voxel, fractionInside(shape.distanceMm(place), painter.voxelMm()), hu);
-                   });
+    painter.forEachVoxelAround(shape.center, Eigen::Vector3d::Constant(shape.halfAxesMm.maxCoeff()),
+                               [&](std::size_t voxel, const Eigen::Vector3d& place) {
+                                   painter.blend(voxel, fractionInside(shape.distanceMm(place), painter.voxelMm()), hu);
+                               });
 }
 
 void paintDifference(ScanPainter& painter, const TurnedEllipsoid& shape, const TurnedEllipsoid& without, double hu)
 {
-    painter.around(shape.center, Eigen::Vector3d::Constant(shape.halfAxesMm.maxCoeff()),
-                   [&](std::size_t voxel, const Eigen::Vector3d& place) {
-                       const double outsideMm = std::max(shape.distanceMm(place), -without.distanceMm(place));
-                       painter.blend(voxel, fractionInside(outsideMm, painter.voxelMm()), hu);
-                   });
+    painter.forEachVoxelAround(shape.center, Eigen::Vector3d::Constant(shape.halfAxesMm.maxCoeff()),
+                               [&](std::size_t voxel, const Eigen::Vector3d& place) {
+                                   const double outsideMm =
+                                       std::max(shape.distanceMm(place), -without.distanceMm(place));
+                                   painter.blend(voxel, fractionInside(outsideMm, painter.voxelMm()), hu);
+                               });
 }
 
 VesselBranch taperedBranch(std::vector<Eigen::Vector3d> points, double firstRadiusMm, double lastRadiusMm)

@@ -41,7 +41,7 @@ void applyFallOff(ScanGrid& grid, const CoilFallOff& coil)
 
 Volume asMagnitudes(const ScanGrid& grid, double noise, const CounterRandom& random)
 {
-    return roundedVolume(grid, random, [noise](double signal, CounterRandom& sliceRandom) {
+    return roundVolume(grid, random, [noise](double signal, CounterRandom& sliceRandom) {
         const double real = signal + noise * sliceRandom.normal();
         return std::min(std::hypot(real, noise * sliceRandom.normal()), maxStoredMagnitude);
     });

@@ -176,7 +176,8 @@ TEST(FrameBars, RWavesAreSeenAndNamed)
 
 TEST(HistogramPlot, CountsWhatLiesAboveTheScaleByItself)
 {
-    const auto counts = binned({0.0, 0.4, 0.6, 1.9, 2.0, 50.0, std::numeric_limits<double>::infinity()}, 2.0, 4);
+    const auto counts =
+        histogramCounts({0.0, 0.4, 0.6, 1.9, 2.0, 50.0, std::numeric_limits<double>::infinity()}, 2.0, 4);
     EXPECT_EQ(counts, (std::vector<int>{2, 1, 0, 1, 3}));
 }
 

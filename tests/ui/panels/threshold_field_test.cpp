@@ -39,9 +39,9 @@ TEST(ThresholdField, BeginsAtWhatWasFound)
     EXPECT_FALSE(open.slider.isEnabled());
     EXPECT_FALSE(open.field.isPreviewWanted());
 
-    const QSignalSpy chosen(&open.field, &ThresholdField::chosen);
+    const QSignalSpy thresholdChosen(&open.field, &ThresholdField::thresholdChosen);
     open.automatic.setChecked(false);
-    EXPECT_EQ(chosen.count(), 1);
+    EXPECT_EQ(thresholdChosen.count(), 1);
     EXPECT_TRUE(open.slider.isEnabled());
     EXPECT_EQ(open.slider.value(), 231);
     EXPECT_TRUE(open.field.isPreviewWanted());

@@ -11,8 +11,8 @@ namespace {
 TEST(ViewStrip, ManyViewsInANarrowStripAreAllSeen)
 {
     ViewStrip strip;
-    const ViewLine line{QStringLiteral("LAO 30 with a name that is rather long\n0.50 mm · 1.2 px"),
-                        QStringLiteral("tip")};
+    const ViewRow line{QStringLiteral("LAO 30 with a name that is rather long\n0.50 mm · 1.2 px"),
+                       QStringLiteral("tip")};
     strip.showViews({line, line, line, line}, 0);
     strip.showSideBySide(true);
     auto& list = *strip.findChild<QListWidget*>();
@@ -24,11 +24,11 @@ TEST(ViewStrip, ManyViewsInANarrowStripAreAllSeen)
         const QRect last = list.visualItemRect(list.item(3));
         EXPECT_TRUE(list.viewport()->rect().contains(last)) << widthPx;
     }
-    EXPECT_EQ(list.item(3)->text(), line.words);
+    EXPECT_EQ(list.item(3)->text(), line.label);
     strip.resize(350, strip.height());
     QTest::qWait(50);
     EXPECT_EQ(list.item(3)->text(), QStringLiteral("4"));
-    EXPECT_TRUE(list.item(3)->toolTip().contains(line.words));
+    EXPECT_TRUE(list.item(3)->toolTip().contains(line.label));
 }
 
 }   // namespace

@@ -74,13 +74,13 @@ TEST(ViewPane, IsChosenByItsNameOrADoubleClick)
     pane.show();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(&pane));
     pane.image().setFrame(core::ImageF(64, 64, 0.5F));
-    const QSignalSpy chosen(&pane, &ViewPane::chosen);
+    const QSignalSpy viewChosen(&pane, &ViewPane::viewChosen);
     QTest::mouseDClick(&pane.image(), Qt::LeftButton, {}, {100, 100});
-    EXPECT_EQ(chosen.count(), 1);
+    EXPECT_EQ(viewChosen.count(), 1);
     QTest::mouseClick(&pane.title(), Qt::LeftButton);
-    EXPECT_EQ(chosen.count(), 2);
+    EXPECT_EQ(viewChosen.count(), 2);
     QTest::mouseClick(&pane.image(), Qt::LeftButton, {}, {100, 100});
-    EXPECT_EQ(chosen.count(), 2);
+    EXPECT_EQ(viewChosen.count(), 2);
 }
 
 int differing(const QImage& a, const QImage& b, const QRect& part)

@@ -267,13 +267,13 @@ TEST_F(TreeViewTest, MovesToAnotherWindow)
 TEST_F(TreeViewTest, ShowsThePictureOfAScanBehindTheTree)
 {
     settle();
-    const core::ParallelProjection sight = view_->scene().sight(20000);
-    EXPECT_LE(sight.width * sight.height, 21000);
-    core::Image2d<core::Rgba> pixels(sight.width, sight.height, {0, 160, 0, 255});
-    for (int y = 0; y < sight.height / 2; ++y) {
-        std::fill_n(&pixels.at(0, y), sight.width, core::Rgba{});   // the lower half is empty
+    const core::ParallelProjection projection = view_->scene().projection(20000);
+    EXPECT_LE(projection.width * projection.height, 21000);
+    core::Image2d<core::Rgba> pixels(projection.width, projection.height, {0, 160, 0, 255});
+    for (int y = 0; y < projection.height / 2; ++y) {
+        std::fill_n(&pixels.at(0, y), projection.width, core::Rgba{});   // the lower half is empty
     }
-    view_->scene().setScanRendering({sight, pixels});
+    view_->scene().setScanRendering({projection, pixels});
     view_->requestRender();
     settle();
     const QImage picture = view_->grab().toImage();
@@ -294,11 +294,11 @@ TEST_F(TreeViewTest, TellsThatItIsSeenFromElsewhere)
 {
     settle();
     int reported = 0;
-    QObject::connect(view_.get(), &ui::TreeView::sightChanged, [&reported] { ++reported; });
-    const core::ParallelProjection before = view_->scene().sight(10000);
+    QObject::connect(view_.get(), &ui::TreeView::cameraChanged, [&reported] { ++reported; });
+    const core::ParallelProjection before = view_->scene().projection(10000);
     QTest::keyClick(view_.get(), Qt::Key_Left);
     EXPECT_TRUE(QTest::qWaitFor([&reported] { return reported > 0; }, patienceMs));
-    const core::ParallelProjection after = view_->scene().sight(10000);
+    const core::ParallelProjection after = view_->scene().projection(10000);
     EXPECT_LT(before.right.dot(after.right), 0.99);
     EXPECT_NEAR(after.toViewer().norm(), 1.0, 1e-9);
     settle();

@@ -19,31 +19,31 @@ core::ImageF corner()
     return vesselness;
 }
 
-TEST(WirePath, FollowsTheVesselFromAnchorToAnchor)
+TEST(LiveWirePath, FollowsTheVesselFromAnchorToAnchor)
 {
     core::LiveWire wire(corner());
-    WirePath path;
-    path.add({12.0, 22.0}, &wire, false);
+    LiveWirePath path;
+    path.addAnchor({12.0, 22.0}, &wire, false);
     EXPECT_EQ(path.anchors().front(), Eigen::Vector2d(12.0, 20.0)) << "snapped to the vessel";
     path.previewTo({61.0, 70.0}, &wire, false);
     EXPECT_GT(path.preview().size(), 90U) << "round the corner";
-    path.add({61.0, 70.0}, &wire, false);
+    path.addAnchor({61.0, 70.0}, &wire, false);
     for (const Eigen::Vector2d& point : path.points()) {
         EXPECT_TRUE(std::abs(point.y() - 20.0) < 1.5 || std::abs(point.x() - 60.0) < 1.5) << point.transpose();
     }
 }
 
-TEST(WirePath, TakesBackAnchorByAnchor)
+TEST(LiveWirePath, TakesBackAnchorByAnchor)
 {
     core::LiveWire wire(corner());
-    WirePath path;
-    path.add({12.0, 20.0}, &wire, false);
-    path.add({40.0, 20.0}, &wire, false);
-    path.add({90.0, 90.0}, &wire, true);
+    LiveWirePath path;
+    path.addAnchor({12.0, 20.0}, &wire, false);
+    path.addAnchor({40.0, 20.0}, &wire, false);
+    path.addAnchor({90.0, 90.0}, &wire, true);
     EXPECT_EQ(path.anchors().back(), Eigen::Vector2d(90.0, 90.0)) << "straight, where asked";
     path.undoStep(&wire);
     EXPECT_EQ(path.anchors().back(), Eigen::Vector2d(40.0, 20.0));
-    path.add({60.0, 20.0}, &wire, false);
+    path.addAnchor({60.0, 20.0}, &wire, false);
     EXPECT_NEAR(path.points().back().x(), 60.0, 1.0);
     path.undoStep(&wire);
     path.undoStep(&wire);
@@ -52,12 +52,12 @@ TEST(WirePath, TakesBackAnchorByAnchor)
     EXPECT_TRUE(path.isEmpty());
 }
 
-TEST(WirePath, IsStraightWithoutAWire)
+TEST(LiveWirePath, IsStraightWithoutAWire)
 {
-    WirePath path;
-    path.add({0.0, 0.0}, nullptr, false);
-    path.add({10.0, 5.0}, nullptr, false);
-    EXPECT_EQ(path.points(), (WirePath::Points{{0.0, 0.0}, {10.0, 5.0}}));
+    LiveWirePath path;
+    path.addAnchor({0.0, 0.0}, nullptr, false);
+    path.addAnchor({10.0, 5.0}, nullptr, false);
+    EXPECT_EQ(path.points(), (LiveWirePath::Points{{0.0, 0.0}, {10.0, 5.0}}));
     path.clear();
     path.previewTo({1.0, 1.0}, nullptr, false);
     EXPECT_TRUE(path.preview().empty());

@@ -32,12 +32,12 @@ TEST_F(Number, HasNoSignWhereItRoundsToNothing)
 
 TEST_F(Number, AndSentencesStandInARowAsTheLanguageHasThem)
 {
-    EXPECT_EQ(joinedSentences({QStringLiteral("One."), QStringLiteral("Two.")}), QStringLiteral("One. Two."));
-    EXPECT_EQ(joinedNames({QStringLiteral("A"), QStringLiteral("B")}), QStringLiteral("A, B"));
+    EXPECT_EQ(joinSentences({QStringLiteral("One."), QStringLiteral("Two.")}), QStringLiteral("One. Two."));
+    EXPECT_EQ(joinNames({QStringLiteral("A"), QStringLiteral("B")}), QStringLiteral("A, B"));
     applyLanguage(QStringLiteral("zh_CN"));
-    EXPECT_EQ(joinedSentences({QStringLiteral("一。"), QStringLiteral("二。")}), QStringLiteral("一。二。"));
-    EXPECT_EQ(joinedSentences({QStringLiteral("One."), QStringLiteral("二。")}), QStringLiteral("One. 二。"));
-    EXPECT_EQ(joinedNames({QStringLiteral("A"), QStringLiteral("B")}), QStringLiteral("A、B"));
+    EXPECT_EQ(joinSentences({QStringLiteral("一。"), QStringLiteral("二。")}), QStringLiteral("一。二。"));
+    EXPECT_EQ(joinSentences({QStringLiteral("One."), QStringLiteral("二。")}), QStringLiteral("One. 二。"));
+    EXPECT_EQ(joinNames({QStringLiteral("A"), QStringLiteral("B")}), QStringLiteral("A、B"));
 }
 
 TEST_F(Number, IsUnderstoodWithEitherSignInEveryLanguage)

@@ -24,7 +24,7 @@ std::vector<StrokeLine> onPicture(const CurveCanvas& canvas, const StrokeLine& l
     const bool isWhole = std::ranges::all_of(line, [&](const StrokePoint& point) {
         return (point.at.array() >= -marginPx).all() && (point.at.array() <= (size + margin).array()).all();
     });
-    return isWhole ? std::vector<StrokeLine>{line} : clipped(line, -margin, size + margin);
+    return isWhole ? std::vector<StrokeLine>{line} : clipLine(line, -margin, size + margin);
 }
 
 void addStroke(StrokeMesh& mesh, const StrokeLine& line, double widthPx, double opacity)
@@ -64,7 +64,7 @@ StrokeLine lineOn(const CurveCanvas& canvas, const std::vector<Eigen::Vector2d>&
     for (const Eigen::Vector2d& point : pointsPx) {
         line.push_back({canvas.canvasFromImage * point, tone});
     }
-    return thinned(line, curveThinningPx);
+    return thinLine(line, curveThinningPx);
 }
 
 void addShadowed(StrokeMesh& mesh, const CurveCanvas& canvas, const StrokeLine& line, double widthPx, double opacity)
@@ -78,7 +78,7 @@ void addShadowedDashes(StrokeMesh& mesh, const CurveCanvas& canvas, const Stroke
                        double dashPx)
 {
     for (const StrokeLine& part : onPicture(canvas, line)) {
-        for (const StrokeLine& dash : dashed(part, {dashPx, dashPx})) {
+        for (const StrokeLine& dash : splitIntoDashes(part, {dashPx, dashPx})) {
             addStroke(mesh, dash, widthPx, 1.0);
         }
     }

@@ -50,7 +50,7 @@ void EditCurvesTool::keyPress(const QKeyEvent& event)
     } else if (event.key() == Qt::Key_BracketLeft || event.key() == Qt::Key_BracketRight) {
         setBrush(brushRadius_ * (event.key() == Qt::Key_BracketLeft ? 1.0 / brushStep : brushStep));
     } else if (event.key() == Qt::Key_Backspace) {
-        path_.undoStep(guide_ ? &guide_->wire : nullptr);
+        path_.undoStep(guide_ ? &guide_->liveWire : nullptr);
         view().redraw();
     } else {
         finishPath();

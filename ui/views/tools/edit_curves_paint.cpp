@@ -79,9 +79,9 @@ StrokeMesh EditCurvesTool::strokes(int heightPx) const
     StrokeMesh mesh;
     if (isDragging_) {   // keeps removed parts faintly visible during a drag
         addCurves(mesh, canvas, curves_, {.widthPx = curveWidth, .isFaint = true});
-        addCurves(mesh, canvas, shown_, idleStyle());
+        addCurves(mesh, canvas, shownCurves_, idleStyle());
     } else {
-        mesh = idleStrokes_.of(shownRevision_, canvas, shown_, idleStyle());
+        mesh = idleStrokes_.of(shownRevision_, canvas, shownCurves_, idleStyle());
     }
     addTouched(mesh, canvas);
     addPicked(mesh, canvas);
@@ -97,7 +97,7 @@ void EditCurvesTool::addTouched(StrokeMesh& mesh, const CurveCanvas& canvas) con
     if (!usesBrush()) {
         return;
     }
-    for (const core::Curve2d& curve : shown_.curves) {
+    for (const core::Curve2d& curve : shownCurves_.curves) {
         for (const std::vector<Eigen::Vector2d>& run : runsNear(curve, pointer_->imagePx, brushPx())) {
             addShadowed(mesh, canvas, lineOn(canvas, run, curveTones().attention), curveWidth * canvas.pixelRatio, 1.0);
         }
@@ -106,7 +106,7 @@ void EditCurvesTool::addTouched(StrokeMesh& mesh, const CurveCanvas& canvas) con
 
 void EditCurvesTool::addPicked(StrokeMesh& mesh, const CurveCanvas& canvas) const
 {
-    for (const core::Curve2d& curve : shown_.curves) {
+    for (const core::Curve2d& curve : shownCurves_.curves) {
         if (curve.id == hovered_ || curve.id == chosenSuspect_) {
             addShadowed(mesh, canvas, lineOn(canvas, curve.pointsPx, curveTones().textStrong),
                         2.0 * curveWidth * canvas.pixelRatio, 1.0);

@@ -45,7 +45,7 @@ void EditCurvesTool::showCurves(const core::Centerline2d& curves, CurveMarks mar
 
 void EditCurvesTool::setShown(core::Centerline2d curves)
 {
-    shown_ = std::move(curves);
+    shownCurves_ = std::move(curves);
     ++shownRevision_;
 }
 
@@ -83,7 +83,7 @@ QString EditCurvesTool::caption() const
         return tr("Edit vessels: tracing this frame…");
     }
     if (chosenSuspect_ >= 0) {
-        return tr("Possible catheter: A vessel, W catheter or guidewire, Delete excludes, S next");
+        return tr("Possible catheter: A keep as vessel, W mark as catheter or guidewire, Delete exclude, S next");
     }
     switch (edit_) {
         case CurveEdit::Erase:
@@ -107,7 +107,7 @@ QString EditCurvesTool::caption() const
 
 void EditCurvesTool::begin()
 {
-    emit begun();
+    emit activated();
 }
 
 void EditCurvesTool::end()
@@ -136,7 +136,7 @@ void EditCurvesTool::eraseAlong(const Eigen::Vector2d& from, const Eigen::Vector
 {
     const double radiusPx = brushRadius_ / view().zoom();
     const int steps = std::max(1, static_cast<int>(std::ceil((to - from).norm() / (0.5 * radiusPx))));
-    core::Centerline2d left = shown_;
+    core::Centerline2d left = shownCurves_;
     for (int k = 0; k <= steps; ++k) {
         left = core::eraseDisc(left, from + (to - from) * k / steps, radiusPx);
     }
@@ -180,7 +180,7 @@ void EditCurvesTool::finishDrag(const ToolPoint&)
     const std::vector<Eigen::Vector2d> polygon = outline();
     region_.clear();
     if (edit_ == CurveEdit::Erase) {
-        report(core::Centerline2d(shown_), [] { return tr("Erase curves"); });
+        report(core::Centerline2d(shownCurves_), [] { return tr("Erase curves"); });
     } else if (keepsInside_) {
         report(core::cropToPolygon(curves_, polygon), [] { return tr("Restrict to a region"); });
     } else {
@@ -203,7 +203,7 @@ bool EditCurvesTool::click(const ToolPoint& point)
     switch (edit_) {
         case CurveEdit::Erase:
             eraseAlong(point.imagePx, point.imagePx);
-            report(core::Centerline2d(shown_), [] { return tr("Erase curves"); });
+            report(core::Centerline2d(shownCurves_), [] { return tr("Erase curves"); });
             break;
         case CurveEdit::Draw:
             setAnchor(point);
@@ -227,7 +227,7 @@ bool EditCurvesTool::click(const ToolPoint& point)
 
 void EditCurvesTool::setAnchor(const ToolPoint& point)
 {
-    path_.add(point.imagePx, guide_ ? &guide_->wire : nullptr, isStraight(point));
+    path_.addAnchor(point.imagePx, guide_ ? &guide_->liveWire : nullptr, isStraight(point));
     view().redraw();
 }
 
@@ -255,7 +255,7 @@ void EditCurvesTool::hover(const ToolPoint& point)
         isReady_ && (edit_ == CurveEdit::Cut || edit_ == CurveEdit::Remove || edit_ == CurveEdit::MarkDevice);
     hovered_ = picks ? core::curveAt(curves_, point.imagePx, reachPx()) : -1;
     if (edit_ == CurveEdit::Draw && isReady_) {
-        path_.previewTo(point.imagePx, guide_ ? &guide_->wire : nullptr, isStraight(point));
+        path_.previewTo(point.imagePx, guide_ ? &guide_->liveWire : nullptr, isStraight(point));
     }
     view().redraw();
 }

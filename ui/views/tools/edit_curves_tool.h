@@ -23,7 +23,7 @@ struct CurveMarks {
 
 /// Image features that the live wire follows and on which drawn curves are centered.
 struct CurveGuide {
-    core::LiveWire wire;
+    core::LiveWire liveWire;
     core::ImageF opacity;
     double maxRadiusPx = 8.0;
 };
@@ -68,7 +68,7 @@ public:
     void paint(QPainter& painter) const override;
 
 signals:
-    void begun();   ///< emitted when the mode starts; the receiver calls `setGuide`
+    void activated();   ///< emitted when the mode starts; the receiver calls `setGuide`
     void editChanged(ui::CurveEdit edit);
     void edited(const core::Centerline2d& curves, const ui::LocalizedText& undoText);
     void suspectAccepted(int curveId);
@@ -103,7 +103,7 @@ private:
     void addBrush(StrokeMesh& mesh, const CurveCanvas& canvas) const;
 
     core::Centerline2d curves_;
-    core::Centerline2d shown_;   ///< curves including the effect of the current drag
+    core::Centerline2d shownCurves_;   ///< curves including the effect of the current drag
     int shownRevision_ = 0;
     mutable CurveStrokeCache idleStrokes_;
     CurveMarks marks_;
@@ -117,7 +117,7 @@ private:
     bool isDragging_ = false;
     bool keepsInside_ = true;   ///< if true, the region keeps only its inside (Ctrl); otherwise its inside is removed
     std::vector<Eigen::Vector2d> region_;
-    WirePath path_;
+    LiveWirePath path_;
 };
 
 }   // namespace angiopose::ui

@@ -114,7 +114,7 @@ bool LandmarkTool::takesKey(const QKeyEvent& event) const
 void LandmarkTool::keyPress(const QKeyEvent& event)
 {
     if (event.key() == Qt::Key_Delete) {
-        emit lastRemoved();
+        emit removeLastRequested();
     } else {
         emit poseRequested();
     }
@@ -124,7 +124,7 @@ bool LandmarkTool::undoStep()
 {
     const bool hasHalf = marks_.pendingPointInPatient || marks_.pendingPixel;
     if (hasHalf) {
-        emit pendingDropped();
+        emit cancelRequested();
     }
     return hasHalf;
 }
@@ -132,7 +132,7 @@ bool LandmarkTool::undoStep()
 void LandmarkTool::end()
 {
     dragged_.reset();
-    emit pendingDropped();
+    emit cancelRequested();
 }
 
 std::optional<QCursor> LandmarkTool::cursor(bool isDragging) const

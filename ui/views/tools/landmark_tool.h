@@ -42,8 +42,8 @@ signals:
     void pixelPicked(const Eigen::Vector2d& pixel);
     void pairDrawn(const Eigen::Vector3d& pointInPatient, const Eigen::Vector2d& pixel);
     void pairMoved(int index, const Eigen::Vector2d& pixel);
-    void lastRemoved();
-    void pendingDropped();
+    void removeLastRequested();
+    void cancelRequested();
     void poseRequested();
 
 private:

@@ -55,7 +55,7 @@ void LassoTool::finishDrag(const ToolPoint& point)
     const QPolygonF outline = std::exchange(outline_, {});
     view().redraw();
     if (outline.size() >= minVertices) {
-        emit enclosed(outline, effectOf(point.modifiers));
+        emit outlineDrawn(outline, effectOf(point.modifiers));
     }
 }
 

@@ -26,7 +26,7 @@ public:
     void paint(QPainter& painter) const override;
 
 signals:
-    void enclosed(const QPolygonF& outlineInImagePx, ui::LassoEffect effect);
+    void outlineDrawn(const QPolygonF& outlineInImagePx, ui::LassoEffect effect);
 
 private:
     QPolygonF outline_;   ///< vertices of the lasso, image px

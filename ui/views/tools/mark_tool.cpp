@@ -48,7 +48,7 @@ QString MarkTool::caption() const
         case MarkMode::Text:
             break;
     }
-    return tr("Text: click where it should start, then type · texts can be moved");
+    return tr("Text: click where the text should start, then type · text can be moved");
 }
 
 std::optional<std::size_t> MarkTool::handleAt(const QPointF& position) const

@@ -14,10 +14,10 @@ constexpr double coarsePace = 4.0;
 
 std::optional<Eigen::Vector2d> stepOf(const QKeyEvent& event)
 {
-    const double pace = event.modifiers().testFlag(Qt::ShiftModifier)     ? coarsePace
-                        : event.modifiers().testFlag(Qt::ControlModifier) ? fineMaskPace
-                                                                          : 1.0;
-    const double step = pace * stepPx;
+    const double speedFactor = event.modifiers().testFlag(Qt::ShiftModifier)     ? coarsePace
+                               : event.modifiers().testFlag(Qt::ControlModifier) ? fineMaskPace
+                                                                                 : 1.0;
+    const double step = speedFactor * stepPx;
     switch (event.key()) {
         case Qt::Key_Left:
             return Eigen::Vector2d(-step, 0.0);
@@ -68,8 +68,8 @@ bool MaskShiftTool::startDrag(const ToolPoint& pressed)
 
 void MaskShiftTool::drag(const ToolPoint& point)
 {
-    const double pace = point.modifiers.testFlag(Qt::ControlModifier) ? fineMaskPace : 1.0;
-    const Eigen::Vector2d step = pace * (point.imagePx - last_);
+    const double speedFactor = point.modifiers.testFlag(Qt::ControlModifier) ? fineMaskPace : 1.0;
+    const Eigen::Vector2d step = speedFactor * (point.imagePx - last_);
     last_ = point.imagePx;
     moveTo(shift_ + step);
 }
@@ -88,7 +88,7 @@ void MaskShiftTool::keyPress(const QKeyEvent& event)
 {
     if (const auto step = stepOf(event)) {
         moveTo(shift_ + *step);
-        emit settled();
+        emit shiftFinished();
     }
 }
 

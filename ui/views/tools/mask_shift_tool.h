@@ -15,11 +15,11 @@ public:
 
     QString caption() const override;
     const Color& tone() const override;
-    void begin() override { emit begun(); }
+    void begin() override { emit activated(); }
     void end() override { emit ended(); }
     bool startDrag(const ToolPoint& pressed) override;
     void drag(const ToolPoint& point) override;
-    void finishDrag(const ToolPoint&) override { emit settled(); }
+    void finishDrag(const ToolPoint&) override { emit shiftFinished(); }
     void cancelDrag() override;
     bool takesKey(const QKeyEvent& event) const override;
     void keyPress(const QKeyEvent& event) override;
@@ -28,10 +28,10 @@ public:
     std::optional<QCursor> cursor(bool) const override { return QCursor(Qt::SizeAllCursor); }
 
 signals:
-    void begun();
+    void activated();
     void ended();
     void shifted(const Eigen::Vector2d& shiftPx);   ///< emitted continuously while the mask moves
-    void settled();   ///< emitted at the end of a drag or key step
+    void shiftFinished();   ///< emitted at the end of a drag or key step
 
 private:
     void moveTo(const Eigen::Vector2d& shiftPx);

@@ -62,11 +62,11 @@ NudgeDrag::NudgeDrag(PoseHandle handle, const NudgeGrip& grip, const Eigen::Vect
 {
 }
 
-core::PoseOffset NudgeDrag::moveTo(const Eigen::Vector2d& position, double pace)
+core::PoseOffset NudgeDrag::moveTo(const Eigen::Vector2d& position, double speedFactor)
 {
     const double turn = screenAngleRad(center_, position) - screenAngleRad(center_, last_);
-    sweepRad_ += pace * std::remainder(turn, 2.0 * std::numbers::pi);
-    shiftPx_ += pace * (position - last_);
+    sweepRad_ += speedFactor * std::remainder(turn, 2.0 * std::numbers::pi);
+    shiftPx_ += speedFactor * (position - last_);
     last_ = position;
     core::PoseOffset offset;
     switch (handle_) {

@@ -24,7 +24,7 @@ public:
     NudgeDrag(PoseHandle handle, const NudgeGrip& grip, const Eigen::Vector2d& start);
 
     /// Moves the drag to `position` and returns its total offset; `pace` scales only this step (0.1 for fine steps).
-    core::PoseOffset moveTo(const Eigen::Vector2d& position, double pace);
+    core::PoseOffset moveTo(const Eigen::Vector2d& position, double speedFactor);
 
     PoseHandle handle() const { return handle_; }
     const Eigen::Vector2d& center() const { return center_; }

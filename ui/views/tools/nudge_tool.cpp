@@ -116,8 +116,8 @@ bool NudgeTool::startDrag(const ToolPoint& pressed)
 void NudgeTool::drag(const ToolPoint& point)
 {
     if (nudge_) {
-        const double pace = point.modifiers.testFlag(Qt::ControlModifier) ? fineNudgePace : 1.0;
-        dragged_ = asSeen(nudge_->moveTo(nudgeVector(point.position), pace), view());
+        const double speedFactor = point.modifiers.testFlag(Qt::ControlModifier) ? fineNudgePace : 1.0;
+        dragged_ = asSeen(nudge_->moveTo(nudgeVector(point.position), speedFactor), view());
         view().redraw();
         emit dragged(dragged_);
     }
@@ -215,7 +215,7 @@ StrokeMesh NudgeTool::strokes(int heightPx) const
 }
 
 /// Returns the name of the handle under the pointer or, during a drag, the amount of the change.
-QString NudgeTool::words() const
+QString NudgeTool::offsetText() const
 {
     const auto amount = [this](PoseAxis axis) {
         const double value = valueOf(dragged_, axis);
@@ -241,7 +241,7 @@ QString NudgeTool::words() const
 void NudgeTool::paint(QPainter& painter) const
 {
     const NudgeGrip grasped = grip();
-    const QString text = grasped.ringRadius > 0.0 ? words() : QString();
+    const QString text = grasped.ringRadius > 0.0 ? offsetText() : QString();
     if (text.isEmpty()) {
         return;
     }

@@ -39,7 +39,7 @@ signals:
 private:
     NudgeGrip grip() const;   ///< handles around the pivot of the tree
     PoseHandleState handleState() const;
-    QString words() const;
+    QString offsetText() const;
 
     std::optional<NudgeDrag> nudge_;
     core::PoseOffset dragged_;   ///< offset of the current drag

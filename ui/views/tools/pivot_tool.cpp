@@ -111,7 +111,7 @@ void PivotTool::keyPress(const QKeyEvent& event)
             step(1);
             break;
         case Qt::Key_Delete:
-            emit centroidWanted();
+            emit centroidRequested();
             break;
         default:
             emit picked(*candidate_);

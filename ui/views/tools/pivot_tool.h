@@ -31,7 +31,7 @@ public:
 
 signals:
     void picked(const Eigen::Vector3d& pointInPatient);
-    void centroidWanted();
+    void centroidRequested();
 
 private:
     std::optional<Eigen::Vector3d> pointAt(const ToolPoint& point) const;

@@ -2,53 +2,54 @@
 
 namespace angiopose::ui {
 
-void WirePath::clear()
+void LiveWirePath::clear()
 {
     segments_.clear();
     preview_.clear();
 }
 
-WirePath::Points WirePath::wayTo(const Eigen::Vector2d& pointPx, core::LiveWire* wire, bool straight) const
+LiveWirePath::Points LiveWirePath::segmentTo(const Eigen::Vector2d& pointPx, core::LiveWire* liveWire,
+                                             bool straight) const
 {
     Points path{segments_.back().back(), pointPx};
-    if (wire && !straight) {
-        path = wire->pathTo(pointPx);
+    if (liveWire && !straight) {
+        path = liveWire->pathTo(pointPx);
         path.insert(path.begin(), segments_.back().back());   // the live wire starts at the strongest response
     }
     return path;
 }
 
-void WirePath::add(const Eigen::Vector2d& pointPx, core::LiveWire* wire, bool straight)
+void LiveWirePath::addAnchor(const Eigen::Vector2d& pointPx, core::LiveWire* liveWire, bool straight)
 {
-    segments_.push_back(segments_.empty() ? Points{pointPx} : wayTo(pointPx, wire, straight));
+    segments_.push_back(segments_.empty() ? Points{pointPx} : segmentTo(pointPx, liveWire, straight));
     preview_.clear();
-    if (wire) {
-        wire->setAnchor(segments_.back().back());
+    if (liveWire) {
+        liveWire->setAnchor(segments_.back().back());
         if (segments_.size() == 1 && !straight) {
-            const Points start = wire->pathTo(pointPx);
+            const Points start = liveWire->pathTo(pointPx);
             segments_.back() = {start.front()};
         }
     }
 }
 
-void WirePath::undoStep(core::LiveWire* wire)
+void LiveWirePath::undoStep(core::LiveWire* liveWire)
 {
     if (segments_.empty()) {
         return;
     }
     segments_.pop_back();
     preview_.clear();
-    if (wire && !segments_.empty()) {
-        wire->setAnchor(segments_.back().back());
+    if (liveWire && !segments_.empty()) {
+        liveWire->setAnchor(segments_.back().back());
     }
 }
 
-void WirePath::previewTo(const Eigen::Vector2d& pointPx, core::LiveWire* wire, bool straight)
+void LiveWirePath::previewTo(const Eigen::Vector2d& pointPx, core::LiveWire* liveWire, bool straight)
 {
-    preview_ = segments_.empty() ? Points{} : wayTo(pointPx, wire, straight);
+    preview_ = segments_.empty() ? Points{} : segmentTo(pointPx, liveWire, straight);
 }
 
-WirePath::Points WirePath::points() const
+LiveWirePath::Points LiveWirePath::points() const
 {
     Points all;
     for (const Points& piece : segments_) {
@@ -61,7 +62,7 @@ WirePath::Points WirePath::points() const
     return all;
 }
 
-WirePath::Points WirePath::anchors() const
+LiveWirePath::Points LiveWirePath::anchors() const
 {
     Points ends;
     for (const Points& piece : segments_) {

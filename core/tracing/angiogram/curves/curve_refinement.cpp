@@ -132,7 +132,7 @@ Curve2d smoothCurve(const std::vector<Eigen::Vector2d>& pathPx, int id)
     return {id, smoothSpline(even, std::vector<double>(even.size(), 1.0), skeletonLambda), {}};
 }
 
-Curve2d centeredCurve(const std::vector<Eigen::Vector2d>& pathPx, int id, const ImageF& opacity, double maxRadiusPx)
+Curve2d centerCurve(const std::vector<Eigen::Vector2d>& pathPx, int id, const ImageF& opacity, double maxRadiusPx)
 {
     Curve2d curve = smoothCurve(pathPx, id);
     std::vector<bool> hasWalls(curve.pointsPx.size());

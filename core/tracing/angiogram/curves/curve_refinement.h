@@ -14,6 +14,6 @@ Curve2d smoothCurve(const std::vector<Eigen::Vector2d>& pathPx, int id);
 /// Centers the path between the vessel walls with subpixel accuracy (half depth of the cross-profile in `opacity`,
 /// averaged along the curve), smooths it, measures the radius between the same walls, and trims overshoot beyond the
 /// vessel ends. `maxRadiusPx` limits the length of the profile.
-Curve2d centeredCurve(const std::vector<Eigen::Vector2d>& pathPx, int id, const ImageF& opacity, double maxRadiusPx);
+Curve2d centerCurve(const std::vector<Eigen::Vector2d>& pathPx, int id, const ImageF& opacity, double maxRadiusPx);
 
 }   // namespace angiopose::core

@@ -81,13 +81,13 @@ double stationaryFraction(const Curve2d& curve, const ImageF& frame, const std::
     return static_cast<double>(std::ranges::count_if(seen, isStationary)) / static_cast<double>(current.size());
 }
 
-double visibleFraction(const Curve2d& curve, const ImageF& frame, const ImageF& before, double sign)
+double visibleFraction(const Curve2d& curve, const ImageF& frame, const ImageF& earlierFrame, double sign)
 {
     if (curve.pointsPx.empty() || curve.radiusPx.size() != curve.pointsPx.size()) {
         return 0.0;
     }
     const std::vector<Depths> current = depthsAlong(curve, frame, sign);
-    const std::vector<Depths> earlier = depthsAlong(curve, before, sign);
+    const std::vector<Depths> earlier = depthsAlong(curve, earlierFrame, sign);
     int seen = 0;
     for (std::size_t i = 0; i < current.size(); ++i) {
         const double depth = meanAround(current, i)[maxLateralShiftPx];
@@ -98,24 +98,24 @@ double visibleFraction(const Curve2d& curve, const ImageF& frame, const ImageF& 
 
 }   // namespace
 
-std::vector<double> fractionsSeenBefore(const Centerline2d& centerline, const ImageF& frame, const ImageF& before,
-                                        Polarity polarity)
+std::vector<double> fractionsVisibleBefore(const Centerline2d& centerline, const ImageF& frame,
+                                           const ImageF& earlierFrame, Polarity polarity)
 {
     const double sign = polarity == Polarity::VesselsDark ? 1.0 : -1.0;
     std::vector<double> shares;
     for (const Curve2d& curve : centerline.curves) {
-        shares.push_back(visibleFraction(curve, frame, before, sign));
+        shares.push_back(visibleFraction(curve, frame, earlierFrame, sign));
     }
     return shares;
 }
 
-EarlierStructures findEarlierStructures(const Centerline2d& centerline, const ImageF& frame, const ImageF& before,
+EarlierStructures findEarlierStructures(const Centerline2d& centerline, const ImageF& frame, const ImageF& earlierFrame,
                                         Polarity polarity)
 {
-    if (before.width != frame.width || before.height != frame.height) {
+    if (earlierFrame.width != frame.width || earlierFrame.height != frame.height) {
         return {};
     }
-    const std::vector<double> shares = fractionsSeenBefore(centerline, frame, before, polarity);
+    const std::vector<double> shares = fractionsVisibleBefore(centerline, frame, earlierFrame, polarity);
     double length = 0.0;
     double visibleLength = 0.0;
     EarlierStructures result;

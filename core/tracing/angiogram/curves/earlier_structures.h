@@ -10,8 +10,8 @@ namespace angiopose::core {
 /// Returns for each traced curve the fraction (0…1) of points at which an earlier frame already shows a dark line, at
 /// least half as deep and within 4 px laterally. A structure visible before the contrast agent arrives is a catheter, a
 /// wire or a bone edge, not a vessel. Both frames must have the same size; curves without radii get 0.
-std::vector<double> fractionsSeenBefore(const Centerline2d& centerline, const ImageF& frame, const ImageF& before,
-                                        Polarity polarity);
+std::vector<double> fractionsVisibleBefore(const Centerline2d& centerline, const ImageF& frame,
+                                           const ImageF& earlierFrame, Polarity polarity);
 
 /// Parts of a trace that are already visible in an earlier frame.
 struct EarlierStructures {
@@ -19,7 +19,7 @@ struct EarlierStructures {
     bool isNearlyAll = false;   ///< whether nearly all was visible before, so that no contrast agent arrived
 };
 
-EarlierStructures findEarlierStructures(const Centerline2d& centerline, const ImageF& frame, const ImageF& before,
+EarlierStructures findEarlierStructures(const Centerline2d& centerline, const ImageF& frame, const ImageF& earlierFrame,
                                         Polarity polarity);
 
 /// Returns the ids of stationary curves: in nearly all frames of the run, a dark line of similar depth lies within 1 px

@@ -30,7 +30,7 @@ bool hasBranches(const Curve2d& trunk, const Centerline2d& centerline)
 
 }   // namespace
 
-std::optional<int> widestTrunk(const Centerline2d& centerline)
+std::optional<int> findWidestTrunk(const Centerline2d& centerline)
 {
     std::optional<int> trunk;
     double widestPx = 0.0;

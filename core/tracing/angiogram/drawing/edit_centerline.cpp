@@ -155,7 +155,7 @@ Centerline2d addDrawnCurve(const Centerline2d& centerline, const std::vector<Eig
     if (pathPx.size() >= 2) {
         const int id = nextFreeId(centerline);
         result.curves.push_back(opacity.isEmpty() ? smoothCurve(pathPx, id)
-                                                  : centeredCurve(pathPx, id, opacity, maxRadiusPx));
+                                                  : centerCurve(pathPx, id, opacity, maxRadiusPx));
     }
     return result;
 }

@@ -33,7 +33,7 @@ struct Difference {
 
 Difference computeDifference(const ImageF& coarse, const ImageF& other)
 {
-    ImageF difference = halved(other);
+    ImageF difference = halveSize(other);
     for (std::size_t i = 0; i < difference.pixels.size(); ++i) {
         difference.pixels[i] -= coarse.pixels[i];
     }
@@ -122,7 +122,7 @@ ImageF denoiseFrame(const std::vector<ImageF>& frames, int index)
     if (frames.size() < 2 || std::min(frame.width, frame.height) < minDenoisedSidePx || !hasFinitePixels(frame)) {
         return frame;
     }
-    const ImageF coarse = halved(frame);
+    const ImageF coarse = halveSize(frame);
     Sum sum{frame, ImageF(frame.width, frame.height, 1.0F)};
     for (const int step : {-1, 1}) {
         addFramesOnSide(sum, frames, index, step, coarse);

@@ -174,7 +174,7 @@ Mask2d resizeMask(const Mask2d& mask, int width, int height)
 Mask2d findField(const ImageF& vesselsDark, double widestVesselPx, const Mask2d& shutter)
 {
     const int openingPx = std::max(1, static_cast<int>(std::ceil(0.25 * widestVesselPx)) + 1);
-    const ImageF coarse = halved(vesselsDark);
+    const ImageF coarse = halveSize(vesselsDark);
     const Mask2d unexposed = findUnexposedArea(coarse, openingPx);
     const Mask2d drawn = findDrawnBorder(coarse, coarse.pixels.size() / drawnAreaDivisor);
     Mask2d outside(coarse.width, coarse.height);

@@ -26,8 +26,8 @@ ImageF weightedBlur(const ImageF& values, const ImageF& weights, double sigmaPx)
     ImageF mass = weights;
     int factor = 1;
     while (sigmaPx / factor > 4.0 && std::min(mass.width, mass.height) > 1) {
-        weighted = halved(weighted);
-        mass = halved(mass);
+        weighted = halveSize(weighted);
+        mass = halveSize(mass);
         factor *= 2;
     }
     runInParallel([&] { weighted = gaussianBlur(weighted, sigmaPx / factor); },
@@ -86,8 +86,8 @@ ImageF flattenBackground(const ImageF& vesselsDark, const Mask2d& field, double 
     for (std::size_t i = 0; i < exposed.pixels.size(); ++i) {
         exposed.pixels[i] = field.pixels[i] != 0 ? 1.0F : 0.0F;
     }
-    const ImageF coarseExposed = halved(exposed);
-    const ImageF coarse = estimateBackground(halved(vesselsDark), coarseExposed, 0.5 * reachPx);
+    const ImageF coarseExposed = halveSize(exposed);
+    const ImageF coarse = estimateBackground(halveSize(vesselsDark), coarseExposed, 0.5 * reachPx);
     const float black = *std::min_element(vesselsDark.pixels.begin(), vesselsDark.pixels.end());
     ImageF background;
     ImageF gain;

@@ -36,7 +36,7 @@ ImageF toWorkingSize(const ImageF& frame, const WorkingSize& size)
 {
     ImageF image = frame;
     for (int step = 0; step < size.halvings; ++step) {
-        image = halved(image);
+        image = halveSize(image);
     }
     const int times = 1 << std::max(0, -size.halvings);
     return times > 1 ? upsample(image, times, times * image.width, times * image.height) : image;
@@ -49,7 +49,7 @@ ImageF fromWorkingSize(const ImageF& image, const WorkingSize& size, int width, 
     }
     ImageF result = image;
     for (int step = 0; step > size.halvings; --step) {
-        result = halved(result);
+        result = halveSize(result);
     }
     return result;
 }

@@ -245,7 +245,7 @@ ImageF ridgeStrength(const ImageF& opacity, const std::vector<RidgeScale>& scale
     for (const RidgeScale& scale : scales) {
         while (scale.sigmaPx / gridSpacingPx > maxSigmaOnGrid &&
                std::min(grid.width, grid.height) >= 2 * smallestSide) {
-            grid = halved(grid);
+            grid = halveSize(grid);
             gridSpacingPx *= 2.0;
             levels.emplace_back(grid.width, grid.height);
         }

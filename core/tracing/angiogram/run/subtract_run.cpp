@@ -85,7 +85,7 @@ SubtractedFrame subtractMask(const ImageF& frame, const ImageF& mask, const Subt
     if (isBlank(frame) && !isBlank(mask)) {
         return {frame};
     }
-    const Eigen::Vector2d shift = plan.maskShiftPx ? *plan.maskShiftPx : maskShift(mask, frame, plan.relation);
+    const Eigen::Vector2d shift = plan.maskShiftPx ? *plan.maskShiftPx : findMaskShift(mask, frame, plan.relation);
     return {subtracted(frame, mask, shift, plan.relation), shift};
 }
 
@@ -174,12 +174,12 @@ Result<SubtractedFrame> subtractFrame(const std::vector<ImageF>& frames, Polarit
     return subtractMask(frames, static_cast<std::size_t>(frame), mask, chosen.value());
 }
 
-Result<Angiogram> processRun(const Angiogram& stored, const RunProcessing& treatment, const StopCheck& isStopRequested)
+Result<Angiogram> processRun(const Angiogram& stored, const RunProcessing& processing, const StopCheck& isStopRequested)
 {
     Angiogram run = stored;
-    run.polarity = treatment.polarity.value_or(stored.polarity);
-    if (treatment.isSubtracted) {
-        SubtractionPlan plan = treatment.plan;
+    run.polarity = processing.polarity.value_or(stored.polarity);
+    if (processing.isSubtracted) {
+        SubtractionPlan plan = processing.plan;
         if (plan.maskFrames.empty() && !plan.interval) {
             plan.maskFrames = suggestMaskFrames(stored.frames, run.polarity, stored.shutter);
         }
@@ -189,7 +189,7 @@ Result<Angiogram> processRun(const Angiogram& stored, const RunProcessing& treat
         }
         run.frames = std::move(subtracted).value().frames;
     }
-    if (treatment.isComposite) {
+    if (processing.isComposite) {
         run.frames.assign(run.frames.size(), peakOpacificationImage(run.frames, run.polarity));
     }
     return run;

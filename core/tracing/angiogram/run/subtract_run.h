@@ -71,7 +71,7 @@ Result<SubtractedFrame> subtractFrame(const std::vector<ImageF>& frames, Polarit
 
 /// Applies the processing to a run; headers, suggested frame and size stay unchanged. Fails under the same conditions
 /// as `subtractRun`.
-Result<Angiogram> processRun(const Angiogram& stored, const RunProcessing& treatment,
+Result<Angiogram> processRun(const Angiogram& stored, const RunProcessing& processing,
                              const StopCheck& isStopRequested = {});
 
 }   // namespace angiopose::core

@@ -35,7 +35,7 @@ ImageF coarseVesselsDark(const ImageF& frame, Polarity polarity)
 {
     ImageF coarse = frame;
     while (std::max(coarse.width, coarse.height) > maxCoarseSidePx) {
-        coarse = halved(coarse);
+        coarse = halveSize(coarse);
     }
     if (polarity == Polarity::VesselsBright) {
         for (float& value : coarse.pixels) {

@@ -10,9 +10,9 @@ constexpr double wallMm = 4.0;   ///< maximum thickness of a dissection flap, st
 constexpr double minRadiusMm = 4.0;
 constexpr double minParallel = 0.85;   ///< minimum cosine of the angle; pulmonary arteries cross the aorta
 
-bool isLumen(const VoxelMask& lumen, const Eigen::Affine3d& voxelFromPatient, const Eigen::Vector3d& inPatient)
+bool isLumen(const VoxelMask& lumen, const Eigen::Affine3d& voxelFromPatient, const Eigen::Vector3d& pointInPatient)
 {
-    const Eigen::Vector3i at = (voxelFromPatient * inPatient).array().round().cast<int>();
+    const Eigen::Vector3i at = (voxelFromPatient * pointInPatient).array().round().cast<int>();
     return lumen.geometry.contains(at) && lumen.at(at.x(), at.y(), at.z()) != 0;
 }
 

@@ -12,7 +12,7 @@ namespace {
 
 VoxelMask croppedMask(const VoxelMask& mask, const VoxelBox& box)
 {
-    VoxelMask part(cropped(mask.geometry, box));
+    VoxelMask part(crop(mask.geometry, box));
     for (int k = 0; k < part.geometry.size.z(); ++k) {
         for (int j = 0; j < part.geometry.size.y(); ++j) {
             const auto row = mask.voxels.begin() + static_cast<std::ptrdiff_t>(mask.geometry.index(
@@ -56,14 +56,14 @@ Result<SelectedLumen> selectLumen(VoxelMask whole, VesselTracingOptions options,
     if (!seeds) {
         return seeds.error();
     }
-    options.seedsInPatient = seeds.value().inPatient;
+    options.seedsInPatient = seeds.value().seedPoints;
     const std::vector<Eigen::Vector3d> found = greatVesselPoints(whole, options, greatVessels);
     auto excluded = selectComponents(whole, found.empty() ? options.seedsInPatient : found, options.pieces, progress);
     if (!excluded) {
         return excluded.error();
     }
     if (!progress.advance(0.0)) {
-        return stoppedTracing();
+        return tracingCanceled();
     }
     SelectedLumen chosen;
     chosen.warnings = seeds.value().warnings;

@@ -148,19 +148,19 @@ BlockOpacification averageInBlocks(const VoxelMask& lumen, const VoxelOpacificat
 {
     const BlockMeans means(lumen, fill, blockMm);
     const VolumeGeometry grid = means.grid();
-    BlockOpacification blood{VoxelGrid<std::uint8_t>(grid), VoxelMask(grid),
-                             std::max(blockMm, lumen.geometry.spacingMm.minCoeff())};
+    BlockOpacification blocks{VoxelGrid<std::uint8_t>(grid), VoxelMask(grid),
+                              std::max(blockMm, lumen.geometry.spacingMm.minCoeff())};
     const auto fillSlice = [&](std::size_t k) {
         std::size_t voxel = grid.index(0, 0, static_cast<int>(k));
         for (const double share : means.slice(k)) {
-            blood.shares.voxels[voxel] = static_cast<std::uint8_t>(std::lround(full * share));
-            blood.lumen.voxels[voxel] = share >= 0.5 ? 1 : 0;
+            blocks.shares.voxels[voxel] = static_cast<std::uint8_t>(std::lround(full * share));
+            blocks.lumen.voxels[voxel] = share >= 0.5 ? 1 : 0;
             ++voxel;
         }
     };
     parallelFor(static_cast<std::size_t>(grid.size.z()), threads, fillSlice,
                 [&](double) { return progress.advance(0.0); });
-    return blood;
+    return blocks;
 }
 
 }   // namespace angiopose::core

@@ -5,9 +5,9 @@
 namespace angiopose::core {
 namespace {
 
-double firstScore(const std::vector<GreatVessel>& great)
+double firstScore(const std::vector<GreatVessel>& greatVessels)
 {
-    return great.empty() ? 0.0 : great.front().score();
+    return greatVessels.empty() ? 0.0 : greatVessels.front().score();
 }
 
 }   // namespace
@@ -19,17 +19,17 @@ LumenWithGreatVessels findGreatVessels(SegmentedLumen segmented, const VoxelOpac
         return assembleGreatVessels(averageInBlocks(lumen, opacification, threads, progress, blockMm), threads,
                                     progress);
     };
-    LumenWithGreatVessels found{std::move(segmented.clear), {}};
-    found.great = findIn(found.lumen);
-    if (segmented.besideStruts.empty() || !progress.advance(0.0)) {
+    LumenWithGreatVessels found{std::move(segmented.clearLumen), {}};
+    found.greatVessels = findIn(found.lumen);
+    if (segmented.voxelsBesideStruts.empty() || !progress.advance(0.0)) {
         return found;
     }
-    for (const std::uint32_t voxel : segmented.besideStruts) {
+    for (const std::uint32_t voxel : segmented.voxelsBesideStruts) {
         found.lumen.voxels[voxel] = 1;
     }
     std::vector<GreatVessel> others = findIn(found.lumen);
-    if (firstScore(others) > firstScore(found.great)) {
-        found.great = std::move(others);
+    if (firstScore(others) > firstScore(found.greatVessels)) {
+        found.greatVessels = std::move(others);
     }
     return found;
 }

@@ -14,7 +14,7 @@ namespace angiopose::core {
 /// Complete lumen and its great vessels.
 struct LumenWithGreatVessels {
     VoxelMask lumen;
-    std::vector<GreatVessel> great;
+    std::vector<GreatVessel> greatVessels;
 };
 
 /// Finds the great vessels. Stents hide or widen sections abruptly and stop the tracking; scans with stents are

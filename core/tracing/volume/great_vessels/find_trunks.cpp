@@ -227,16 +227,16 @@ double Trunk::score() const
     return sideAreaMm2 * std::min((highMm - lowMm) / widest, maxSlenderness) * std::pow(std::min(fill, 1.0), 2);
 }
 
-std::vector<Trunk> findTrunks(const BlockOpacification& blood, const DistanceMap& distances, TracingProgress& progress)
+std::vector<Trunk> findTrunks(const BlockOpacification& blocks, const DistanceMap& distances, TracingProgress& progress)
 {
     const VolumeGeometry& grid = distances.geometry;
-    const TrackingInput input{blood.fill(), blood.resolutionMm,
+    const TrackingInput input{blocks.fill(), blocks.resolutionMm,
                               grid.spacingMm.cwiseProduct((grid.size.array() - 1).cast<double>().matrix())};
     VoxelMask marked(grid);
     std::vector<Trunk> trunks;
     const std::vector<std::uint32_t> centers = progress.isStopped()
                                                    ? std::vector<std::uint32_t>()
-                                                   : centersOf(distances, minRadiusInBlocks * blood.resolutionMm);
+                                                   : centersOf(distances, minRadiusInBlocks * blocks.resolutionMm);
     for (const std::uint32_t middle : centers) {
         if (marked.voxels[middle] != 0) {
             continue;

@@ -28,6 +28,7 @@ struct Trunk {
 /// Finds vessel sections that look like great vessels (round cross-sections, slowly changing width, longer than wide),
 /// highest score first. Tracks in both directions from the widest points of the lumen, whose distance map is given.
 /// Incomplete when stopped.
-std::vector<Trunk> findTrunks(const BlockOpacification& blood, const DistanceMap& distances, TracingProgress& progress);
+std::vector<Trunk> findTrunks(const BlockOpacification& blocks, const DistanceMap& distances,
+                              TracingProgress& progress);
 
 }   // namespace angiopose::core

@@ -123,11 +123,11 @@ private:
     }
 
     /// Returns the center of the surrounding vessel, because the last tracked section may be off-center.
-    Eigen::Vector3i centerAt(const Eigen::Vector3d& inPatient, double radiusMm) const
+    Eigen::Vector3i centerAt(const Eigen::Vector3d& pointInPatient, double radiusMm) const
     {
         const VolumeGeometry& grid = distances_.geometry;
         const Eigen::Vector3i at =
-            (gridFromPatient_ * inPatient).array().round().cast<int>().max(0).min(grid.size.array() - 1);
+            (gridFromPatient_ * pointInPatient).array().round().cast<int>().max(0).min(grid.size.array() - 1);
         const auto voxel = static_cast<std::uint32_t>(grid.index(at.x(), at.y(), at.z()));
         const std::uint32_t middle = pathToCenter(voxel, distances_).back();
         return grid.voxelAt(distances_.mm(middle) <= maxBeyondSection * radiusMm ? middle : voxel);

@@ -177,17 +177,17 @@ const Skull::Ring* Skull::ringAt(const Eigen::Vector3d& block) const
     return &rings_[static_cast<std::size_t>(k)];
 }
 
-bool Skull::isNextToInnerTable(const Eigen::Vector3d& inPatient, double radiusMm) const
+bool Skull::isNextToInnerTable(const Eigen::Vector3d& pointInPatient, double radiusMm) const
 {
-    const Eigen::Vector3d block = blockFromPatient_ * inPatient;
+    const Eigen::Vector3d block = blockFromPatient_ * pointInPatient;
     const Eigen::Vector3i at = block.array().round().cast<int>();
     return ringAt(block) != nullptr && toBone_.geometry.contains(at) &&
            toBone_.mm(toBone_.geometry.index(at.x(), at.y(), at.z())) <= radiusMm + maxTableDistanceMm;
 }
 
-std::optional<double> Skull::radialPosition(const Eigen::Vector3d& inPatient) const
+std::optional<double> Skull::radialPosition(const Eigen::Vector3d& pointInPatient) const
 {
-    const Eigen::Vector3d block = blockFromPatient_ * inPatient;
+    const Eigen::Vector3d block = blockFromPatient_ * pointInPatient;
     const Ring* ring = ringAt(block);
     if (ring == nullptr) {
         return {};

@@ -16,11 +16,11 @@ namespace angiopose::core {
 class Skull {
 public:
     /// Returns whether a vessel of the given radius lies next to bone at the level of the skull vault.
-    bool isNextToInnerTable(const Eigen::Vector3d& inPatient, double radiusMm) const;
+    bool isNextToInnerTable(const Eigen::Vector3d& pointInPatient, double radiusMm) const;
 
     /// Returns the position in the axial plane between the middle of the head (0) and the bone (1); nullopt if no bone
     /// ring surrounds the point.
-    std::optional<double> radialPosition(const Eigen::Vector3d& inPatient) const;
+    std::optional<double> radialPosition(const Eigen::Vector3d& pointInPatient) const;
 
     /// Length of a vessel centerline within the skull vault, and of its part next to the inner table, in mm.
     struct Course {

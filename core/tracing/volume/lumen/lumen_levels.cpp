@@ -271,7 +271,7 @@ Quantity scanValue(double value, bool isHu)
 
 }   // namespace
 
-Error noVesselsFound(const LumenLevels& level)
+Error noVesselsError(const LumenLevels& level)
 {
     return messages::brightestIsNoVessel(scanValue(level.blood, level.isHu), scanValue(level.tissue, level.isHu));
 }

@@ -40,6 +40,6 @@ Result<LumenLevels> findLumenLevels(const Volume& volume, const AxisOrder& order
 Result<LumenLevels> findBrightestLevels(const Volume& volume, const AxisOrder& order);
 
 /// Returns the error for a scan in which no tree was found: the value taken for the lumen, and a remedy.
-Error noVesselsFound(const LumenLevels& level);
+Error noVesselsError(const LumenLevels& level);
 
 }   // namespace angiopose::core

@@ -65,13 +65,13 @@ public:
         markBlooming(flags_, {tooBright, core | metal, blooming}, opacification(), minTubeFill, bloomingReach_,
                      progress);
         SegmentedLumen lumen{VoxelMask(order_.geometry), {}};
-        forEachSlice(progress, [&](int k) { selectVoxels(lumen.clear, k); });
+        forEachSlice(progress, [&](int k) { selectVoxels(lumen.clearLumen, k); });
         if (progress.advance(0.0)) {
-            removeMarrow(lumen.clear, progress);
+            removeMarrow(lumen.clearLumen, progress);
         }
         if (progress.advance(0.0)) {
-            lumen.besideStruts = growLumenBesideStruts(lumen.clear, struts(), opacification(),
-                                                       rim_.maxCoeff() + maxStrutWidth, progress);
+            lumen.voxelsBesideStruts = growLumenBesideStruts(lumen.clearLumen, struts(), opacification(),
+                                                             rim_.maxCoeff() + maxStrutWidth, progress);
         }
         return lumen;
     }

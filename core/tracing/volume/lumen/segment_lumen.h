@@ -13,8 +13,8 @@ namespace angiopose::core {
 struct SegmentedLumen {
     /// 2: contrast-enhanced core of a wide vessel; 1: rim of such a core, or thin vessel (possibly below the
     /// threshold).
-    VoxelMask clear;
-    VoxelComponent besideStruts;   ///< see `growLumenBesideStruts`
+    VoxelMask clearLumen;
+    VoxelComponent voxelsBesideStruts;   ///< see `growLumenBesideStruts`
 };
 
 /// Segments the lumen. Excludes most bone, which has cortical sheets and an inhomogeneous interior. Incomplete when

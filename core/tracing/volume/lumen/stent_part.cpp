@@ -91,7 +91,7 @@ bool isStent(const VoxelComponent& piece, const VolumeGeometry& grid, const Voxe
 VoxelComponent voxelsNear(const VoxelComponent& metal, const VoxelComponent& piece, const VolumeGeometry& grid)
 {
     const VoxelBox box = enlargedBox(metal, grid, aroundMetalMm);
-    VoxelMask isNear(cropped(grid, box));
+    VoxelMask isNear(crop(grid, box));
     const Eigen::Vector3i reach = (aroundMetalMm / grid.spacingMm.array()).round().cast<int>().max(1);
     for (const std::uint32_t voxel : metal) {
         const Eigen::Vector3i at = grid.voxelAt(voxel) - box.low;

@@ -24,27 +24,30 @@ constexpr std::size_t minSamples = 6;   // minimum number of samples, out of 26
 /// Refines the tissue level from the immediate surroundings of the vessel if enough samples are darker than the vessel;
 /// otherwise keeps the level of the wider surroundings. Raises it next to lung or fat, where the rest of the
 /// surroundings would otherwise appear half opacified.
-VesselAppearance refineTissueLevel(const TubeDetector& ground, const Eigen::Vector3i& voxel, VesselAppearance look)
+VesselAppearance refineTissueLevel(const TubeDetector& detector, const Eigen::Vector3i& voxel,
+                                   VesselAppearance appearance)
 {
-    const double contrast = look.blood - look.tissue;
+    const double contrast = appearance.blood - appearance.tissue;
     std::vector<double> around;
     std::vector<double> darker;
-    for (const double value : ground.valuesAround(voxel, nearbyInShells * ground.tube(voxel, look.tissue).shellMm)) {
-        if (value < look.blood - minDropToVessel * contrast) {
+    for (const double value :
+         detector.valuesAround(voxel, nearbyInShells * detector.tube(voxel, appearance.tissue).shellMm)) {
+        if (value < appearance.blood - minDropToVessel * contrast) {
             around.push_back(value);
         }
-        if (value < look.blood - minClearDrop * contrast) {
+        if (value < appearance.blood - minClearDrop * contrast) {
             darker.push_back(value);
         }
     }
     if (darker.size() >= minSamples) {
-        look.tissue = medianOf(darker);
+        appearance.tissue = medianOf(darker);
     }
     if (around.size() >= minSamples) {
         const double brightNearby = quantile(around, surroundingsQuantile);
-        look.tissue = std::max(look.tissue, (brightNearby - maxFillNearby * look.blood) / (1.0 - maxFillNearby));
+        appearance.tissue =
+            std::max(appearance.tissue, (brightNearby - maxFillNearby * appearance.blood) / (1.0 - maxFillNearby));
     }
-    return look;
+    return appearance;
 }
 
 /// Takes the tissue value from the rest of the path if a vessel is so wide that nothing else surrounds its centerline.
@@ -52,21 +55,22 @@ void correctWideSections(std::vector<VesselAppearance>& appearances)
 {
     std::vector<double> contrasts;
     std::vector<double> tissues;
-    for (const VesselAppearance& look : appearances) {
-        contrasts.push_back(look.blood - look.tissue);
-        tissues.push_back(look.tissue);
+    for (const VesselAppearance& appearance : appearances) {
+        contrasts.push_back(appearance.blood - appearance.tissue);
+        tissues.push_back(appearance.tissue);
     }
     const double minContrast = minRelativeContrast * medianOf(contrasts);
     const double tissue = medianOf(tissues);
-    for (VesselAppearance& look : appearances) {
-        look.tissue = look.blood - look.tissue < minContrast ? std::min(look.tissue, tissue) : look.tissue;
+    for (VesselAppearance& appearance : appearances) {
+        appearance.tissue = appearance.blood - appearance.tissue < minContrast ? std::min(appearance.tissue, tissue)
+                                                                               : appearance.tissue;
     }
 }
 
 }   // namespace
 
-AppearanceAlongPath::AppearanceAlongPath(const TubeDetector& ground, const std::vector<Eigen::Vector3d>& pointsMm)
-    : volume_(ground.volume())
+AppearanceAlongPath::AppearanceAlongPath(const TubeDetector& detector, const std::vector<Eigen::Vector3d>& pointsMm)
+    : volume_(detector.volume())
 {
     const Eigen::Vector3d& spacing = volume_.geometry.spacingMm;
     std::vector<Eigen::Vector3i> voxels;
@@ -76,13 +80,13 @@ AppearanceAlongPath::AppearanceAlongPath(const TubeDetector& ground, const std::
         if (sinceLastMm >= sampleSpacingMm) {
             samplesMm_.push_back(pointsMm[n]);
             voxels.emplace_back(pointsMm[n].cwiseQuotient(spacing).array().round().cast<int>());
-            appearances_.push_back(ground.appearanceAt(voxels.back()));
+            appearances_.push_back(detector.appearanceAt(voxels.back()));
             sinceLastMm = 0.0;
         }
     }
     correctWideSections(appearances_);
     for (std::size_t n = 0; n < voxels.size(); ++n) {
-        appearances_[n] = refineTissueLevel(ground, voxels[n], appearances_[n]);
+        appearances_[n] = refineTissueLevel(detector, voxels[n], appearances_[n]);
     }
     smoothAlongPath();
 }
@@ -101,17 +105,17 @@ double AppearanceAlongPath::opacification(const Eigen::Vector3d& pointMm) const
     return opacification(pointMm, appearances_[nearest(pointMm)]);
 }
 
-double AppearanceAlongPath::opacification(const Eigen::Vector3d& pointMm, const VesselAppearance& look) const
+double AppearanceAlongPath::opacification(const Eigen::Vector3d& pointMm, const VesselAppearance& appearance) const
 {
     const VolumeGeometry& grid = volume_.geometry;
     const double value = interpolateTrilinear(
         grid, pointMm, [&](const Eigen::Vector3i& at) { return volume_.value(grid.index(at.x(), at.y(), at.z())); });
-    return (value - look.tissue) / (look.blood - look.tissue);
+    return (value - appearance.tissue) / (appearance.blood - appearance.tissue);
 }
 
 PointOpacification AppearanceAlongPath::cachedOpacification() const
 {
-    return [look = *this,
+    return [appearance = *this,
             known = std::unordered_map<std::uint64_t, std::size_t>()](const Eigen::Vector3d& pointMm) mutable {
         const Eigen::Vector3d cell = pointMm.array().floor();
         std::uint64_t key = 0;
@@ -120,9 +124,9 @@ PointOpacification AppearanceAlongPath::cachedOpacification() const
         }
         const auto [unsmoothed, isNew] = known.try_emplace(key, 0);
         if (isNew) {
-            unsmoothed->second = look.nearest(cell + Eigen::Vector3d::Constant(0.5));
+            unsmoothed->second = appearance.nearest(cell + Eigen::Vector3d::Constant(0.5));
         }
-        return look.opacification(pointMm, look.appearances_[unsmoothed->second]);
+        return appearance.opacification(pointMm, appearance.appearances_[unsmoothed->second]);
     };
 }
 

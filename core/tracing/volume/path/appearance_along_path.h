@@ -12,7 +12,7 @@ namespace angiopose::core {
 class AppearanceAlongPath {
 public:
     /// Measures the appearance at points in mm along the grid's axes.
-    AppearanceAlongPath(const TubeDetector& ground, const std::vector<Eigen::Vector3d>& pointsMm);
+    AppearanceAlongPath(const TubeDetector& detector, const std::vector<Eigen::Vector3d>& pointsMm);
 
     /// Returns the opacification near the path: 0 as in the surroundings, 1 as in the vessel.
     double opacification(const Eigen::Vector3d& pointMm) const;
@@ -23,7 +23,7 @@ public:
 
 private:
     std::size_t nearest(const Eigen::Vector3d& pointMm) const;
-    double opacification(const Eigen::Vector3d& pointMm, const VesselAppearance& look) const;
+    double opacification(const Eigen::Vector3d& pointMm, const VesselAppearance& appearance) const;
     void smoothAlongPath();
 
     const Volume& volume_;

@@ -12,17 +12,17 @@ constexpr double snapReachMm = 2.0;
 
 }   // namespace
 
-Result<PathEnd> findPathEnd(const TubeDetector& ground, const Eigen::Vector3d& positionInPatient)
+Result<PathEnd> findPathEnd(const TubeDetector& detector, const Eigen::Vector3d& positionInPatient)
 {
-    const VolumeGeometry& grid = ground.volume().geometry;
+    const VolumeGeometry& grid = detector.volume().geometry;
     const Eigen::Vector3i clicked = (grid.patientFromVoxel().inverse() * positionInPatient).array().round().cast<int>();
     if (!positionInPatient.allFinite() || !grid.contains(clicked)) {
         return Error(messages::pathEndOutsideScan(formatPoint(positionInPatient)));
     }
     PathEnd end;
-    end.voxel = ground.bestVoxelNear(clicked, std::max(snapReachMm, grid.spacingMm.minCoeff()));
-    end.look = ground.appearanceAt(end.voxel);
-    if (end.look.blood <= end.look.tissue) {
+    end.voxel = detector.bestVoxelNear(clicked, std::max(snapReachMm, grid.spacingMm.minCoeff()));
+    end.appearance = detector.appearanceAt(end.voxel);
+    if (end.appearance.blood <= end.appearance.tissue) {
         return Error(messages::pathEndOutsideVessel(formatPoint(positionInPatient)));
     }
     return end;

@@ -60,14 +60,14 @@ VesselTree removeWideningBranches(const VesselTree& tree, const std::vector<Bran
     return kept;
 }
 
-Result<std::vector<Eigen::Vector3i>> seedVoxels(const TubeDetector& ground, const VesselTracingOptions& options)
+Result<std::vector<Eigen::Vector3i>> seedVoxels(const TubeDetector& detector, const VesselTracingOptions& options)
 {
     if (options.seedsInPatient.empty()) {
         return Error(messages::tubesNeedSeed());
     }
     std::vector<Eigen::Vector3i> voxels;
     for (const Eigen::Vector3d& seed : options.seedsInPatient) {
-        const auto end = findPathEnd(ground, seed);
+        const auto end = findPathEnd(detector, seed);
         if (!end) {
             return end.error();
         }
@@ -83,32 +83,32 @@ Result<TracedVessels> traceTubes(const Volume& volume, const VesselTracingOption
 {
     TracingProgress progress(observe);
     progress.enter("vessels", 0.0, 0.8);
-    const TubeDetector ground(volume, maxTubeRadiusMm);
-    const auto seeds = seedVoxels(ground, options);
+    const TubeDetector detector(volume, maxTubeRadiusMm);
+    const auto seeds = seedVoxels(detector, options);
     if (!seeds) {
         return seeds.error();
     }
     const TubePaths grown =
-        growTubes(ground, seeds.value(), {.minBranchLengthMm = options.minBranchLengthMm}, progress);
+        growTubes(detector, seeds.value(), {.minBranchLengthMm = options.minBranchLengthMm}, progress);
     if (progress.isStopped()) {
-        return stoppedTracing();
+        return tracingCanceled();
     }
     if (grown.paths.empty()) {
         return Error(messages::noTubeAtSeed());
     }
     const VolumeGeometry& grid = volume.geometry;
-    const PathOpacification opacificationAlong = [&ground](const BranchPath& path) {
-        return AppearanceAlongPath(ground, path.pointsMm).cachedOpacification();
+    const PathOpacification opacificationAlong = [&detector](const BranchPath& path) {
+        return AppearanceAlongPath(detector, path.pointsMm).cachedOpacification();
     };
     progress.enter("branches", 0.8, 1.0);
     TracedVessels traced;
     const VesselTree unpruned = treeFromPaths(grown.paths, opacificationAlong, grid, options.pointSpacingMm, progress);
     if (progress.isStopped()) {
-        return stoppedTracing();
+        return tracingCanceled();
     }
     traced.tree = removeWideningBranches(unpruned, grown.paths);
     traced.lumen = lumenOf(traced.tree, grid);
-    traced.threshold = 0.5 * (grown.look.blood + grown.look.tissue);
+    traced.threshold = 0.5 * (grown.appearance.blood + grown.appearance.tissue);
     if (grown.isTruncated) {
         traced.warnings.push_back(messages::tubesTruncated());
     }

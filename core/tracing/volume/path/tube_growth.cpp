@@ -33,7 +33,7 @@ struct ReachedVoxel {
     double cost = std::numeric_limits<double>::infinity();
     double pathLengthMm = 0.0;   ///< distance from the seed
     double debt = 0.0;
-    VesselAppearance look;
+    VesselAppearance appearance;
     double undimmedBlood = 0.0;   ///< lumen level of the vessel without dimming by blurring
     std::size_t previous = 0;   ///< previous voxel; for a seed the voxel itself
     bool isTube = false;
@@ -51,8 +51,8 @@ struct QueuedTubeVoxel {
 
 class TubeGrowth {
 public:
-    TubeGrowth(const TubeDetector& ground, const TubeLimits& limits)
-        : ground_(ground), grid_(ground.volume().geometry), limits_(limits)
+    TubeGrowth(const TubeDetector& detector, const TubeLimits& limits)
+        : detector_(detector), grid_(detector.volume().geometry), limits_(limits)
     {
     }
 
@@ -60,8 +60,8 @@ public:
     {
         for (const Eigen::Vector3i& seed : seeds) {
             const std::size_t voxel = indexOf(seed);
-            const VesselAppearance look = ground_.appearanceAt(seed);
-            reached_[voxel] = {0.0, 0.0, 0.0, look, look.blood, voxel, true};
+            const VesselAppearance appearance = detector_.appearanceAt(seed);
+            reached_[voxel] = {0.0, 0.0, 0.0, appearance, appearance.blood, voxel, true};
             waiting_.push({0.0, voxel});
         }
         for (settled_ = 0; !waiting_.empty() && settled_ < maxGrownVoxels;) {
@@ -104,14 +104,14 @@ public:
         return paths;
     }
 
-    VesselAppearance look() const
+    VesselAppearance appearance() const
     {
         std::vector<double> bloods;
         std::vector<double> tissues;
         for (const auto& [voxel, here] : reached_) {
             if (here.isSettled && here.branch != noBranch) {
-                bloods.push_back(here.look.blood);
-                tissues.push_back(here.look.tissue);
+                bloods.push_back(here.appearance.blood);
+                tissues.push_back(here.appearance.tissue);
             }
         }
         return bloods.empty() ? VesselAppearance() : VesselAppearance{medianOf(bloods), medianOf(tissues)};
@@ -138,13 +138,14 @@ private:
     /// Returns the cost per mm at a voxel. A darker tube that is too wide to be dimmed by blurring is a vein.
     double costAt(const Eigen::Vector3i& voxel, const ReachedVoxel& here) const
     {
-        const double value = ground_.valueAt(voxel);
-        const TubeResemblance tube = ground_.tube(voxel, here.look.tissue);
-        const double height = (value - here.look.tissue) / std::max(1.0, here.undimmedBlood - here.look.tissue);
+        const double value = detector_.valueAt(voxel);
+        const TubeResemblance tube = detector_.tube(voxel, here.appearance.tissue);
+        const double height =
+            (value - here.appearance.tissue) / std::max(1.0, here.undimmedBlood - here.appearance.tissue);
         if (height < minArteryContrast * relativeContrast(tube.shellMm)) {
-            return costOfTube(value, 0.0, {here.undimmedBlood, here.look.tissue});
+            return costOfTube(value, 0.0, {here.undimmedBlood, here.appearance.tissue});
         }
-        return costOfTube(value, tube.fraction, here.look);
+        return costOfTube(value, tube.fraction, here.appearance);
     }
 
     /// Returns the fraction of the contrast that blurring leaves at the center of a tube with walls within `shellMm`.
@@ -169,9 +170,9 @@ private:
         }
         const bool isTube = perMm <= tubeCost;
         const double fraction = isTube ? 1.0 - std::exp(-stepMm / adaptationMm) : 0.0;
-        const double value = std::max(ground_.volume().value(indexOf(voxel)), here.look.tissue + 1.0);
-        neighbor = {cost, here.pathLengthMm + stepMm, debt, here.look, here.undimmedBlood, from, isTube};
-        neighbor.look.blood += fraction * (value - here.look.blood);
+        const double value = std::max(detector_.volume().value(indexOf(voxel)), here.appearance.tissue + 1.0);
+        neighbor = {cost, here.pathLengthMm + stepMm, debt, here.appearance, here.undimmedBlood, from, isTube};
+        neighbor.appearance.blood += fraction * (value - here.appearance.blood);
         const double fading = value > here.undimmedBlood ? fraction : isTube ? 1.0 - std::exp(-stepMm / fadingMm) : 0.0;
         neighbor.undimmedBlood += fading * (value - here.undimmedBlood);
         waiting_.push({cost, indexOf(voxel)});
@@ -237,11 +238,11 @@ private:
 
     double tubeRadiusMm(std::size_t voxel) const
     {
-        const double shellMm = ground_.tube(grid_.voxelAt(voxel), reached_.at(voxel).look.tissue).shellMm;
+        const double shellMm = detector_.tube(grid_.voxelAt(voxel), reached_.at(voxel).appearance.tissue).shellMm;
         return std::clamp(shellMm, grid_.spacingMm.maxCoeff(), maxTubeRadiusMm);
     }
 
-    const TubeDetector& ground_;
+    const TubeDetector& detector_;
     const VolumeGeometry& grid_;
     TubeLimits limits_;
     std::unordered_map<std::size_t, ReachedVoxel> reached_;
@@ -251,16 +252,16 @@ private:
 
 }   // namespace
 
-TubePaths growTubes(const TubeDetector& ground, const std::vector<Eigen::Vector3i>& seeds, const TubeLimits& limits,
+TubePaths growTubes(const TubeDetector& detector, const std::vector<Eigen::Vector3i>& seeds, const TubeLimits& limits,
                     TracingProgress& progress)
 {
-    TubeGrowth growth(ground, limits);
+    TubeGrowth growth(detector, limits);
     if (!growth.grow(seeds, progress)) {
         return {};
     }
     TubePaths grown;
     grown.paths = growth.branches();
-    grown.look = growth.look();
+    grown.appearance = growth.appearance();
     grown.isTruncated = growth.isTruncated();
     return grown;
 }

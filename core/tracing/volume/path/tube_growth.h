@@ -14,7 +14,7 @@ inline constexpr double maxTubeRadiusMm = 5.0;
 /// Tubes grown from seeds.
 struct TubePaths {
     std::vector<BranchPath> paths;   ///< parents before children; mm along the grid's axes, radii assumed
-    VesselAppearance look;   ///< median appearance of all tubes
+    VesselAppearance appearance;   ///< median appearance of all tubes
     bool isTruncated = false;   ///< whether the search limit was reached
 };
 
@@ -25,7 +25,7 @@ struct TubeLimits {
 
 /// Grows tubes from seed voxels along tube centers (ALGORITHMS §9.13): a path may cross a few mm of other material,
 /// which incurs a debt that tube voxels pay back. Every branch is the cheapest path to its end. Empty when stopped.
-TubePaths growTubes(const TubeDetector& ground, const std::vector<Eigen::Vector3i>& seeds, const TubeLimits& limits,
+TubePaths growTubes(const TubeDetector& detector, const std::vector<Eigen::Vector3i>& seeds, const TubeLimits& limits,
                     TracingProgress& progress);
 
 }   // namespace angiopose::core

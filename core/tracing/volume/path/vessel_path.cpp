@@ -19,7 +19,7 @@
 namespace angiopose::core {
 namespace {
 
-std::vector<Eigen::Vector3i> findPathBetween(const TubeDetector& ground, const PathEnd& from, const PathEnd& to,
+std::vector<Eigen::Vector3i> findPathBetween(const TubeDetector& detector, const PathEnd& from, const PathEnd& to,
                                              TracingProgress& progress);
 
 constexpr std::size_t maxSettledFirst = 30'000;   // voxels settled before switching to blocks; thin vessels need fewer
@@ -51,13 +51,13 @@ private:
     VesselAppearance to_;
 };
 
-VoxelCost costBetween(const TubeDetector& ground, const PathEnd& from, const PathEnd& to)
+VoxelCost costBetween(const TubeDetector& detector, const PathEnd& from, const PathEnd& to)
 {
-    const Eigen::Vector3d spacing = ground.volume().geometry.spacingMm;
-    const InterpolatedAppearance look(from.voxel.cast<double>().cwiseProduct(spacing), from.look,
-                                      to.voxel.cast<double>().cwiseProduct(spacing), to.look);
-    return {[&ground, look, spacing](const Eigen::Vector3i& voxel) {
-                return costOfVoxel(ground, voxel, look.at(voxel.cast<double>().cwiseProduct(spacing)));
+    const Eigen::Vector3d spacing = detector.volume().geometry.spacingMm;
+    const InterpolatedAppearance appearance(from.voxel.cast<double>().cwiseProduct(spacing), from.appearance,
+                                            to.voxel.cast<double>().cwiseProduct(spacing), to.appearance);
+    return {[&detector, appearance, spacing](const Eigen::Vector3i& voxel) {
+                return costOfVoxel(detector, voxel, appearance.at(voxel.cast<double>().cwiseProduct(spacing)));
             },
             minCostPerMm};
 }
@@ -73,8 +73,8 @@ PathEnd endInBlocks(const TubeDetector& blocks, const Eigen::Vector3i& voxel)
 {
     PathEnd end;
     end.voxel = voxel;
-    end.look = blocks.appearanceAt(voxel);
-    end.look.blood = std::max(end.look.blood, end.look.tissue + 1.0);
+    end.appearance = blocks.appearanceAt(voxel);
+    end.appearance.blood = std::max(end.appearance.blood, end.appearance.tissue + 1.0);
     return end;
 }
 
@@ -89,13 +89,13 @@ VoxelMask markNearPath(const std::vector<Eigen::Vector3i>& way, const VolumeGeom
     return near;
 }
 
-std::vector<Eigen::Vector3i> findPathViaBlocks(const TubeDetector& ground, const PathEnd& from, const PathEnd& to,
+std::vector<Eigen::Vector3i> findPathViaBlocks(const TubeDetector& detector, const PathEnd& from, const PathEnd& to,
                                                const VoxelCost& cost, TracingProgress& progress)
 {
-    const VolumeGeometry& grid = ground.volume().geometry;
+    const VolumeGeometry& grid = detector.volume().geometry;
     const Eigen::Vector3i block = blockOf(grid);
     const VoxelRange range = searchRange(grid, from.voxel, to.voxel);
-    const auto means = averageBlocks(ground.volume(), range, block, [&] { return progress.advance(0.0); });
+    const auto means = averageBlocks(detector.volume(), range, block, [&] { return progress.advance(0.0); });
     if (!means) {
         return {};
     }
@@ -121,15 +121,15 @@ std::vector<Eigen::Vector3i> findPathViaBlocks(const TubeDetector& ground, const
 /// Finds the cheapest path between both ends, inclusive, through voxels that look like the ends (ALGORITHMS §9.12). If
 /// a limited search fails, searches a coarse path over blocks of voxels first and then the voxels near that path. Empty
 /// if stopped or if there is no path.
-std::vector<Eigen::Vector3i> findPathBetween(const TubeDetector& ground, const PathEnd& from, const PathEnd& to,
+std::vector<Eigen::Vector3i> findPathBetween(const TubeDetector& detector, const PathEnd& from, const PathEnd& to,
                                              TracingProgress& progress)
 {
-    const VolumeGeometry& grid = ground.volume().geometry;
-    const VoxelCost cost = costBetween(ground, from, to);
+    const VolumeGeometry& grid = detector.volume().geometry;
+    const VoxelCost cost = costBetween(detector, from, to);
     const bool isCoarsest = 2.0 * grid.spacingMm.minCoeff() > coarsestMm;
     MinimalPath path =
         findMinimalPath(grid, from.voxel, to.voxel, cost, isCoarsest ? maxSettled : maxSettledFirst, progress);
-    return path.isTruncated && !isCoarsest ? findPathViaBlocks(ground, from, to, cost, progress)
+    return path.isTruncated && !isCoarsest ? findPathViaBlocks(detector, from, to, cost, progress)
                                            : std::move(path.voxels);
 }
 
@@ -149,12 +149,12 @@ std::vector<Eigen::Vector3d> toPointsMm(const std::vector<Eigen::Vector3i>& path
 
 /// Converts the path to a smooth, centered curve with radii.
 VesselBranch centeredBranch(const std::vector<Eigen::Vector3d>& pathPointsMm, const VolumeGeometry& grid,
-                            const AppearanceAlongPath& look, TracingProgress& progress)
+                            const AppearanceAlongPath& appearance, TracingProgress& progress)
 {
     BranchPath way;
     way.pointsMm = pathPointsMm;
     way.radiusMm.assign(pathPointsMm.size(), std::max(assumedRadiusMm, grid.spacingMm.minCoeff()));
-    const auto opacification = [&look](const BranchPath&) { return look.cachedOpacification(); };
+    const auto opacification = [&appearance](const BranchPath&) { return appearance.cachedOpacification(); };
     VesselTree tree = treeFromPaths({way}, opacification, grid, pointSpacingMm, progress);
     VesselBranch branch = tree.branches.empty() ? VesselBranch() : std::move(tree.branches.front());
     branch.id = 0;
@@ -163,12 +163,13 @@ VesselBranch centeredBranch(const std::vector<Eigen::Vector3d>& pathPointsMm, co
 }
 
 /// Returns the length of the path outside any vessel.
-double lengthOutside(const std::vector<Eigen::Vector3d>& pathPointsMm, const AppearanceAlongPath& look)
+double lengthOutside(const std::vector<Eigen::Vector3d>& pathPointsMm, const AppearanceAlongPath& appearance)
 {
     double outsideMm = 0.0;
     for (std::size_t n = 1; n < pathPointsMm.size(); ++n) {
-        outsideMm +=
-            look.opacification(pathPointsMm[n]) < outsideFill ? (pathPointsMm[n] - pathPointsMm[n - 1]).norm() : 0.0;
+        outsideMm += appearance.opacification(pathPointsMm[n]) < outsideFill
+                         ? (pathPointsMm[n] - pathPointsMm[n - 1]).norm()
+                         : 0.0;
     }
     return outsideMm;
 }
@@ -179,9 +180,9 @@ Result<VesselPath> traceVesselBetween(const Volume& volume, const Eigen::Vector3
                                       const Eigen::Vector3d& toInPatient, const TracingObserver& observe)
 {
     TracingProgress progress(observe);
-    const TubeDetector ground(volume);
-    const auto from = findPathEnd(ground, fromInPatient);
-    const auto to = from ? findPathEnd(ground, toInPatient) : from;
+    const TubeDetector detector(volume);
+    const auto from = findPathEnd(detector, fromInPatient);
+    const auto to = from ? findPathEnd(detector, toInPatient) : from;
     if (!to) {
         return to.error();
     }
@@ -189,20 +190,20 @@ Result<VesselPath> traceVesselBetween(const Volume& volume, const Eigen::Vector3
         return Error(messages::pathEndsTooNear());
     }
     progress.enter("path", 0.0, 1.0);
-    const std::vector<Eigen::Vector3i> path = findPathBetween(ground, from.value(), to.value(), progress);
+    const std::vector<Eigen::Vector3i> path = findPathBetween(detector, from.value(), to.value(), progress);
     if (progress.isStopped()) {
-        return stoppedTracing();
+        return tracingCanceled();
     }
     if (path.empty()) {
         return Error(messages::pathNotFound());
     }
     const std::vector<Eigen::Vector3d> pathPointsMm = toPointsMm(path, volume.geometry);
-    const AppearanceAlongPath along(ground, pathPointsMm);
+    const AppearanceAlongPath along(detector, pathPointsMm);
     VesselPath traced;
     traced.branch = centeredBranch(pathPointsMm, volume.geometry, along, progress);
     traced.outsideMm = lengthOutside(pathPointsMm, along);
     if (progress.isStopped()) {
-        return stoppedTracing();
+        return tracingCanceled();
     }
     if (traced.outsideMm >= minReportedMm) {
         traced.warnings.push_back(messages::pathOutside(Quantity{traced.outsideMm, 0, "mm"}));

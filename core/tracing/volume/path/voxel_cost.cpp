@@ -11,25 +11,26 @@ constexpr double similarityDecay = 3.0;   // decay rate of the similarity above 
 constexpr double weightWithoutTube = 0.15;   // weight of a voxel with the intensity of a vessel but not in a tube
 
 /// Returns the similarity to the lumen: 0 in tissue, 1 in the lumen, lower again for far brighter values.
-double similarityTo(double value, const VesselAppearance& look)
+double similarityTo(double value, const VesselAppearance& appearance)
 {
-    const double opacification = (value - look.tissue) / (look.blood - look.tissue);
+    const double opacification = (value - appearance.tissue) / (appearance.blood - appearance.tissue);
     return opacification <= maxLumenIntensity ? std::clamp(opacification, 0.0, 1.0)
                                               : std::exp(-similarityDecay * (opacification - maxLumenIntensity));
 }
 
 }   // namespace
 
-double costOfVoxel(const TubeDetector& ground, const Eigen::Vector3i& voxel, const VesselAppearance& look)
+double costOfVoxel(const TubeDetector& detector, const Eigen::Vector3i& voxel, const VesselAppearance& appearance)
 {
-    const double value = ground.valueAt(voxel);
-    return similarityTo(value, look) > 0.0 ? costOfTube(value, ground.tubeResemblance(voxel, look.tissue), look)
-                                           : maxCostPerMm;
+    const double value = detector.valueAt(voxel);
+    return similarityTo(value, appearance) > 0.0
+               ? costOfTube(value, detector.tubeResemblance(voxel, appearance.tissue), appearance)
+               : maxCostPerMm;
 }
 
-double costOfTube(double value, double fraction, const VesselAppearance& look)
+double costOfTube(double value, double fraction, const VesselAppearance& appearance)
 {
-    const double similarity = similarityTo(value, look);
+    const double similarity = similarityTo(value, appearance);
     return 1.0 /
            (1.0 / maxCostPerMm + similarity * similarity * (weightWithoutTube + (1.0 - weightWithoutTube) * fraction));
 }

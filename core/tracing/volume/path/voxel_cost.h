@@ -10,9 +10,9 @@ inline constexpr double minCostPerMm = 1.0 / (1.0 / maxCostPerMm + 1.0);
 
 /// Returns the cost per millimeter through a voxel: about 1 in the center of a vessel of that appearance, 40 in tissue
 /// (ALGORITHMS §9.12).
-double costOfVoxel(const TubeDetector& ground, const Eigen::Vector3i& voxel, const VesselAppearance& look);
+double costOfVoxel(const TubeDetector& detector, const Eigen::Vector3i& voxel, const VesselAppearance& appearance);
 
 /// Returns the same cost as `costOfVoxel` for a value with a known tube resemblance.
-double costOfTube(double value, double fraction, const VesselAppearance& look);
+double costOfTube(double value, double fraction, const VesselAppearance& appearance);
 
 }   // namespace angiopose::core

@@ -21,7 +21,7 @@ StentSite::StentSite(const VoxelMask& lumen, const StentStruts& wires, const Vox
       stents_(wires),
       opacification_(opacification),
       box_(boxAroundAll(wires.pieces, lumen.geometry, aroundMm)),
-      wires_(cropped(lumen.geometry, box_))
+      wires_(crop(lumen.geometry, box_))
 {
     labels = VoxelGrid<Label>(wires_.geometry);
     for (const VoxelComponent& piece : wires.pieces) {

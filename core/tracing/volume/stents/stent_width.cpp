@@ -19,7 +19,7 @@ bool isWideStent(const VoxelComponent& wires, const VoxelMask& flags, std::uint8
                  TracingProgress& progress)
 {
     const VoxelBox box = enlargedBox(wires, flags.geometry, maxDistanceMm);
-    VoxelMask others(cropped(flags.geometry, box), 1);
+    VoxelMask others(crop(flags.geometry, box), 1);
     for (const std::uint32_t voxel : wires) {
         const Eigen::Vector3i at = flags.geometry.voxelAt(voxel) - box.low;
         others.at(at.x(), at.y(), at.z()) = 0;

@@ -49,7 +49,7 @@ AxisOrder patientAxisOrder(const VolumeGeometry& stored)
     return order;
 }
 
-VolumeGeometry cropped(const VolumeGeometry& geometry, const VoxelBox& box)
+VolumeGeometry crop(const VolumeGeometry& geometry, const VoxelBox& box)
 {
     VolumeGeometry part = geometry;
     part.size = (box.high - box.low).cwiseMax(0);
@@ -57,10 +57,10 @@ VolumeGeometry cropped(const VolumeGeometry& geometry, const VoxelBox& box)
     return part;
 }
 
-AxisOrder cropped(const AxisOrder& order, const VoxelBox& box)
+AxisOrder crop(const AxisOrder& order, const VoxelBox& box)
 {
     AxisOrder part = order;
-    part.geometry = cropped(order.geometry, box);
+    part.geometry = crop(order.geometry, box);
     part.first = static_cast<std::ptrdiff_t>(order.stored(box.low.x(), box.low.y(), box.low.z()));
     return part;
 }

@@ -33,8 +33,8 @@ struct AxisOrder {
 AxisOrder patientAxisOrder(const VolumeGeometry& stored);
 
 /// Returns the order restricted to `box`, with indices starting at its low corner.
-AxisOrder cropped(const AxisOrder& order, const VoxelBox& box);
-VolumeGeometry cropped(const VolumeGeometry& geometry, const VoxelBox& box);
+AxisOrder crop(const AxisOrder& order, const VoxelBox& box);
+VolumeGeometry crop(const VolumeGeometry& geometry, const VoxelBox& box);
 
 /// Returns `box` enlarged by `margin` voxels on all sides, within the volume.
 VoxelBox enlarge(const VoxelBox& box, int margin, const VolumeGeometry& within);

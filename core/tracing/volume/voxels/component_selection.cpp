@@ -123,16 +123,16 @@ Result<SeedsInLumen> moveSeedsIntoLumen(const VoxelMask& mask, const std::vector
     SeedsInLumen seeds;
     for (const Eigen::Vector3d& seed : seedsInPatient) {
         if (findVoxelNear(mask, seed)) {
-            seeds.inPatient.push_back(seed);
+            seeds.seedPoints.push_back(seed);
             continue;
         }
         const auto voxel = nearestVoxel(mask, seed, farSeedReachMm, 2);
         if (!voxel) {
             return noVesselAt(seed);
         }
-        seeds.inPatient.emplace_back(mask.geometry.patientFromVoxel() * mask.geometry.voxelAt(*voxel).cast<double>());
+        seeds.seedPoints.emplace_back(mask.geometry.patientFromVoxel() * mask.geometry.voxelAt(*voxel).cast<double>());
         seeds.warnings.push_back(
-            messages::seedMoved(formatPoint(seed), inMm((seeds.inPatient.back() - seed).norm(), 1)));
+            messages::seedMoved(formatPoint(seed), inMm((seeds.seedPoints.back() - seed).norm(), 1)));
     }
     return seeds;
 }
@@ -143,7 +143,7 @@ Result<std::vector<TracedComponent>> selectComponents(VoxelMask& mask,
 {
     const std::vector<VoxelComponent> components = connectedComponents(mask, 1, &progress);
     if (progress.isStopped()) {
-        return stoppedTracing();
+        return tracingCanceled();
     }
     if (components.empty()) {
         return Error(messages::noVesselInVolume());
@@ -184,7 +184,7 @@ TracedComponent describeComponent(const VoxelComponent& voxels, const VolumeGeom
     return piece;
 }
 
-Cancellation stoppedTracing()
+Cancellation tracingCanceled()
 {
     return {messages::tracingStopped()};
 }

@@ -22,7 +22,7 @@ std::optional<std::uint32_t> findVoxelNear(const VoxelMask& mask, const Eigen::V
 
 /// Seeds, moved into the intended lumen where necessary.
 struct SeedsInLumen {
-    std::vector<Eigen::Vector3d> inPatient;
+    std::vector<Eigen::Vector3d> seedPoints;
     Messages warnings;   ///< warnings about seeds that were moved far
 };
 
@@ -42,6 +42,6 @@ Result<std::vector<TracedComponent>> selectComponents(VoxelMask& mask,
 /// Returns the size of a component and the position of its voxel nearest to the center.
 TracedComponent describeComponent(const VoxelComponent& voxels, const VolumeGeometry& grid);
 
-Cancellation stoppedTracing();
+Cancellation tracingCanceled();
 
 }   // namespace angiopose::core

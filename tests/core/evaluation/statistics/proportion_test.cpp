@@ -22,16 +22,16 @@ TEST(WilsonInterval, GivesKnownAnswers)
 
 TEST(HolmAdjusted, StepsDownAndNeverFalls)
 {
-    const std::vector<double> adjusted = core::holmAdjusted({0.01, 0.04, 0.03, 0.005});
+    const std::vector<double> adjusted = core::adjustByHolm({0.01, 0.04, 0.03, 0.005});
     EXPECT_DOUBLE_EQ(adjusted[3], 0.02);
     EXPECT_DOUBLE_EQ(adjusted[0], 0.03);
     EXPECT_DOUBLE_EQ(adjusted[2], 0.06);
     EXPECT_DOUBLE_EQ(adjusted[1], 0.06);
     // The three comparisons of the paper, each at the smallest p that six pairs allow (ALGORITHMS §4.6).
-    for (const double p : core::holmAdjusted({1.0 / 64, 1.0 / 64, 1.0 / 64})) {
+    for (const double p : core::adjustByHolm({1.0 / 64, 1.0 / 64, 1.0 / 64})) {
         EXPECT_NEAR(p, 0.047, 5e-4);
     }
-    EXPECT_TRUE(core::holmAdjusted({}).empty());
+    EXPECT_TRUE(core::adjustByHolm({}).empty());
 }
 
 }   // namespace

@@ -72,8 +72,8 @@ TEST_F(AlignmentTest, CameraGradientsMatchDifferencesOfResiduals)
         const double h = steps[static_cast<std::size_t>(k)];
         const CameraError error = h * CameraError::Unit(k);
         const auto points = alignmentPoints(problem.tree);
-        Alignment(points, corrected(problem.camera, error), target).collectRows(beside, scalePx, ahead);
-        Alignment(points, corrected(problem.camera, -error), target).collectRows(beside, scalePx, behind);
+        Alignment(points, applyCameraError(problem.camera, error), target).collectRows(beside, scalePx, ahead);
+        Alignment(points, applyCameraError(problem.camera, -error), target).collectRows(beside, scalePx, behind);
         for (std::size_t i = 0; i < rows.size(); ++i) {
             const double difference = (ahead[i].residual - behind[i].residual) / (2.0 * h);
             const bool isSmooth = std::abs(ahead[i].residual - behind[i].residual) < 1e-2;

@@ -104,7 +104,7 @@ TEST_F(PoseSearchTest, RecentringMeetsTheTracedVessels)
     Vector6d step = Vector6d::Zero();
     step[3] = 300.0;
     const PoseSearch search(problem, target, options);
-    const Vector6d error = stepBetween(truth, search.recentered(retract(truth, step)));
+    const Vector6d error = stepBetween(truth, search.recenterPose(retract(truth, step)));
     EXPECT_LT(error.segment<2>(3).norm(), 15.0);
 }
 

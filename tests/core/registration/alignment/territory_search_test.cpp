@@ -37,10 +37,10 @@ struct TerritorySearchTest : ::testing::Test {
     std::vector<CoarseCandidate> found(const std::vector<double>& radiusPx, const std::vector<double>& radiusMm) const
     {
         const TargetLines lines(target, camera);
-        SearchRange reach;
-        reach.tiltDeg = reach.rollDeg = 0.0;
+        SearchRange range;
+        range.tiltDeg = range.rollDeg = 0.0;
         TerritorySearch search(camera, lines, radiusPx);
-        return search.find(points, radiusMm, start, reach, [](double) { return ObserverDecision::Continue; });
+        return search.find(points, radiusMm, start, range, [](double) { return ObserverDecision::Continue; });
     }
     /// Best shift to the right for the given radii of the left and the right vessel and the observed radius, mm.
     double shiftMm(double leftMm, double rightMm, double seenMm) const

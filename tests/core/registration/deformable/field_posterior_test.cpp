@@ -151,7 +151,7 @@ TEST(FieldPosterior, LearnedVariancesFindWhatMoves)
 {
     RandomRows given;
     for (MotionRow& row : given.rows) {   // a smooth motion of 3 mm with almost no noise
-        const Eigen::Vector3d& place = given.knots.places[row.knot];
+        const Eigen::Vector3d& place = given.knots.positions[row.knot];
         row.valueMm = row.motionJacobian.dot(Eigen::Vector3d(4.0 * std::sin(place.z() / 80.0), 0.0, 0.0));
         row.variance = 0.01;
     }
@@ -180,7 +180,7 @@ TEST(LookAt, DerivativesMatchFiniteDifferences)
             continue;
         }
         const auto across = [&](const RigidTransform& pose, const Eigen::Vector3d& motion) {
-            const auto pixel = project(clean.camera, second * (pose * (knots.places[k] + motion)));
+            const auto pixel = project(clean.camera, second * (pose * (knots.positions[k] + motion)));
             return looks[k]->normal.dot(*pixel - looks[k]->positionPx) * looks[k]->mmPerPx;
         };
         for (Eigen::Index i = 0; i < 6; ++i) {

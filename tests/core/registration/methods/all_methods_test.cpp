@@ -25,7 +25,7 @@ struct SmallCase {
         input.camera = {-1877.0, 1877.0, 255.5, 255.5, 512, 512};
         input.target = projectTree(tree, input.camera, truth);
         CounterRandom random(seed);
-        input.initialCameraFromPatient = perturbedAboutCentroid(truth, centroidInPatient(tree), 0.6, 1.7, random);
+        input.initialCameraFromPatient = perturbAboutCentroid(truth, centroidInPatient(tree), 0.6, 1.7, random);
     }
 
     double meanPx(const RigidTransform& pose) const

@@ -32,7 +32,7 @@ struct DrawnCase {
         input.camera = {-1200.0, 1200.0, 127.5, 127.5, 256, 256};
         input.target = projectTree(tree, input.camera, truth);
         CounterRandom random(seed);
-        input.initialCameraFromPatient = perturbedAboutCentroid(truth, centroidInPatient(tree), 1.0, 3.0, random);
+        input.initialCameraFromPatient = perturbAboutCentroid(truth, centroidInPatient(tree), 1.0, 3.0, random);
     }
 
     /// Adds the angiogram: dark vessels on a bright field. The target is a single stray point that no method may need.
@@ -239,7 +239,7 @@ TEST(VesselBrightness, PullLeadsUphill)
         const Vector6d direction = dampedStep(brightness.normalEquations(off, 2.0), 1e-3);
         EXPECT_LT(direction(k), 0.0);
         const CentroidPose next = retract(off, 0.2 / direction.tail<3>().norm() * direction);
-        EXPECT_GT(brightness.of(next, 2.0), brightness.of(off, 2.0));
+        EXPECT_GT(brightness.meanAt(next, 2.0), brightness.meanAt(off, 2.0));
     }
 }
 

@@ -61,11 +61,11 @@ TEST(DistanceDescent, GradientOfTheSmoothSolverLeadsDownhill)
     const KernelProblem full = seed.full(clean.camera);
     const auto loss = [&](const RigidTransform& pose) {
         KernelDistances distances;
-        measure(full, pose, distances);
+        measureDistances(full, pose, distances);
         return huberLoss(full, distances, 5.0);
     };
     KernelDistances distances;
-    measure(full, {}, distances);
+    measureDistances(full, {}, distances);
     const NormalEquations equations = huberEquations(full, distances, 5.0);
     for (int k = 0; k < 6; ++k) {
         const Vector6d step = 1e-6 * Vector6d::Unit(k);
@@ -154,12 +154,12 @@ TEST(Neighbors, GradientOfTheirKernelSumMatchesDifferences)
     const double scalePx = 9.0;
     const auto loss = [&](const RigidTransform& pose) {
         KernelDistances distances;
-        measure(full, pose, distances, scalePx);
+        measureDistances(full, pose, distances, scalePx);
         return kernelLoss(distances, scalePx);
     };
     KernelDistances distances;
-    measure(full, {}, distances, scalePx);
-    EXPECT_EQ(distances.further.size(), 4 * full.points.size());
+    measureDistances(full, {}, distances, scalePx);
+    EXPECT_EQ(distances.otherMatches.size(), 4 * full.points.size());
     const NormalEquations equations = kernelEquations(full, distances, scalePx);
     for (int k = 0; k < 6; ++k) {
         const Vector6d step = 1e-7 * Vector6d::Unit(k);

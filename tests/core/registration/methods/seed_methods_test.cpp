@@ -177,7 +177,7 @@ TEST(DynaWeight, EndsAfterFiveRoundsAtMostEvenWhereNothingFits)
         clean.target.curves[0].pointsPx.emplace_back(random.uniform(0.0, 1024.0), random.uniform(0.0, 1024.0));
     }
     for (int trial = 0; trial < 6; ++trial) {
-        const RigidTransform start = perturbedAboutSource(clean.truth, 3.0, 10.0, random);
+        const RigidTransform start = perturbAboutSource(clean.truth, 3.0, 10.0, random);
         const Outcome lost = solvedBy(solveDynaWeight, clean.from(start), exactSamplesWith(PriorPreset::NoPrior));
         EXPECT_LE(countStages(lost.reports, "auxiliary"), 5);
         EXPECT_NE(lost.solution.stopReason, StopReason::Converged);

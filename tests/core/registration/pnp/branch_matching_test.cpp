@@ -27,7 +27,7 @@ struct BranchMatchingTest : testing::Test {
     test::CleanCase clean{2};
     RegistrationProblem problem = makeProblem(clean.from(clean.truth), {}).value();
     CentroidPose truth = aboutCentroid(clean.truth, problem.tree.centroid);
-    BranchMatching matching{problem};
+    BranchMatcher matching{problem};
 };
 
 TEST_F(BranchMatchingTest, GivesBranchesTheirOwnCurves)
@@ -54,7 +54,7 @@ TEST_F(BranchMatchingTest, MatchesNothingFarAway)
     Vector6d far = Vector6d::Zero();
     far(3) = 600.0;
     const std::vector<int> matched = matching.match(retract(truth, far), 20.0);
-    EXPECT_EQ(std::ranges::count(matched, BranchMatching::noCurve), std::ssize(matched));
+    EXPECT_EQ(std::ranges::count(matched, BranchMatcher::noCurve), std::ssize(matched));
     EXPECT_TRUE(matching.pairs(retract(truth, far), 20.0).empty());
 }
 
@@ -101,34 +101,34 @@ Centerline2d withNearerStranger(const Centerline2d& seen)
     return target;
 }
 
-TEST(BranchMatching, WhatMeetsInTheTreeMeetsInTheImage)
+TEST(BranchMatcher, WhatMeetsInTheTreeMeetsInTheImage)
 {
     TwoBranches two;
     two.target = withNearerStranger(two.target);
     const RegistrationProblem problem = two.problem();
-    const BranchMatching matching(problem);
+    const BranchMatcher matching(problem);
     ASSERT_EQ(matching.tree().edges.size(), 3U);
     EXPECT_EQ(matching.match(aboutCentroid(two.pose, problem.tree.centroid), 10.0), (std::vector<int>{0, 0, 1}));
 }
 
-TEST(BranchMatching, NearnessDecidesWhereNothingMeets)
+TEST(BranchMatcher, NearnessDecidesWhereNothingMeets)
 {
     TwoBranches two;
     two.target = withNearerStranger(two.target);
     two.target.curves.erase(two.target.curves.begin());   // the trunk is not visible
     const RegistrationProblem problem = two.problem();
-    const BranchMatching matching(problem);
-    const int none = BranchMatching::noCurve;
+    const BranchMatcher matching(problem);
+    const int none = BranchMatcher::noCurve;
     EXPECT_EQ(matching.match(aboutCentroid(two.pose, problem.tree.centroid), 10.0), (std::vector<int>{none, none, 1}));
 }
 
-TEST(BranchMatching, ABranchAloneHasItsCurve)
+TEST(BranchMatcher, ABranchAloneHasItsCurve)
 {
     TwoBranches two;
     two.tree.branches.resize(1);
     two.target.curves.resize(1);
     const RegistrationProblem problem = two.problem();
-    const BranchMatching matching(problem);
+    const BranchMatcher matching(problem);
     EXPECT_EQ(matching.match(aboutCentroid(two.pose, problem.tree.centroid), 10.0), (std::vector<int>{0}));
 }
 
@@ -138,15 +138,15 @@ TEST(PairDeformation, LeavesVesselsThatLieOnTheirPartners)
 {
     const TwoBranches two;
     const RegistrationProblem problem = two.problem();
-    const BranchMatching matching(problem);
+    const BranchMatcher matching(problem);
     const CentroidPose pose = aboutCentroid(two.pose, problem.tree.centroid);
     std::vector<BranchPair> pairs;
     for (std::size_t i = 0; i < problem.tree.size(); ++i) {
         pairs.push_back({i, *project(problem.camera, two.pose * problem.tree.points[i])});
     }
     const PairDeformation deformation = deformOntoPairs(problem, matching.tree(), pose, pairs, neverStopped);
-    EXPECT_LT(deformation.largestMm, 1e-9);
-    EXPECT_EQ(deformOntoPairs(problem, matching.tree(), pose, {}, neverStopped).largestMm, 0.0);
+    EXPECT_LT(deformation.maxMotionMm, 1e-9);
+    EXPECT_EQ(deformOntoPairs(problem, matching.tree(), pose, {}, neverStopped).maxMotionMm, 0.0);
 }
 
 // A branch of 60 mm swings about its root by 10°: the motion across the rays is recovered and lengths are preserved.
@@ -154,7 +154,7 @@ TEST(PairDeformation, FollowsAVesselThatSwingsAndKeepsItsLength)
 {
     const TwoBranches two;
     const RegistrationProblem problem = two.problem();
-    const BranchMatching matching(problem);
+    const BranchMatcher matching(problem);
     const CentroidPose pose = aboutCentroid(two.pose, problem.tree.centroid);
     const Eigen::Matrix3d swing = expSo3(Eigen::Vector3d(0.0, 0.0, 0.1745));
     std::vector<BranchPair> pairs;
@@ -166,7 +166,7 @@ TEST(PairDeformation, FollowsAVesselThatSwingsAndKeepsItsLength)
         pairs.push_back({i, *project(problem.camera, two.pose * (point + known.back()))});
     }
     const PairDeformation deformation = deformOntoPairs(problem, matching.tree(), pose, pairs, neverStopped);
-    EXPECT_GT(deformation.largestMm, 9.0);
+    EXPECT_GT(deformation.maxMotionMm, 9.0);
     EXPECT_LT(deformation.medianPx, 0.2);
     EXPECT_GT(deformation.medianBeforePx, deformation.medianPx);
     for (std::size_t i = 0; i < known.size(); ++i) {
@@ -183,7 +183,7 @@ TEST(PairDeformation, EndsWhenStopped)
 {
     const TwoBranches two;
     const RegistrationProblem problem = two.problem();
-    const BranchMatching matching(problem);
+    const BranchMatcher matching(problem);
     const CentroidPose pose = aboutCentroid(two.pose, problem.tree.centroid);
     std::vector<BranchPair> pairs;
     for (std::size_t i = 0; i < problem.tree.size(); ++i) {

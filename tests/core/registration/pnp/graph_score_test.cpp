@@ -17,9 +17,9 @@ TEST(GraphScore, IsBestWhereTheTreeLiesOnItsImage)
     shifted.centroidInCamera.x() += 10.0;
     CentroidPose shrunk = truth;
     shrunk.centroidInCamera *= 4.0;   // along the ray: the whole tree covers only a small part of the image
-    EXPECT_GT(score.of(truth), 0.5);
-    EXPECT_GT(score.of(truth), score.of(shifted) + 0.1);
-    EXPECT_GT(score.of(truth), score.of(shrunk) + 0.1);
+    EXPECT_GT(score.scoreAt(truth), 0.5);
+    EXPECT_GT(score.scoreAt(truth), score.scoreAt(shifted) + 0.1);
+    EXPECT_GT(score.scoreAt(truth), score.scoreAt(shrunk) + 0.1);
 }
 
 TEST(GraphScore, IsMinusInfinityBehindTheSource)
@@ -28,7 +28,7 @@ TEST(GraphScore, IsMinusInfinityBehindTheSource)
     const RegistrationProblem problem = makeProblem(clean.from(clean.truth), {}).value();
     CentroidPose behind = aboutCentroid(clean.truth, problem.tree.centroid);
     behind.centroidInCamera.z() = -1000.0;
-    EXPECT_LT(GraphScore(problem, 0.1).of(behind), -1e300);
+    EXPECT_LT(GraphScore(problem, 0.1).scoreAt(behind), -1e300);
 }
 
 }   // namespace

@@ -74,7 +74,7 @@ RigidTransform onValley(const KernelCase& clean, const Eigen::Vector3d& shiftMm)
 double meanSquaredMisfit(const KernelCase& clean, const RigidTransform& pose)
 {
     KernelDistances distances;
-    measure(clean.known(), pose, distances);
+    measureDistances(clean.known(), pose, distances);
     double sum = 0.0;
     for (const double squared : distances.squaredPx) {
         sum += squared;
@@ -88,15 +88,15 @@ TEST(KernelEquations, GradientAndRowsMatchFiniteDifferences)
     const double scalePx = 6.0;
     const RigidTransform pose = expSe3((Vector6d() << 0.002, -0.003, 0.004, 2.0, -1.0, 5.0).finished());
     KernelDistances distances;
-    measure(clean.known(), pose, distances);
+    measureDistances(clean.known(), pose, distances);
     const NormalEquations equations = kernelEquations(clean.known(), distances, scalePx);
     for (int k = 0; k < 6; ++k) {
         Vector6d step = Vector6d::Zero();
         step(k) = k < 3 ? 1e-6 : 1e-4;
         KernelDistances ahead;
         KernelDistances behind;
-        measure(clean.known(), expSe3(step) * pose, ahead);
-        measure(clean.known(), expSe3(-step) * pose, behind);
+        measureDistances(clean.known(), expSe3(step) * pose, ahead);
+        measureDistances(clean.known(), expSe3(-step) * pose, behind);
         // d/dξ of Σ (1 − exp(−d²/2ℓ²)) is Σ w r·J / ℓ².
         const double slope = (kernelLoss(ahead, scalePx) - kernelLoss(behind, scalePx)) / (2.0 * step(k));
         EXPECT_NEAR(slope, equations.gradient(k) / (scalePx * scalePx), 1e-6 * (1.0 + std::abs(slope))) << k;
@@ -117,12 +117,12 @@ TEST(KernelLoss, ChargesPointsBehindTheSourceInFull)
     const std::vector<Eigen::Vector2d> partners{{511.5, 511.5}, {511.5, 511.5}};
     const KernelProblem problem{points, kernelCamera, nullptr, partners};
     KernelDistances distances;
-    measure(problem, {}, distances);
+    measureDistances(problem, {}, distances);
     EXPECT_DOUBLE_EQ(kernelLoss(distances, 5.0), 1.0);
     const NormalEquations equations = kernelEquations(problem, distances, 5.0);
     EXPECT_TRUE(equations.hessian.allFinite());
     EXPECT_EQ(equations.gradient.norm(), 0.0);
-    EXPECT_EQ(largestDistancePx(distances), 0.0);
+    EXPECT_EQ(maxDistancePx(distances), 0.0);
 }
 
 TEST(KernelPnp, FindsTheExactPoseFromStartsInTheBasin)
@@ -132,7 +132,7 @@ TEST(KernelPnp, FindsTheExactPoseFromStartsInTheBasin)
         CounterRandom random(seed);
         for (int trial = 0; trial < 4; ++trial) {
             const RigidTransform start =
-                perturbedAboutCentroid({}, clean.centroid, 2.0 / std::sqrt(3.0), 5.0 / std::sqrt(3.0), random);
+                perturbAboutCentroid({}, clean.centroid, 2.0 / std::sqrt(3.0), 5.0 / std::sqrt(3.0), random);
             const KernelPnpResult result = KernelPnp(clean.matched(), {}, {}).solve(start);
             EXPECT_LT(clean.meanPx(result.pose), 1e-6) << "tree " << seed << " trial " << trial;
             EXPECT_EQ(result.stopReason, StopReason::Converged);
@@ -145,12 +145,12 @@ TEST(KernelPnp, NeverAcceptsAFallOfTheKernelSum)
     const KernelCase clean(3);
     CounterRandom random(5);
     for (const double priorStrength : {0.0, 100.0, 100.0 * clean.count()}) {
-        const RigidTransform start = perturbedAboutSource({}, 2.0, 5.0, random);
+        const RigidTransform start = perturbAboutSource({}, 2.0, 5.0, random);
         PosePrior prior;
         prior.reference = start;
         prior.strength = priorStrength;
         KernelDistances before;
-        measure(clean.matched(), start, before);
+        measureDistances(clean.matched(), start, before);
         int accepted = 0;
         KernelPnp(clean.matched(), prior, {}).solve(start, [&](const KernelIteration& step) {
             EXPECT_LE(kernelLoss(*step.distances, step.scalePx), kernelLoss(before, step.scalePx));
@@ -167,8 +167,8 @@ TEST(KernelPnp, TheKernelStartsAtTheLargestDistanceOrLiterallyAtItsSquare)
     const KernelCase clean(2);
     const RigidTransform start = shiftedBy(Eigen::Vector3d(2.0, -3.0, 4.0));
     KernelDistances distances;
-    measure(clean.matched(), start, distances);
-    const double largestPx = largestDistancePx(distances);
+    measureDistances(clean.matched(), start, distances);
+    const double largestPx = maxDistancePx(distances);
     for (const StartScale startScale : {StartScale::Largest, StartScale::LargestSquared}) {
         KernelSchedule schedule;
         schedule.startScale = startScale;
@@ -185,7 +185,7 @@ TEST(KernelPnp, WaitingForStagnationFindsTheSamePose)
     KernelSchedule schedule;
     schedule.decay = Decay::Stagnation;
     schedule.maxIterations = 300;
-    const RigidTransform start = perturbedAboutCentroid({}, clean.centroid, 1.0, 3.0, random);
+    const RigidTransform start = perturbAboutCentroid({}, clean.centroid, 1.0, 3.0, random);
     const KernelPnpResult result = KernelPnp(clean.matched(), {}, schedule).solve(start);
     EXPECT_EQ(result.stopReason, StopReason::Converged);
     EXPECT_LT(clean.meanPx(result.pose), 1e-6);
@@ -267,7 +267,7 @@ TEST(KernelPnp, AStopKeepsThePoseReachedSoFar)
 {
     const KernelCase clean(2);
     CounterRandom random(9);
-    const RigidTransform start = perturbedAboutCentroid({}, clean.centroid, 1.0, 3.0, random);
+    const RigidTransform start = perturbAboutCentroid({}, clean.centroid, 1.0, 3.0, random);
     RigidTransform seen;
     const KernelPnpResult result =
         KernelPnp(clean.matched(), {}, {}).solve(start, [&seen](const KernelIteration& step) {
@@ -284,7 +284,7 @@ TEST(KernelPnp, RepeatsBitForBit)
 {
     const KernelCase clean(5);
     CounterRandom random(3);
-    const RigidTransform start = perturbedAboutCentroid({}, clean.centroid, 2.0, 5.0, random);
+    const RigidTransform start = perturbAboutCentroid({}, clean.centroid, 2.0, 5.0, random);
     KernelPnp solver(clean.matched(), {}, {});
     const KernelPnpResult first = solver.solve(start);
     const KernelPnpResult again = solver.solve(start);

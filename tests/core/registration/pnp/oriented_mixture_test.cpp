@@ -19,7 +19,7 @@ struct OrientedMixtureTest : testing::Test {
 
 TEST_F(OrientedMixtureTest, GradientMatchesDifferences)
 {
-    OrientedMixture mixture(problem, {6.0, 0.3, 1.0});
+    OrientedMixtureMetric mixture(problem, {6.0, 0.3, 1.0});
     Vector6d offset;
     offset << 0.01, -0.02, 0.015, 1.0, -2.0, 5.0;
     const CentroidPose pose = retract(truth, offset);
@@ -37,7 +37,7 @@ TEST_F(OrientedMixtureTest, GradientMatchesDifferences)
 
 TEST_F(OrientedMixtureTest, IsLeastAtTheTruth)
 {
-    OrientedMixture mixture(problem, {3.0, 0.3, 1.0});
+    OrientedMixtureMetric mixture(problem, {3.0, 0.3, 1.0});
     Vector6d unused;
     const double atTruth = mixture.distance(truth, unused);
     for (int k = 0; k < 6; ++k) {
@@ -55,8 +55,8 @@ TEST_F(OrientedMixtureTest, TheSelfTermChargesCollapse)
     Vector6d away = Vector6d::Zero();
     away(5) = 2000.0;
     const CentroidPose collapsed = retract(truth, away);
-    OrientedMixture with(problem, {15.0, 0.3, 1.0});
-    OrientedMixture without(problem, {15.0, 0.3, 0.0});
+    OrientedMixtureMetric with(problem, {15.0, 0.3, 1.0});
+    OrientedMixtureMetric without(problem, {15.0, 0.3, 0.0});
     const double charged = with.distance(collapsed, unused) - with.distance(truth, unused);
     const double free = without.distance(collapsed, unused) - without.distance(truth, unused);
     EXPECT_GT(charged, free);

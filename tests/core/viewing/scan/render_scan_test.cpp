@@ -32,23 +32,23 @@ std::shared_ptr<const Volume> ballAt(const Eigen::Vector3d& center)
 /// Frontal view, head up.
 ParallelProjection seenFromTheFront()
 {
-    ParallelProjection sight;
-    sight.right = Eigen::Vector3d::UnitX();
-    sight.up = Eigen::Vector3d::UnitZ();
-    sight.width = 61;
-    sight.height = 41;
-    return sight;
+    ParallelProjection projection;
+    projection.right = Eigen::Vector3d::UnitX();
+    projection.up = Eigen::Vector3d::UnitZ();
+    projection.width = 61;
+    projection.height = 41;
+    return projection;
 }
 
 ScanAppearance solid(double perMm)
 {
-    ScanAppearance look;
-    look.rest = {100.0, 300.0, perMm};
-    look.vessels = look.rest;
-    look.brightFrom = 300.0;
-    look.soft = look.bone = {1.0F, 1.0F, 1.0F};
-    look.kinds = {{1.0F, 0.0F, 0.0F}, {0.0F, 0.0F, 1.0F}};
-    return look;
+    ScanAppearance appearance;
+    appearance.rest = {100.0, 300.0, perMm};
+    appearance.vessels = appearance.rest;
+    appearance.brightFrom = 300.0;
+    appearance.softTissueColor = appearance.boneColor = {1.0F, 1.0F, 1.0F};
+    appearance.kinds = {{1.0F, 0.0F, 0.0F}, {0.0F, 0.0F, 1.0F}};
+    return appearance;
 }
 
 TEST(CastScan, ShowsABallWhereItLies)
@@ -78,16 +78,16 @@ TEST(CastScan, ShowsNothingToASightThatIsNowhere)
 {
     const auto scan = prepareVolume({ballAt({0, 0, 0}), nullptr, nullptr}, always);
     ASSERT_TRUE(scan);
-    ParallelProjection sight = seenFromTheFront();
-    sight.mmPerPx = 1.0 / 0.0;
-    const auto far = renderScan(*scan, solid(5.0), sight, 0.5, always);
+    ParallelProjection projection = seenFromTheFront();
+    projection.mmPerPx = 1.0 / 0.0;
+    const auto far = renderScan(*scan, solid(5.0), projection, 0.5, always);
     ASSERT_TRUE(far);
     EXPECT_TRUE(std::ranges::all_of(far->pixels, [](const Rgba& pixel) { return pixel == Rgba{}; }));
-    sight = seenFromTheFront();
-    sight.up = Eigen::Vector3d::Constant(std::nan(""));
-    EXPECT_TRUE(renderScan(*scan, solid(5.0), sight, 0.5, always));
-    sight.width = 0;
-    EXPECT_TRUE(renderScan(*scan, solid(5.0), sight, 0.5, always));
+    projection = seenFromTheFront();
+    projection.up = Eigen::Vector3d::Constant(std::nan(""));
+    EXPECT_TRUE(renderScan(*scan, solid(5.0), projection, 0.5, always));
+    projection.width = 0;
+    EXPECT_TRUE(renderScan(*scan, solid(5.0), projection, 0.5, always));
 }
 
 /// The opacity along a path of known length does not depend on the step size.
@@ -130,9 +130,9 @@ TEST(CastScan, TintsWhatTheMaskNames)
         const auto scan = prepareVolume({shown, labels, nullptr}, always);
         ASSERT_TRUE(scan);
         const AppearanceOptions request{ScanPreset::Vessels, 0.9, {}, {}, {{1.0F, 0.0F, 0.0F}, {0.0F, 0.0F, 1.0F}}};
-        const ScanAppearance look =
+        const ScanAppearance appearance =
             shown ? appearanceFor({0.0, 200.0, 400.0, true}, request, true) : maskAppearance(request);
-        const auto picture = renderScan(*scan, look, seenFromTheFront(), 0.5, always);
+        const auto picture = renderScan(*scan, appearance, seenFromTheFront(), 0.5, always);
         ASSERT_TRUE(picture);
         EXPECT_GT(picture->at(26, 20)[0], picture->at(26, 20)[2] + 100);   // red on the left
         EXPECT_GT(picture->at(34, 20)[2], picture->at(34, 20)[0] + 100);
@@ -181,9 +181,9 @@ TEST(ScanAppearance, FindsTheBrightOfAScanWithoutUnits)
     EXPECT_GT(levels.wall, 70.0);
     EXPECT_LE(levels.wall, 250.0);
     EXPECT_EQ(estimateLevels(volume, 120.0).wall, 120.0);
-    const ScanAppearance look = appearanceFor(levels, {}, false);
-    EXPECT_EQ(look.vessels.at(50.0), 0.0);
-    EXPECT_GT(look.vessels.at(250.0), 0.0);
+    const ScanAppearance appearance = appearanceFor(levels, {}, false);
+    EXPECT_EQ(appearance.vessels.at(50.0), 0.0);
+    EXPECT_GT(appearance.vessels.at(250.0), 0.0);
 }
 
 }   // namespace

@@ -97,19 +97,19 @@ protected:
         return pose;
     }
 
-    io::CapturedImages pictures(int count) const
+    io::CapturedImages images(int count) const
     {
-        io::CapturedImages captured;
+        io::CapturedImages capture;
         for (int k = 0; k < count; ++k) {
             core::ColorImage picture{21, 15, {}};   // an odd number of bytes
             for (int i = 0; i < 21 * 15 * 3; ++i) {
                 picture.rgb.push_back(static_cast<std::uint8_t>((i * 7 + k * 31) % 256));
             }
-            captured.pictures.push_back(std::move(picture));
+            capture.images.push_back(std::move(picture));
         }
-        captured.frameTimeMs = 66.6;
-        captured.derivation = "Vessels drawn over the image";
-        return captured;
+        capture.frameTimeMs = 66.6;
+        capture.derivation = "Vessels drawn over the image";
+        return capture;
     }
 
     io::PresentationContent shownState() const
@@ -146,14 +146,14 @@ protected:
     /// All kinds of objects, by file name.
     std::vector<std::pair<std::string, core::Result<std::string>>> all() const
     {
-        return {{"picture", io::secondaryCapture(pictures(1), angiogram, origin)},
-                {"run", io::multiframeSecondaryCapture(pictures(3), angiogram, origin)},
-                {"report", io::encapsulatedPdf("%PDF-1.4\nodd", "Report of Müller", io::BurnedInIdentity::Possible,
-                                               angiogram, origin)},
-                {"state", io::presentationState(shownState(), angiogram, origin)},
-                {"registration", io::spatialRegistration(registration(), angiogram, origin)},
-                {"segmentation", io::vesselSegmentation(vessels(), "drawn", scan, origin)},
-                {"measurements", io::measurementReport(measured(), angiogram, origin)}};
+        return {{"picture", io::encodeSecondaryCapture(images(1), angiogram, origin)},
+                {"run", io::encodeMultiframeCapture(images(3), angiogram, origin)},
+                {"report", io::encodeEncapsulatedPdf("%PDF-1.4\nodd", "Report of Müller",
+                                                     io::BurnedInIdentity::Possible, angiogram, origin)},
+                {"state", io::encodePresentationState(shownState(), angiogram, origin)},
+                {"registration", io::encodeSpatialRegistration(registration(), angiogram, origin)},
+                {"segmentation", io::encodeVesselSegmentation(vessels(), "drawn", scan, origin)},
+                {"measurements", io::encodeMeasurementReport(measured(), angiogram, origin)}};
     }
 
     /// Path of the object written as a file; empty if it could not be made.

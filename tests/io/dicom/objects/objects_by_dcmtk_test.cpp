@@ -54,12 +54,12 @@ TEST_F(ObjectsByDcmtk, EveryElementHasAValueOfItsKind)
 
 TEST_F(ObjectsByDcmtk, PixelsOfPicturesAreTheSame)
 {
-    DcmDataset& data = load("run", io::multiframeSecondaryCapture(pictures(3), angiogram, origin));
+    DcmDataset& data = load("run", io::encodeMultiframeCapture(images(3), angiogram, origin));
     const Uint8* pixels = nullptr;
     unsigned long count = 0;
     ASSERT_TRUE(data.findAndGetUint8Array(DCM_PixelData, pixels, &count).good());
     std::vector<std::uint8_t> expected;
-    for (const core::ColorImage& picture : pictures(3).pictures) {
+    for (const core::ColorImage& picture : images(3).images) {
         expected.insert(expected.end(), picture.rgb.begin(), picture.rgb.end());
     }
     ASSERT_GE(count, expected.size());
@@ -72,7 +72,7 @@ TEST_F(ObjectsByDcmtk, PixelsOfPicturesAreTheSame)
 TEST_F(ObjectsByDcmtk, PdfIsTheSame)
 {
     DcmDataset& data =
-        load("report", io::encapsulatedPdf("%PDF-1.4\nodd", "T", io::BurnedInIdentity::None, angiogram, origin));
+        load("report", io::encodeEncapsulatedPdf("%PDF-1.4\nodd", "T", io::BurnedInIdentity::None, angiogram, origin));
     const Uint8* bytes = nullptr;
     unsigned long count = 0;
     ASSERT_TRUE(data.findAndGetUint8Array(DCM_EncapsulatedDocument, bytes, &count).good());
@@ -82,7 +82,7 @@ TEST_F(ObjectsByDcmtk, PdfIsTheSame)
 
 TEST_F(ObjectsByDcmtk, SegmentationHasTheVoxelsAndItsSegment)
 {
-    DcmDataset& data = load("segmentation", io::vesselSegmentation(vessels(), "drawn", scan, origin));
+    DcmDataset& data = load("segmentation", io::encodeVesselSegmentation(vessels(), "drawn", scan, origin));
     DcmSegmentation* found = nullptr;
     ASSERT_TRUE(DcmSegmentation::loadDataset(data, found).good());
     const std::unique_ptr<DcmSegmentation> segmentation(found);
@@ -113,7 +113,7 @@ TEST_F(ObjectsByDcmtk, SegmentationHasTheVoxelsAndItsSegment)
 
 TEST_F(ObjectsByDcmtk, StateHasLayersLinesAndWindow)
 {
-    DcmDataset& data = load("state", io::presentationState(shownState(), angiogram, origin));
+    DcmDataset& data = load("state", io::encodePresentationState(shownState(), angiogram, origin));
     DcmPresentationState state;
     ASSERT_TRUE(state.read(data).good());
     ASSERT_EQ(state.getNumberOfGraphicLayers(), 2U);
@@ -132,7 +132,7 @@ TEST_F(ObjectsByDcmtk, StateHasLayersLinesAndWindow)
 
 TEST_F(ObjectsByDcmtk, RegistrationKeepsTheCameraToTheLastBit)
 {
-    DcmDataset& data = load("registration", io::spatialRegistration(registration(), angiogram, origin));
+    DcmDataset& data = load("registration", io::encodeSpatialRegistration(registration(), angiogram, origin));
     EXPECT_EQ(text(data, DcmTagKey(0x0071, 0x0010)), "ANGIOPOSE CAMERA 1");
     for (unsigned long i = 0; i < 16; ++i) {
         Float64 value = NAN;
@@ -146,7 +146,7 @@ TEST_F(ObjectsByDcmtk, RegistrationKeepsTheCameraToTheLastBit)
 
 TEST_F(ObjectsByDcmtk, MeasurementsAreAReport)
 {
-    DcmDataset& data = load("measurements", io::measurementReport(measured(), angiogram, origin));
+    DcmDataset& data = load("measurements", io::encodeMeasurementReport(measured(), angiogram, origin));
     DSRDocument report;
     ASSERT_TRUE(report.read(data).good());
     EXPECT_EQ(report.getDocumentType(), DSRTypes::DT_Comprehensive3DSR);

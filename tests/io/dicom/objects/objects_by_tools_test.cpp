@@ -97,7 +97,7 @@ TEST_F(MadeObjects, AreReadByPydicom)
     const ToolOutcome outcome = outcomeOf("/usr/bin/python3 " + folder.file("check.py") + paths);
     EXPECT_EQ(outcome.status, 0) << outcome.output;
     unsigned sum = 0;
-    const core::ColorImage picture = pictures(1).pictures.front();
+    const core::ColorImage picture = images(1).images.front();
     for (const std::uint8_t level : picture.rgb) {
         sum += level;
     }

@@ -27,13 +27,13 @@ TEST_F(MadeObjects, BelongToThePatientAndStudyOfTheirImage)
     for (const auto& [name, object] : all()) {
         ASSERT_TRUE(object) << name << ": " << object.error().message;
         const io::DicomDataset data = parsedObject(object.value()).dataset;
-        const bool isOfScan = name == "segmentation";
-        EXPECT_EQ(data.text(0x0020000d), isOfScan ? "1.2" : angiogram.studyUid) << name;
-        EXPECT_EQ(io::utf8Text(data, 0x00100010), isOfScan ? "Phantom^CT" : "Müller^Ünal") << name;
+        const bool isScanPatient = name == "segmentation";
+        EXPECT_EQ(data.text(0x0020000d), isScanPatient ? "1.2" : angiogram.studyUid) << name;
+        EXPECT_EQ(io::utf8Text(data, 0x00100010), isScanPatient ? "Phantom^CT" : "Müller^Ünal") << name;
         EXPECT_EQ(data.text(0x00080005), "ISO_IR 192") << name;
         EXPECT_EQ(data.text(0x00189004), "RESEARCH") << name;
         EXPECT_NE(data.text(0x00400280).find("not a medical device"), std::string_view::npos) << name;
-        if (!isOfScan) {
+        if (!isScanPatient) {
             EXPECT_EQ(data.text(0x00100020), "P-17") << name;
             EXPECT_EQ(data.text(0x00100030), "19500301") << name;
             EXPECT_EQ(data.text(0x00080050), "A-9") << name;
@@ -69,7 +69,7 @@ TEST(NewUid, IsAnotherOneEveryTimeAndFollowsFromContent)
 {
     std::set<std::string> uids;
     for (int i = 0; i < 1000; ++i) {
-        EXPECT_TRUE(uids.insert(io::newUid()).second);
+        EXPECT_TRUE(uids.insert(io::makeUid()).second);
     }
     EXPECT_EQ(io::uidFromContent("a"), io::uidFromContent("a"));
     EXPECT_NE(io::uidFromContent("a"), io::uidFromContent("b"));
@@ -95,14 +95,14 @@ TEST_F(MadeObjects, WithoutADicomImageAreAStudyOfTheirOwn)
     folder.write("plain.png", "\x89PNG\r\n\x1a\n no image");
     const io::SourceImage plain = source(folder.file("plain.png"));
     EXPECT_FALSE(plain.isDicom);
-    const auto object = io::secondaryCapture(pictures(1), plain, origin);
+    const auto object = io::encodeSecondaryCapture(images(1), plain, origin);
     ASSERT_TRUE(object);
     const io::DicomDataset data = parsedObject(object.value()).dataset;
     EXPECT_EQ(data.text(0x0020000d), origin.uidFor("study"));
     EXPECT_TRUE(data.has(0x00100010));
     EXPECT_EQ(data.text(0x00100010), "");
     EXPECT_FALSE(data.has(0x00082112));
-    const auto state = io::presentationState(shownState(), plain, origin);
+    const auto state = io::encodePresentationState(shownState(), plain, origin);
     ASSERT_FALSE(state);
     EXPECT_EQ(state.error().message.id(), "object.no-reference");
 }
@@ -110,9 +110,9 @@ TEST_F(MadeObjects, WithoutADicomImageAreAStudyOfTheirOwn)
 TEST_F(MadeObjects, PicturesKeepEveryByte)
 {
     for (const int count : {1, 3}) {
-        const io::CapturedImages captured = pictures(count);
-        const auto object = count == 1 ? io::secondaryCapture(captured, angiogram, origin)
-                                       : io::multiframeSecondaryCapture(captured, angiogram, origin);
+        const io::CapturedImages capture = images(count);
+        const auto object = count == 1 ? io::encodeSecondaryCapture(capture, angiogram, origin)
+                                       : io::encodeMultiframeCapture(capture, angiogram, origin);
         ASSERT_TRUE(object);
         const io::DicomFile file = parsedObject(object.value());
         EXPECT_EQ(file.dataset.text(0x00280004), "RGB");
@@ -120,7 +120,7 @@ TEST_F(MadeObjects, PicturesKeepEveryByte)
         EXPECT_EQ(file.dataset.text(0x00280301), "YES");
         EXPECT_EQ(file.dataset.items(0x00082112).front().text(0x00081155), angiogram.sopInstanceUid);
         std::string expected;
-        for (const core::ColorImage& picture : captured.pictures) {
+        for (const core::ColorImage& picture : capture.images) {
             expected.append(picture.rgb.begin(), picture.rgb.end());
         }
         EXPECT_EQ(file.pixels.at(io::pixelDataTag).bytes.substr(0, expected.size()), expected);
@@ -129,26 +129,26 @@ TEST_F(MadeObjects, PicturesKeepEveryByte)
 
 TEST_F(MadeObjects, PicturesOfSeveralSizesAreRefused)
 {
-    io::CapturedImages captured = pictures(2);
-    captured.pictures[1] = core::ColorImage{2, 2, std::vector<std::uint8_t>(12)};
-    EXPECT_FALSE(io::multiframeSecondaryCapture(captured, angiogram, origin));
-    EXPECT_FALSE(io::secondaryCapture({}, angiogram, origin));
+    io::CapturedImages capture = images(2);
+    capture.images[1] = core::ColorImage{2, 2, std::vector<std::uint8_t>(12)};
+    EXPECT_FALSE(io::encodeMultiframeCapture(capture, angiogram, origin));
+    EXPECT_FALSE(io::encodeSecondaryCapture({}, angiogram, origin));
 }
 
 TEST_F(MadeObjects, ReportsAreWrappedAsTheyAre)
 {
     const std::string pdf = "%PDF-1.4\nodd";
-    const auto object = io::encapsulatedPdf(pdf, "Title", io::BurnedInIdentity::None, angiogram, origin);
+    const auto object = io::encodeEncapsulatedPdf(pdf, "Title", io::BurnedInIdentity::None, angiogram, origin);
     ASSERT_TRUE(object);
     EXPECT_NE(object.value().find(pdf), std::string::npos);
     EXPECT_EQ(parsedObject(object.value()).dataset.integer(0x00420015), static_cast<int>(pdf.size()));
-    EXPECT_FALSE(io::encapsulatedPdf("<html>", "Title", io::BurnedInIdentity::None, angiogram, origin));
+    EXPECT_FALSE(io::encodeEncapsulatedPdf("<html>", "Title", io::BurnedInIdentity::None, angiogram, origin));
 }
 
 /// The transform maps patient points of the scan to camera points, a direction that other programs have often inverted.
 TEST_F(MadeObjects, RegistrationTakesPatientPointsToCameraPoints)
 {
-    const auto object = io::spatialRegistration(registration(), angiogram, origin);
+    const auto object = io::encodeSpatialRegistration(registration(), angiogram, origin);
     ASSERT_TRUE(object);
     const io::DicomDataset data = parsedObject(object.value()).dataset;
     EXPECT_EQ(data.text(0x00200052), registration().cameraFrameOfReferenceUid);
@@ -175,7 +175,8 @@ TEST_F(MadeObjects, RegistrationTakesPatientPointsToCameraPoints)
 
 TEST_F(MadeObjects, RegistrationIsReadAsAPose)
 {
-    const auto read = io::readPose(written("registration", io::spatialRegistration(registration(), angiogram, origin)));
+    const auto read =
+        io::readPose(written("registration", io::encodeSpatialRegistration(registration(), angiogram, origin)));
     ASSERT_TRUE(read) << read.error().message;
     EXPECT_LE((read.value().matrix() - pose().matrix()).cwiseAbs().maxCoeff(), 1e-9);
     const auto none = io::readPose(folder.file("run.dcm"));
@@ -194,13 +195,13 @@ TEST_F(MadeObjects, RefusesAPoseThatIsNotRigid)
 {
     io::CArmRegistration broken = registration();
     broken.cameraFromPatient.rotation *= 1.1;
-    EXPECT_FALSE(io::spatialRegistration(broken, angiogram, origin));
+    EXPECT_FALSE(io::encodeSpatialRegistration(broken, angiogram, origin));
 }
 
 /// The voxels and their positions are read back by this program's segmentation reader.
 TEST_F(MadeObjects, SegmentationLiesInTheScan)
 {
-    const std::string path = written("segmentation", io::vesselSegmentation(vessels(), "drawn", scan, origin));
+    const std::string path = written("segmentation", io::encodeVesselSegmentation(vessels(), "drawn", scan, origin));
     const auto labels = io::readLabels(path);
     ASSERT_TRUE(labels) << labels.error().message;
     const core::VoxelMask mask = vessels();
@@ -217,7 +218,7 @@ TEST_F(MadeObjects, SegmentationLiesInTheScan)
 
 TEST_F(MadeObjects, SegmentationRefersToTheSlicesItLiesOn)
 {
-    const auto object = io::vesselSegmentation(vessels(), "drawn", scan, origin);
+    const auto object = io::encodeVesselSegmentation(vessels(), "drawn", scan, origin);
     ASSERT_TRUE(object);
     const io::DicomDataset data = parsedObject(object.value()).dataset;
     const std::vector<io::DicomDataset> frames = data.items(0x52009230);
@@ -229,19 +230,19 @@ TEST_F(MadeObjects, SegmentationRefersToTheSlicesItLiesOn)
     EXPECT_EQ(data.items(0x00081115).front().items(0x0008114a).size(), 5U);
     core::VoxelMask beside = vessels();
     beside.geometry.originInPatient.z() += 0.5;
-    const auto shifted = io::vesselSegmentation(beside, "drawn", scan, origin);
+    const auto shifted = io::encodeVesselSegmentation(beside, "drawn", scan, origin);
     ASSERT_TRUE(shifted);
     EXPECT_TRUE(parsedObject(shifted.value()).dataset.items(0x00081115).empty()) << "lies on no slice";
 }
 
 TEST_F(MadeObjects, EmptySegmentationIsRefused)
 {
-    EXPECT_FALSE(io::vesselSegmentation(core::VoxelMask(vessels().geometry), "drawn", scan, origin));
+    EXPECT_FALSE(io::encodeVesselSegmentation(core::VoxelMask(vessels().geometry), "drawn", scan, origin));
 }
 
 TEST_F(MadeObjects, StateCountsPixelsFromTheCorner)
 {
-    const auto object = io::presentationState(shownState(), angiogram, origin);
+    const auto object = io::encodePresentationState(shownState(), angiogram, origin);
     ASSERT_TRUE(object) << object.error().message;
     const io::DicomDataset data = parsedObject(object.value()).dataset;
     const io::DicomDataset annotation = data.items(0x00700001).front();
@@ -262,7 +263,7 @@ TEST_F(MadeObjects, StateCountsPixelsFromTheCorner)
 TEST_F(MadeObjects, StateOfAnInvertedImageStaysInverted)
 {
     angiogram.isShownInverted = true;
-    const auto object = io::presentationState(shownState(), angiogram, origin);
+    const auto object = io::encodePresentationState(shownState(), angiogram, origin);
     ASSERT_TRUE(object);
     EXPECT_EQ(parsedObject(object.value()).dataset.text(0x20500020), "INVERSE");
 }
@@ -275,7 +276,7 @@ TEST_F(MadeObjects, StateCutsLinesThatAreTooLongForOneElement)
         line.emplace_back(i % 20, i % 16);
     }
     shown.layers[0].lines = {line};
-    const auto object = io::presentationState(shown, angiogram, origin);
+    const auto object = io::encodePresentationState(shown, angiogram, origin);
     ASSERT_TRUE(object) << object.error().message;
     const io::DicomDataset annotation = parsedObject(object.value()).dataset.items(0x00700001).front();
     std::size_t segments = 0;
@@ -287,7 +288,7 @@ TEST_F(MadeObjects, StateCutsLinesThatAreTooLongForOneElement)
 
 TEST_F(MadeObjects, ReportWithoutMeasurementsIsRefused)
 {
-    EXPECT_FALSE(io::measurementReport({}, angiogram, origin));
+    EXPECT_FALSE(io::encodeMeasurementReport({}, angiogram, origin));
 }
 
 TEST(SourceImage, LeavesOutWhatNoReaderWouldTake)

@@ -55,7 +55,7 @@ TEST(EarlierStructures, TellsTheCatheterFromTheVessel)
     const core::Centerline2d traced{{curveAlong(1, catheter), curveAlong(2, vessel), curveAlong(3, secondVessel)}};
     const ImageF before = frameOf({moved(catheter, 2.5)}, 1);
     const ImageF frame = frameOf({catheter, vessel, secondVessel}, 2);
-    const auto shares = core::fractionsSeenBefore(traced, frame, before, Polarity::VesselsDark);
+    const auto shares = core::fractionsVisibleBefore(traced, frame, before, Polarity::VesselsDark);
     EXPECT_GT(shares[0], 0.95);
     EXPECT_LT(shares[1], 0.2);
     const auto seen = core::findEarlierStructures(traced, frame, before, Polarity::VesselsDark);

@@ -24,12 +24,13 @@ TEST(WidestTrunk, IsTheWidestCurveThatBranches)
     const core::Curve2d first = curve(4, {100, 57}, {120, 200}, 3.0);
     const core::Curve2d second = curve(5, {200, 150}, {180, 42}, 3.0);
     const core::Curve2d catheter = curve(6, {0, 20}, {300, 180}, 8.0);   // crosses all of them but has no branches
-    EXPECT_EQ(core::widestTrunk({{trunk, first, second, catheter}}), 3);
-    EXPECT_EQ(core::widestTrunk({{trunk, first, catheter}}), std::nullopt) << "one touches a catheter's tip as well";
-    EXPECT_EQ(core::widestTrunk({}), std::nullopt);
+    EXPECT_EQ(core::findWidestTrunk({{trunk, first, second, catheter}}), 3);
+    EXPECT_EQ(core::findWidestTrunk({{trunk, first, catheter}}), std::nullopt)
+        << "one touches a catheter's tip as well";
+    EXPECT_EQ(core::findWidestTrunk({}), std::nullopt);
     core::Curve2d unmeasured = trunk;
     unmeasured.radiusPx.clear();
-    EXPECT_EQ(core::widestTrunk({{unmeasured, first, second}}), std::nullopt);
+    EXPECT_EQ(core::findWidestTrunk({{unmeasured, first, second}}), std::nullopt);
 }
 
 }   // namespace

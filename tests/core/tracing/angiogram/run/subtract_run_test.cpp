@@ -121,12 +121,12 @@ TEST(TreatedRun, CompositeShowsAllContrastInEveryFrame)
 {
     core::Angiogram stored;
     stored.frames = ribRun();
-    core::RunProcessing treatment{.isSubtracted = true, .isComposite = true, .plan = {.maskFrames = {0, 1}}};
-    const auto treated = core::processRun(stored, treatment);
+    core::RunProcessing processing{.isSubtracted = true, .isComposite = true, .plan = {.maskFrames = {0, 1}}};
+    const auto treated = core::processRun(stored, processing);
     ASSERT_TRUE(treated) << treated.error().message;
     ASSERT_EQ(treated.value().frameCount(), stored.frameCount());
     EXPECT_EQ(treated.value().frames[0].pixels, treated.value().frames[3].pixels);
-    const auto subtracted = core::subtractRun(ribRun(), Polarity::VesselsDark, treatment.plan);
+    const auto subtracted = core::subtractRun(ribRun(), Polarity::VesselsDark, processing.plan);
     for (std::size_t i = 0; i < 200; ++i) {
         EXPECT_LE(treated.value().frames[0].pixels[i], subtracted.value().frames[2].pixels[i]);
     }

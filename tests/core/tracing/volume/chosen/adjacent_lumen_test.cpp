@@ -29,11 +29,11 @@ core::GreatVessel vesselAlong(const Tube& tube)
 double adjacentMm(const Tube& traced, const std::vector<Tube>& others)
 {
     const core::VolumeGeometry grid = test::gridAround({0, 0, 0}, {80, 80, 200}, {1.0, 1.0, 1.0});
-    std::vector<core::GreatVessel> great{vesselAlong(traced)};
+    std::vector<core::GreatVessel> greatVessels{vesselAlong(traced)};
     for (const Tube& other : others) {
-        great.push_back(vesselAlong(other));
+        greatVessels.push_back(vesselAlong(other));
     }
-    return core::possibleFalseLumen(test::drawnMask(grid, {traced}), great).adjacentMm;
+    return core::possibleFalseLumen(test::drawnMask(grid, {traced}), greatVessels).adjacentMm;
 }
 
 const Tube trueLumen{{0, 0, -90}, {0, 0, 90}, 6.0};

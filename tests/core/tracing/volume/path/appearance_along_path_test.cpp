@@ -41,10 +41,10 @@ TEST(AppearanceAlongPath, FatBesideTheLungIsNotHalfFull)
 {
     const Volume volume =
         scanAround(3.0, [](const Eigen::Vector3d& place) { return place.z() > 0.0 ? -800.0 : -80.0; });
-    const TubeDetector ground(volume);
-    const AppearanceAlongPath look(ground, axis());
-    EXPECT_LT(look.opacification({24.0, 24.0, 17.0}), 0.45);
-    EXPECT_GT(look.opacification({24.0, 24.0, 24.0}), 0.9);
+    const TubeDetector detector(volume);
+    const AppearanceAlongPath appearance(detector, axis());
+    EXPECT_LT(appearance.opacification({24.0, 24.0, 17.0}), 0.45);
+    EXPECT_GT(appearance.opacification({24.0, 24.0, 24.0}), 0.9);
 }
 
 TEST(AppearanceAlongPath, KnowsTissueInTheMiddleOfAWideVessel)
@@ -53,22 +53,22 @@ TEST(AppearanceAlongPath, KnowsTissueInTheMiddleOfAWideVessel)
     const Volume volume = scanAround(2.0, [](const Eigen::Vector3d& place) {
         return place.x() > 0.0 && place.tail<2>().norm() < 12.0 ? 500.0 : 40.0;
     });
-    const TubeDetector ground(volume);
-    const AppearanceAlongPath look(ground, axis());
-    EXPECT_GT(look.opacification({38.0, 24.0, 24.0}), 0.9);
-    EXPECT_GT(look.opacification({38.0, 24.0, 33.0}), 0.9);
-    EXPECT_LT(look.opacification({38.0, 24.0, 40.0}), 0.3);
+    const TubeDetector detector(volume);
+    const AppearanceAlongPath appearance(detector, axis());
+    EXPECT_GT(appearance.opacification({38.0, 24.0, 24.0}), 0.9);
+    EXPECT_GT(appearance.opacification({38.0, 24.0, 33.0}), 0.9);
+    EXPECT_LT(appearance.opacification({38.0, 24.0, 40.0}), 0.3);
 }
 
 TEST(AppearanceAlongPath, TheQuickFillIsTheSame)
 {
     const Volume volume = scanAround(3.0, [](const Eigen::Vector3d& place) { return 60.0 + place.x(); });
-    const TubeDetector ground(volume);
-    const AppearanceAlongPath look(ground, axis());
-    const PointOpacification quick = look.cachedOpacification();
+    const TubeDetector detector(volume);
+    const AppearanceAlongPath appearance(detector, axis());
+    const PointOpacification quick = appearance.cachedOpacification();
     for (double x = 2.0; x < 46.0; x += 0.7) {
         for (const double y : {20.0, 23.5, 27.1}) {
-            EXPECT_NEAR(quick({x, y, 24.0}), look.opacification({x, y, 24.0}), 0.01);
+            EXPECT_NEAR(quick({x, y, 24.0}), appearance.opacification({x, y, 24.0}), 0.01);
         }
     }
 }

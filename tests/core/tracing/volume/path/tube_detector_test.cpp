@@ -22,11 +22,11 @@ TEST(TubeDetector, FindsTheSameShareSooner)
         const double away = std::hypot(at.x() - 14.0, at.y() - 15.0);
         volume.voxels[n] = static_cast<std::int16_t>((away < 3.0 ? 300.0 : 50.0) + 40.0 * random.normal());
     }
-    const TubeDetector ground(volume);
+    const TubeDetector detector(volume);
     double sum = 0.0;
     for (std::size_t n = 0; n < volume.voxels.size(); n += 7) {   // including voxels at the border
-        const double fraction = ground.tube(grid.voxelAt(n), 50.0).fraction;
-        EXPECT_EQ(ground.tubeResemblance(grid.voxelAt(n), 50.0), fraction);
+        const double fraction = detector.tube(grid.voxelAt(n), 50.0).fraction;
+        EXPECT_EQ(detector.tubeResemblance(grid.voxelAt(n), 50.0), fraction);
         sum += fraction;
     }
     EXPECT_GT(sum, 10.0);
