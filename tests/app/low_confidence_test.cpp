@@ -132,7 +132,7 @@ void expectDoubtInTheWindow(const core::Case& session)
     const ui::ResultSentences said = ui::sentencesOf(result, *session.vessels.tree, 0.3);
     EXPECT_TRUE(said.certain.isEmpty());
     ASSERT_FALSE(said.doubtful.isEmpty());
-    EXPECT_FALSE(said.doubtful.join(u' ').section(QStringLiteral("% probability"), 0, 0).right(3).startsWith(u'9'));
+    EXPECT_FALSE(said.doubtful.join(u' ').section(QStringLiteral("probability of "), 1).startsWith(u'9'));
 }
 
 void expectDoubtInThePicture(const core::Case& session, const core::Centerline2d& target)

@@ -88,10 +88,10 @@ TEST(WindowAuxiliary, OffersAMethodThatUsesTheChoiceAndSaysWhatTheDefaultDoes)
         return std::ranges::any_of(dialog->findChildren<QLabel*>(),
                                    [&words](const QLabel* label) { return label->text().contains(words); });
     };
-    EXPECT_TRUE(says(QStringLiteral("components they constrain")));
+    EXPECT_TRUE(says(QStringLiteral("components that they constrain")));
     OpenWindow::clickButton(dialog, QStringLiteral("Use DynaWeightPnP instead"));
     EXPECT_EQ(w.current().options.method, "dynaweight");
-    EXPECT_TRUE(test::waitFor([&] { return !says(QStringLiteral("components they constrain")); }));
+    EXPECT_TRUE(test::waitFor([&] { return !says(QStringLiteral("components that they constrain")); }));
     w.press(Qt::Key_Z, Qt::ControlModifier);
     EXPECT_EQ(w.current().options.method, "angiopose");
 }

@@ -246,7 +246,7 @@ void Gallery::showStudies(ui::MainWindow& window)
           {{QStringLiteral("ct"),
             QStringLiteral("2026-03-04 · Coronary CTA"),
             {series("a", Use::None, 1, "CT", "Topogram", 1, "",
-                    {QStringLiteral("the images contain no position in the patient, so they do not form a volume.")}),
+                    {QStringLiteral("the images specify no position in the patient, so they do not form a volume.")}),
              series("b", Use::Vessels, 2, "CT", "Coronary CTA 0.75 B26f", 300, "0.50 mm", {})}},
            {QStringLiteral("xa"),
             QStringLiteral("2026-03-05 · Coronary angiography"),

@@ -64,7 +64,7 @@ const Wrong wrongs[] = {
          h = {};
      }},
     {"(0018,1114)", [](CArm&, GantryHeader& h) { h.magnification = 1.5; }},
-    {"height-to-width ratio",
+    {"ratio of pixel height to width",
      [](CArm& c, GantryHeader& h) {
          c.rowSpacingMm.value = 0.42;
          h = {};
@@ -82,7 +82,7 @@ const Wrong wrongs[] = {
      [](CArm&, GantryHeader& h) {
          h.pixelSpacingMm = {0.4, 0.4};
      }},
-    {"without calibration", [](CArm&, GantryHeader& h) { h.isPixelSpacingCalibrated = false; }},
+    {"uncalibrated Pixel Spacing", [](CArm&, GantryHeader& h) { h.isPixelSpacingCalibrated = false; }},
     {"primary angle", [](CArm& c, GantryHeader&) { c.primaryAngleDeg.value = 200.0; }},
     {"secondary angle", [](CArm& c, GantryHeader&) { c.secondaryAngleDeg.value = -95.0; }},
     {"roll", [](CArm& c, GantryHeader&) { c.rollDeg.value = 270.0; }},

@@ -151,7 +151,7 @@ TEST(MeasureImage, SaysWhereTheScaleComesFrom)
     const auto spread =
         std::ranges::find_if(found, [](const Message& m) { return m.is(messages::measureDepthSpread); });
     ASSERT_NE(spread, found.end());
-    EXPECT_EQ(spread->text(), "Depth uncertainty: ±8.0 mm (1-σ), which is ±1.0 % of the length.");
+    EXPECT_EQ(spread->text(), "Depth uncertainty: ±8.0 mm (1-σ), which corresponds to ±1.0 % of the measured length.");
 }
 
 TEST(MeasureImage, APoseLookedAtForAWhileHasNoRunBehindIt)

@@ -23,7 +23,7 @@ static_assert(placeholderCount("%1 of %2 are within 5 %.") == 2);
 TEST(Message, SaysItsArgumentsInEnglish)
 {
     EXPECT_EQ(messages::noSuchBranch(7).text(), "The vessel tree has no branch 7.");
-    EXPECT_EQ(messages::betterFitNearby(inMm(2.44, 1)).text(), "A better fit lies 2.4 mm away.");
+    EXPECT_EQ(messages::betterFitNearby(inMm(2.44, 1)).text(), "A better fit exists 2.4 mm away.");
     EXPECT_EQ(messages::treeOutsideImage(Quantity{31.2, 0, "%"}).text(),
               "Only 31 % of the vessel tree is inside the image.");
     EXPECT_EQ(messages::noSuchMethod("guess", std::vector<std::string>{"angiopose", "dt-icp"}).text(),

@@ -197,7 +197,7 @@ TEST(RegisterCase, EstimatesTheGeometryThatImagesContradictWhereThatIsWanted)
               0.5 * std::abs(depthOf(asGiven.value()) - depthOf(right.value())));
     const auto isSaid = [](const RegisteredCase& run) {
         return std::ranges::any_of(run.joint->warnings, [](const Message& each) {
-            return each.text().find("was estimated from them") != std::string::npos;
+            return each.text().find("was estimated from the") != std::string::npos;
         });
     };
     EXPECT_TRUE(isSaid(estimated.value()));

@@ -196,11 +196,11 @@ TEST_F(CaseFollowed, IsLeftOutBesideOtherInputs)
     };
     for (const auto& [what, edit] : edits) {
         EXPECT_FALSE(afterEditing(edit).shown().followed.frames) << what;
-        EXPECT_TRUE(anyContains(small.warnings, "has changed since: " + what)) << what;
+        EXPECT_TRUE(anyContains(small.warnings, "have changed since it was computed: " + what)) << what;
     }
     small.folder().write("in/tree.csv", "x,y,z,branch\n0,0,0,1\n10,0,0,1\n21,1,0,1\n10,0,0,2\n10,8,0,2\n");
     EXPECT_FALSE(load(path()).shown().followed.frames);
-    EXPECT_TRUE(anyContains(small.warnings, "have changed since. Register again."));
+    EXPECT_TRUE(anyContains(small.warnings, "have changed since it was computed. Register again."));
 }
 
 TEST_F(CaseFollowed, IsLeftOutWhereItFitsNeitherPoseNorRun)

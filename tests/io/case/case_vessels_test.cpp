@@ -106,7 +106,7 @@ TEST(LoadCase, OpensAnEditedTreeWithoutItsOrigin)
     ASSERT_TRUE(copy) << copy.error().message;
     EXPECT_EQ(copy.value().vessels.tree->branches[1].name, edited.vessels.tree->branches[1].name);
     EXPECT_EQ(copy.value().vessels.file.sha256, edited.vessels.file.sha256);
-    EXPECT_TRUE(anyContains(warnings, "can be opened without the file"));
+    EXPECT_TRUE(anyContains(warnings, "can be opened without this file"));
 }
 
 TEST(LoadCase, RefusesAnEditedTreeThatIsNone)

@@ -42,7 +42,7 @@ protected:
 
     bool saysChanged(const std::string& what) const
     {
-        return test::anyContains(small.warnings, "has changed since: " + what + ". Register again.");
+        return test::anyContains(small.warnings, "have changed since it was computed: " + what + ". Register again.");
     }
 
     test::SmallCase small;

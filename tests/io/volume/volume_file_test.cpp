@@ -148,7 +148,7 @@ TEST(ReadVolume, NotANumberBecomesTheLowestValue)
     EXPECT_NE(some.value().warnings.front().text().find("2 voxels are not numbers"), std::string::npos);
 
     test::expectRefused(folder.write("b.mha", metaImage("MET_FLOAT", bytesOf(std::vector<float>(8, none)))),
-                        "no voxel contains a valid number");
+                        "no finite voxel values");
 }
 
 TEST(ReadVolume, StopEndsTheReadingWithinAChunk)

@@ -240,8 +240,8 @@ TEST(Nifti, VoxelsBeginBehindTheHeader)
         EXPECT_EQ(loaded.value().volume.value(0), 0.0) << offset;
         EXPECT_EQ(loaded.value().volume.value(23), 23.0) << offset;
         EXPECT_EQ(loaded.value().warnings.back().text(),
-                  "The header states that the voxels begin at byte " + std::to_string(static_cast<int>(offset)) +
-                      ", inside the header itself; they are read from byte 352.");
+                  "The header states that the voxel data begin at byte " + std::to_string(static_cast<int>(offset)) +
+                      ", inside the header itself; they are read from byte 352 instead.");
     }
     std::string early = plainNifti();
     put(early, 108, 0.0F);

@@ -234,7 +234,7 @@ TEST(TraceAngiogram, RefusesWhatCannotBeTracedInPlainWords)
 {
     EXPECT_NE(core::traceAngiogram({}, Polarity::VesselsDark).error().message.text().find("empty"), std::string::npos);
     const ImageF plain(64, 64, 100.0F);
-    EXPECT_NE(core::traceAngiogram(plain, Polarity::VesselsDark).error().message.text().find("only one gray value"),
+    EXPECT_NE(core::traceAngiogram(plain, Polarity::VesselsDark).error().message.text().find("the same gray value"),
               std::string::npos);
     ImageF broken = test::drawnFrame(64, 64, {test::line({5, 5}, {60, 60})}, 2.0);
     broken.at(10, 10) = std::numeric_limits<float>::quiet_NaN();

@@ -125,7 +125,7 @@ TEST(TracedPieces, ManyPiecesAreNamedInPart)
     const TracedVessels traced = tracedPieces(tubes);
     EXPECT_EQ(rootsOf(traced.tree), 12);
     EXPECT_EQ(traced.pieces.size(), 12U);
-    EXPECT_NE(said(traced).find("6 others with 50 %"), std::string::npos) << said(traced);
+    EXPECT_NE(said(traced).find("6 more with 50 %"), std::string::npos) << said(traced);
 }
 
 TEST(TracedPieces, AClearGapIsClosed)
