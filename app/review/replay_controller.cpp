@@ -199,7 +199,7 @@ void ReplayController::showSolution(std::size_t index)
     const core::Hypothesis& other = result->alternatives[index - 1];
     preview_.show(PreviewSource::Solution, other.cameraFromPatient, ResidualColors::Hidden);
     const QString takes = ui::keyOf(ui::Command::AcceptSolution);
-    strip_.showStatus(result->wirePaths.empty() ? tr("Other solution %1 of %2, score %3 · %4 to accept")
+    strip_.showStatus(result->wirePaths.empty() ? tr("Alternative solution %1 of %2, score %3 · %4 to accept")
                                                       .arg(index)
                                                       .arg(result->alternatives.size())
                                                       .arg(ui::numberText(other.score, 2))

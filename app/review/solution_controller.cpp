@@ -91,8 +91,8 @@ std::vector<ui::SolutionRow> linesOf(const core::Case& current, std::size_t coun
             {SolutionController::tr("%1 mm, %2°")
                  .arg(ui::numberText(difference.inPlaneMm, 1))
                  .arg(ui::numberText(difference.rotationDeg, 1)),
-             SolutionController::tr("Other solution %1, score %2: differs from the registered solution by %3 mm in "
-                                    "plane, %4 mm in depth and %5° in rotation. Press Enter to accept it.")
+             SolutionController::tr("Alternative solution %1, score %2: differs from the registered solution by %3 mm "
+                                    "in plane, %4 mm in depth and %5° in rotation. Press Enter to accept it.")
                  .arg(i)
                  .arg(ui::numberText(other.score, 2))
                  .arg(ui::numberText(difference.inPlaneMm, 1))

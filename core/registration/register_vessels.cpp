@@ -153,7 +153,7 @@ void calibrateConfidence(RegistrationResult& result)
         result.warnings.insert(result.warnings.begin(),
                                messages::similarFitsOftenFail(Quantity{100.0 * probability, 0, "%"}));
     }
-    if (!result.trustworthy && probability >= minReliable) {   // the probability ignores the findings against this fit
+    if (!result.trustworthy && probability >= minReliable) {   // the probability ignores the problems found
         result.probabilityWithin2Mm.reset();
     }
 }

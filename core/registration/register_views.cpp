@@ -301,7 +301,7 @@ private:
     BestJoint best_;
 };
 
-/// Assesses one view at the joint pose; adds the findings against it to the warnings of the result.
+/// Assesses one view at the joint pose and adds any problems found to the warnings of the result.
 void addView(MultiViewResult& result, std::size_t number, const JointView& view, MethodSolution solution,
              bool isPlausible, const RegistrationOptions& options)
 {

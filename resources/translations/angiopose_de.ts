@@ -1447,7 +1447,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Lösung %1 übernehmen</translation>
     </message>
     <message>
-        <source>Other solution %1 of %2, score %3 · %4 to accept</source>
+        <source>Alternative solution %1 of %2, score %3 · %4 to accept</source>
         <translation>Andere Lösung %1 von %2, Güte %3 · %4 zum Übernehmen</translation>
     </message>
     <message>
@@ -1843,7 +1843,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>%1 mm, %2°</translation>
     </message>
     <message>
-        <source>Other solution %1, score %2: differs from the registered solution by %3 mm in plane, %4 mm in depth and %5° in rotation. Press Enter to accept it.</source>
+        <source>Alternative solution %1, score %2: differs from the registered solution by %3 mm in plane, %4 mm in depth and %5° in rotation. Press Enter to accept it.</source>
         <translation>Andere Lösung %1, Güte %2: weicht von der registrierten um %3 mm in der Bildebene, %4 mm in der Tiefe und %5° in der Drehung ab. Mit der Eingabetaste übernehmen.</translation>
     </message>
 </context>
@@ -2889,7 +2889,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Deformation</translation>
     </message>
     <message>
-        <source>Deforms the vessels to match the image after rigid registration: never; automatically if the fit suggests a deformation (AngioPose method, no degrees of freedom locked); or always.</source>
+        <source>Whether to deform the vessels to match the image after rigid registration: never; automatically, if the fit suggests a deformation (AngioPose method, no degrees of freedom locked); or always.</source>
         <translation>Verformt die Gefäße nach der starren Registrierung auf das Bild: nie; automatisch, wenn die Anpassung auf eine Verformung hindeutet (Methode AngioPose, keine Freiheitsgrade gesperrt); oder immer.</translation>
     </message>
     <message>
@@ -5989,7 +5989,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>die Bilder sind verschieden groß. Alle Bilder einer Serie müssen gleich groß sein.</translation>
     </message>
     <message>
-        <source>there is no image to write. Render or trace one first.</source>
+        <source>there is no image to write. Render an image or trace the vessels first.</source>
         <comment>image.no-picture</comment>
         <translation>es gibt kein Bild zu schreiben. Erzeugen Sie zuerst eines.</translation>
     </message>
@@ -6639,9 +6639,9 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>die Datei ist %1-dimensional, ein Volumen hat aber drei Dimensionen. Wählen Sie den ganzen Scan.</translation>
     </message>
     <message>
-        <source>the file has %1 dimensions (4-D or more). Save the volume you need as a separate file, and open that file.</source>
+        <source>the file has %1 dimensions, but a volume has three. Save the volume you need as a separate file, and open that file.</source>
         <comment>volume.dimensions</comment>
-        <translation>die Datei hat %1 Dimensionen (4-D oder mehr). Speichern Sie das benötigte Volumen als eigene Datei, und öffnen Sie diese.</translation>
+        <translation>die Datei hat %1 Dimensionen, ein Volumen hat aber drei. Speichern Sie das benötigte Volumen als eigene Datei und öffnen Sie diese.</translation>
     </message>
     <message>
         <source>the file contains %1 volumes or values per voxel (4-D). Extract the volume you need, and open it.</source>
@@ -8186,20 +8186,20 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>Alternierende Methoden lösen zuerst für diese Äste; wählen Sie kontrastierte, unbewegte und klar getrennte Äste. In einer Ansicht bestimmt ein Ast die Lage nur quer zu seinem Verlauf; die Tabelle zeigt, welche Äste bei der aktuellen Lage welche Achse festlegen.</translation>
     </message>
     <message>
-        <source>axis</source>
+        <source>Axis</source>
         <translation>Achse</translation>
     </message>
     <message>
-        <source>all branches</source>
-        <translation>alle Äste</translation>
+        <source>All branches</source>
+        <translation>Alle Äste</translation>
     </message>
     <message>
-        <source>auxiliary</source>
+        <source>Auxiliary</source>
         <translation>Hilfsäste</translation>
     </message>
     <message>
-        <source>constrained by</source>
-        <translation>festgelegt durch</translation>
+        <source>Constrained by</source>
+        <translation>Festgelegt durch</translation>
     </message>
     <message>
         <source>±: standard deviation expected for traced vessels with typical noise.</source>

@@ -1447,7 +1447,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>采用解 %1</translation>
     </message>
     <message>
-        <source>Other solution %1 of %2, score %3 · %4 to accept</source>
+        <source>Alternative solution %1 of %2, score %3 · %4 to accept</source>
         <translation>其他解 %1 / %2，评分 %3 · 按 %4 采用</translation>
     </message>
     <message>
@@ -1843,7 +1843,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>%1 mm，%2°</translation>
     </message>
     <message>
-        <source>Other solution %1, score %2: differs from the registered solution by %3 mm in plane, %4 mm in depth and %5° in rotation. Press Enter to accept it.</source>
+        <source>Alternative solution %1, score %2: differs from the registered solution by %3 mm in plane, %4 mm in depth and %5° in rotation. Press Enter to accept it.</source>
         <translation>其他解 %1，评分 %2：与配准所得解相差平面内 %3 mm、深度 %4 mm、旋转 %5°。按回车采用。</translation>
     </message>
 </context>
@@ -2889,7 +2889,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>形变</translation>
     </message>
     <message>
-        <source>Deforms the vessels to match the image after rigid registration: never; automatically if the fit suggests a deformation (AngioPose method, no degrees of freedom locked); or always.</source>
+        <source>Whether to deform the vessels to match the image after rigid registration: never; automatically, if the fit suggests a deformation (AngioPose method, no degrees of freedom locked); or always.</source>
         <translation>刚性配准后将血管形变到图像上：从不；在拟合提示存在形变时自动进行（AngioPose 方法，且未锁定自由度）；或总是。</translation>
     </message>
     <message>
@@ -5989,7 +5989,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>各帧大小不同。同一序列的所有帧须大小相同。</translation>
     </message>
     <message>
-        <source>there is no image to write. Render or trace one first.</source>
+        <source>there is no image to write. Render an image or trace the vessels first.</source>
         <comment>image.no-picture</comment>
         <translation>没有可写入的图像。请先生成或提取。</translation>
     </message>
@@ -6639,9 +6639,9 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>为 %1 维，而体数据为三维。请选择完整扫描。</translation>
     </message>
     <message>
-        <source>the file has %1 dimensions (4-D or more). Save the volume you need as a separate file, and open that file.</source>
+        <source>the file has %1 dimensions, but a volume has three. Save the volume you need as a separate file, and open that file.</source>
         <comment>volume.dimensions</comment>
-        <translation>有 %1 维（四维或以上）。请单独保存所需体数据再打开。</translation>
+        <translation>文件有 %1 个维度，而体数据应为三维。请将所需的体数据另存为单独的文件，再打开该文件。</translation>
     </message>
     <message>
         <source>the file contains %1 volumes or values per voxel (4-D). Extract the volume you need, and open it.</source>
@@ -8186,19 +8186,19 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>交替类方法先求解这些分支；请选择已显影、静止且清晰分开的分支。在单个视图中，分支只能在垂直于其走行的方向上约束位姿；表中列出当前位姿下约束各自由度的分支。</translation>
     </message>
     <message>
-        <source>axis</source>
+        <source>Axis</source>
         <translation>自由度</translation>
     </message>
     <message>
-        <source>all branches</source>
+        <source>All branches</source>
         <translation>全部分支</translation>
     </message>
     <message>
-        <source>auxiliary</source>
+        <source>Auxiliary</source>
         <translation>辅助分支</translation>
     </message>
     <message>
-        <source>constrained by</source>
+        <source>Constrained by</source>
         <translation>最佳约束分支</translation>
     </message>
     <message>

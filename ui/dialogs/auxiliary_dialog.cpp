@@ -78,7 +78,7 @@ QWidget* AuxiliaryDialog::makeTable()
     grid->setHorizontalSpacing(18);
     grid->setVerticalSpacing(4);
     grid->setColumnStretch(3, 1);
-    const std::array headings{tr("axis"), tr("all branches"), tr("auxiliary"), tr("constrained by")};
+    const std::array headings{tr("Axis"), tr("All branches"), tr("Auxiliary"), tr("Constrained by")};
     for (int column = 0; column < 4; ++column) {
         grid->addWidget(roleLabel("hint", headings[static_cast<std::size_t>(column)]), 0, column);
         for (int row = 0; row < 6; ++row) {

@@ -95,8 +95,8 @@ std::vector<OptionField> geometryFields()
                            "If confidence is low, reports whether the image appears mirrored or rotated."})),
         choice<&Options::deformation>(
             {"deformable", "Deformation",
-             "Deforms the vessels to match the image after rigid registration: never; automatically if the fit "
-             "suggests a deformation (AngioPose method, no degrees of freedom locked); or always."},
+             "Whether to deform the vessels to match the image after rigid registration: never; automatically, if the "
+             "fit suggests a deformation (AngioPose method, no degrees of freedom locked); or always."},
             {"never", "auto", "always"}),
     };
 }

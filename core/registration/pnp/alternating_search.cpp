@@ -139,8 +139,8 @@ StopReason AlternatingSearch::solveFull(const Stage& stage)
 }
 
 /// Decision 1: returns the reason to end the loop, if any. A worse round does not end the loop, because the matches
-/// fixed at the new pose often push it out in the next round. A round that ends where the previous one did ends the
-/// loop, because the next one would repeat it.
+/// fixed at the new pose often push the pose out of the local optimum in the next round. A round that ends where the
+/// previous one did ends the loop, because the next one would repeat it.
 std::optional<StopReason> AlternatingSearch::checkTermination()
 {
     measureDistances(full_, pose_, distances_);
