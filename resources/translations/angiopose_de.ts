@@ -8060,7 +8060,7 @@ Apache-Lizenz 2.0. Gebaut mit Qt, VTK, ITK, OpenCV, NLopt, Eigen und nanoflann.<
         <translation>subtrahiert</translation>
     </message>
     <message>
-        <source>min-IP</source>
+        <source>MinIP</source>
         <translation>MinIP</translation>
     </message>
     <message>

@@ -8060,7 +8060,7 @@ Apache 许可证 2.0。基于 Qt、VTK、ITK、OpenCV、NLopt、Eigen 和 nanofl
         <translation>已减影</translation>
     </message>
     <message>
-        <source>min-IP</source>
+        <source>MinIP</source>
         <translation>最小密度投影</translation>
     </message>
     <message>

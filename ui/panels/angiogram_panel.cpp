@@ -315,7 +315,7 @@ void AngiogramPanel::showRun(const RunState& state)
     vessels_->setCurrentIndex(static_cast<int>(state.polarity));
     setHint(state.isComputing         ? tr("subtracting…")
             : processing.isSubtracted ? tr("subtracted")
-            : processing.isComposite  ? tr("min-IP")
+            : processing.isComposite  ? tr("MinIP")
                                       : tr("native"));
 }
 

@@ -20,17 +20,6 @@ namespace {
 constexpr const char* radiusName = "radius";
 constexpr const char* toneName = "tone";
 
-double extentMm(const core::VesselTree& tree)
-{
-    Eigen::AlignedBox3d box;
-    for (const core::VesselBranch& branch : tree.branches) {
-        for (const Eigen::Vector3d& point : branch.pointsInPatient) {
-            box.extend(point);
-        }
-    }
-    return box.isEmpty() ? 1.0 : std::max(1e-3, box.diagonal().norm());
-}
-
 /// Lines with a radius and a color for each point, which the tube filter takes as input.
 struct TubeLines {
     vtkNew<vtkPoints> points;
@@ -116,7 +105,7 @@ TreeTubes::TreeTubes()
 void TreeTubes::show(const core::VesselTree& tree, const BranchMarks& marks, const Palette& colors)
 {
     TubeLines lines;
-    const double extent = extentMm(tree);
+    const double extent = std::max(1e-3, core::extentMm(tree));
     for (const core::VesselBranch& branch : tree.branches) {
         addBranch(lines, branch, marks, colors, extent);
     }

@@ -73,7 +73,7 @@ GrownTree withTakeoffs(const VesselTree& tree, double rootRadiusMm)
 }
 
 /// Returns the longest edge of the tree's bounding box.
-double treeExtentMm(const VesselTree& tree)
+double longestEdgeMm(const VesselTree& tree)
 {
     Eigen::Vector3d low = tree.branches.front().pointsInPatient.front();
     Eigen::Vector3d high = low;
@@ -102,7 +102,7 @@ CaseTree treeAt(const SimulatedStudy& study, std::size_t tree)
     for (const StudyTree& row : study.trees) {
         if (tree < first + static_cast<std::size_t>(row.count)) {
             if (row.given) {
-                return {withTakeoffs(*row.given, row.grown.rootRadiusMm), treeExtentMm(*row.given)};
+                return {withTakeoffs(*row.given, row.grown.rootRadiusMm), longestEdgeMm(*row.given)};
             }
             const std::uint64_t seed = CounterRandom(study.seed).fork(StudyTrees).fork(tree)();
             return {growTree(seed, row.grown), row.grown.extentMm};
