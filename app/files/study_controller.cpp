@@ -240,7 +240,7 @@ void StudyController::showSummary()
     for (const io::DamagedFile& file : tree_->damagedFiles) {
         damagedFiles << QStringLiteral("%1: %2").arg(QString::fromStdString(file.path), ui::messageText(file.reason));
     }
-    browser_->showSummary(words.join(u' '), damagedFiles, offer);
+    browser_->showEnd(words.join(u' '), damagedFiles, offer);
 }
 
 void StudyController::showBrowser()

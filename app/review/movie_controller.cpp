@@ -135,7 +135,7 @@ ui::AvailableMovies::Outcome MovieController::outcomeOf(const ui::MovieOptions& 
     const int height = static_cast<int>(std::lround(exportOptions.widthPx * movieAspect(current, plan)));
     const auto kind = exportOptions.format == ui::MovieFormat::Gif ? io::MovieKind::Gif : io::MovieKind::Mp4;
     const auto problem = io::findProblem(kind, {exportOptions.widthPx, height});
-    return {length.imageCount,
+    return {length.pictures,
             length.seconds,
             {exportOptions.widthPx, height},
             describePlan(plan),

@@ -165,7 +165,7 @@ void ReplayController::showSwing()
     const Eigen::Vector3d centroid = core::centroidInPatient(*document_.current().vessels.tree);
     const core::CentroidPose pose = core::aboutCentroid(document_.current().shown().cameraFromPatient, centroid);
     preview_.show(PreviewSource::Swing,
-                  core::cameraFromPatient(core::moved(pose, sigmas * weakest->perSigma), centroid),
+                  core::cameraFromPatient(core::retract(pose, sigmas * weakest->perSigma), centroid),
                   ResidualColors::Hidden);
     strip_.showStatus(tr("Because of image noise alone, poses within ±%1 mm (2 σ, mainly %2) cannot be distinguished")
                           .arg(ui::numberText(swingSigmas * weakest->sigmaMm, 1))
