@@ -211,7 +211,7 @@ TEST(ForestOfVessels, IsEditedPieceByPiece)
     ASSERT_TRUE(without);
     ASSERT_EQ(without.value().branches.size(), 1U) << "the other piece stays";
     EXPECT_EQ(without.value().branches[0].id, tree.branches[2].id);
-    const auto prunedTree = core::prunedTree(tree, 5.0, 0.0);
+    const auto prunedTree = core::pruneTree(tree, 5.0, 0.0);
     ASSERT_TRUE(prunedTree);
     EXPECT_EQ(prunedTree.value().branches.size(), 3U);
     const core::VesselTree rooted = core::rootTreeAt(tree, at(14, 3, 20));
