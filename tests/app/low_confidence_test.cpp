@@ -192,7 +192,7 @@ TEST(LowConfidence, LooksSoWhereverAResultIsShown)
         expectDoubtInThePicture(session, fit.found.targets.front());
         expectDoubtInTheReport(session, fit.found.targets.front());
         const auto json =
-            nlohmann::json::parse(io::resultJson(fit.found, fit.found.places.front(), io::ResultTexts::Kept));
+            nlohmann::json::parse(io::resultJson(fit.found, fit.found.viewIndices.front(), io::ResultTexts::Kept));
         EXPECT_FALSE(json["trustworthy"].get<bool>());
         EXPECT_FALSE(json["warnings"].empty());
     }

@@ -89,7 +89,7 @@ TEST(WindowGantryAngles, KeepsToWhatTheGantryReachesAndRemembersIt)
             QTest::keyClicks(field, QStringLiteral("10"));
             QTest::keyClick(field, Qt::Key_Return);
         }
-        EXPECT_DOUBLE_EQ(w.dialog().reach().primary.toDeg, 10.0);
+        EXPECT_DOUBLE_EQ(w.dialog().limits().primary.toDeg, 10.0);
         const auto isWithin = [&w] {   // the map of the new request has arrived
             QTest::mouseClick(&w.plot(), Qt::LeftButton, {}, {w.plot().width() - 3, 3});
             return w.words().contains(QStringLiteral("LAO 10° · CRA 10°"));
@@ -97,7 +97,7 @@ TEST(WindowGantryAngles, KeepsToWhatTheGantryReachesAndRemembersIt)
         EXPECT_TRUE(test::waitFor(isWithin)) << w.words().toStdString();
     }
     AnglesWindow again;
-    EXPECT_DOUBLE_EQ(again.dialog().reach().secondary.fromDeg, -10.0);
+    EXPECT_DOUBLE_EQ(again.dialog().limits().secondary.fromDeg, -10.0);
     for (const Setting<double>* each :
          {&settings::gantryRao, &settings::gantryLao, &settings::gantryCaudal, &settings::gantryCranial}) {
         each->write(each->fallback);
