@@ -107,7 +107,8 @@ TEST_F(ExchangeOnSimulatedCase, ProjectsByTheCameraThatThePoseBrings)
     const auto reported =
         runCli({"project", casePath_, "--pose", folder_.file("other.yml"), "--output", folder_.file("b.png")});
     EXPECT_EQ(reported.exitCode, 0);
-    EXPECT_NE(reported.messages.find("with a different camera from that of the case"), std::string::npos) << reported.messages;
+    EXPECT_NE(reported.messages.find("with a different camera from that of the case"), std::string::npos)
+        << reported.messages;
     EXPECT_NE(test::readText(folder_.file("a.png")), test::readText(folder_.file("b.png")));
     other.width *= 2;
     ASSERT_TRUE(io::writePosedCamera({other, view_.cameraFromPatient}, folder_.file("size.yml")));

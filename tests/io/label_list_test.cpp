@@ -131,7 +131,8 @@ TEST(LabelList, TracingRefusesALabelThatIsNotThere)
     input.labels = {5};
     const auto traced = io::readVessels(namedFork(folder), input);
     ASSERT_FALSE(traced);
-    EXPECT_NE(traced.error().message.text().find("5. Choose one of the available labels: 2 hepatic artery, 7 liver"), std::string::npos)
+    EXPECT_NE(traced.error().message.text().find("5. Choose one of the available labels: 2 hepatic artery, 7 liver"),
+              std::string::npos)
         << traced.error().message;
 }
 

@@ -22,8 +22,8 @@ constexpr int maxLandmarkSteps = 60;
 constexpr double settledLandmarksMm = 1e-7;
 constexpr double asGood = 1.5;   // factor up to which costs count as equal; differences below one click error always do
 
-// Prior for the parameters that remain undetermined with few pairs: out-of-plane rotation costs more than roll, roll more
-// than a shift, depth more than a lateral shift.
+// Prior for the parameters that remain undetermined with few pairs: out-of-plane rotation costs more than roll, roll
+// more than a shift, depth more than a lateral shift.
 constexpr double priorTurnDeg = 8.0;
 constexpr double priorRollDeg = 60.0;
 constexpr double priorShiftMm = 1000.0;

@@ -92,8 +92,9 @@ TEST(FrameTime, FollowsTheFrameIncrementPointer)
     const io::FrameTime byVector = frameTime(0x1065, "33", "0\\66\\66\\900\\66");
     EXPECT_EQ(byVector.ms, 66.0);
     ASSERT_TRUE(byVector.contradiction);
-    EXPECT_NE(byVector.contradiction->text().find("Frame Time 33.0 ms, Frame Time Vector 66.0 ms. The value used is 66.0 ms"),
-              std::string::npos)
+    EXPECT_NE(
+        byVector.contradiction->text().find("Frame Time 33.0 ms, Frame Time Vector 66.0 ms. The value used is 66.0 ms"),
+        std::string::npos)
         << *byVector.contradiction;
     EXPECT_EQ(frameTime(0x1063, "33", "0\\66\\66").ms, 33.0);
     EXPECT_EQ(frameTime(0, "33", "0\\66\\66").ms, 33.0);

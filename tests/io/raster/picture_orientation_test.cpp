@@ -260,7 +260,8 @@ TEST(TiffPages, OfTwoSizesAreNamedWithBoth)
     const auto read =
         io::readAngiogram(tiffOf(folder.file("two.tif"), {{storedFor(1), 0}, {core::ImageF(12, 9, 7.0F), 0}}));
     ASSERT_FALSE(read);
-    EXPECT_NE(read.error().message.text().find("page 2 is 12 × 9 pixels, but the first page is 24 × 16"), std::string::npos)
+    EXPECT_NE(read.error().message.text().find("page 2 is 12 × 9 pixels, but the first page is 24 × 16"),
+              std::string::npos)
         << read.error().message;
 }
 
