@@ -187,7 +187,7 @@ TEST(WindowFollow, ReopensAsItWasLeft)
               kept.at(static_cast<std::size_t>(first + 1)).tracked.cameraFromPatient.matrix());
     EXPECT_TRUE(test::waitFor([&] { return says(again, QStringLiteral("· tracked")); }));
     const auto* step = again.window.steps().findChildren<QAbstractButton*>().at(static_cast<int>(ui::Step::Register));
-    EXPECT_TRUE(step->accessibleName().contains(QStringLiteral("followed"))) << qPrintable(step->accessibleName());
+    EXPECT_TRUE(step->accessibleName().contains(QStringLiteral("tracked"))) << qPrintable(step->accessibleName());
     again.press(Qt::Key_Up);
     again.window.actions()[ui::Command::Cine]->setChecked(true);
     EXPECT_TRUE(test::waitFor([&] { return again.controller.preview().shown() == PreviewSource::Frame; }));

@@ -98,9 +98,9 @@ TEST_F(WindowMarks, TheErrorIsThatOfAPoseMovedByHand)
     QTest::keyClick(&view(), Qt::Key_Right, Qt::ShiftModifier);   // 10 mm
     const double mm = core::evaluateTargetPoints(w.current())[0].views[0].error.value().mm;
     EXPECT_NEAR(mm, 10.0, 0.5);
-    EXPECT_TRUE(list().topLevelItem(0)->text(1).contains(QStringLiteral("mm off")))
+    EXPECT_TRUE(list().topLevelItem(0)->text(1).contains(QStringLiteral("error 10")))
         << list().topLevelItem(0)->text(1).toStdString();
-    EXPECT_TRUE(isDrawn("mm off"));
+    EXPECT_TRUE(isDrawn("error 10"));
 }
 
 TEST_F(WindowMarks, RingsTakeTheirWidthFromTheBranch)

@@ -36,7 +36,7 @@ protected:
 TEST_F(WindowProfile, MeasuresTheBranchThatIsChosen)
 {
     EXPECT_TRUE(w.window.profile().plot().isHidden());
-    EXPECT_TRUE(says(QStringLiteral("Select one branch")));
+    EXPECT_TRUE(says(QStringLiteral("Select a branch")));
     const core::VesselBranch& branch = longest();
     w.controller.branches().select({branch.id});
     EXPECT_FALSE(w.window.profile().plot().isHidden());

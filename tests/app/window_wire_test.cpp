@@ -47,7 +47,7 @@ TEST(WindowWire, ListsTheWaysWithTheirProbabilities)
     EXPECT_EQ(w.ways().item(1)->text(), QStringLiteral("24 %: 1 › 2"));
     EXPECT_TRUE(w.ways().item(0)->toolTip().contains(QStringLiteral("1, 3, 7, 9")))
         << w.ways().item(0)->toolTip().toStdString();
-    EXPECT_TRUE(w.ways().item(1)->toolTip().contains(QStringLiteral("82 % of the wire")));
+    EXPECT_TRUE(w.ways().item(1)->toolTip().contains(QStringLiteral("82 % of the guidewire")));
 }
 
 TEST(WindowWire, TellsTheFiguresOfTheWayAlone)

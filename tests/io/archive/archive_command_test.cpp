@@ -40,7 +40,7 @@ TEST(ArchiveCommand, KeepsAListOfArchives)
     EXPECT_EQ(runArchive(folder, {"nodes", "remove", "web"}).exitCode, 0);
     const auto unknown = runArchive(folder, {"echo", "web"});
     EXPECT_EQ(unknown.exitCode, 3);
-    EXPECT_NE(unknown.messages.find("known: pacs"), std::string::npos) << unknown.messages;
+    EXPECT_NE(unknown.messages.find("available: pacs"), std::string::npos) << unknown.messages;
     EXPECT_EQ(runCli({"archive"}).exitCode, 2);
     EXPECT_EQ(runCli({"archive", "find"}).exitCode, 2);
 }

@@ -145,7 +145,7 @@ TEST(NodeFile, KeepsNodesAndNamesWhatIsWrong)
     EXPECT_FALSE(found.value().verifiesHost);
     const auto unknown = io::findNode(read.value(), "pax", path);
     ASSERT_FALSE(unknown);
-    EXPECT_NE(unknown.error().message.text().find("known: pacs"), std::string::npos);
+    EXPECT_NE(unknown.error().message.text().find("available: pacs"), std::string::npos);
     writeText(path, R"({"format":"angiopose-archives","version":1,"nodes":[{"name":"x","port":"many"}]})");
     EXPECT_TRUE(io::readArchiveSettings(path).error().message.is(io::messages::archiveListInvalid));
     node.host = "a b";

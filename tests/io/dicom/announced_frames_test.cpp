@@ -69,7 +69,8 @@ TEST(AnnouncedFrames, ThoseThatAreThereAreLoadedAndItIsSaid)
         ASSERT_EQ(run.value().frameCount(), framesThere) << announced;
         EXPECT_EQ(run.value().frames[2].pixels.back(), 300.0F);
         const std::string said = *announced == '\0' ? "1" : announced;
-        EXPECT_TRUE(test::mentions(run.value().warnings, "header declares " + said + " frames, the file contains 3"));
+        EXPECT_TRUE(
+            test::mentions(run.value().warnings, "header declares " + said + " frames, but the file contains 3"));
     }
     const auto whole = io::readAngiogram(folder.write("run.dcm", runThatAnnounces("3")));
     ASSERT_TRUE(whole);
@@ -82,7 +83,7 @@ TEST(AnnouncedFrames, APartOfAFrameIsNone)
     const auto cut = io::readAngiogram(folder.write("run.dcm", runThatAnnounces("3", 40)));
     ASSERT_TRUE(cut) << cut.error().message;
     EXPECT_EQ(cut.value().frameCount(), 2);
-    EXPECT_TRUE(test::mentions(cut.value().warnings, "header declares 3 frames, the file contains 2"));
+    EXPECT_TRUE(test::mentions(cut.value().warnings, "header declares 3 frames, but the file contains 2"));
     EXPECT_FALSE(test::mentions(cut.value().warnings, "the image is complete"));
     EXPECT_FALSE(io::readAngiogram(folder.write("run.dcm", runThatAnnounces("3", 2 * 2 * side * side + 40))));
 }

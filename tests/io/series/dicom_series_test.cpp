@@ -163,7 +163,7 @@ TEST(DicomSeries, SlicesThatShareAUidAreStillSlices)
     EXPECT_EQ(loaded.volume.geometry.size.z(), 10);
     EXPECT_LT(test::largestDisplacement(phantom, loaded.volume), 1e-6);
     EXPECT_TRUE(mentions(loaded.warnings, "Duplicate files of the series are ignored (number: 1)"));
-    EXPECT_TRUE(mentions(loaded.warnings, "10 of 10 images of the series share a SOP Instance UID"));
+    EXPECT_TRUE(mentions(loaded.warnings, "10 of 10 images of the series share an SOP Instance UID"));
 }
 
 /// The second acquisition starts `offsetMm` above the first.

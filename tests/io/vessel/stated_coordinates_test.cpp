@@ -418,7 +418,7 @@ TEST(StlFiles, WhoseHeaderContradictsThemAreNamedWithBothNumbers)
         ASSERT_FALSE(surface);
         const std::string text = surface.error().message.text();
         EXPECT_NE(text.find("declares " + std::to_string(declared)), std::string::npos) << text;
-        EXPECT_NE(text.find("holds 12"), std::string::npos) << text;
+        EXPECT_NE(text.find("contains 12"), std::string::npos) << text;
     }
     const auto cut = io::readSurface(folder.write("cut.stl", stlOf("solid x", "", false)));
     ASSERT_TRUE(cut);

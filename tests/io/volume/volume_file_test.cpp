@@ -145,7 +145,7 @@ TEST(ReadVolume, NotANumberBecomesTheLowestValue)
     ASSERT_TRUE(some);
     EXPECT_EQ(some.value().volume.value(0), -9.0);
     EXPECT_EQ(some.value().volume.value(3), 5.0);
-    EXPECT_NE(some.value().warnings.front().text().find("2 voxels are not numbers"), std::string::npos);
+    EXPECT_NE(some.value().warnings.front().text().find("not numbers (2 voxels)"), std::string::npos);
 
     test::expectRefused(folder.write("b.mha", metaImage("MET_FLOAT", bytesOf(std::vector<float>(8, none)))),
                         "no finite voxel values");

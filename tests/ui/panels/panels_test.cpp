@@ -157,7 +157,7 @@ TEST(FrameBars, TellFrameTimeAndWhatIsSpecial)
 {
     const FrameCurve curve{{0.0, 0.1, 1.0}, 2, 66.7};
     EXPECT_EQ(describeFrame(curve, {0, 1}, 1), QStringLiteral("Frame 2 · 0.07 s · 10 % · mask"));
-    EXPECT_EQ(describeFrame(curve, {}, 2), QStringLiteral("Frame 3 · 0.13 s · 100 % · peak opacification frame"));
+    EXPECT_EQ(describeFrame(curve, {}, 2), QStringLiteral("Frame 3 · 0.13 s · 100 % · peak-opacification frame"));
 }
 
 TEST(FrameBars, RWavesAreSeenAndNamed)

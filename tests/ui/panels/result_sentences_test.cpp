@@ -91,9 +91,10 @@ TEST(ResultSentences, SayHowLikelyTheOverlayIsRightWhereThatIsKnown)
     EXPECT_FALSE(
         sentencesOf(result, treeOf({"LM", "LAD"}), 0.3).certain.join(' ').contains(QStringLiteral("probability")));
     result.probabilityWithin2Mm = 0.9987;   // probabilities were only calibrated up to 99 %
-    EXPECT_TRUE(sentencesOf(result, treeOf({"LM", "LAD"}), 0.3)
-                    .certain.join(' ')
-                    .contains(QStringLiteral("99\u00a0% probability that the overlay is within 2 mm of the vessels.")));
+    EXPECT_TRUE(
+        sentencesOf(result, treeOf({"LM", "LAD"}), 0.3)
+            .certain.join(' ')
+            .contains(QStringLiteral("The overlay is within 2 mm of the vessels with a probability of 99\u00a0%.")));
     result.trustworthy = false;
     result.probabilityWithin2Mm = 0.314;
     EXPECT_TRUE(

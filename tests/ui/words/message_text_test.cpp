@@ -56,7 +56,7 @@ TEST(MessageText, LeavesNamesAlone)
     const Speaking german("de");
 
     EXPECT_EQ(messageText(messages::noSuchMethod("1.5 %1", std::vector<std::string>{"2.5"})),
-              QStringLiteral("Es gibt keine Methode „1.5 %1“. Wählbar: 2.5."));
+              QStringLiteral("Es gibt keine Methode „1.5 %1“. Wählen Sie eine von: 2.5."));
 }
 
 TEST(TermText, KnowsEveryOptionAndMethodInEveryLanguage)

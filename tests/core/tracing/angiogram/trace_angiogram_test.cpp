@@ -238,7 +238,7 @@ TEST(TraceAngiogram, RefusesWhatCannotBeTracedInPlainWords)
               std::string::npos);
     ImageF broken = test::drawnFrame(64, 64, {test::line({5, 5}, {60, 60})}, 2.0);
     broken.at(10, 10) = std::numeric_limits<float>::quiet_NaN();
-    EXPECT_NE(core::traceAngiogram(broken, Polarity::VesselsDark).error().message.text().find("not a number"),
+    EXPECT_NE(core::traceAngiogram(broken, Polarity::VesselsDark).error().message.text().find("not finite numbers"),
               std::string::npos);
 }
 

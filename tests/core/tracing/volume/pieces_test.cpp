@@ -96,7 +96,7 @@ TEST(TracedPieces, TheLargestAloneIsTracedWhereItIsAskedFor)
     EXPECT_EQ(rootsOf(traced.tree), 1);
     ASSERT_EQ(traced.pieces.size(), 2U);
     EXPECT_FALSE(traced.pieces[1].isTraced());
-    EXPECT_NE(said(traced).find("left out"), std::string::npos);
+    EXPECT_NE(said(traced).find("omitted"), std::string::npos);
 }
 
 TEST(TracedPieces, ManySmallOnesAreToldOfTogether)
@@ -134,7 +134,7 @@ TEST(TracedPieces, AClearGapIsClosed)
     const TracedVessels traced = tracedPieces(tubes);
     ASSERT_EQ(traced.tree.branches.size(), 1U);
     EXPECT_GT(traced.tree.branches.front().lengthMm(), 50.0);
-    EXPECT_NE(said(traced).find("were closed: 1"), std::string::npos) << said(traced);
+    EXPECT_NE(said(traced).find("were closed (number: 1"), std::string::npos) << said(traced);
     EXPECT_EQ(core::componentCount(traced.tree), 1);
     const TracedVessels one = tracedPieces(tubes, {.pieces = TracedPieces::Largest});
     EXPECT_LT(one.tree.branches.front().lengthMm(), 30.0);

@@ -201,7 +201,8 @@ TEST(TraceVolume, RefusesWhatShowsNoContrast)
     EXPECT_FALSE(core::traceVessels(Volume(grid, 40)));
     const auto traced = core::traceVessels(tubesInTissue(grid, {{{90, 0, 0}, {91, 0, 0}, 1.0}}));
     ASSERT_FALSE(traced);
-    EXPECT_NE(traced.error().message.text().find("soft tissue has 53 HU"), std::string::npos) << traced.error().message;
+    EXPECT_NE(traced.error().message.text().find("soft tissue measures 53 HU"), std::string::npos)
+        << traced.error().message;
     EXPECT_NE(traced.error().message.text().find("arterial phase"), std::string::npos);
 }
 
