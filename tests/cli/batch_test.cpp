@@ -90,7 +90,7 @@ TEST_F(CliBatch, WrongSettingsAreToldWithLineAndColumnAndTheNearestNames)
     };
     const std::string misspelt = reported("case,set.priorWeigth\na.angiopose,\n");
     EXPECT_NE(misspelt.find("line 1, column set.priorweigth"), std::string::npos) << misspelt;
-    EXPECT_NE(misspelt.find("closest names are: priorWeight."), std::string::npos) << misspelt;
+    EXPECT_NE(misspelt.find("Closest names: priorWeight."), std::string::npos) << misspelt;
     const std::string bare = reported("case,set.sensitivity\na.angiopose,2\n");
     EXPECT_NE(bare.find("angiogram.trace.sensitivity"), std::string::npos) << bare;
     const std::string value = reported("case,set.priorWeight\na.angiopose,1\nb.angiopose,much\n");
@@ -215,7 +215,7 @@ TEST_F(CliBatch, WithoutPicturesTheTableIsTheSame)
     EXPECT_TRUE(fs::exists(in("drawn/c1/overlay.png")));
     EXPECT_FALSE(fs::exists(in("bare/c1/overlay.png")));
     EXPECT_EQ(readText(in("bare/c1/pose.tfm")), readText(in("drawn/c1/pose.tfm")));
-    EXPECT_NE(batch("bare", {"--no-pictures", "--resume"}).messages.find("2 cases are already done"),
+    EXPECT_NE(batch("bare", {"--no-pictures", "--resume"}).messages.find("2 cases are already completed"),
               std::string::npos);
 }
 
@@ -234,7 +234,7 @@ TEST_F(CliBatch, ResumingLeavesWhatIsDoneAndUpToDate)
     const auto now = fs::file_time_type::clock::now();
     fs::last_write_time(in("c1/angiogram.dcm"), now);   // changes the time stamp, not the content
     const auto again = batch("out", {"--resume"});
-    EXPECT_NE(again.messages.find("2 cases are already done, 1 remain"), std::string::npos) << again.messages;
+    EXPECT_NE(again.messages.find("2 cases are already completed, 1 remain"), std::string::npos) << again.messages;
     EXPECT_EQ(timeOf("c1"), first);
     EXPECT_EQ(timeOf("c3"), third);
     EXPECT_NE(timeOf("c2"), second);
@@ -244,9 +244,9 @@ TEST_F(CliBatch, ResumingLeavesWhatIsDoneAndUpToDate)
     // A different input or different settings: computed again.
     fs::copy_file(in("c2/angiogram.dcm"), in("c1/angiogram.dcm"), fs::copy_options::overwrite_existing);
     const auto changed = batch("out", {"--resume"});
-    EXPECT_NE(changed.messages.find("2 cases are already done, 1 remain"), std::string::npos) << changed.messages;
+    EXPECT_NE(changed.messages.find("2 cases are already completed, 1 remain"), std::string::npos) << changed.messages;
     const auto other = batch("out", {"--resume", "--set", "priorWeight=0.5"});
-    EXPECT_NE(other.messages.find("0 cases are already done, 3 remain"), std::string::npos) << other.messages;
+    EXPECT_NE(other.messages.find("0 cases are already completed, 3 remain"), std::string::npos) << other.messages;
 }
 
 pid_t waitForWorker()

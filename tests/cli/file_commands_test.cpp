@@ -150,7 +150,7 @@ TEST(Cli, TracesEveryPieceOfAMaskAndNamesTheSeeds)
     ASSERT_EQ(all.exitCode, 0) << all.messages;
     EXPECT_NE(all.messages.find("2 unconnected components"), std::string::npos) << all.messages;
     EXPECT_NE(all.output.find(": 2 branches"), std::string::npos) << all.output;
-    const std::size_t second = all.output.find("piece 2: ");
+    const std::size_t second = all.output.find("component 2: ");
     ASSERT_NE(second, std::string::npos) << all.output;
     const std::size_t seed = all.output.find("--seed=", second);
     ASSERT_NE(seed, std::string::npos);

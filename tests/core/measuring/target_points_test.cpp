@@ -71,7 +71,7 @@ TEST(TargetPoints, TheErrorIsTheShiftThatWasImposed)
     EXPECT_FALSE(checked.views[0].predicted) << "no run found this pose";
     const Messages reported = sentencesOf(checked.views[0]);
     EXPECT_TRUE(reported.back().is(messages::checkNothingPredicted));
-    EXPECT_EQ(labelOf(checked, 0)->text(), "5.0 mm off");
+    EXPECT_EQ(labelOf(checked, 0)->text(), "error 5.0 mm");
 }
 
 TEST(TargetPoints, TwoViewsTellTheErrorInSpace)

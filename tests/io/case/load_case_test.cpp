@@ -120,7 +120,7 @@ TEST(LoadCase, NamesWhatIsWrong)
     EXPECT_TRUE(contains(with("/method", "magic"), "dynaweight"));
     EXPECT_TRUE(contains(with("/options/finalScalePx", -5), "options"));
     EXPECT_TRUE(contains(with("/geometry/camera/fx", 0), "geometry.camera"));
-    EXPECT_TRUE(contains(with("/geometry/camera/width", 512), "16 x 12"));
+    EXPECT_TRUE(contains(with("/geometry/camera/width", 512), "16 × 12"));
     EXPECT_TRUE(contains(with("/geometry/sourceToDetectorMm", "far"), "geometry.sourceToDetectorMm"));
     nlohmann::json volume = small.json();
     volume["vessel"] = {{"volume", {{"path", "ct.nii.gz"}}}};

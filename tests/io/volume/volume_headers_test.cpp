@@ -259,7 +259,7 @@ TEST(Nifti, SaysBothValuesWhereItsHeaderContradictsItself)
     const auto loaded = io::readVolume(folder.write("a.nii", withVoxels(header, 24)));
     ASSERT_TRUE(loaded);
     ASSERT_EQ(loaded.value().warnings.size(), 2U);
-    EXPECT_NE(loaded.value().warnings[0].text().find("0.5 x 2 x 3 (pixdim), 0.7 x 2 x 3"), std::string::npos)
+    EXPECT_NE(loaded.value().warnings[0].text().find("0.5 x 2 x 3 (pixdim) and 0.7 x 2 x 3"), std::string::npos)
         << loaded.value().warnings[0];
     EXPECT_NE(loaded.value().warnings[1].text().find("32 bits (bitpix), but 16 bits"), std::string::npos)
         << loaded.value().warnings[1];
