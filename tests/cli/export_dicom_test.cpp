@@ -68,7 +68,7 @@ TEST_F(CliExportDicom, WritesWhatTheCaseAllowsAndSaysWhatNot)
         EXPECT_NE(outcome.output.find(name), std::string::npos);
     }
     EXPECT_FALSE(fs::exists(out("report.dcm")));
-    EXPECT_NE(outcome.messages.find("report.dcm: a report is created by angiopose-cli report"), std::string::npos)
+    EXPECT_NE(outcome.messages.find("report.dcm: reports are created with `angiopose-cli report`"), std::string::npos)
         << outcome.messages;
     EXPECT_NE(outcome.messages.find("cannot store the perspective camera"), std::string::npos) << outcome.messages;
     EXPECT_EQ(io::sha256OfFile(folder_.file("demo/angiogram.dcm")).value(), before) << "the original is untouched";
