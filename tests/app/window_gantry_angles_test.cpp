@@ -52,7 +52,7 @@ TEST(WindowGantryAngles, ProposesAnglesAndShowsTheVesselsFromThose)
     const QString best = w.button(QStringLiteral("1 "))->text().mid(4).trimmed();
     EXPECT_TRUE(w.words().contains(best + QStringLiteral(": foreshortening"))) << w.words().toStdString();
 
-    QTest::mouseClick(w.button(QStringLiteral("Now")), Qt::LeftButton);
+    QTest::mouseClick(w.button(QStringLiteral("Current")), Qt::LeftButton);
     EXPECT_FALSE(w.words().contains(best + QStringLiteral(": foreshortening")));
     const QString now = w.words();
     w.plot().setFocus();
