@@ -236,7 +236,7 @@ TEST(RegisterViews, AnUnmeasuredDepthIsNoDeformation)
     const auto joint = registerViews(withUnknownTable().inputs, always, unknownTable);
     ASSERT_TRUE(joint) << joint.error().message;
     ASSERT_TRUE(joint.value().deformed);
-    EXPECT_LT(joint.value().deformed->rigid.meanMm, 0.5);
+    EXPECT_LT(joint.value().deformed->rigid.meanMm, 0.1);   // counted in space it is 0.23
 }
 
 }   // namespace
